@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <utility>
+#include <vector>
 
 namespace vitrine::app {
 
@@ -20,6 +21,28 @@ void requireFolderFor(const fs::path& folder, const std::string& mark, const std
         throw Failure(Blame::usage, "--out " + folder.string() + ": this folder holds something else than " + what +
                                         "; name another.");
 }
+
+namespace {
+
+/// Moves what lies in one folder and is not in the other over there, but for pictures, which are the program's.
+/// Returns whether all of it could be moved.
+bool keepForeign(const fs::path& from, const fs::path& to, bool picturesToo)
+{
+    std::error_code error;
+    std::vector<fs::path> found;
+    for (fs::directory_iterator entry(from, error), end; !error && entry != end; entry.increment(error))
+        if (picturesToo || entry->path().extension() != ".png") found.push_back(entry->path());
+    bool moved = !error;
+    for (const fs::path& path : found) {
+        const fs::path place = to / path.filename();
+        if (fs::exists(place, error)) continue;
+        fs::rename(path, place, error);
+        moved = moved && !error;
+    }
+    return moved;
+}
+
+}  // namespace
 
 PartFolder::PartFolder(fs::path target) : target_(std::move(target)), part_(target_)
 {
@@ -52,7 +75,10 @@ void PartFolder::publish() const
         throw Failure(Blame::file, target_.string() + ": the folder cannot be put in place (" + error.message() +
                                        "); choose another with --out.");
     }
-    fs::remove_all(old, error);
+    if (!replaces) return;
+    const bool pictures = fs::is_directory(old / "pictures", error);
+    if (keepForeign(old, target_, true) && (!pictures || keepForeign(old / "pictures", target_ / "pictures", false)))
+        fs::remove_all(old, error);
 }
 
 }  // namespace vitrine::app

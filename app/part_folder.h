@@ -10,7 +10,8 @@ namespace vitrine::app {
 void requireFolderFor(const std::filesystem::path& folder, const std::string& mark, const std::string& what);
 
 /// A folder beside the target that is gone again unless it took the target's place: the target holds all of the old
-/// content or all of the new.
+/// content or all of the new. What somebody else put into it stays: all but files of the old content's names, and the
+/// pictures in pictures/.
 class PartFolder {
 public:
     /// With a folder pictures/ in it. Throws Failure (Blame::file) when it cannot be made.

@@ -28,7 +28,7 @@ void requireComparisonFolder(const std::filesystem::path&);
 
 /// Writes index.html, comparison.json and the pictures: a.png and b.png with what brings them back inside, and their
 /// differences, flip-G.png and signed-G.png for each gain G. All of it is written beside the folder first, which is
-/// then replaced. Throws Failure (Blame::file).
+/// then replaced; files of others stay in it. Throws Failure (Blame::file).
 void writeComparisonFolder(const std::filesystem::path&, Subjects, const Comparison&, const ComparisonText&);
 
 }  // namespace vitrine::app

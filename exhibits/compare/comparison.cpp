@@ -11,6 +11,26 @@ namespace {
 constexpr std::array colorMetrics{render::Metric::flip, render::Metric::rmse, render::Metric::psnr, render::Metric::max,
                                   render::Metric::beyond};
 
+/// A frame of several tiles took what they took together; what only ran for the first of them is a part of it.
+void addTile(render::FrameReport& whole, const render::FrameReport& tile)
+{
+    std::map<std::string, int> seen;
+    for (const render::StepReport& step : tile.ran) {
+        int before = seen[step.name]++;
+        const auto same = std::find_if(whole.ran.begin(), whole.ran.end(), [&](const render::StepReport& known) {
+            return known.name == step.name && before-- == 0;
+        });
+        if (same == whole.ran.end())
+            whole.ran.push_back(step);
+        else if (step.milliseconds >= 0)
+            same->milliseconds = std::max(same->milliseconds, 0.0) + step.milliseconds;
+    }
+    for (const auto& [name, count] : tile.counters) whole.counters[name] += count;
+    whole.milliseconds += tile.milliseconds;
+    whole.wallMilliseconds += tile.wallMilliseconds;
+    whole.overheadMilliseconds += tile.overheadMilliseconds;
+}
+
 }  // namespace
 
 Comparison::Comparison(const Museum& museum, render::RenderBackend& backend, ComparisonRequest request)
@@ -77,19 +97,34 @@ void Comparison::drawTimed(std::size_t side)
 {
     FrameRequest frame = request_.frame;
     frame.cut = frame.finished = true;  // As the picture.
-    if (std::max(frame.raster.size.x, frame.raster.size.y) > std::min(request_.largestTile, backend_.largestSide()))
-        frame.raster.tile = glm::min(frame.raster.size, glm::ivec2(request_.largestTile));
-    render::FrameReport report =
-        backend_.draw(museum_.plan(museum_.prepare(request_.settings[side], frame), frame, backend_.persistentState()));
+    const glm::ivec2 size = frame.raster.size;
+    const int largest = std::max(std::min(request_.largestTile, backend_.largestSide()), 1);
+    std::optional<render::FrameReport> whole;
+    for (int y = 0; y < size.y; y += largest)
+        for (int x = 0; x < size.x; x += largest) {
+            frame.raster.offset = {x, y};
+            if (std::max(size.x, size.y) > largest)
+                frame.raster.tile = glm::min(glm::ivec2(largest), size - frame.raster.offset);
+            const render::FrameReport tile = backend_.draw(
+                museum_.plan(museum_.prepare(request_.settings[side], frame), frame, backend_.persistentState()));
+            if (whole)
+                addTile(*whole, tile);
+            else
+                whole = tile;
+        }
+    render::FrameReport& report = *whole;
     ComparedSide& compared = result_.sides[side];
     if (framesTimed_ >= 2) {  // The first one of each builds programs.
         compared.milliseconds.push_back(report.milliseconds);
-        for (const render::StepReport& step : report.ran)
-            if (step.milliseconds >= 0) stepTimes_[side][step.name].push_back(step.milliseconds);
+        std::map<std::string, int> seen;
+        for (const render::StepReport& step : report.ran) {
+            const int number = seen[step.name]++;
+            if (step.milliseconds >= 0) stepTimes_[side][{step.name, number}].push_back(step.milliseconds);
+        }
     }
     if (const auto counted = compared.report.counters.find("evaluations"); counted != compared.report.counters.end())
         report.counters.insert(*counted);
-    compared.report = std::move(report);
+    compared.report = std::move(*whole);
 }
 
 void Comparison::finish()
@@ -100,8 +135,9 @@ void Comparison::finish()
             compared.time = render::summarize(compared.milliseconds);
             compared.report.milliseconds = compared.time->median;
         }
+        std::map<std::string, int> seen;
         for (render::StepReport& step : compared.report.ran) {
-            const auto times = stepTimes_[side].find(step.name);
+            const auto times = stepTimes_[side].find({step.name, seen[step.name]++});
             step.milliseconds = times == stepTimes_[side].end() ? -1 : render::summarize(times->second).median;
         }
         makers_[side].reset();

@@ -11,6 +11,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vitrine {
@@ -71,8 +72,9 @@ private:
     ComparisonRequest request_;
     ComparisonResult result_;
     std::array<std::optional<PictureMaker>, 2> makers_;
-    std::array<std::map<std::string, std::vector<double>>, 2> stepTimes_;  // By pass.
-    std::size_t framesTimed_ = 0;                                          // Of both, the first of each among them.
+    // By pass, and its number among those of that name.
+    std::array<std::map<std::pair<std::string, int>, std::vector<double>>, 2> stepTimes_;
+    std::size_t framesTimed_ = 0;  // Of both, the first of each among them.
     bool finished_ = false;
 };
 

@@ -90,6 +90,9 @@ TEST_F(CompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
     // Each picture brings its settings back: compared with one of them, the file it came from differs in nothing.
     const std::string kept = folder_ / "kept.png";
     std::filesystem::copy_file(out_ + "/pictures/b.png", kept);
+    std::ofstream(out_ + "/notes.txt") << "mine";
+    std::ofstream(out_ + "/pictures/thoughts.txt") << "mine, too";
+    std::ofstream(out_ + "/pictures/old.png") << "of an older comparison";
     const Ended again = compare(kept, b);
     std::filesystem::remove(kept);
     ASSERT_EQ(again.code, 0) << again.err;
@@ -98,6 +101,9 @@ TEST_F(CompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
     EXPECT_EQ(same["errors"]["flip"], 0);
     EXPECT_EQ(same["errors"]["psnr"], "infinite");
     EXPECT_TRUE(nothingElseStayed()) << "the page was replaced";
+    EXPECT_EQ(text("notes.txt"), "mine");
+    EXPECT_EQ(text("pictures/thoughts.txt"), "mine, too");
+    EXPECT_FALSE(std::filesystem::exists(out_ + "/pictures/old.png"));
 }
 
 TEST_F(CompareSettings, WhatCannotBeReadLeavesWhatIsThere)

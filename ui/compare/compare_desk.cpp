@@ -1,6 +1,7 @@
 #include "ui/compare/compare_desk.h"
 
 #include "exhibits/compare/differing_rows.h"
+#include "exhibits/museum/named_files.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_overlay.h"
@@ -14,6 +15,11 @@
 #include <QFileDialog>
 
 namespace vitrine::ui {
+namespace {
+
+constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
+
+}  // namespace
 
 CompareDesk::CompareDesk(Workbench& workbench, PresetShelf& shelf, QWidget* parent)
     : QObject(parent), workbench_(workbench), shelf_(shelf), window_(parent),
@@ -30,6 +36,8 @@ CompareDesk::CompareDesk(Workbench& workbench, PresetShelf& shelf, QWidget* pare
     connect(picture_, &OtherPicture::gone, this, &CompareDesk::tellLedger);
     connect(picture_, &OtherPicture::failed, this,
             [this](const QString& why) { workbench_.say(MessageStrip::Mood::problem, tr("B: %1").arg(why)); });
+    fileWatch_.setInterval(lookAtFilesEvery);
+    connect(&fileWatch_, &QTimer::timeout, this, &CompareDesk::lookAtFiles);
     bar_->refresh();
 }
 
@@ -40,6 +48,12 @@ void CompareDesk::refresh()
     if (!other_->held() && overlay_->mode() != CompareMode::off) {
         overlay_->setMode(CompareMode::off);  // Comes back here.
         return;
+    }
+    if (!other_->held() || !namesFiles(workbench_.museum().subjects(), other_->sceneState())) {
+        fileWatch_.stop();
+    } else if (!fileWatch_.isActive()) {
+        filesRead_ = stateOfFiles(workbench_.museum().subjects(), other_->sceneState());
+        fileWatch_.start();
     }
     picture_->setWanted(other_->held() && (overlay_->mode() != CompareMode::off || overlay_->otherAlone()));
     actions_->refresh();
@@ -72,19 +86,32 @@ void CompareDesk::hold(const SceneState& sceneState, const QString& name)
 {
     // Files in it may give further rows: read where files are read.
     workbench_.viewport().renderThread().post(
-        [this, &museum = workbench_.museum(), sceneState, name]() -> std::function<void()> {
+        [this, &museum = workbench_.museum(), sceneState, name, number = ++holds_]() -> std::function<void()> {
             const TabledSceneState read = museum.readTables(sceneState);
-            return [this, read, name] {
+            return [this, read, name, number] {
+                if (number != holds_) return;
                 for (const std::string& why : read.unreadable)
                     workbench_.say(MessageStrip::Mood::problem, tr("B: %1").arg(QString::fromStdString(why)));
-                other_->hold(read.sceneState, name);
+                if (name.isNull())
+                    other_->readAgain(read.sceneState);
+                else
+                    other_->hold(read.sceneState, name);
                 if (overlay_->mode() == CompareMode::off && !overlay_->otherAlone()) setMode(CompareMode::wipe);
             };
         });
 }
 
+void CompareDesk::lookAtFiles()
+{
+    const std::uint64_t now = stateOfFiles(workbench_.museum().subjects(), other_->sceneState());
+    if (now == filesRead_) return;
+    filesRead_ = now;
+    hold(other_->sceneState(), {});
+}
+
 void CompareDesk::holdPresent()
 {
+    ++holds_;
     // Its tables have been read.
     other_->hold(workbench_.history().sceneState(), tr("A as it was"));
     if (overlay_->mode() == CompareMode::off) setMode(CompareMode::wipe);
@@ -120,6 +147,7 @@ void CompareDesk::chooseFile()
 
 void CompareDesk::letGo()
 {
+    ++holds_;
     overlay_->setOtherAlone(false);
     other_->letGo();
 }

@@ -5,7 +5,9 @@
 #include "ui/compare/compare_mode.h"
 
 #include <QObject>
+#include <QTimer>
 
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,7 +70,10 @@ signals:
     void ledgerChanged(const vitrine::render::FrameReport* report, const QString& why);
 
 private:
+    /// Once its files are read. Without a name: what is B now, of other files.
     void hold(const SceneState&, const QString& name);
+    /// The same B once more, where a file that it names is another one now.
+    void lookAtFiles();
     void refresh();
     void tellLedger();
 
@@ -80,6 +85,9 @@ private:
     CompareOverlay* overlay_;
     CompareActions* actions_;
     CompareBar* bar_;
+    int holds_ = 0;  ///< B's so far: one that takes longer to read gives way to a later one.
+    QTimer fileWatch_;
+    std::uint64_t filesRead_ = 0;  ///< State of the files that B names.
 };
 
 }  // namespace vitrine::ui

@@ -24,6 +24,11 @@ void OtherSettings::hold(const SceneState& sceneState, const QString& name)
     show({sceneState, name, false});
 }
 
+void OtherSettings::readAgain(const SceneState& sceneState)
+{
+    show({sceneState, name_, edited_});
+}
+
 void OtherSettings::letGo()
 {
     if (held()) show({});

@@ -25,6 +25,8 @@ public:
     [[nodiscard]] QString name() const;
 
     void hold(const SceneState&, const QString& name);
+    /// The same settings, of files that are others now. Only while held.
+    void readAgain(const SceneState&);
     void letGo();
 
     // Only while held:

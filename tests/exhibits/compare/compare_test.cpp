@@ -237,5 +237,16 @@ TEST(Comparison, DrawsWhatItWasAskedForAndNoMore)
     EXPECT_EQ(untimed.backend.drawn, 2 * 2);
 }
 
+TEST(Comparison, TimesAllTilesOfAFrame)
+{
+    KnownPair pair;  // Each draw costs what the law says, however small: two tiles cost twice as much.
+    pair.request.largestTile = 8;
+    const ComparisonResult result = pair.run();
+    const double cost = sumOfParts().cost(pair.table, pair.request.settings[1].values[1], 1);
+    ASSERT_TRUE(result.sides[1].time);
+    EXPECT_NEAR(result.sides[1].time->median, 2 * cost, 2e-3);
+    EXPECT_EQ(result.counters[1].b, 2 * std::llround(1000 * cost));
+}
+
 }  // namespace
 }  // namespace vitrine

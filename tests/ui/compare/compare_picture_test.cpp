@@ -3,6 +3,7 @@
 #include "tests/ui/compare/open_comparison.h"
 
 #include "render/failure.h"
+#include "render/image/image_io.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/window/ledger_dock.h"
 #include "ui/window/ledger_view.h"
@@ -95,6 +96,28 @@ private slots:
         rest();
         QVERIFY(isA(0.3));
         QVERIFY(isB(0.6));
+    }
+
+    void aFileThatBAloneNamesIsWatched()
+    {
+        const QString path = home_->filePath("sky.png");
+        const auto write = [&](int width) {
+            render::writePicture(path.toStdString(), render::Image(width, 4, 3, 0.5F), render::PictureFormat::png8);
+        };
+        write(4);
+        window_->choose(1);
+        const std::size_t row = gallery_->table().environment.row;
+        window_->history().set(1, row, path.toStdString(), newGesture());
+        settle();
+        action("Hold what is on show as B")->trigger();
+        window_->history().set(1, row, std::string(), newGesture());
+        rest();
+        const std::size_t drawn = gallery_->otherRequests().size();
+        QTest::qWait(1200);
+        QCOMPARE(gallery_->otherRequests().size(), drawn);  // A control: nothing changed.
+        write(8);
+        QTRY_VERIFY(gallery_->otherRequests().size() > drawn);
+        QCOMPARE(desk().other().name(), QString("A as it was"));
     }
 
     void ofBNothingIsDrawnThatNothingShowsAndTheLedgerSaysSo()

@@ -270,6 +270,16 @@ private slots:
         undone->trigger();
         QTRY_COMPARE(otherRoughness(), 0.7);
 
+        // Of two, the later one is B, however long the former takes to be read.
+        desk().holdFile(picture);
+        action("Hold what is on show as B")->trigger();
+        settle();
+        QTest::qWait(50);
+        QCOMPARE(desk().other().name(), QString("A as it was"));
+        setRoughness(0.7);
+        action("Hold what is on show as B")->trigger();
+        QTRY_COMPARE(otherRoughness(), 0.7);
+
         // What cannot be read changes nothing and is said.
         const QString bad = home_->filePath("bad.json");
         QFile file(bad);
