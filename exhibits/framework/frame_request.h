@@ -3,6 +3,7 @@
 #include "exhibits/framework/exhibit.h"
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -40,6 +41,8 @@ struct FrameRequest {
         false;  ///< A file that the look names and that cannot be read is a Failure, not a complaint of the plan.
     bool rests =
         false;  ///< Its values have not changed for a while: programs may be built for them alone (ShaderKey::better).
+    /// No more than so many of those in view, the nearest ones: what opens shows something soon, and adds to it.
+    int mostExhibits = std::numeric_limits<int>::max();
     bool waitless = false;  ///< Prepared by a thread that must not wait: without what nobody has read or made yet.
     /// Seconds since each exhibit's button was pressed, in the order of Museum::subjects(); may be shorter.
     std::vector<double> sincePressed;

@@ -124,6 +124,8 @@ private:
     struct Frame;
     [[nodiscard]] Seen firstSeen(const Prepared&, const render::Ray&) const;
     [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&, bool alone) const;
+    /// Hides all but the nearest of those in view, where no more are asked for. What lies over the frame stays.
+    static void leaveToLater(std::vector<Present>&, const FrameRequest&);
     [[nodiscard]] std::vector<Present> presentIn(const Prepared&, const FrameRequest&, const HallScene&,
                                                  const render::View&) const;
     [[nodiscard]] HallScene sceneOf(const Prepared&, bool alone) const;

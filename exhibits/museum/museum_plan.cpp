@@ -127,6 +127,18 @@ std::vector<render::LocalLight> Museum::lampsOf(const Prepared& prepared, const 
     return lamps;
 }
 
+void Museum::leaveToLater(std::vector<Present>& present, const FrameRequest& request)
+{
+    std::vector<std::pair<double, Present*>> seen;
+    for (Present& p : present)
+        if ((p.hidden.empty() || p.noShadow.empty()) && !capability<OverFrame>(p.exhibit))
+            seen.emplace_back(glm::distance(p.box.center(), request.camera.eye), &p);
+    if (seen.size() <= static_cast<std::size_t>(std::max(request.mostExhibits, 0))) return;
+    std::sort(seen.begin(), seen.end());
+    for (std::size_t i = static_cast<std::size_t>(std::max(request.mostExhibits, 0)); i < seen.size(); ++i)
+        seen[i].second->hidden = seen[i].second->noShadow = "the window opens, and others come first";
+}
+
 std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const FrameRequest& request,
                                                const HallScene& scene, const render::View& view) const
 {
@@ -146,6 +158,7 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
         p.noShadow = !p.unlit.empty() || request.runEverything ? p.unlit : whyNoShadow(scene, p.box, view);
         present.push_back(std::move(p));
     }
+    leaveToLater(present, request);
     return present;
 }
 

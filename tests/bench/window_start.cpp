@@ -1,6 +1,6 @@
 // From the start of the process to the first picture that the window shows, as a user meets it: the program itself is
-// started with a display, says when its first picture was on the screen, and closes. Once with the programs (shaders)
-// in the cache and once without, in turn. Prints a table; passes or fails nothing.
+// started with a display, says when its first picture was on the screen and when all exhibits in view were, and closes.
+// Once with the programs (shaders) in the cache and once without, in turn. Prints a table; passes or fails nothing.
 //   xvfb-run -a bench_window_start [--runs 5]
 
 #include "tests/bench/child.h"
@@ -20,6 +20,7 @@ std::string shownSize;
 
 struct Start {
     double seconds = 0;     ///< To the first picture.
+    double allSeconds = 0;  ///< To the one that shows all.
     double cpuSeconds = 0;  ///< Of the process until it has closed.
 };
 
@@ -35,27 +36,30 @@ std::optional<Start> start(const std::string& cache)
                                               {"XDG_CONFIG_HOME", home / "config"},
                                               {"XDG_DATA_HOME", home / "data"}},
                                              120);
-    double shown = 0;
+    double shown = 0, all = 0;
     char size[64] = "";
-    if (run.code != 0 || std::sscanf(run.out.c_str(), "first picture at %lf s, %63s", &shown, size) != 2)
+    if (run.code != 0 ||
+        std::sscanf(run.out.c_str(), "first picture at %lf s, %63s all at %lf", &shown, size, &all) != 3)
         return std::nullopt;
     shownSize = size;
-    return Start{shown - run.started, run.cpuSeconds};
+    return Start{shown - run.started, all - run.started, run.cpuSeconds};
 }
 
 /// Prints a row, and gives the median of the seconds.
 double row(const char* name, const std::vector<Start>& starts)
 {
-    std::vector<double> wall, cpu;
+    std::vector<double> wall, all, cpu;
     for (const Start& start : starts) {
+        all.push_back(start.allSeconds);
         wall.push_back(start.seconds);
         cpu.push_back(start.cpuSeconds);
     }
     std::sort(wall.begin(), wall.end());
+    std::sort(all.begin(), all.end());
     std::sort(cpu.begin(), cpu.end());
     const double median = wall[wall.size() / 2];
-    std::printf("| %s | %.0f | %.0f to %.0f | %.0f | %zu |\n", name, 1e3 * median, 1e3 * wall.front(),
-                1e3 * wall.back(), 1e3 * cpu[cpu.size() / 2], starts.size());
+    std::printf("| %s | %.0f | %.0f to %.0f | %.0f | %.0f | %zu |\n", name, 1e3 * median, 1e3 * wall.front(),
+                1e3 * wall.back(), 1e3 * all[all.size() / 2], 1e3 * cpu[cpu.size() / 2], starts.size());
     return median;
 }
 
@@ -81,12 +85,12 @@ int main(int argc, char** argv)
     std::printf("From just before the process is started until the window's first picture of %s pixels is on the "
                 "screen; wall clock, medians.\n\n",
                 shownSize.c_str());
-    std::printf(
-        "| programs | ms | lowest to highest | ms of CPU until it has closed | runs |\n|---|---|---|---|---|\n");
+    std::printf("| programs | ms | lowest to highest | ms to all exhibits in view | ms of CPU until it has closed | "
+                "runs |\n|---|---|---|---|---|---|\n");
     const double cached = row("cached", warm);
     const double compiled = row("compiled, as after installation or a change of driver", cold);
     std::printf("\nFrom the start of the process to the window's first picture: %.1f s with the programs cached (goal: "
-                "1.5 s), %.1f s when they are compiled.\n",
+                "1.0 s), %.1f s when they are compiled.\n",
                 cached, compiled);
     return 0;
 }

@@ -46,7 +46,7 @@ void DrawSchedule::setMoving(bool on, double now)
 std::optional<DrawOrder> DrawSchedule::next(double now) const
 {
     const bool averaged = history_ > 1;
-    if (opening_) return DrawOrder{openingScale, 0, 1};
+    if (opening_ && dirty_) return DrawOrder{openingScale, 0, 1, false, opened_};
     if (moving_) return DrawOrder{scales[level_], 0, 1, averaged};
     const bool settled = now - lastChange_ >= settleTime;
     if (dirty_ && cameraOnly_ && averaged && !settled) return DrawOrder{scales[level_], 0, 1, true};
@@ -100,8 +100,21 @@ void DrawSchedule::drawn(const DrawOrder& order, double seconds)
     }
     if (improves(order)) leastToShow_ = order.inMotion && order.scale == 1 ? std::min(asSmoothAsMotion, samples_) : 0;
     outdated_ = false;
-    // The first one loads files and programs: its time says nothing.
-    if (order.sample == 0 && !std::exchange(opening_, false)) adapt(order, seconds);
+    if (order.sample != 0) return;
+    // While files are read and programs are compiled, times say nothing of what comes.
+    if (opening_)
+        open(seconds);
+    else
+        adapt(order, seconds);
+}
+
+void DrawSchedule::open(double seconds)
+{
+    const bool quick = opened_ > 0 && seconds < quickOpening;
+    opening_ = !quick && opened_ < exhibits_;
+    ++opened_;
+    dirty_ = true;
+    refined_ = 0;
 }
 
 void DrawSchedule::adapt(const DrawOrder& order, double seconds)

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -12,6 +13,8 @@ struct DrawOrder {
     int sample = 0;         ///< Supersample ...
     int samples = 1;        ///< ... of so many.
     bool inMotion = false;  ///< Averaged with the frames of the same motion before it.
+    /// No more than so many exhibits: what opens shows something soon.
+    int mostExhibits = std::numeric_limits<int>::max();
 
     bool operator==(const DrawOrder&) const = default;
 };
@@ -23,12 +26,16 @@ class DrawSchedule {
 public:
     static constexpr std::array<double, 5> scales{1, 0.75, 0.5, 0.35, 0.25};
     static constexpr double targetTime = 0.055;  ///< Seconds per frame while moving: about 18 frames a second.
-    static constexpr double openingScale = 0.5;  ///< Of the very first picture, so that there is one soon.
+    static constexpr double openingScale = 0.5;  ///< Of the very first pictures, so that there is one soon.
+    static constexpr double quickOpening = 0.5;  ///< Seconds: whoever adds an exhibit as fast can add all of them.
     static constexpr double settleTime = 0.2;    ///< Seconds without a change after which the picture is still.
 
     /// Supersamples of a picture at rest; at least 1.
     void setSamples(int samples) { samples_ = samples; }
     [[nodiscard]] int samples() const { return samples_; }
+
+    /// How many there are. The first picture shows none, the next ones one more each, until that is quick.
+    void setExhibits(int count) { exhibits_ = count; }
 
     /// Frames that a picture in motion is averaged over; 1: every one stands alone.
     void setHistory(int frames) { history_ = frames; }
@@ -56,6 +63,8 @@ public:
     [[nodiscard]] bool betterGivenUp() const;
 
     [[nodiscard]] double scaleWhileMoving() const { return scales[level_]; }
+    /// No picture shows all exhibits yet.
+    [[nodiscard]] bool opening() const { return opening_; }
     /// The last picture shows things as they are, however finely.
     [[nodiscard]] bool current() const { return !moving_ && !dirty_; }
     [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples_; }
@@ -63,10 +72,13 @@ public:
     [[nodiscard]] std::string reason() const;
 
 private:
+    void open(double seconds);
     void adapt(const DrawOrder&, double seconds);
 
     bool dirty_ = true;
-    bool opening_ = true;  // Nothing is drawn yet.
+    bool opening_ = true;
+    int exhibits_ = 0;
+    int opened_ = 0;  // Exhibits that the next picture shows, while opening.
     std::optional<DrawOrder> underway_;
     bool outdated_ = false;  // Something changed since it was begun.
     bool moving_ = false;

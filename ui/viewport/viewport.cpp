@@ -51,6 +51,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     setAccessibleDescription(tr("The picture. W A S D walk, dragging looks around, a click visits an exhibit."));
     steady_.start();
     pressedAt_.assign(museum.subjects().size(), -1e9);
+    schedule_.setExhibits(static_cast<int>(museum.subjects().size()) - 1);  // But for the hall.
     control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return museum_.walk(from, to); });
     control_.jumpTo(history.sceneState().camera);
     takeQuality();
@@ -165,6 +166,7 @@ void Viewport::orderWhole(const DrawOrder& order)
     const double scale = order.scale * pictureQuality(wanted.sceneState.hall()).resolutionScale;
     wanted.request.raster.size =
         glm::max(glm::ivec2(glm::round(glm::dvec2(wanted.request.raster.size) * scale)), glm::ivec2(1));
+    wanted.request.mostExhibits = order.mostExhibits;
     wanted.request.cut = std::exchange(cut_, false);
     wanted.request.sample = order.sample;
     wanted.request.samples = order.samples;

@@ -53,6 +53,8 @@ public:
     /// Every pass runs, called for or not: the picture must stay the same.
     void setRunEverything(bool);
     void reloadShaders();
+    /// Exhibits are still to come.
+    [[nodiscard]] bool opening() const { return schedule_.opening(); }
     /// The line for the first start; gone at the first step or click.
     void showHint(const QString&);
 

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -103,6 +104,35 @@ TEST(MuseumPlan, BehindAWallItIsNotMarched)
     // Through the window it can be seen.
     scene.see({0, 3, -15}, {0, 1.45, 0});
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/march"), "it ran");
+}
+
+TEST(MuseumPlan, OfTheOnesInViewNoMoreAreDrawnThanAreAskedForTheNearestFirst)
+{
+    Scene scene;
+    scene.see(test::museum().initialSceneState().camera);
+    std::vector<std::size_t> nearest;
+    for (std::size_t i = 1; i < test::museum().subjects().size(); ++i)
+        if (!capability<OverFrame>(*test::museum().subjects()[i])) nearest.push_back(i);
+    const auto distance = [&](std::size_t i) {
+        const auto& exhibit = dynamic_cast<const Exhibit&>(*test::museum().subjects()[i]);
+        const render::Box box =
+            exhibit.boundsOf({scene.sceneState.values[i]}).transformed(test::museum().worldFromExhibit(i));
+        return glm::distance(box.center(), scene.request.camera.eye);
+    };
+    std::sort(nearest.begin(), nearest.end(), [&](auto a, auto b) { return distance(a) < distance(b); });
+    const auto drawn = [&](std::size_t i) {
+        return runs(scene.plan(), std::string(test::museum().subjects()[i]->name()) + "/");
+    };
+    std::erase_if(nearest, [&](std::size_t i) { return !drawn(i); });
+    ASSERT_GE(nearest.size(), 4U);
+    for (std::size_t most = 0; most <= nearest.size(); ++most) {
+        scene.request.mostExhibits = static_cast<int>(most);
+        for (std::size_t k = 0; k < nearest.size(); ++k)
+            EXPECT_EQ(drawn(nearest[k]), k < most) << test::museum().subjects()[nearest[k]]->name() << ", " << most;
+    }
+    scene.request.mostExhibits = 0;
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph"), "the window opens, and others come first");
+    EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "the window opens, and others come first");
 }
 
 TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)

@@ -45,7 +45,7 @@ private slots:
         DrawSchedule schedule;
         schedule.changed(0);
         const DrawOrder order = schedule.next(0).value();
-        QCOMPARE(order, (DrawOrder{DrawSchedule::openingScale, 0, 1}));
+        QCOMPARE(order, (DrawOrder{DrawSchedule::openingScale, 0, 1, false, 0}));
         schedule.begun(order);
         schedule.drawn(order, 60);  // As long as on the first start, when all programs are compiled.
         QCOMPARE(schedule.scaleWhileMoving(), 1.0);
@@ -54,6 +54,33 @@ private slots:
         QCOMPARE(drawAll(schedule, now, 0.01), 16);
         schedule.changed(now);
         QCOMPARE(schedule.next(now).value(), (DrawOrder{1, 0, 16}));
+    }
+
+    void anOpeningMuseumShowsTheHallAndThenOneExhibitAfterTheOtherUntilThatIsQuick()
+    {
+        DrawSchedule slow;
+        slow.setExhibits(3);
+        for (int exhibits = 0; exhibits <= 3; ++exhibits) {
+            const DrawOrder order = slow.next(0).value();
+            QCOMPARE(order, (DrawOrder{DrawSchedule::openingScale, 0, 1, false, exhibits}));
+            slow.drawn(order, 2);  // Its programs are compiled.
+        }
+        QCOMPARE(slow.next(0).value(), (DrawOrder{1, 0, 16}));
+
+        DrawSchedule quick;
+        quick.setExhibits(9);
+        quick.drawn(quick.next(0).value(), 0.1);  // What it takes says nothing: no exhibit was drawn.
+        QCOMPARE(quick.next(0).value().mostExhibits, 1);
+        quick.drawn(quick.next(0).value(), 0.1);
+        QCOMPARE(quick.next(0).value(), (DrawOrder{1, 0, 16}));
+        QCOMPARE(quick.scaleWhileMoving(), 1.0);
+
+        DrawSchedule broken;
+        broken.setExhibits(9);
+        broken.drawn({1, 15, 16}, 0);  // As the viewport says it of what failed.
+        QVERIFY(!broken.next(100));    // Nothing is tried again until something changes.
+        broken.changed(100);
+        QCOMPARE(broken.next(100).value().mostExhibits, 0);
     }
 
     void aStillPictureIsRefinedSixteenTimesAndThenLeftAlone()
