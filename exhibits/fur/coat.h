@@ -65,7 +65,7 @@ struct Coats {
 };
 
 /// How many shells a coat of `length` meters is given, `distance` meters away: all of `wanted` while the coat
-/// spans enough pixels (each `pixelAngle` radians wide), continuously fewer after that, never under 4 of 5.
+/// spans eight pixels for each (of `pixelAngle` radians), continuously fewer after that, never under 5 of them.
 [[nodiscard]] double shellsAtDistance(int wanted, double length, double distance, double pixelAngle);
 
 /// Radius of the sphere, roll or tube that collides: the skin at its present size, and what of the fur the

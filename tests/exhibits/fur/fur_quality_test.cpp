@@ -137,6 +137,34 @@ TEST_F(FurQuality, SeenFromNearIsWithinEightLevelsOfShellsWithoutNumber)
     EXPECT_GT(bareError, 16);
 }
 
+TEST_F(FurQuality, WithFewerShellsFromItsBestViewIsWithinTwelveLevelsOfShellsWithoutNumber)
+{
+    // Fur all over: a part of the picture, its pixels as large as in one of 640 x 360.
+    struct PartOfBestView : FurShot {
+        PartOfBestView()
+        {
+            render::Camera& camera = request.frame.camera;
+            camera.target = {-0.2, 0.4, 0.2};
+            camera.fovY = 2 * std::atan(std::tan(0.5 * camera.fovY) * 112 / 360);
+            size(168, 112);
+            request.samples = 4;
+            request.frame.averageIn = AverageIn::display;
+        }
+    };
+    PartOfBestView usual, all, reference, bare;
+    const Picture truth = reference.reference().take();
+    const double error = levelsApart(usual.take(), truth);
+    all.object().set(table().levelOfDetail, false);
+    const double allError = levelsApart(all.take(), truth);
+    const double bareError = levelsApart(bare.shells(5, FurSilhouette::none).take(), truth);
+    std::printf(
+        "from the best view, RMSE in levels: the initial coat %.2f, with all its shells %.2f, 5 bare shells %.2f\n",
+        error, allError, bareError);
+    EXPECT_LE(error, 12);
+    EXPECT_GT(bareError, 16);
+    EXPECT_LE(allError, 8);
+}
+
 TEST_F(FurQuality, SpinesAreSmooth)
 {
     const auto shot = [](const auto& change) {
