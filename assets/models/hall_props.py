@@ -130,6 +130,13 @@ def _pit(m, nodes):
         rows.append([(x + pr * math.cos(a), py, z + pr * math.sin(a)) for pr, py in prof])
     start = len(m.verts)
     grid(m, rows, "leather", density=0.9, uv_shift=(0, 0))
+    # Where pads meet, too, the leather ends on the bronze ring, or the floor would be seen between them. Moved only now:
+    # what is baked lies where it lay.
+    for k in range(start, len(m.verts)):
+        px, py, pz = m.verts[k]
+        if abs(py) < 1e-9:
+            out = (r + 0.285) / math.hypot(px - x, pz - z)
+            m.verts[k] = (x + (px - x) * out, py, z + (pz - z) * out)
     weld_tail(m, start)
     planar(m, [circle(x, -z, r + 0.01, 64)], lambda a, b: (a, -d, -b), lambda a, b: "dark", density=0.6)
     lathe(m, fillet([(r + 0.345, -0.004), (r + 0.345, 0.012, 0.006), (r + 0.28, 0.012)], 2), "bronze",
