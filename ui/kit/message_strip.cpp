@@ -1,5 +1,6 @@
 #include "ui/kit/message_strip.h"
 
+#include "ui/kit/show_in_folder.h"
 #include "ui/kit/theme.h"
 
 #include <QApplication>
@@ -31,12 +32,16 @@ public:
         words_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         words_->setAccessibleName(MessageStrip::tr("Message"));
         auto* copy = button(MessageStrip::tr("Copy"), MessageStrip::tr("Copy this message"));
+        folder_ = button(MessageStrip::tr("Show in folder"), MessageStrip::tr("Show the file in its folder"));
         auto* dismiss = button(QStringLiteral("✕"), MessageStrip::tr("Dismiss this message"));
         auto* layout = new QHBoxLayout(this);
         layout->setContentsMargins(16, 4, 8, 4);
         layout->setSpacing(8);
         layout->addWidget(words_, 1);
+        layout->addWidget(folder_, 0, Qt::AlignTop);
         layout->addWidget(copy, 0, Qt::AlignTop);
+        folder_->hide();
+        connect(folder_, &QToolButton::clicked, this, [this] { showInFolder(file_); });
         layout->addWidget(dismiss, 0, Qt::AlignTop);
         connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(words_->text()); });
         life_.setSingleShot(true);
@@ -53,6 +58,12 @@ public:
     }
     [[nodiscard]] const QString& kind() const { return kind_; }
     void setKind(const QString& several) { kind_ = several; }
+    /// What the message is about; empty: no file.
+    void setFile(const QString& file)
+    {
+        file_ = file;
+        folder_->setVisible(!file.isEmpty());
+    }
     /// Fades out once the time is over and the pointer is elsewhere.
     void goAfter(int milliseconds) { life_.start(milliseconds); }
 
@@ -94,7 +105,8 @@ private:
 
     MessageStrip::Mood mood_;
     QLabel* words_;
-    QString kind_;
+    QToolButton* folder_;
+    QString kind_, file_;
     int count_ = 1;
     QTimer life_;
 };
@@ -126,7 +138,7 @@ void MessageStrip::lieOver(QWidget* under)
     fit();
 }
 
-void MessageStrip::say(Mood mood, const QString& text, const QString& several, const QString& what)
+void MessageStrip::say(Mood mood, const QString& text, const QString& several, const QString& what, const QString& file)
 {
     emit said(text);
     if (texts().contains(text)) return;
@@ -143,6 +155,7 @@ void MessageStrip::say(Mood mood, const QString& text, const QString& several, c
         connect(line, &QObject::destroyed, this, [this] { QTimer::singleShot(0, this, &MessageStrip::fit); });
         if (mood == Mood::notice) line->goAfter(noticeTime_);
     }
+    line->setFile(file);
     fit();
     QTimer::singleShot(0, this, &MessageStrip::fit);  // Once the width is known, wrapped lines know their height.
 }

@@ -21,7 +21,9 @@ public:
     void lieOver(QWidget*);
     /// A text that is already listed is not listed twice. Notices of one kind, told by the same `several`, become one:
     /// "%1 screenshots saved, the last one to %2.", with their number and the newest's `what`.
-    void say(Mood, const QString& text, const QString& several = {}, const QString& what = {});
+    /// `file`: the one it is about, which a button shows in its folder; empty: none.
+    void say(Mood, const QString& text, const QString& several = {}, const QString& what = {},
+             const QString& file = {});
     /// What was said is no longer so: takes it out of the list.
     void takeBack(const QString& text);
     [[nodiscard]] QStringList texts() const;

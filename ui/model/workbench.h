@@ -31,8 +31,8 @@ public:
     /// Shows this exhibit's parameters and presets.
     virtual void choose(std::size_t exhibit) = 0;
     /// As `MessageStrip::say`.
-    virtual void say(MessageStrip::Mood, const QString& text, const QString& several = {},
-                     const QString& what = {}) = 0;
+    virtual void say(MessageStrip::Mood, const QString& text, const QString& several = {}, const QString& what = {},
+                     const QString& file = {}) = 0;
 };
 
 }  // namespace vitrine::ui

@@ -355,7 +355,7 @@ void PresetShelf::saveExhibition()
             const std::string name = QFileInfo(target).completeBaseName().toStdString();
             render::atomicWrite(target.toStdString(),
                                 textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), name));
-            window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(target));
+            window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(target), {}, {}, target);
         });
     });
     dialog->open();

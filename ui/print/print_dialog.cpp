@@ -229,9 +229,9 @@ bool PrintDialog::trySaying(const std::function<void()>& work)
     }
 }
 
-void PrintDialog::say(MessageStrip::Mood mood, const QString& text)
+void PrintDialog::say(MessageStrip::Mood mood, const QString& text, const QString& file)
 {
-    messages_->say(mood, text);
+    messages_->say(mood, text, {}, {}, file);
 }
 
 void PrintDialog::setValues(const ParameterValues& values)
@@ -346,7 +346,7 @@ void PrintDialog::saveSettings(const QString& path)
 {
     trySaying([&] {
         render::atomicWriteMakingFolder(path.toStdString(), setup_.text());
-        say(MessageStrip::Mood::notice, tr("Settings saved to %1.").arg(path));
+        say(MessageStrip::Mood::notice, tr("Settings saved to %1.").arg(path), path);
     });
 }
 
@@ -427,11 +427,12 @@ void PrintDialog::write(std::shared_ptr<const printing::PrintViews> views)
         return [this, written] {
             const QString first = QString::fromStdString(written.front().string());
             export_->setPath(nextFreePath(path()));
-            say(MessageStrip::Mood::notice, written.size() == 1
-                                                ? tr("Saved %1, and its settings beside it.").arg(first)
-                                                : tr("Saved %1 files, the first %2, and their settings beside them.")
-                                                      .arg(written.size())
-                                                      .arg(first));
+            say(MessageStrip::Mood::notice,
+                written.size() == 1 ? tr("Saved %1, and its settings beside it.").arg(first)
+                                    : tr("Saved %1 files, the first %2, and their settings beside them.")
+                                          .arg(written.size())
+                                          .arg(first),
+                first);
             endExport(QString());
         };
     });

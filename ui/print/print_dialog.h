@@ -77,7 +77,7 @@ private:
 
     /// Does `work`; says why where it throws. Returns whether it did not.
     bool trySaying(const std::function<void()>& work);
-    void say(MessageStrip::Mood, const QString&);
+    void say(MessageStrip::Mood, const QString&, const QString& file = {});
     void showState(bool views);
     void showRows();
     void refresh();

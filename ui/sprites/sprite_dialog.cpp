@@ -370,7 +370,8 @@ void SpriteDialog::write(const SpriteDrawer::Frames& frames)
             const QString name = QString::fromStdString(file.string());
             messages_->say(MessageStrip::Mood::notice,
                            files == 1 ? tr("Saved %1.").arg(name)
-                                      : tr("Saved %1, and %2 files beside it.").arg(name).arg(files - 1));
+                                      : tr("Saved %1, and %2 files beside it.").arg(name).arg(files - 1),
+                           {}, {}, name);
             export_->setPath(nextFreePath(path()));
             endExport(QString());
         };

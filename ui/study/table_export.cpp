@@ -102,7 +102,7 @@ void TableExport::end(const QString& failure)
         why = messageOf(thrown);
     }
     if (why.isEmpty())
-        window_.say(MessageStrip::Mood::notice, tr("Table saved to %1.").arg(path_));
+        window_.say(MessageStrip::Mood::notice, tr("Table saved to %1.").arg(path_), {}, {}, path_);
     else
         window_.say(MessageStrip::Mood::problem, why);
     deleteLater();

@@ -132,7 +132,7 @@ bool TreeFile::saveTo(const QString& path)
     if (!document.writable || document.path != path.toStdString()) after.values[exhibit].setRow(document.file, file);
     seen_[exhibit] = {source->document(after.values[exhibit]).path, text};
     window_.history().settle(after);
-    window_.say(MessageStrip::Mood::notice, tr("Saved to %1.").arg(path));
+    window_.say(MessageStrip::Mood::notice, tr("Saved to %1.").arg(path), {}, {}, path);
     emit saved(path);
     return true;
 }

@@ -23,6 +23,7 @@
 #include "ui/window/close_guard.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/exhibit_list.h"
+#include "ui/window/export_again.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/ledger_dock.h"
 #include "ui/window/log_view.h"
@@ -71,6 +72,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     shelf_ = new PresetShelf(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
     files_ = new FileOpener(*this, *shelf_, this);
     guard_ = new CloseGuard(*this);
+    again_ = new ExportAgain(*this, *this);
     new RowDrag(
         museum_, history_, *viewport_, [this] { return chosen_; }, this);
     // After all others that take the picture's events: side by side, they get them as of the whole picture.
@@ -183,9 +185,10 @@ void MainWindow::showComplaints(const std::vector<render::CulledPass>& skipped)
     unreadable_ = now;
 }
 
-void MainWindow::say(MessageStrip::Mood mood, const QString& words, const QString& several, const QString& what)
+void MainWindow::say(MessageStrip::Mood mood, const QString& words, const QString& several, const QString& what,
+                     const QString& file)
 {
-    messages_->say(mood, words, several, what);
+    messages_->say(mood, words, several, what, file);
 }
 
 void MainWindow::choose(std::size_t exhibit)
@@ -319,7 +322,14 @@ void MainWindow::dropEvent(QDropEvent* event)
 
 void MainWindow::openScreenshotDialog()
 {
-    (new ScreenshotDialog(*this, this))->show();
+    auto* dialog = new ScreenshotDialog(*this, this);
+    connect(dialog, &ScreenshotDialog::begun, again_, &ExportAgain::note);
+    dialog->show();
+}
+
+void MainWindow::exportAgain()
+{
+    again_->run();
 }
 
 void MainWindow::openPrintDialog(const QString& print)

@@ -13,6 +13,7 @@ namespace vitrine::ui {
 
 class CloseGuard;
 class CompareDesk;
+class ExportAgain;
 class FileOpener;
 class MessageStrip;
 class ParameterPanel;
@@ -40,7 +41,8 @@ public:
     [[nodiscard]] std::size_t chosen() const override { return chosen_; }
     [[nodiscard]] std::size_t shown() const override;
     void choose(std::size_t exhibit) override;
-    void say(MessageStrip::Mood, const QString& text, const QString& several = {}, const QString& what = {}) override;
+    void say(MessageStrip::Mood, const QString& text, const QString& several = {}, const QString& what = {},
+             const QString& file = {}) override;
 
     /// Chooses an exhibit and goes there.
     void visit(std::size_t exhibit);
@@ -62,6 +64,7 @@ public:
     void openAbout();
     void setFullScreen(bool);
     void openScreenshotDialog();
+    void exportAgain();
     void openPrintDialog(const QString& print = {});
     void openSpriteDialog();
     void resetEverything();
@@ -95,6 +98,7 @@ private:
     CompareDesk* comparison_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
+    ExportAgain* again_ = nullptr;
     render::Diagnostics complaints_;  // Those that are in the log already.
     QStringList unreadable_;          // What the strip says about files that cannot be read.
     std::unique_ptr<WindowActions> actions_;

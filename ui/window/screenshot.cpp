@@ -24,7 +24,7 @@ void saveScreenshot(Workbench& window, QObject& parent)
     auto* work = new PictureExport(window, wish, &parent);
     QObject::connect(work, &PictureExport::finished, &parent, [&window](const QString& path) {
         window.say(MessageStrip::Mood::notice, QObject::tr("Screenshot saved to %1.").arg(path),
-                   QObject::tr("%1 screenshots saved, the last one to %2."), path);
+                   QObject::tr("%1 screenshots saved, the last one to %2."), path, path);
     });
     QObject::connect(work, &PictureExport::failed, &parent,
                      [&window](const QString& why) { window.say(MessageStrip::Mood::problem, why); });

@@ -1,6 +1,7 @@
 #include "ui/window/screenshot_dialog.h"
 
 #include "ui/kit/replace_question.h"
+#include "ui/kit/show_in_folder.h"
 #include "ui/kit/text.h"
 #include "ui/kit/time_left.h"
 #include "ui/model/workbench.h"
@@ -28,13 +29,14 @@ struct FormatLine {
     const char* ending;
     render::PictureFormat format;
 };
-constexpr std::array<FormatLine, 6> formats{{
+constexpr std::array<FormatLine, 7> formats{{
     {"PNG, 8 bit", "png", render::PictureFormat::png8},
     {"PNG, 16 bit", "png", render::PictureFormat::png16},
     {"OpenEXR, linear light, 32 bit", "exr", render::PictureFormat::exr},
     {"OpenEXR, linear light, 16 bit", "exr", render::PictureFormat::exrHalf},
     {"TIFF, 8 bit", "tif", render::PictureFormat::tiff8},
     {"TIFF, 16 bit", "tif", render::PictureFormat::tiff16},
+    {"JPEG, without the look inside", "jpg", render::PictureFormat::jpeg},
 }};
 constexpr std::array<QSize, 5> usualSizes{QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160), QSize(7680, 4320),
                                           QSize(2048, 2048)};
@@ -45,7 +47,8 @@ ScreenshotDialog::ScreenshotDialog(Workbench& window, QWidget* parent)
     : QDialog(parent), window_(window), sizes_(new QComboBox(this)), width_(new QSpinBox(this)),
       height_(new QSpinBox(this)), samples_(new QSpinBox(this)), format_(new QComboBox(this)),
       transparent_(new QCheckBox(this)), path_(new QLineEdit(this)), progress_(new QProgressBar(this)),
-      left_(new QLabel(this)), go_(new QPushButton(tr("Export"), this)), stop_(new QPushButton(tr("Close"), this))
+      left_(new QLabel(this)), folder_(new QPushButton(tr("Show in folder"), this)),
+      go_(new QPushButton(tr("Export"), this)), stop_(new QPushButton(tr("Close"), this))
 {
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Export picture"));
@@ -58,6 +61,7 @@ ScreenshotDialog::ScreenshotDialog(Workbench& window, QWidget* parent)
     });
     connect(format_, &QComboBox::currentIndexChanged, this, &ScreenshotDialog::takeFormat);
     connect(go_, &QPushButton::clicked, this, &ScreenshotDialog::start);
+    connect(folder_, &QPushButton::clicked, this, [this] { showInFolder(saved_); });
     connect(stop_, &QPushButton::clicked, this, [this] { reject(); });
     setBusy(false);
     const auto name = window.museum().subject(window.chosen()).name();
@@ -79,6 +83,7 @@ void ScreenshotDialog::fillInputs()
     height_->setValue(now.height());
     samples_->setRange(1, 64);
     samples_->setValue(16);
+    format_->setObjectName(QStringLiteral("format"));
     for (const FormatLine& line : formats) format_->addItem(tr(line.name));
     transparent_->setText(tr("Only the chosen exhibit"));
     path_->setMinimumWidth(320);
@@ -116,10 +121,14 @@ void ScreenshotDialog::layOut()
     file->addWidget(browseButton);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
+    buttons->addWidget(folder_);
     buttons->addStretch(1);
     buttons->addWidget(stop_);
     buttons->addWidget(go_);
     go_->setDefault(true);
+    folder_->setAutoDefault(false);
+    folder_->setToolTip(tr("Show the file in its folder"));
+    folder_->hide();
     stop_->setAutoDefault(false);  // It has the focus while the export runs: a second Enter must not cancel it.
 
     auto* form = new QFormLayout(this);
@@ -226,6 +235,8 @@ void ScreenshotDialog::write(const QString& to)
         setBusy(false);
         left_->setText(tr("Saved %1.").arg(QFileInfo(path).fileName()));
         left_->setToolTip(path);
+        saved_ = path;
+        folder_->show();
         path_->setText(nextFreePath(path));
     });
     connect(running_, &PictureExport::failed, this, [this](const QString& why) {
@@ -233,6 +244,8 @@ void ScreenshotDialog::write(const QString& to)
         left_->setText(why);
         window_.say(MessageStrip::Mood::problem, why);
     });
+    emit begun(wish());
+    folder_->hide();
     setBusy(true);
     left_->setText(tr("Drawing …"));
     running_->start();

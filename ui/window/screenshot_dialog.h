@@ -24,6 +24,10 @@ public:
     void setPath(const QString&);
     [[nodiscard]] QString path() const;
 
+signals:
+    /// An export began, as this describes it.
+    void begun(const vitrine::ui::ExportWish& wish);
+
 public slots:
     /// Cancels what runs; closes the dialog where nothing does.
     void reject() override;
@@ -47,7 +51,8 @@ private:
     QString replaced_;  // The visitor agreed that this file may be replaced.
     QProgressBar* progress_;
     QLabel* left_;
-    QPushButton *go_, *stop_;
+    QString saved_;  // The last file that was written.
+    QPushButton *folder_, *go_, *stop_;
     QPointer<PictureExport> running_;
 };
 

@@ -1,12 +1,14 @@
 #include "ui/window/status_line.h"
 
+#include "ui/window/frame_graph.h"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 
 namespace vitrine::ui {
 
-StatusLine::StatusLine(QWidget* parent) : QWidget(parent)
+StatusLine::StatusLine(QWidget* parent) : QWidget(parent), graph_(new FrameGraph(this))
 {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 0, 8, 0);
@@ -18,6 +20,7 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent)
         labels_[i]->setTextFormat(Qt::PlainText);
         labels_[i]->setAccessibleName(names[i]);
         labels_[i]->setToolTip(names[i]);
+        if (i == 2) layout->addWidget(graph_);
         layout->addWidget(labels_[i], i == 0 ? 1 : 0);
     }
     labels_[0]->setMinimumWidth(80);
@@ -32,6 +35,7 @@ void StatusLine::note(const render::FrameReport& report, const QSize& pixels, co
     reason_ = reason;
     pixels_ = pixels;
     milliseconds_ = report.milliseconds;
+    graph_->add(report.milliseconds);
     clock_ = QString::fromStdString(report.clock);
     if (!report.clockTrusted) clock_ += tr(", not trusted");
     ran_ = report.ran.size();

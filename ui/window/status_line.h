@@ -12,8 +12,10 @@ class QLabel;
 
 namespace vitrine::ui {
 
-/// Left to right: what is drawn and why, resolution, time of the frame by which clock, passes run and
-/// skipped. Renewed twice a second at most, and not at all while nothing is drawn.
+class FrameGraph;
+
+/// Left to right: what is drawn and why, resolution, times of the last frames, that of the last one by which clock,
+/// passes run and skipped. Renewed twice a second at most, and not at all while nothing is drawn.
 class StatusLine final : public QWidget {
     Q_OBJECT
 
@@ -28,6 +30,7 @@ private:
     void renew();
 
     std::array<QLabel*, 4> labels_{};
+    FrameGraph* graph_;
     QString reason_;
     QTimer timer_;
     QSize pixels_;

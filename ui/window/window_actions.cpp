@@ -130,7 +130,11 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
              tr("Saves what the picture shows as PNG, in your pictures folder."),
              [&window] { saveScreenshot(window, window); });
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
-             tr("Saves the picture at any size, as PNG, EXR or TIFF."), [&window] { window.openScreenshotDialog(); });
+             tr("Saves the picture at any size, as PNG, JPEG, EXR or TIFF."),
+             [&window] { window.openScreenshotDialog(); });
+    make.add(tr("Export picture a&gain"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_E)},
+             tr("What is seen now, as the last picture was exported, under the next free name."),
+             [&window] { window.exportAgain(); });
     make.add(tr("Export &lenticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
              tr("Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to "
                 "calibrate it."),

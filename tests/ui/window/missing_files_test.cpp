@@ -16,15 +16,19 @@
 #include "ui/window/picture_export.h"
 #include "ui/window/screenshot_dialog.h"
 
+#include <QComboBox>
+#include <QDesktopServices>
 #include <QDir>
 #include <QDropEvent>
 #include <QImage>
+#include <QImageReader>
 #include <QLineEdit>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
+#include <QUrl>
 
 #include <clocale>
 #include <memory>
@@ -380,6 +384,22 @@ private slots:
         QTRY_VERIFY(QFile::exists(path("look-2.png")));
         QCOMPARE(contentOf(path("look.png")), first);
         QTRY_COMPARE(dialog->path(), path("look-3.png"));
+        // Once more without the dialog, as the last one.
+        window_->exportAgain();
+        QTRY_VERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains(path("look-3.png")));
+        QCOMPARE(QImage(path("look-3.png")).size(), QSize(64, 36));
+        dialog->findChild<QComboBox*>("format")->setCurrentIndex(6);
+        QCOMPARE(dialog->path(), path("look-3.jpg"));
+        button("Export")->click();
+        QTRY_VERIFY(button("Show in folder")->isVisible());
+        QCOMPARE(QImageReader(path("look-3.jpg")).format(), QByteArray("jpeg"));
+        qputenv("DBUS_SESSION_BUS_ADDRESS",
+                "unix:path=/nonexistent");  // No file manager answers: the folder is opened.
+        QDesktopServices::setUrlHandler("file", this, "noteOpened");
+        button("Show in folder")->click();
+        QTRY_COMPARE(opened_, QList<QUrl>{QUrl::fromLocalFile(QFileInfo(path("look-3.jpg")).absolutePath())});
+        QDesktopServices::unsetUrlHandler("file");
+        dialog->setPath(path("look-4.png"));
         // Esc: first the export, then the dialog.
         for (QSpinBox* box : dialog->findChildren<QSpinBox*>())
             if (box->accessibleName() != "Width" && box->accessibleName() != "Height") box->setValue(64);
@@ -391,8 +411,14 @@ private slots:
         QVERIFY(button("Close"));
         QTest::keyClick(dialog, Qt::Key_Escape);
         QTRY_VERIFY(!window_->findChild<ScreenshotDialog*>());
-        QVERIFY(!QFile::exists(path("look-3.png")));
+        QVERIFY(!QFile::exists(path("look-4.png")));
     }
+
+public slots:
+    void noteOpened(const QUrl& url) { opened_ << url; }
+
+private:
+    QList<QUrl> opened_;
 };
 
 VITRINE_TEST_MAIN(MissingFilesTest)

@@ -1,9 +1,12 @@
 #include "tests/ui/open_window.h"
 
 #include "ui/kit/message_strip.h"
+#include "ui/kit/theme.h"
+#include "ui/window/frame_graph.h"
 #include "ui/window/log_view.h"
 
 #include <algorithm>
+#include <limits>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -71,6 +74,41 @@ private slots:
         QTRY_COMPARE(strip->texts(), QStringList{"The disk is full."});
         QTest::qWait(300);
         QCOMPARE(strip->texts(), QStringList{"The disk is full."});
+    }
+
+    void onlyAMessageAboutAFileShowsItInItsFolder()
+    {
+        auto* strip = window_->findChild<MessageStrip*>();
+        const auto offered = [&] {
+            int count = 0;
+            for (const QToolButton* button : strip->findChildren<QToolButton*>())
+                count += button->text() == "Show in folder" && button->isVisible();
+            return count;
+        };
+        window_->say(MessageStrip::Mood::problem, "The disk is full.");
+        QTRY_VERIFY(strip->isVisible());
+        QCOMPARE(offered(), 0);
+        window_->say(MessageStrip::Mood::notice, "Saved to a.png.", {}, {}, "/tmp/a.png");
+        QTRY_COMPARE(offered(), 1);
+    }
+
+    void theFrameGraphTellsTheShortestTheMedianAndTheLongest()
+    {
+        FrameGraph graph;
+        QCOMPARE(graph.summary(), QString("No frame has been drawn yet."));
+        for (const double milliseconds : {12.0, 100.0, 14.0}) graph.add(milliseconds);
+        graph.add(std::numeric_limits<double>::quiet_NaN());
+        QCOMPARE(graph.summary(), QString("3 frames: 12.0 to 100.0 ms, half of them up to 14.0 ms"));
+        const QImage seen = graph.grab().toImage();
+        const auto high = [&](int fromRight) {
+            int count = 0;
+            const int x = seen.width() - 2 * fromRight;
+            for (int y = 0; y < seen.height(); ++y) count += seen.pixelColor(x, y) == theme().dim;
+            return count;
+        };
+        QVERIFY(high(2) > 4 * high(1));
+        for (int i = 0; i < 80; ++i) graph.add(20);
+        QCOMPARE(graph.summary(), QString("60 frames: 20.0 to 20.0 ms, half of them up to 20.0 ms"));
     }
 
     void theBarePictureHidesMessages()

@@ -2,6 +2,7 @@
 
 #include "ui/kit/message_strip.h"
 #include "ui/viewport/overlay.h"
+#include "ui/window/frame_graph.h"
 #include "ui/window/status_line.h"
 
 #include <QSignalSpy>
@@ -52,6 +53,7 @@ private slots:
         QTest::qWait(2000);
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);
         QVERIFY(window_->findChild<StatusLine*>()->text().contains("nothing to draw, because nothing changes"));
+        QVERIFY(window_->findChild<FrameGraph*>()->summary().contains("frame"));
     }
 
     void valuesThatRestAreDrawnFasterWithoutAnotherPicture()

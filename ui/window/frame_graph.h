@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QWidget>
+
+#include <deque>
+
+namespace vitrine::ui {
+
+/// Milliseconds of the last frames as bars, the newest on the right; the highest bar is as high as the graph, at least
+/// 16.7 ms, with a line there. How long the shortest, the median and the longest took stands in the tooltip.
+class FrameGraph final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FrameGraph(QWidget* parent = nullptr);
+
+    void add(double milliseconds);
+    /// For people: "60 frames: 12.0 to 80.5 ms, half of them up to 14.1 ms".
+    [[nodiscard]] QString summary() const;
+
+    [[nodiscard]] QSize sizeHint() const override { return {2 * most, 18}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    bool event(QEvent*) override;
+
+private:
+    static constexpr int most = 60;  ///< Frames; two pixels each.
+
+    std::deque<double> milliseconds_;
+};
+
+}  // namespace vitrine::ui
