@@ -62,7 +62,7 @@ private:
     [[nodiscard]] PictureRequest pictureRequest(const SceneState&, std::size_t view) const;
     /// Of what the errors are taken against: as that of any setting, but at rest where pictures in motion are studied.
     [[nodiscard]] PictureRequest referenceRequest(const SceneState&, std::size_t view) const;
-    [[nodiscard]] bool studiesMotion() const;
+    [[nodiscard]] bool studiesMotion() const { return vitrine::studiesMotion(request_); }
     void findDependentPasses();
     [[nodiscard]] render::FrameReport drawTimed(const SceneState&, std::size_t view);
 

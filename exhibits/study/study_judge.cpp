@@ -79,6 +79,13 @@ std::optional<render::Summary> timeOf(const StudyPoint& point)
 
 }  // namespace
 
+bool studiesMotion(const StudyRequest& request)
+{
+    return std::any_of(request.axes.begin(), request.axes.end(), [&](const StudyAxis& axis) {
+        return axis.subject == hallIndex && rowOf(request.sceneState, axis).name == historyFramesRow;
+    });
+}
+
 Errors StudyJudge::errorsOf(const render::Image& reference, const render::Image& picture) const
 {
     const render::ColorDifference color = render::colorDifference(reference, picture);
@@ -119,7 +126,8 @@ void StudyJudge::judge(StudyResult& result, int doublings) const
         if (point.error > 0) smallest = std::min(smallest, point.error);
         if (isPresent(point)) result.present = i;
     }
-    result.converged = uncertain == 0 && uncheckedAxes(request_.sceneState, request_.axes).empty();
+    result.converged =
+        uncertain == 0 && uncheckedAxes(request_.sceneState, request_.axes).empty() && !studiesMotion(request_);
     result.convergence = convergenceSentence(result, uncertain, smallest, doublings);
     if (std::isinf(smallest) && result.points.size() > 1 &&
         std::all_of(result.points.begin(), result.points.end(), isDrawn)) {
@@ -171,6 +179,7 @@ std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size
                     ' ' + axisValueText(request_.sceneState, axes[i], values[i]);
         return text;
     };
+    if (studiesMotion(request_)) return "The reference is the picture at rest, whose own error is not checked.";
     const std::vector<StudyAxis> unchecked = uncheckedAxes(request_.sceneState, request_.axes);
     std::vector<double> takenFor;
     for (const StudyAxis& axis : unchecked) takenFor.push_back(exactness(rowOf(request_.sceneState, axis)).exact);

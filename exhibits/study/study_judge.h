@@ -9,6 +9,9 @@
 
 namespace vitrine {
 
+/// Whether pictures in motion are studied: the reference is then one at rest.
+[[nodiscard]] bool studiesMotion(const StudyRequest&);
+
 /// What the pictures and times of a study come to.
 class StudyJudge {
 public:

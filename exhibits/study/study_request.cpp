@@ -64,11 +64,4 @@ PictureRequest Study::referenceRequest(const SceneState& sceneState, std::size_t
     return request;
 }
 
-bool Study::studiesMotion() const
-{
-    return std::any_of(request_.axes.begin(), request_.axes.end(), [&](const StudyAxis& axis) {
-        return axis.subject == hallIndex && rowOf(request_.sceneState, axis).name == historyFramesRow;
-    });
-}
-
 }  // namespace vitrine

@@ -104,6 +104,15 @@ TEST_F(StudyOfPictures, SupersamplesOfTheHallFollowTheEdgesOnceThereAreTwo)
     EXPECT_NEAR(-result.law->slope, ofEdges, 0.3) << "halving the error costs two to the power of this";
 }
 
+TEST_F(StudyOfPictures, InMotionMoreFramesComeNearerToThePictureAtRest)
+{
+    const StudyResult result = run(requestFor(0, historyFramesRow, {1, 8}));
+    ASSERT_EQ(result.points.size(), 2U);
+    EXPECT_GT(result.points[0].error, 1.3 * result.points[1].error);
+    EXPECT_FALSE(result.converged) << "there is no second reference to tell by";
+    EXPECT_NE(result.convergence.find("at rest"), std::string::npos) << result.convergence;
+}
+
 TEST_F(StudyOfPictures, AWiderToleranceCostsFewerEvaluationsAndMoreError)
 {
     const StudyResult result = run(requestFor(gallery().museum.find("sdf_morph").value(), "hitTolerance", {0.1, 1, 8}));
