@@ -182,6 +182,12 @@ CameraPath tourPath(const Museum& museum, const Tour& tour)
                                            "\" is inside of a wall or a piece of furniture; move it.");
     const std::size_t count = tour.bookmarks.size();
     std::vector<Leg> legs(tour.closed ? count : count - 1);
+    // Where a visitor could not go straight, a camera would fly over plinths and through what stands on them.
+    for (std::size_t i = 0; i < legs.size(); ++i) {
+        const render::Camera &from = tour.bookmarks[i].camera, &to = tour.bookmarks[(i + 1) % count].camera;
+        if (glm::length(museum.walk(from.eye, to.eye) - to.eye) > 1e-6)
+            legs[i].between = walked(wayAround(museum, from.eye, to.eye, strides[0]), from, to);
+    }
     std::vector<std::size_t> legOfStop;
     for (;;) {
         CameraPath path = pathThrough(tour, legs, legOfStop);
@@ -207,9 +213,17 @@ Tour museumTour(const Museum& museum, const SceneState& sceneState)
 {
     Tour tour{"The museum", {}, true, Pace::constant};
     tour.bookmarks.push_back({std::string(museum.hall().title()), museum.bestView(hallIndex, sceneState.hall())});
+    const auto add = [&](const std::string& name, const render::Camera& next) {
+        // On the way it steps back into the middle of the hall, and turns to what comes: walls are dull from near.
+        const render::Camera& before = tour.bookmarks.back().camera;
+        const glm::dvec3 half = (before.eye + next.eye) / 2.0;
+        const glm::dvec3 middle(half.x / 4, 1.65, half.z);
+        if (glm::length(museum.walk(middle, middle) - middle) < 1e-6)
+            tour.bookmarks.push_back({"To " + name, {middle, next.target, next.fovY}});
+        tour.bookmarks.push_back({name, next});
+    };
     for (const MuseumExhibit& each : museum.exhibits())
-        tour.bookmarks.push_back(
-            {std::string(each.exhibit.title()), museum.bestView(each.index, sceneState.values[each.index])});
+        add(std::string(each.exhibit.title()), museum.bestView(each.index, sceneState.values[each.index]));
     return tour;
 }
 

@@ -117,6 +117,7 @@ private slots:
         action("Copy picture")->trigger();
         const QImage copied = QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
         QCOMPARE(copied, window_->viewport().shown().convertToFormat(QImage::Format_RGB32));
+        window_->choose(1);
         dragRoughness(60);
         settle();
         action("Copy as command line")->trigger();
