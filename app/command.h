@@ -16,6 +16,7 @@ using Action = std::function<int()>;
 void addListCommand(CLI::App&, Action& chosen);
 void addRenderCommand(CLI::App&, Action& chosen);
 void addTourCommand(CLI::App&, Action& chosen);
+void addRecordCommand(CLI::App&, Action& chosen);
 void addPresetCommand(CLI::App&, Action& chosen);
 void addDoctorCommand(CLI::App&, Action& chosen);
 void addCompareCommand(CLI::App&, Action& chosen);

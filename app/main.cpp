@@ -31,6 +31,7 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addListCommand(parser, chosen);
     vitrine::app::addRenderCommand(parser, chosen);
     vitrine::app::addTourCommand(parser, chosen);
+    vitrine::app::addRecordCommand(parser, chosen);
     vitrine::app::addPresetCommand(parser, chosen);
     vitrine::app::addCompareCommand(parser, chosen);
     vitrine::app::addCompareSettingsCommand(parser, chosen);

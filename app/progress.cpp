@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -16,6 +17,16 @@ extern "C" void askToStop(int signal)
 {
     stopAsked = 1;
     std::signal(signal, SIG_DFL);
+}
+
+/// ", 2:05 left" after so many seconds; empty where that is not known yet.
+std::string timeLeft(double part, double seconds)
+{
+    if (!(part > 0)) return {};
+    const int left = static_cast<int>(std::ceil(std::min(seconds / part * (1 - part), 359999.0)));
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), ", %d:%02d left", left / 60, left % 60);
+    return text.data();
 }
 
 }  // namespace
@@ -39,7 +50,8 @@ bool StopSignal::stopped()
 }
 
 ProgressLine::ProgressLine(std::string what)
-    : what_(std::move(what)), shown_(std::chrono::steady_clock::now()), terminal_(isatty(STDERR_FILENO) == 1)
+    : what_(std::move(what)), begun_(std::chrono::steady_clock::now()), shown_(begun_),
+      terminal_(isatty(STDERR_FILENO) == 1)
 {
 }
 
@@ -56,7 +68,9 @@ bool ProgressLine::show(double part)
     const bool due = now - shown_ >= (last_ < 0 || !terminal_ ? 1000ms : 100ms);
     const bool news = terminal_ ? percent != last_ : last_ < 0 || percent / 10 != last_ / 10;
     if (due && news) {
-        std::fprintf(stderr, terminal_ ? "\r\033[Kvitrine: %s %d %%" : "vitrine: %s %d %%\n", what_.c_str(), percent);
+        const std::string left = estimates_ ? timeLeft(part, std::chrono::duration<double>(now - begun_).count()) : "";
+        std::fprintf(stderr, terminal_ ? "\r\033[Kvitrine: %s %d %%%s" : "vitrine: %s %d %%%s\n", what_.c_str(),
+                     percent, left.c_str());
         std::fflush(stderr);
         shown_ = now;
         last_ = percent;

@@ -30,10 +30,13 @@ public:
 
     /// `part` is 0 to 1. Returns false when the work is to stop.
     bool show(double part);
+    /// With the time that is left after it: "40 %, 2:05 left".
+    void estimate() { estimates_ = true; }
 
 private:
     std::string what_;
-    std::chrono::steady_clock::time_point shown_;
+    std::chrono::steady_clock::time_point begun_, shown_;
+    bool estimates_ = false;
     bool terminal_ = false;
     int last_ = -1;  ///< What the line says, in percent; -1: there is none.
 };

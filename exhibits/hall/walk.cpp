@@ -78,6 +78,25 @@ glm::dvec3 walkAround(const std::vector<Collider>& colliders, const glm::dvec3& 
     return eye;
 }
 
+bool cameraPasses(const std::vector<Collider>& colliders, const glm::dvec3& from, const glm::dvec3& to)
+{
+    const double length = glm::length(to - from);
+    if (!std::isfinite(length)) return false;
+    const int steps = std::max(static_cast<int>(std::ceil(length / (cameraRadius / 2))), 1);
+    for (const Collider& collider : colliders) {
+        const glm::dvec3 first(collider.localFromWorld * glm::dvec4(from, 1));
+        const glm::dvec3 last(collider.localFromWorld * glm::dvec4(to, 1));
+        for (int i = 0; i <= steps; ++i) {
+            const glm::dvec3 p = glm::abs(glm::mix(first, last, static_cast<double>(i) / steps));
+            const glm::dvec2 out = collider.cylinder ? glm::dvec2(std::hypot(p.x, p.z) - collider.halfSize.x, 0)
+                                                     : glm::dvec2(p.x - collider.halfSize.x, p.z - collider.halfSize.z);
+            const glm::dvec3 beyond = glm::max(glm::dvec3(out.x, p.y - collider.halfSize.y, out.y), 0.0);
+            if (glm::length(beyond) < cameraRadius) return false;
+        }
+    }
+    return true;
+}
+
 bool isBehind(const Occluder& occluder, const render::Box& box, const glm::dvec3& eye)
 {
     const glm::dvec3 normal = glm::cross(occluder.halfU, occluder.halfV);

@@ -17,6 +17,12 @@ inline constexpr double visitorRadius = 0.28;
 /// short enough that none is jumped over. The height of `to` is kept. A NaN in `to` leaves him at `from`.
 [[nodiscard]] glm::dvec3 walkAround(const std::vector<Collider>&, const glm::dvec3& from, const glm::dvec3& to);
 
+/// A camera, which goes where a visitor cannot stand, keeps so far from what it must not run into, meters.
+inline constexpr double cameraRadius = 0.08;
+
+/// Whether a camera gets straight from `from` to `to` past every obstacle: over, under or beside it. NaN: no.
+[[nodiscard]] bool cameraPasses(const std::vector<Collider>&, const glm::dvec3& from, const glm::dvec3& to);
+
 /// Whether one occluder alone hides the whole box from `eye`: exact for a convex occluder and a box, so what
 /// is called hidden is hidden.
 [[nodiscard]] bool isBehind(const Occluder&, const render::Box&, const glm::dvec3& eye);

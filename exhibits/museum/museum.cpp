@@ -90,6 +90,11 @@ glm::dvec3 Museum::walk(const glm::dvec3& from, const glm::dvec3& to) const
     return walkAround(model_->colliders(), from, to);
 }
 
+bool Museum::cameraPasses(const glm::dvec3& from, const glm::dvec3& to) const
+{
+    return vitrine::cameraPasses(model_->colliders(), from, to);
+}
+
 std::vector<int> Museum::emptyPlaces() const
 {
     std::vector<int> empty;

@@ -100,6 +100,8 @@ public:
     /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: walls and furniture stop
     /// him, and he slides along them.
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
+    /// Whether a camera gets straight from `from` to `to` past all of these: it need not be where a visitor can stand.
+    [[nodiscard]] bool cameraPasses(const glm::dvec3& from, const glm::dvec3& to) const;
     /// The button within 2 m that the middle of the view rests on, when nothing stands before it.
     [[nodiscard]] std::optional<LookedAt> lookedAt(const Prepared&) const;
     /// The exhibit, button or visitor's object seen at `ndc` (each -1 to 1, y up) of that picture; nothing where the

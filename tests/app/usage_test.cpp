@@ -22,7 +22,7 @@ TEST(Usage, HelpNeedsNeitherDisplayNorOpenGl)
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
     for (const char* command :
-         {"list", "render", "study", "compare", "compare-settings", "preset", "scene", "sprite", "doctor"})
+         {"list", "render", "record", "study", "compare", "compare-settings", "preset", "scene", "sprite", "doctor"})
         EXPECT_NE(help.out.find(command), std::string::npos) << command;
     EXPECT_NE(help.out.find("Exit codes"), std::string::npos);
     const Ended render = test::vitrine({"render", "--help"}, noGl);

@@ -19,7 +19,7 @@ const std::map<std::string, std::vector<std::string>> allowed{
     {"app", {"app/", "ui/", "exhibits/", "render/", "shaders/lib/"}},
     {"ui",
      {"ui/", "exhibits/framework/", "exhibits/museum/", "exhibits/study/", "exhibits/compare/", "exhibits/printing/",
-      "exhibits/sprites/", "exhibits/exhibits.h", "render/", "shaders/lib/"}},
+      "exhibits/recording/", "exhibits/sprites/", "exhibits/exhibits.h", "render/", "shaders/lib/"}},
     {"exhibits", {"exhibits/", "render/", "shaders/"}},
     {"render", {"render/", "shaders/lib/"}},
 };
@@ -117,6 +117,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfExhibits{
     {"printing", {"framework", "museum"}},
     {"study", {"framework", "museum"}},
     {"compare", {"framework", "museum", "study"}},
+    {"recording", {"framework", "museum"}},
     {"sprites", {"framework", "kit", "pixel_art"}},  // It draws in that exhibit's look, which knows nothing of it.
     {"stability", {"framework", "kit", "museum"}},
 };
@@ -135,8 +136,10 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"study", {"kit", "model", "viewport"}},
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},
     {"sprites", {"kit", "model", "viewport", "parameters"}},
+    {"record", {"kit", "model", "viewport"}},
     {"window",
-     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "tree", "study", "print", "sprites"}},
+     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "tree", "study", "print", "sprites",
+      "record"}},
 };
 
 /// The folder below the first one; empty where there is none.

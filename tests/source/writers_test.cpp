@@ -17,6 +17,7 @@ const std::map<std::string, std::string> writers{
     {"render/files/atomic_write.cpp", "it is the writer"},
     {"render/files/scratch_file.cpp", "working data without a name"},
     {"render/image/png_rows.cpp", "rows of a part file, which PictureStream publishes"},
+    {"render/video/video_file.cpp", "frames of a part file, which it publishes"},
 };
 
 /// The first way past the writer that a text takes; empty: none.

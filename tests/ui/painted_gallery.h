@@ -3,6 +3,7 @@
 #include "tests/ui/sample_tables.h"
 
 #include "exhibits/hall/hall_model.h"
+#include "ui/viewport/render_thread.h"
 #include "ui/viewport/renderers.h"
 
 #include <atomic>
@@ -54,11 +55,14 @@ private:
     SampleTable table_;
 };
 
-/// Draws nothing.
+/// Draws gray, whatever is asked for.
 class BlankBackend final : public render::RenderBackend {
 public:
     render::FrameReport draw(const render::FramePlan&) override { return {}; }
-    [[nodiscard]] render::Image read(const std::string&) override { return {}; }
+    [[nodiscard]] render::Image read(const std::string&) override
+    {
+        return {ui::RenderThread::taskTile, ui::RenderThread::taskTile, 4, 0.5F};  // As large as any tile.
+    }
     [[nodiscard]] const render::PersistentState& persistentState() const override { return kept_; }
     [[nodiscard]] int largestSide() const override { return 16384; }
 

@@ -40,6 +40,8 @@ public:
     /// Whose parameters are on show: what E presses while it is orbited.
     void setSubject(std::size_t exhibit) { subject_ = exhibit; }
     void jumpTo(const render::Camera&);
+    /// Glides there, and walks on from where a visitor can stand, at his height; otherwise orbits what is looked at.
+    void goTo(const render::Camera&);
     /// What one sees from where the visitor is, in device pixels.
     [[nodiscard]] render::View view() const;
     /// Leaves the exhibit.
@@ -69,6 +71,8 @@ public:
     /// What the last whole picture on the screen was asked for as.
     [[nodiscard]] const FrameRequest& shownRequest() const { return shownRequest_; }
     [[nodiscard]] const DrawOrder& shownOrder() const { return shownOrder_; }
+    /// What the present picture is asked for as.
+    [[nodiscard]] FrameRequest presentRequest() const { return request(time_); }
     /// While on, what moves in a picture that stands still is not drawn by itself, but with all of it: for those who
     /// show another whole picture beside it.
     void setWholePictures(bool);

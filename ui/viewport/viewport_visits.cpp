@@ -3,6 +3,8 @@
 
 #include "exhibits/framework/tree.h"
 
+#include <cmath>
+
 namespace vitrine::ui {
 namespace {
 
@@ -40,6 +42,16 @@ void Viewport::jumpTo(const render::Camera& camera)
 {
     cut_ = true;
     control_.jumpTo(camera);
+    cameraChanged();
+}
+
+void Viewport::goTo(const render::Camera& camera)
+{
+    remember();
+    constexpr double visitorsEye = 1.65;
+    const bool stands = std::abs(camera.eye.y - visitorsEye) < 1e-6 &&
+                        glm::length(museum_.walk(camera.eye, camera.eye) - camera.eye) < 1e-6;
+    control_.glideTo({camera, stands ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     cameraChanged();
 }
 

@@ -1,6 +1,7 @@
 #include "ui/window/close_guard.h"
 
 #include "ui/print/print_dialog.h"
+#include "ui/record/record_dialog.h"
 #include "ui/window/picture_export.h"
 
 #include <QFileInfo>
@@ -18,6 +19,8 @@ QStringList unfinished(const QWidget& window)
         if (work->running()) files << QString::fromStdString(work->path().filename().string());
     for (const PrintDialog* dialog : window.findChildren<PrintDialog*>())
         if (dialog->exporting()) files << QFileInfo(dialog->path()).fileName();
+    for (const RecordDialog* dialog : window.findChildren<RecordDialog*>())
+        if (dialog->recording()) files << QFileInfo(dialog->path()).fileName();
     return files;
 }
 
@@ -103,6 +106,13 @@ void CloseGuard::closeWhenDone()
             dialog, &PrintDialog::exportEnded, this,
             [this](bool saved) {
                 if (saved) closeIfDone();
+            },
+            Qt::QueuedConnection);
+    for (const RecordDialog* dialog : window_.findChildren<RecordDialog*>())
+        connect(
+            dialog, &RecordDialog::recordingEnded, this,
+            [this](bool written) {
+                if (written) closeIfDone();
             },
             Qt::QueuedConnection);
     closeIfDone();

@@ -13,6 +13,8 @@
 #include "ui/presets/preset_shelf.h"
 #include "ui/print/print_dialog.h"
 #include "ui/print/shown_views.h"
+#include "ui/record/bookmarks.h"
+#include "ui/record/record_dialog.h"
 #include "ui/sprites/sprite_dialog.h"
 #include "ui/study/study_dock.h"
 #include "ui/study/table_export.h"
@@ -41,6 +43,7 @@
 #include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QDropEvent>
+#include <QFileDialog>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QScreen>
@@ -78,6 +81,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     // After all others that take the picture's events: side by side, they get them as of the whole picture.
     comparison_ = new CompareDesk(*this, *shelf_, this);
     centralWidget()->layout()->addWidget(&comparison_->bar());
+    bookmarks_ = new Bookmarks(*this, this);
     actions_ = std::make_unique<WindowActions>(*this);
     docks_->presets().setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
     connectParts();
@@ -124,6 +128,7 @@ MainWindow::~MainWindow()
     // Pictures in the making end while the viewport, its render thread and the message strip are still there.
     qDeleteAll(findChildren<PrintDialog*>());
     qDeleteAll(findChildren<SpriteDialog*>());
+    qDeleteAll(findChildren<RecordDialog*>());
     qDeleteAll(findChildren<TableExport*>());
     qDeleteAll(findChildren<PictureExport*>());
     study().stop();
@@ -352,6 +357,25 @@ void MainWindow::openSpriteDialog()
     dialog->show();
     dialog->raise();
     dialog->activateWindow();
+}
+
+void MainWindow::openRecordDialog()
+{
+    auto* dialog = findChild<RecordDialog*>();
+    if (!dialog) dialog = new RecordDialog(*this, *bookmarks_, this);
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
+}
+
+void MainWindow::saveTour()
+{
+    auto* dialog = new QFileDialog(this, tr("Save as a tour"), QStringLiteral("tour.json"), tr("Tours (*.json)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(QFileDialog::AcceptSave);
+    dialog->setDefaultSuffix(QStringLiteral("json"));
+    connect(dialog, &QFileDialog::fileSelected, bookmarks_, &Bookmarks::saveAs);
+    dialog->open();
 }
 
 void MainWindow::openPalette()

@@ -11,6 +11,7 @@
 
 namespace vitrine::ui {
 
+class Bookmarks;
 class CloseGuard;
 class CompareDesk;
 class ExportAgain;
@@ -54,6 +55,7 @@ public:
     [[nodiscard]] FileOpener& files() const { return *files_; }
     [[nodiscard]] WindowDocks& docks() const { return *docks_; }
     [[nodiscard]] CompareDesk& comparison() const { return *comparison_; }
+    [[nodiscard]] Bookmarks& bookmarks() const { return *bookmarks_; }
 
     /// Of a first window on a screen with this much room, its frame left out: as large as is useful, never larger.
     [[nodiscard]] static QSize firstSize(const QSize& room);
@@ -67,6 +69,9 @@ public:
     void exportAgain();
     void openPrintDialog(const QString& print = {});
     void openSpriteDialog();
+    void openRecordDialog();
+    /// Asks for a file, and writes the bookmarks to it.
+    void saveTour();
     void resetEverything();
     void openPalette();
     void openShortcutSheet();
@@ -96,6 +101,7 @@ private:
     PresetShelf* shelf_ = nullptr;
     FileOpener* files_ = nullptr;
     CompareDesk* comparison_ = nullptr;
+    Bookmarks* bookmarks_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     ExportAgain* again_ = nullptr;

@@ -3,13 +3,16 @@
 #include "exhibits/sprites/sprite_shots.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_desk.h"
+#include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_shelf.h"
+#include "ui/record/bookmarks.h"
 #include "ui/study/table_export.h"
 #include "ui/tree/tree_file.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
+#include "ui/window/copies.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recent_files.h"
@@ -107,6 +110,7 @@ WindowActions::WindowActions(MainWindow& window)
     addViewMenu(make, window);
     addCompareMenu(make, window.comparison().actions());
     addExhibitMenu(make, window);
+    addBookmarkMenu(make, window);
     addHelpMenu(make, window);
 }
 
@@ -129,12 +133,20 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
     make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)},
              tr("Saves what the picture shows as PNG, in your pictures folder."),
              [&window] { saveScreenshot(window, window); });
+    make.add(tr("&Copy picture"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)},
+             tr("Puts what the picture shows on the clipboard."), [&window] { copyPicture(window); });
+    make.add(tr("Copy as command &line"), {},
+             tr("Puts a line on the clipboard that draws the same picture from a terminal, to the bit."),
+             [&window] { copyCommandLine(window); });
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
              tr("Saves the picture at any size, as PNG, JPEG, EXR or TIFF."),
              [&window] { window.openScreenshotDialog(); });
     make.add(tr("Export picture a&gain"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_E)},
              tr("What is seen now, as the last picture was exported, under the next free name."),
              [&window] { window.exportAgain(); });
+    make.add(tr("&Record…"), {QKeySequence(Qt::SHIFT | Qt::Key_F12)},
+             tr("A film along bookmarks, round what you look at, or past all exhibits: a video, or frames."),
+             [&window] { window.openRecordDialog(); });
     make.add(tr("Export &lenticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
              tr("Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to "
                 "calibrate it."),
@@ -268,6 +280,33 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
         make.add(tr("Visit %1").arg(text(exhibit.title())), keys, text(exhibit.summary()),
                  [&window, index = i] { window.visit(index); });
     }
+}
+
+void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
+{
+    make.menu(tr("&Bookmarks"));
+    Bookmarks& bookmarks = window.bookmarks();
+    const auto key = [](int number) { return static_cast<Qt::Key>(Qt::Key_0 + number); };
+    for (int number = 1; number <= Bookmarks::most; ++number) {
+        QAction* go = make.add({}, {QKeySequence(Qt::CTRL | key(number))}, tr("Glides to the view kept there."),
+                               [&bookmarks, number] { bookmarks.go(number); });
+        const auto name = [go, &bookmarks, number] {
+            const QString there = bookmarks.name(number);
+            go->setText(there.isEmpty() ? tr("Go to bookmark %1 (empty)").arg(number)
+                                        : tr("Go to bookmark %1").arg(menuText(there)));
+        };
+        name();
+        QObject::connect(&bookmarks, &Bookmarks::changed, go, name);
+    }
+    make.separator();
+    for (int number = 1; number <= Bookmarks::most; ++number)
+        make.add(tr("Set bookmark %1").arg(number), {QKeySequence(Qt::CTRL | Qt::ALT | key(number))},
+                 tr("Keeps where you are, in place of what was kept there."),
+                 [&bookmarks, number] { bookmarks.set(number); });
+    make.separator();
+    make.add(tr("Save as a &tour…"), {}, tr("Writes the bookmarks to a file that `vitrine record` follows."),
+             [&window] { window.saveTour(); });
+    make.add(tr("&Forget all bookmarks"), {}, tr("Empties all nine."), [&bookmarks] { bookmarks.forgetAll(); });
 }
 
 void WindowActions::addHelpMenu(Maker& make, MainWindow& window)

@@ -31,6 +31,7 @@ private:
     void addScreenAndClock(Maker&, MainWindow&);
     void addCompareMenu(Maker&, const CompareActions&);
     void addExhibitMenu(Maker&, MainWindow&);
+    void addBookmarkMenu(Maker&, MainWindow&);
     void addHelpMenu(Maker&, MainWindow&);
 };
 

@@ -1,0 +1,186 @@
+#include "app/command.h"
+#include "app/picture_options.h"
+#include "app/progress.h"
+
+#include "exhibits/exhibits.h"
+#include "exhibits/framework/preset.h"
+#include "exhibits/recording/record.h"
+#include "exhibits/recording/tour.h"
+#include "render/failure.h"
+#include "render/files/extension.h"
+#include "render/files/number_text.h"
+#include "render/files/read_file.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+#include <numbers>
+#include <optional>
+
+namespace vitrine::app {
+namespace {
+
+struct RecordOptions {
+    PictureOptions picture;
+    std::string subject;  ///< As typed: an exhibit, hall, or a tour's file.
+    std::string path;     ///< Empty: a tour of the hall, round an exhibit.
+    std::string pace;     ///< Empty: as the tour says; constant in a loop, else eased.
+    double turn = 0;      ///< Degrees; 0: 360 alone, 60 in the hall.
+    double seconds = 8, framesPerSecond = 30, shutter = 0;
+    int shutterSamples = 8;
+};
+
+Pace paceOf(const RecordOptions& options, Pace otherwise)
+{
+    return options.pace.empty() ? otherwise : options.pace == "eased" ? Pace::eased : Pace::constant;
+}
+
+/// Round what the view looks at: once round in a loop, or to and fro about the view.
+void turnRound(const RecordOptions& options, const Museum& museum, RecordingRequest& request)
+{
+    const FrameRequest& frame = request.picture.frame;
+    const double degrees = options.turn != 0 ? options.turn : frame.alone ? 360 : 60;
+    const double angle = degrees * std::numbers::pi / 180;
+    request.closed = isWholeTurns(angle);
+    request.camera = turntable(frame.camera, angle, paceOf(options, request.closed ? Pace::constant : Pace::eased));
+    if (frame.alone) return;
+    const double hit = firstCollision(museum, request.camera);
+    if (hit >= 0)
+        throw Failure(Blame::usage, "A camera that turns by " + render::shortestNumber(degrees) + " degrees round " +
+                                        options.subject +
+                                        " runs into a wall or furniture; give a smaller --turn, or --alone.");
+}
+
+/// Along a tour, at its own pace or the one asked for.
+void follow(const RecordOptions& options, const Museum& museum, const Tour& tour, RecordingRequest& request)
+{
+    request.closed = tour.closed;
+    request.camera = [path = tourPath(museum, tour), pace = paceOf(options, tour.pace)](double part) {
+        return path.at(paced(pace, part));
+    };
+}
+
+bool isTourFile(const RecordOptions& options)
+{
+    return render::lowerExtension(options.subject) == ".json";
+}
+
+RecordingRequest recordingRequest(const RecordOptions& options, const Museum& museum, RequestedPicture& job)
+{
+    RecordingRequest request;
+    request.picture = job.request;
+    request.seconds = options.seconds;
+    request.framesPerSecond = options.framesPerSecond;
+    request.shutter = options.shutter;
+    request.shutterSamples = options.shutterSamples;
+    const bool isHall = job.subject == hallIndex;
+    const std::string path = options.path.empty() ? isHall ? "tour" : "turntable" : options.path;
+    if (isTourFile(options)) {
+        Tour tour = parseTour(render::readFile(options.subject, presetLimits.bytes), options.subject);
+        for (const std::string& note : tour.notes) job.notes.push_back(options.subject + ": " + note);
+        follow(options, museum, tour, request);
+    } else if (path == "still") {
+        request.camera = [camera = job.request.frame.camera](double) { return camera; };
+        request.closed = true;
+    } else if (path == "turntable") {
+        turnRound(options, museum, request);
+    } else if (isHall) {
+        follow(options, museum, museumTour(museum, job.sceneState), request);
+    } else {
+        throw Failure(Blame::usage,
+                      "--path tour: the tour goes through the hall; record hall, or choose turntable or still.");
+    }
+    return request;
+}
+
+int makeRecording(const RecordOptions& options)
+{
+    PictureOptions picture = options.picture;
+    picture.subject = isTourFile(options) ? "hall" : options.subject;
+    RecordingRequest early;  // What cannot be written is refused before anything is read.
+    early.picture.frame.raster.size = parseSize("--size", picture.size);
+    early.picture.frame.transparent = picture.transparent;
+    early.framesPerSecond = options.framesPerSecond;
+    requireRecordable(early, picture.out);
+    const render::gl::HeadlessContext context;
+    const Museum museum{allExhibits()};
+    PictureOptions described = picture;
+    described.out.clear();  // Its ending is none of a picture.
+    RequestedPicture job = requestedPicture(museum, described);
+    const RecordingRequest request = recordingRequest(options, museum, job);
+    for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    render::gl::Renderer renderer;
+    const StopSignal signal;
+    Recording recording(museum, renderer, job.sceneState, job.subject, request, picture.out);
+    {
+        ProgressLine line("recording");
+        line.estimate();
+        while (line.show(recording.progress()) && recording.step()) {
+        }
+    }
+    if (!recording.finished()) {
+        const bool isVideo = render::lowerExtension(picture.out) != ".png";
+        std::fprintf(stderr, "vitrine: Stopped; %s.\n",
+                     isVideo ? "nothing was written"
+                             : "the frames so far are whole, and the same command goes on with the next one");
+        return StopSignal::exitCode;
+    }
+    std::printf("%s: %d frames of %d x %d", picture.out.c_str(), recording.drawn() + recording.kept(),
+                request.picture.frame.raster.size.x, request.picture.frame.raster.size.y);
+    if (recording.kept() > 0) std::printf(", %d of them kept", recording.kept());
+    std::printf("\n");
+    return 0;
+}
+
+void addMotionOptions(CLI::App& command, RecordOptions& o)
+{
+    command.add_option("--seconds", o.seconds, "How long it is")
+        ->capture_default_str()
+        ->check(CLI::Range(0.001, 36000.0));
+    command.add_option("--fps", o.framesPerSecond, "Frames a second")
+        ->capture_default_str()
+        ->check(CLI::Range(0.1, 240.0));
+    command.add_option("--size", o.picture.size, "Width x height in pixels")->capture_default_str();
+    command
+        .add_option(
+            "--path", o.path,
+            "How the camera moves: turntable (of an exhibit, when nothing is said), still, or tour (of the hall)")
+        ->check(CLI::IsMember({"turntable", "still", "tour"}));
+    command.add_option("--turn", o.turn, "Degrees of the turntable; without it 360 alone, and 60 in the hall")
+        ->check(CLI::Range(-36000.0, 36000.0));
+    command
+        .add_option("--pace", o.pace,
+                    "constant or eased; without it as the tour says, or constant in a loop, else eased")
+        ->check(CLI::IsMember({"constant", "eased"}));
+    command
+        .add_option("--shutter", o.shutter, "Motion blur: the share of a frame's time for which it is exposed; 0: none")
+        ->capture_default_str()
+        ->check(CLI::Range(0.0, 1.0));
+    command.add_option("--shutter-samples", o.shutterSamples, "Moments that are averaged over it")
+        ->capture_default_str()
+        ->check(CLI::Range(1, 4096));
+}
+
+}  // namespace
+
+void addRecordCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand(
+        "record", "Record a film: round an exhibit, through the hall, or along the bookmarks of a tour");
+    auto options = std::make_shared<RecordOptions>();
+    options->picture.size = "1280x720";
+    command->add_option("subject", options->subject, "An exhibit's name, hall, or a tour's file (.json)")->required();
+    command
+        ->add_option("--out", options->picture.out,
+                     "The film: .mp4, .webm, .gif, .webp or .apng (both lossless), or frames/%04d.png, of which those "
+                     "that are there are kept")
+        ->required();
+    addMotionOptions(*command, *options);
+    addSceneOptions(*command, options->picture);
+    command->callback([&chosen, options] { chosen = [options] { return makeRecording(*options); }; });
+}
+
+}  // namespace vitrine::app

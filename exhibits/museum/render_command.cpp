@@ -1,0 +1,67 @@
+#include "exhibits/museum/render_command.h"
+
+#include "exhibits/framework/value_text.h"
+#include "render/files/number_text.h"
+
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+namespace vitrine {
+namespace {
+
+std::string quoted(const std::string& word)
+{
+    const std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=.,/:+%@";
+    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
+    std::string text = "'";
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return text + '\'';
+}
+
+std::string triple(const glm::dvec3& v)
+{
+    return render::shortestNumber(v.x) + ',' + render::shortestNumber(v.y) + ',' + render::shortestNumber(v.z);
+}
+
+/// Degrees that are these radians to the bit, as the option reads them.
+double degreesOf(double radians)
+{
+    double degrees = radians * 180 / std::numbers::pi;
+    const auto read = [](double d) { return d * std::numbers::pi / 180; };
+    for (int i = 0; i < 4 && read(degrees) < radians; ++i) degrees = std::nextafter(degrees, 1e9);
+    for (int i = 0; i < 4 && read(degrees) > radians; ++i) degrees = std::nextafter(degrees, -1e9);
+    return degrees;
+}
+
+/// As `--set` reads it: numbers in SI units.
+std::string settingOf(const ParameterInfo& row, const Value& value)
+{
+    const auto* number = std::get_if<double>(&value);
+    return number && row.isNumeric() ? render::shortestNumber(*number) : formatValue(row, value);
+}
+
+}  // namespace
+
+std::string renderCommand(const Museum& museum, const SceneState& sceneState, const FrameRequest& request, int samples,
+                          const std::string& out)
+{
+    const glm::ivec2 size = request.raster.size;
+    std::string line = "vitrine render hall --size " + std::to_string(size.x) + 'x' + std::to_string(size.y) +
+                       " --samples " + std::to_string(samples) + " --time=" + render::shortestNumber(request.time) +
+                       " --seed " + std::to_string(request.seed) + " --eye=" + triple(request.camera.eye) +
+                       " --target=" + triple(request.camera.target) + " --fov " +
+                       render::shortestNumber(degreesOf(request.camera.fovY));
+    for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
+        const ParameterValues& values = sceneState.values[i];
+        for (std::size_t row = 0; row < values.rows().size(); ++row) {
+            if (values.isInitial(row)) continue;
+            const ParameterInfo& info = values.rows()[row];
+            line += " --set " + quoted(std::string(museum.subject(i).name()) + '.' + std::string(info.name) + '=' +
+                                       settingOf(info, values.row(row)));
+        }
+    }
+    return line + " --out " + quoted(out);
+}
+
+}  // namespace vitrine

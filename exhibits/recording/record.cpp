@@ -1,0 +1,165 @@
+#include "exhibits/recording/record.h"
+
+#include "exhibits/framework/preset.h"
+#include "render/failure.h"
+#include "render/files/extension.h"
+#include "render/files/read_file.h"
+#include "render/image/image_io.h"
+#include "render/image/png_file.h"
+#include "render/video/video_file.h"
+
+#include <optional>
+
+namespace vitrine {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t largestFrame = std::size_t{1} << 30U;
+
+/// "%04d" or "%d" in a name: where it begins and ends, and how many digits at least.
+struct NumberPlace {
+    std::size_t begin = 0, end = 0;
+    int digits = 1;
+};
+std::optional<NumberPlace> numberPlace(const std::string& name)
+{
+    NumberPlace place;
+    place.begin = name.find('%');
+    if (place.begin == std::string::npos || name.find('%', place.begin + 1) != std::string::npos) return std::nullopt;
+    std::size_t at = place.begin + 1;
+    if (at + 1 < name.size() && name[at] == '0' && name[at + 1] >= '1' && name[at + 1] <= '9') {
+        place.digits = name[at + 1] - '0';
+        at += 2;
+    }
+    if (at >= name.size() || name[at] != 'd') return std::nullopt;
+    place.end = at + 1;
+    return place;
+}
+
+bool isFrames(const fs::path& out)
+{
+    return numberPlace(out.filename().string()) && render::lowerExtension(out) == ".png";
+}
+
+render::VideoSpec specOf(const RecordingRequest& request, render::VideoFormat format)
+{
+    const FrameRequest& frame = request.picture.frame;
+    return {format, frame.raster.size.x, frame.raster.size.y, request.framesPerSecond, frame.transparent, {}};
+}
+
+/// Whether a frame that says the same of itself is there.
+bool isThere(const fs::path& path, const std::string& preset, const std::string& line)
+{
+    std::error_code ignored;
+    if (!fs::is_regular_file(path, ignored)) return false;
+    try {
+        const std::string bytes = render::readFile(path, largestFrame);
+        return render::presetInPng(bytes, path.string()) == preset &&
+               render::textInPng(bytes, "Description", path.string()) == line;
+    } catch (const Failure&) {
+        return false;  // Not ours, or broken: it is drawn anew.
+    }
+}
+
+}  // namespace
+
+void requireRecordable(const RecordingRequest& request, const fs::path& out)
+{
+    if (isFrames(out)) return;
+    const std::optional<render::VideoFormat> format = render::videoFormatOf(out);
+    if (!format)
+        throw Failure(Blame::usage, "\"" + out.string() +
+                                        "\" is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp "
+                                        "or .apng, or frames/%04d.png.");
+    if (const std::string why = render::whyNoVideo(specOf(request, *format)); !why.empty())
+        throw Failure(Blame::usage, why);
+}
+
+fs::path framePath(const fs::path& pattern, int k)
+{
+    std::string name = pattern.filename().string();
+    const NumberPlace place = numberPlace(name).value_or(NumberPlace{});
+    std::string number = std::to_string(k + 1);
+    if (const auto digits = static_cast<std::size_t>(place.digits); number.size() < digits)
+        number.insert(0, digits - number.size(), '0');
+    return pattern.parent_path() / name.replace(place.begin, place.end - place.begin, number);
+}
+
+Recording::Recording(const Museum& museum, render::RenderBackend& backend, SceneState sceneState, std::size_t subject,
+                     RecordingRequest request, fs::path out)
+    : museum_(museum), backend_(backend), sceneState_(std::move(sceneState)), subject_(subject),
+      request_(std::move(request)), out_(std::move(out))
+{
+    requireRecordable(request_, out_);
+    if (!isFrames(out_)) {
+        render::VideoSpec spec = specOf(request_, *render::videoFormatOf(out_));
+        spec.comment = presetAt(0);
+        video_ = std::make_unique<render::VideoFile>(out_, spec);
+        return;
+    }
+    std::error_code error;
+    if (out_.has_parent_path()) fs::create_directories(out_.parent_path(), error);
+    if (error)
+        throw Failure(Blame::file, out_.parent_path().string() + ": the folder cannot be made (" + error.message() +
+                                       "); choose another.");
+}
+
+Recording::~Recording() = default;
+
+std::string Recording::presetAt(int k) const
+{
+    const std::string name(museum_.subject(subject_).name());
+    const auto& alone = request_.picture.frame.alone;
+    render::Camera camera = momentsOf(request_, k).front().camera;
+    // Presets speak of the hall; alone, the exhibit's own space is the world.
+    if (alone) camera = camera.transformed(museum_.worldFromExhibit(*alone));
+    Exhibition exhibition{"Recording of " + name, namedValues(museum_.subjects(), sceneState_.values), camera};
+    if (subject_ != hallIndex) exhibition.chosen = name;
+    return exhibitionText(exhibition);
+}
+
+void Recording::beginFrame()
+{
+    while (!video_ && next_ < request_.frames() &&
+           isThere(framePath(out_, next_), presetAt(next_), frameLine(request_, next_))) {
+        ++kept_;
+        ++next_;
+    }
+    if (next_ < request_.frames())
+        maker_ = std::make_unique<FrameMaker>(museum_, backend_, sceneState_, request_, next_);
+}
+
+void Recording::endFrame()
+{
+    if (video_)
+        video_->add(maker_->picture());
+    else
+        render::writePicture(framePath(out_, next_), maker_->picture(), render::PictureFormat::png8,
+                             {.preset = presetAt(next_), .description = frameLine(request_, next_)});
+    maker_.reset();
+    ++next_;
+    ++drawn_;
+}
+
+bool Recording::step()
+{
+    if (finished_) return false;
+    if (!maker_) beginFrame();
+    if (maker_) {
+        maker_->step();
+        if (maker_->finished()) endFrame();
+    }
+    if (next_ == request_.frames()) {
+        if (video_) video_->finish();
+        finished_ = true;
+    }
+    return true;
+}
+
+double Recording::progress() const
+{
+    return (next_ + (maker_ ? maker_->progress() : 0)) / request_.frames();
+}
+
+}  // namespace vitrine

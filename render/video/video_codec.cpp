@@ -1,0 +1,16 @@
+#include "render/video/video_codec.h"
+
+#include "render/files/module.h"
+
+namespace vitrine::render {
+
+VideoCodec& videoCodec()
+{
+    // Tried again when it throws.
+    static VideoCodec* const codec = static_cast<VideoCodec*>(openModule(
+        {"libvitrine_video.so", VITRINE_VIDEO_BUILT, "vitrineVideo", "writes videos", "FFmpeg's libraries"},
+        [](void* symbol) -> void* { return reinterpret_cast<decltype(&vitrineVideo)>(symbol)(vitrineVideoVersion); }));
+    return *codec;
+}
+
+}  // namespace vitrine::render

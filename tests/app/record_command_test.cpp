@@ -1,0 +1,149 @@
+// `vitrine record` as its users call it.
+
+#include "exhibits/recording/tour.h"
+#include "render/image/image_io.h"
+#include "tests/app/child_process.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <thread>
+
+namespace vitrine {
+namespace {
+
+using test::TemporaryFolder;
+using Words = std::vector<std::string>;
+
+Words recording(const std::string& subject, const std::string& out, const Words& more = {})
+{
+    Words words{"record", subject, "--samples", "1", "--out", out};
+    const auto otherwise = [&](const Words& option) {
+        if (std::find(more.begin(), more.end(), option.front()) == more.end())
+            words.insert(words.end(), option.begin(), option.end());
+    };
+    otherwise({"--size", "32x18"});
+    otherwise({"--fps", "4"});
+    if (std::find(more.begin(), more.end(), "--alone") == more.end())
+        words.insert(words.end(), {"--set", "hall.probeSize=32", "--set", "hall.shadowMapSize=512"});
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+}
+
+/// Mean over pixels and colors, of linear light.
+double differenceOf(const render::Image& a, const render::Image& b)
+{
+    EXPECT_EQ(a.pixels.size(), b.pixels.size());
+    double sum = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); ++i)
+        sum += std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]));
+    return sum / static_cast<double>(a.pixels.size());
+}
+
+TEST(RecordCommand, TurnsRoundAnExhibitAndGivesTheSameBytesAgain)
+{
+    const TemporaryFolder folder;
+    for (const char* name : {"a.apng", "b.apng"}) {
+        const test::Ended ended =
+            test::vitrine(recording("sdf_morph", folder / name, {"--alone", "--seconds", "1", "--set", "morph=1"}));
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        EXPECT_EQ(ended.out, (folder / name).string() + ": 4 frames of 32 x 18\n");
+    }
+    EXPECT_EQ(test::bytesOf(folder / "a.apng"), test::bytesOf(folder / "b.apng"));
+}
+
+TEST(RecordCommand, AFramesTimeIsItsNumberOverTheRateAndItsPresetBringsItBack)
+{
+    const TemporaryFolder folder;
+    const Words film{"--alone", "--seconds", "1", "--path", "still", "--set", "animate=on", "--time", "1"};
+    const test::Ended ended = test::vitrine(recording("sdf_morph", folder / "f/%03d.png", film));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(folder.files(), (Words{"f/001.png", "f/002.png", "f/003.png", "f/004.png"}));
+    // The third one, at 2 / 4 s: a picture of that moment, and one of its preset.
+    const Words picture{"render", "sdf_morph", "--alone", "--size", "32x18", "--samples", "1", "--time", "1.5"};
+    Words plain = picture, preset = picture;
+    plain.insert(plain.end(), {"--set", "animate=on", "--out", folder / "plain.png"});
+    preset.insert(preset.end(), {"--preset", folder / "f/003.png", "--out", folder / "preset.png"});
+    ASSERT_EQ(test::vitrine(plain).code, 0);
+    const test::Ended fromPreset = test::vitrine(preset);
+    ASSERT_EQ(fromPreset.code, 0) << fromPreset.err;
+    const render::Image third = render::readImage(folder / "f/003.png");
+    EXPECT_EQ(differenceOf(third, render::readImage(folder / "plain.png")), 0);
+    EXPECT_LT(differenceOf(third, render::readImage(folder / "preset.png")),
+              1e-3);  // Its camera went through the hall.
+    EXPECT_GT(differenceOf(third, render::readImage(folder / "f/001.png")), 1e-3) << "the control: it melts";
+}
+
+TEST(RecordCommand, FollowsATourAndSaysWhatItLeftOut)
+{
+    const TemporaryFolder folder;
+    Tour tour{"Short", {{"a", {}}, {"b", {}}}, false, Pace::constant};
+    tour.bookmarks[1].camera.eye = {0.5, 1.65, 10};
+    test::writeBytes(folder / "tour.json", tourText(tour));
+    const test::Ended ended = test::vitrine(recording(folder / "tour.json", folder / "a.mp4", {"--seconds", "0.5"}));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(folder.files(), (Words{"a.mp4", "tour.json"}));
+    test::writeBytes(folder / "tour.json", "{\"format\": \"vitrine-tour\",\n\"version\": 1}");
+    const test::Ended broken = test::vitrine(recording(folder / "tour.json", folder / "b.mp4"));
+    EXPECT_EQ(broken.code, 5);
+    test::expectOneSentence(broken, {"tour.json", "bookmarks", "missing"});
+    EXPECT_EQ(folder.files(), (Words{"a.mp4", "tour.json"}));
+}
+
+TEST(RecordCommand, WhatCannotBeRecordedIsUsage)
+{
+    const TemporaryFolder folder;
+    const auto refused = [&](const std::string& subject, const char* out, const Words& more, const Words& parts) {
+        const test::Ended ended = test::vitrine(recording(subject, folder / out, more));
+        EXPECT_EQ(ended.code, 2) << ended.err;
+        test::expectOneSentence(ended, parts);
+    };
+    refused("sdf_morph", "a.avi", {}, {"a.avi", ".mp4", "%04d.png"});
+    refused("sdf_morph", "a.mp4", {"--size", "33x18"}, {"34x18"});
+    refused("sdf_morph", "a.gif", {"--fps", "60"}, {"50"});
+    refused("sdf_morph", "a.mp4", {"--alone", "--transparent"}, {"transparent"});
+    refused("nothing", "a.mp4", {}, {"nothing", "vitrine list"});
+    refused("sdf_morph", "a.mp4", {"--path", "tour"}, {"--path tour"});
+    refused("noise", "a.mp4", {"--turn", "360"}, {"--turn", "--alone"});
+    for (const Words& more : {Words{"--seconds", "0"}, {"--fps", "nan"}, {"--shutter", "2"}, {"--path", "up"}})
+        EXPECT_EQ(test::vitrine(recording("sdf_morph", folder / "a.mp4", more)).code, 2) << more.front();
+    EXPECT_TRUE(folder.files().empty());
+}
+
+TEST(RecordCommand, StoppedByCtrlCLeavesWholeFramesAndGoesOnLater)
+{
+    const TemporaryFolder folder;
+    // As many frames as nobody waits for.
+    const Words words = recording("sdf_morph", folder / "%04d.png", {"--alone", "--seconds", "9000"});
+    const pid_t child = ::fork();
+    if (child == 0) {
+        std::vector<char*> pointers{const_cast<char*>(VITRINE_PROGRAM)};
+        for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
+        pointers.push_back(nullptr);
+        const int nothing = ::open("/dev/null", O_WRONLY);
+        ::dup2(nothing, 1);
+        ::dup2(nothing, 2);
+        ::execv(VITRINE_PROGRAM, pointers.data());
+        ::_exit(127);
+    }
+    for (int i = 0; i < 6000 && !std::filesystem::exists(folder / "0003.png"); ++i)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(std::filesystem::exists(folder / "0003.png"));
+    ::kill(child, SIGINT);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status));
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    for (const std::string& file : folder.files()) EXPECT_NO_THROW(static_cast<void>(render::readImage(folder / file)));
+}
+
+}  // namespace
+}  // namespace vitrine

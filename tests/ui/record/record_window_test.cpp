@@ -1,0 +1,198 @@
+// Bookmarks, copies of the picture, and films, in the real window.
+
+#include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
+
+#include "exhibits/framework/state_folder.h"
+#include "exhibits/recording/tour.h"
+#include "render/image/image_io.h"
+#include "ui/kit/export_bar.h"
+#include "ui/record/bookmarks.h"
+#include "ui/record/record_dialog.h"
+#include "ui/window/copies.h"
+
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QSpinBox>
+
+#include <fstream>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+class RecordWindowTest : public test::OpenWindow {
+    Q_OBJECT
+
+    [[nodiscard]] render::Camera camera() { return window_->history().sceneState().camera; }
+    void stand(double x)
+    {
+        render::Camera there;
+        there.eye.x = x;
+        window_->viewport().jumpTo(there);
+        settle();
+    }
+    void press(Qt::Key key, Qt::KeyboardModifiers with)
+    {
+        QApplication::setActiveWindow(window_.get());  // No window manager does it under Xvfb.
+        QTest::keyClick(&window_->viewport(), key, with);
+        settle();
+    }
+    [[nodiscard]] RecordDialog* openDialog()
+    {
+        action("Record…")->trigger();
+        auto* dialog = window_->findChild<RecordDialog*>();
+        dialog->findChild<QDoubleSpinBox*>("seconds")->setValue(0.5);
+        dialog->findChild<QDoubleSpinBox*>("rate")->setValue(10);
+        for (QSpinBox* box : dialog->findChildren<QSpinBox*>()) box->setValue(16);
+        return dialog;
+    }
+    [[nodiscard]] QString at(const char* name) const { return home_->filePath(QString::fromUtf8(name)); }
+    static bool says(const QDialog& dialog, const char* words)
+    {
+        for (const QLabel* label : dialog.findChildren<QLabel*>())
+            if (label->text().contains(QString::fromUtf8(words))) return true;
+        return false;
+    }
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init() { start(); }
+    void cleanup() { finish(); }
+
+    void aBookmarkBringsBackWhereItWasSetAlsoInTheNextSession()
+    {
+        stand(0.5);
+        const render::Camera kept = camera();
+        press(Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
+        QCOMPARE(window_->bookmarks().name(3).left(1), QStringLiteral("3"));
+        QVERIFY(action("Go to bookmark 4 (empty)"));
+        stand(-0.5);
+        press(Qt::Key_4, Qt::ControlModifier);  // None: one stays.
+        QCOMPARE(camera().eye.x, -0.5);
+        closeWindow();
+        openWindow();
+        stand(-0.5);
+        press(Qt::Key_3, Qt::ControlModifier);
+        QTRY_VERIFY(glm::length(camera().eye - kept.eye) < 1e-9);
+        QVERIFY(glm::length(glm::normalize(camera().target - camera().eye) - glm::normalize(kept.target - kept.eye)) <
+                1e-9);
+        QVERIFY2(window_->viewport().canGoBack(), "Backspace leads back");
+        action("Forget all bookmarks")->trigger();
+        QVERIFY(window_->bookmarks().tour().bookmarks.empty());
+    }
+
+    void bookmarksThatCannotBeReadAreLeftAsTheyAre()
+    {
+        closeWindow();
+        const std::filesystem::path file = stateFolder() / "bookmarks.json";
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream(file) << "{";
+        openWindow();
+        press(Qt::Key_1, Qt::ControlModifier | Qt::AltModifier);
+        QVERIFY(!window_->bookmarks().name(1).isEmpty());
+        std::ifstream read(file);
+        QCOMPARE(QString::fromStdString({std::istreambuf_iterator<char>(read), {}}), QStringLiteral("{"));
+    }
+
+    void aTourIsSavedForTheCommandLine()
+    {
+        stand(0.5);
+        press(Qt::Key_2, Qt::ControlModifier | Qt::AltModifier);
+        stand(-0.5);
+        press(Qt::Key_1, Qt::ControlModifier | Qt::AltModifier);
+        window_->bookmarks().saveAs(at("tour.json"));
+        QFile file(at("tour.json"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const Tour tour = parseTour(file.readAll().toStdString(), "tour.json");
+        QCOMPARE(tour.bookmarks.size(), std::size_t{2});
+        QCOMPARE(tour.bookmarks[0].camera.eye.x, -0.5);  // By number.
+        QCOMPARE(tour.bookmarks[1].camera.eye.x, 0.5);
+    }
+
+    void copiesOfThePictureGoToTheClipboard()
+    {
+        action("Copy picture")->trigger();
+        const QImage copied = QGuiApplication::clipboard()->image().convertToFormat(QImage::Format_RGB32);
+        QCOMPARE(copied, window_->viewport().shown().convertToFormat(QImage::Format_RGB32));
+        window_->choose(1);
+        dragRoughness(60);
+        settle();
+        action("Copy as command line")->trigger();
+        const QString line = QGuiApplication::clipboard()->text();
+        QCOMPARE(line, commandLineOf(*window_));
+        QVERIFY2(line.startsWith("vitrine render hall --size "), qPrintable(line));
+        QVERIFY2(line.contains(QStringLiteral(" --samples %1 ").arg(window_->viewport().schedule().samples())),
+                 qPrintable(line));
+        const FrameRequest shown = window_->viewport().shownRequest();
+        QVERIFY(line.contains(QStringLiteral("--size %1x%2 ").arg(shown.raster.size.x).arg(shown.raster.size.y)));
+        QVERIFY2(line.contains(".roughness=") && line.contains("--eye="), qPrintable(line));
+    }
+
+    void aFilmAlongTheBookmarksIsRecordedBesideTheWindow()
+    {
+        RecordDialog* dialog = openDialog();
+        dialog->setWay(RecordDialog::Way::bookmarks);
+        QVERIFY2(says(*dialog, "Set two bookmarks"), "and there is nothing to record");
+        stand(0.5);
+        window_->bookmarks().set(1);
+        stand(-0.5);
+        window_->bookmarks().set(2);
+        QVERIFY(!says(*dialog, "Set two bookmarks"));
+        QSignalSpy ended(dialog, &RecordDialog::recordingEnded);
+        dialog->setPath(at("film.apng"));
+        dialog->startRecording();
+        QTRY_COMPARE(ended.count(), 1);
+        QVERIFY2(ended[0][0].toBool(), qPrintable(dialog->status()));
+        QVERIFY(QFile::exists(at("film.apng")));
+        QVERIFY2(dialog->path() != at("film.apng"), "the next one does not replace it");
+        dialog->setPath(at("frames/%02d.png"));
+        dialog->startRecording();
+        QTRY_COMPARE(ended.count(), 2);
+        QVERIFY2(ended[1][0].toBool(), qPrintable(dialog->status()));
+        QCOMPARE(QDir(at("frames")).entryList(QDir::Files).size(), 5);
+        const auto preset = render::embeddedPreset(at("frames/05.png").toStdString());
+        QVERIFY(preset && preset->find("-0.5") != std::string::npos);
+    }
+
+    void whatCannotBeRecordedIsSaidAndNothingBegins()
+    {
+        RecordDialog* dialog = openDialog();
+        dialog->setWay(RecordDialog::Way::still);
+        dialog->setPath(at("film.avi"));
+        dialog->startRecording();
+        QVERIFY(!dialog->recording());
+        QVERIFY(says(*dialog, ".mp4"));
+        dialog->setPath(at("missing/film.apng"));
+        QSignalSpy ended(dialog, &RecordDialog::recordingEnded);
+        dialog->startRecording();
+        QTRY_COMPARE(ended.count(), 1);
+        QVERIFY(!ended[0][0].toBool());
+        QVERIFY(says(*dialog, "missing"));
+    }
+
+    void canceledItLeavesNoFileAndTheWindowAsksBeforeItCloses()
+    {
+        RecordDialog* dialog = openDialog();
+        dialog->setWay(RecordDialog::Way::still);
+        dialog->findChild<QDoubleSpinBox*>("seconds")->setValue(3600);
+        dialog->setPath(at("film.apng"));
+        dialog->startRecording();
+        QTRY_VERIFY(dialog->recording());
+        window_->close();
+        QVERIFY2(window_->isVisible(), "a film is being recorded");
+        for (QDialog* question : window_->findChildren<QDialog*>())
+            if (question != dialog) question->reject();
+        dialog->reject();
+        QVERIFY(!dialog->recording());
+        QVERIFY2(dialog->isVisible(), "canceled, not closed");
+        QTest::qWait(200);
+        QVERIFY(!QFile::exists(at("film.apng")));
+        QCOMPARE(QDir(home_->path()).entryList({"*film*"}, QDir::Files | QDir::Hidden).size(), 0);
+    }
+};
+
+VITRINE_TEST_MAIN(RecordWindowTest)
+#include "record_window_test.moc"

@@ -1,0 +1,102 @@
+#include "ui/record/bookmarks.h"
+
+#include "exhibits/framework/preset.h"
+#include "exhibits/framework/state_folder.h"
+#include "render/files/atomic_write.h"
+#include "render/files/read_file.h"
+#include "ui/kit/message_of.h"
+#include "ui/kit/text.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/viewport/viewport.h"
+
+namespace vitrine::ui {
+
+Bookmarks::Bookmarks(Workbench& window, QObject* parent)
+    : QObject(parent), window_(window), file_(stateFolder() / "bookmarks.json")
+{
+    read();
+}
+
+void Bookmarks::read()
+{
+    std::error_code ignored;
+    if (!std::filesystem::exists(file_, ignored)) return;
+    try {
+        // A name begins with its number.
+        for (Bookmark& bookmark : parseTour(render::readFile(file_, presetLimits.bytes), file_.string()).bookmarks) {
+            const int number = bookmark.name.empty() ? 0 : bookmark.name.front() - '0';
+            if (number >= 1 && number <= most) place(number) = std::move(bookmark);
+        }
+    } catch (const std::exception& failure) {
+        broken_ = true;
+        window_.say(MessageStrip::Mood::problem,
+                    tr("Your bookmarks are kept for this session only: %1").arg(messageOf(failure)));
+    }
+}
+
+void Bookmarks::write()
+{
+    emit changed();
+    if (broken_) return;
+    try {
+        std::error_code ignored;
+        if (const Tour all = tour(); all.bookmarks.empty())
+            std::filesystem::remove(file_, ignored);
+        else
+            render::atomicWriteMakingFolder(file_, tourText(all));
+    } catch (const std::exception& failure) {
+        window_.say(MessageStrip::Mood::problem, messageOf(failure));
+    }
+}
+
+void Bookmarks::set(int number)
+{
+    const std::string title(window_.museum().subject(window_.chosen()).title());
+    place(number) = {std::to_string(number) + ' ' + title, window_.history().sceneState().camera};
+    write();
+    window_.say(MessageStrip::Mood::notice, tr("Bookmark %1 is where you are now.").arg(number));
+}
+
+void Bookmarks::go(int number)
+{
+    if (const std::optional<Bookmark>& there = place(number))
+        window_.viewport().goTo(there->camera);
+    else
+        window_.say(MessageStrip::Mood::notice,
+                    tr("There is no bookmark %1 yet: Ctrl+Alt+%1 makes one of where you are.").arg(number));
+}
+
+void Bookmarks::forgetAll()
+{
+    places_.fill(std::nullopt);
+    write();
+}
+
+QString Bookmarks::name(int number) const
+{
+    const std::optional<Bookmark>& there = places_.at(static_cast<std::size_t>(number - 1));
+    return there ? QString::fromStdString(there->name) : QString();
+}
+
+Tour Bookmarks::tour() const
+{
+    Tour tour{"Bookmarks", {}, false, Pace::eased};
+    for (const std::optional<Bookmark>& there : places_)
+        if (there) tour.bookmarks.push_back(*there);
+    return tour;
+}
+
+void Bookmarks::saveAs(const QString& path)
+{
+    try {
+        render::atomicWrite(path.toStdString(), tourText(tour()));
+        window_.say(MessageStrip::Mood::notice, tr("Saved %1.").arg(path));
+    } catch (const std::exception& failure) {
+        window_.say(MessageStrip::Mood::problem, messageOf(failure));
+    }
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_bookmarks.cpp"

@@ -1,0 +1,38 @@
+#include "ui/window/copies.h"
+
+#include "exhibits/museum/render_command.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/viewport/viewport.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+namespace vitrine::ui {
+
+void copyPicture(Workbench& window)
+{
+    const QImage& picture = window.viewport().shown();
+    if (picture.isNull()) return;  // Before the first one.
+    QGuiApplication::clipboard()->setImage(picture);
+    window.say(
+        MessageStrip::Mood::notice,
+        QObject::tr("The picture is on the clipboard, %1 × %2 pixels.").arg(picture.width()).arg(picture.height()));
+}
+
+QString commandLineOf(Workbench& window)
+{
+    const Viewport& viewport = window.viewport();
+    return QString::fromStdString(renderCommand(window.museum(), window.history().sceneState(),
+                                                viewport.presentRequest(), viewport.schedule().samples(),
+                                                "picture.png"));
+}
+
+void copyCommandLine(Workbench& window)
+{
+    QGuiApplication::clipboard()->setText(commandLineOf(window));
+    window.say(MessageStrip::Mood::notice,
+               QObject::tr("A line for a terminal is on the clipboard; it draws this picture into picture.png."));
+}
+
+}  // namespace vitrine::ui
