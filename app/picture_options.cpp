@@ -2,6 +2,7 @@
 
 #include "app/apply_preset.h"
 #include "exhibits/framework/expression.h"
+#include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/framework/value_text.h"
 #include "exhibits/hall/hall_table.h"
@@ -92,17 +93,20 @@ struct Assignment {
     std::size_t owner = 0;
     std::string name, text;
 };
-Assignment assignmentOf(const Museum& museum, std::size_t subject, const std::string& assignment)
+/// `option` takes it; `such` is an example.
+Assignment assignmentOf(const Museum& museum, std::size_t subject, const std::string& assignment,
+                        const std::string& option = "--set", const char* such = "morph=0.3")
 {
     const std::size_t equals = assignment.find('=');
     if (equals == std::string::npos || equals == 0)
-        throw Failure(Blame::usage, "--set \"" + assignment + "\": give name=value, such as --set morph=0.3.");
+        throw Failure(Blame::usage,
+                      option + " \"" + assignment + "\": give name=value, such as " + option + ' ' + such + '.');
     const std::string name = assignment.substr(0, equals), text = assignment.substr(equals + 1);
     const std::size_t dot = name.find('.');
     if (dot == std::string::npos) return {subject, name, text};
     const auto owner = museum.find(name.substr(0, dot));
     if (!owner)
-        throw Failure(Blame::usage, "--set " + name + ": there is no exhibit \"" + name.substr(0, dot) +
+        throw Failure(Blame::usage, option + ' ' + name + ": there is no exhibit \"" + name.substr(0, dot) +
                                         "\"; `vitrine list` names them.");
     return {*owner, name.substr(dot + 1), text};
 }
@@ -205,6 +209,10 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
     add("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")
         ->take_all()
         ->allow_extra_args(true);
+    add("--animate", o.motions,
+        "name=kind:from:to, then what the kind goes by: name=sine:0.1:0.9:period=4; --time says when")
+        ->take_all()
+        ->allow_extra_args(true);
     addCameraOptions(command, o, heading);
     add("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
     add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
@@ -238,22 +246,32 @@ void readTables(const Museum& museum, SceneState& sceneState, std::vector<std::s
     notes.insert(notes.end(), read.notes.begin(), read.notes.end());
 }
 
+/// Where the named row is in its table.
+std::size_t rowNamed(const Museum& museum, const SceneState& sceneState, const Assignment& assignment,
+                     const std::string& option)
+{
+    const auto row = sceneState.values[assignment.owner].table().find(assignment.name);
+    if (!row)
+        throw Failure(Blame::usage, option + ' ' + assignment.name + ": " +
+                                        std::string(museum.subject(assignment.owner).name()) +
+                                        " has no parameter of that name; `vitrine list --json` names them.");
+    return *row;
+}
+
 /// Sets what was asked for, as `applySet`.
 void assign(const Museum& museum, SceneState& sceneState, const Assignment& assignment, std::vector<std::string>& notes)
 {
     const auto& [owner, name, text] = assignment;
     ParameterValues& values = sceneState.values[owner];
-    const auto row = values.table().find(name);
-    if (!row)
-        throw Failure(Blame::usage, "--set " + name + ": " + std::string(museum.subject(owner).name()) +
-                                        " has no parameter of that name; `vitrine list --json` names them.");
-    const ParameterInfo& info = values.rows()[*row];
+    const std::size_t row = rowNamed(museum, sceneState, assignment, "--set");
+    const ParameterInfo& info = values.rows()[row];
     const std::optional<Value> value = optionValue(info, text);
     if (!value || !nearestLegal(info, *value))
         throw Failure(Blame::usage,
                       "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info) + '.');
-    if (!values.chooseFile(*row, *value) && info.kind != Kind::direction)
-        notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(*row)) +
+    values.setMotion(row, std::nullopt);  // Who says what it is wants no preset to move it.
+    if (!values.chooseFile(row, *value) && info.kind != Kind::direction)
+        notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(row)) +
                         ", the nearest that is allowed (" + whatItTakes(info) + ").");
 }
 
@@ -281,6 +299,16 @@ void applySet(const Museum& museum, SceneState& sceneState, std::size_t subject,
     assign(museum, sceneState, assignmentOf(museum, subject, assignment), notes);
 }
 
+void applyMotion(const Museum& museum, SceneState& sceneState, std::size_t subject, const std::string& assignment)
+{
+    const Assignment a = assignmentOf(museum, subject, assignment, "--animate", "morph=sine:0.1:0.9:period=4");
+    const std::size_t row = rowNamed(museum, sceneState, a, "--animate");
+    ParameterValues& values = sceneState.values[a.owner];
+    const ParameterInfo& info = values.rows()[row];
+    values.setMotion(row, typedMotion(info, "--animate " + a.name, a.text,
+                                      [&info](const std::string& text) { return optionValue(info, text); }));
+}
+
 std::string presetOf(const Museum& museum, std::size_t subject, const SceneState& sceneState, const std::string& name)
 {
     if (subject == hallIndex)
@@ -303,6 +331,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     job.sceneState = museum.initialSceneState();
     if (!options.preset.empty()) applyPreset(museum, options.preset, job);
     applySets(museum, job.sceneState, *subject, options.sets, job.notes);
+    for (const std::string& motion : options.motions) applyMotion(museum, job.sceneState, *subject, motion);
     const HallTable names;
     ParameterValues& hall = job.sceneState.hall();
     if (!options.environment.empty()) hall.set(names.environment, options.environment);

@@ -19,7 +19,8 @@ struct PictureOptions {
     std::string out;
     std::string size = "640x360";
     std::string preset;
-    std::vector<std::string> sets;  ///< "name=value" or "exhibit.name=value".
+    std::vector<std::string> sets;     ///< "name=value" or "exhibit.name=value".
+    std::vector<std::string> motions;  ///< "name=sine:0.1:0.9:period=4", by the same names.
     double time = 0;
     std::uint32_t seed = 1;
     std::string eye, target, scale, rotate;
@@ -61,6 +62,9 @@ void applySets(const Museum&, SceneState&, std::size_t subject, const std::vecto
 /// `list --json` and presets have them; "30deg" and "12mm" name their own.
 void applySet(const Museum&, SceneState&, std::size_t subject, const std::string& assignment,
               std::vector<std::string>& notes);
+
+/// Lets one row move, "name=motion" as `typedMotion` reads it. Throws Failure (Blame::usage) naming the option.
+void applyMotion(const Museum&, SceneState&, std::size_t subject, const std::string& assignment);
 
 /// The preset that brings such a picture back: of the subject, or of everything where it is the hall.
 [[nodiscard]] std::string presetOf(const Museum&, std::size_t subject, const SceneState&, const std::string& name);

@@ -1,5 +1,6 @@
 #include "exhibits/framework/parameters.h"
 
+#include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset_values.h"
 
 #include <algorithm>
@@ -238,14 +239,21 @@ ParameterValues ParameterValues::under(std::shared_ptr<const Parameters> table, 
 {
     ParameterValues result(std::move(table));
     result.pending_ = pending_;
+    result.pendingMotions_ = pendingMotions_;
     for (std::size_t i = 0; i < result.rows().size(); ++i) {
         const ParameterInfo& row = result.rows()[i];
         if (const auto here = table_->find(row.name)) {
-            if (rows()[*here].kind == row.kind) result.setRow(i, values_[*here]);
+            if (rows()[*here].kind != row.kind) continue;
+            result.setRow(i, values_[*here]);
+            if (const Motion* moves = motion(*here)) result.setMotion(i, *moves);
         } else if (const auto written = pending_.find(std::string(row.name)); written != pending_.end()) {
             if (const auto value = valueFromText(row, written->second, notes)) result.setRow(i, *value);
             result.pending_.erase(written->first);
         }
+        const auto moved = pendingMotions_.find(std::string(row.name));
+        if (moved == pendingMotions_.end()) continue;
+        if (const auto motion = motionFromText(row, moved->second, notes)) result.setMotion(i, *motion);
+        result.pendingMotions_.erase(moved->first);
     }
     return result;
 }
@@ -260,6 +268,7 @@ ParameterValues ParameterValues::asShownBy(const ParameterValues& other) const
 bool ParameterValues::operator==(const ParameterValues& other) const
 {
     if (values_ != other.values_ || pending_ != other.pending_) return false;
+    if (motions_ != other.motions_ || pendingMotions_ != other.pendingMotions_) return false;
     return table_ == other.table_ ||
            std::equal(rows().begin(), rows().end(), other.rows().begin(), other.rows().end(),
                       [](const ParameterInfo& a, const ParameterInfo& b) { return a.name == b.name; });
@@ -271,6 +280,28 @@ bool ParameterValues::setRow(std::size_t i, const Value& value)
     if (!legal) return false;
     values_[i] = *legal;
     return *legal == value;
+}
+
+const Motion* ParameterValues::motion(std::size_t i) const
+{
+    if (motions_.empty()) return nullptr;
+    const auto found = motions_.find(rows()[i].name);
+    return found == motions_.end() ? nullptr : &found->second;
+}
+
+bool ParameterValues::setMotion(std::size_t i, std::optional<Motion> motion)
+{
+    const ParameterInfo& row = rows()[i];
+    if (!motion) {
+        motions_.erase(std::string(row.name));
+        return true;
+    }
+    const std::optional<Value> from = nearestLegal(row, motion->from), to = nearestLegal(row, motion->to);
+    if (!whyUnmoved(row).empty() || !from || !to) return false;
+    motion->from = *from;
+    motion->to = *to;
+    motions_.insert_or_assign(std::string(row.name), std::move(*motion));
+    return true;
 }
 
 bool ParameterValues::chooseFile(std::size_t i, const Value& value)

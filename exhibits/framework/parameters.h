@@ -1,7 +1,9 @@
 #pragma once
 
 #include "exhibits/framework/condition.h"
+#include "exhibits/framework/motion.h"
 #include "exhibits/framework/units.h"
+#include "exhibits/framework/value.h"
 
 #include <glm/glm.hpp>
 
@@ -51,11 +53,6 @@ struct Range {
     [[nodiscard]] constexpr Range soft(double from, double to) const { return {low, high, scale, from, to}; }
     bool operator==(const Range&) const = default;
 };
-
-/// A value as code that walks a table sees it: a number for real, count, toggle (0 or 1) and choice
-/// (its index); three numbers for color (linear Rec. 709) and direction (unit length); a path for file; what is written
-/// for text.
-using Value = std::variant<double, glm::dvec3, std::string>;
 
 /// A number that means something else than a number: shown as this word, and typed as it.
 struct Word {
@@ -451,9 +448,20 @@ public:
     /// What the rows name or are that give the table further rows, in their order: files and documents.
     [[nodiscard]] std::vector<std::string> tableFiles() const;
 
+    /// How rows move, by their names; of rows that may (`whyUnmoved`), between legal values.
+    [[nodiscard]] const Motions& motions() const { return motions_; }
+    /// How row `i` moves; null: it keeps its value.
+    [[nodiscard]] const Motion* motion(std::size_t i) const;
+    /// Lets row `i` move; nothing: it keeps its value. Both ends become the nearest legal values. Returns whether it
+    /// may move so: a row that may not, or an end of another type, leaves everything as it was.
+    bool setMotion(std::size_t i, std::optional<Motion> motion);
+    /// Motions that were read for rows which the table lacks, as `pending` has their values.
+    [[nodiscard]] const PendingRows& pendingMotions() const { return pendingMotions_; }
+    void setPendingMotions(PendingRows pending) { pendingMotions_ = std::move(pending); }
+
     /// These values under another table: rows of the same name and kind keep theirs, as near as is legal there; a row
-    /// that is new takes its pending value; others are initial. What is wrong with a pending value is added to `notes`,
-    /// one sentence each.
+    /// that is new takes its pending value; others are initial. Motions go with their rows. What is wrong with a
+    /// pending value is added to `notes`, one sentence each.
     [[nodiscard]] ParameterValues under(std::shared_ptr<const Parameters>, std::vector<std::string>& notes) const;
     /// The same under the table of other values where these name the same files for it: else these, as they are.
     [[nodiscard]] ParameterValues asShownBy(const ParameterValues& other) const;
@@ -464,7 +472,8 @@ public:
 private:
     std::shared_ptr<const Parameters> table_;  ///< Owns nothing where the table outlives the values.
     std::vector<Value> values_;
-    PendingRows pending_;
+    PendingRows pending_, pendingMotions_;
+    Motions motions_;
 };
 
 }  // namespace vitrine

@@ -1,5 +1,6 @@
 #include "exhibits/framework/preset.h"
 
+#include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset_migration.h"
 #include "exhibits/framework/preset_values.h"
 
@@ -15,8 +16,8 @@ using render::JsonDocument;
 
 constexpr std::string_view presetFormat = "vitrine-preset";
 constexpr std::string_view exhibitionFormat = "vitrine-exhibition";
-constexpr std::array<std::string_view, 7> knownKeys = {"format", "version", "app",   "exhibit",
-                                                       "name",   "values",  "camera"};
+constexpr std::array<std::string_view, 8> knownKeys = {"format", "version", "app",     "exhibit",
+                                                       "name",   "values",  "motions", "camera"};
 
 std::string textAt(const JsonDocument& document, const Json& root, const char* key, bool required)
 {
@@ -33,7 +34,7 @@ struct Opened {
     const JsonDocument& document;
     PresetHeader header;
     Json root;
-    Json values = Json::object();
+    Json values = Json::object(), motions = Json::object();
     std::vector<std::string> notes;
 
     [[nodiscard]] JsonPlace place(const std::string& path) const
@@ -44,12 +45,13 @@ struct Opened {
 
 Opened open(const JsonDocument& document)
 {
-    Opened file{document, {}, {}, Json::object(), {}};
+    Opened file{document, {}, {}, Json::object(), Json::object(), {}};
     file.header = presetHeader(document);
     file.root = migrated(document.root(), file.header.version);
-    if (file.root.contains("values")) {
-        file.values = file.root["values"];
-        if (!file.values.is_object()) throw file.place("values").failure("this must be an object; correct it there.");
+    for (const auto& [key, into] : {std::pair("values", &file.values), std::pair("motions", &file.motions)}) {
+        if (!file.root.contains(key)) continue;
+        *into = file.root[key];
+        if (!into->is_object()) throw file.place(key).failure("this must be an object; correct it there.");
     }
     for (const auto& [key, value] : file.root.items()) {
         if (std::find(knownKeys.begin(), knownKeys.end(), key) == knownKeys.end()) {
@@ -59,9 +61,10 @@ Opened open(const JsonDocument& document)
     return file;
 }
 
-/// What may be values of rows that a file will give the table: taken from `left`, and from what the file keeps.
-ParameterValues::PendingRows pendingRows(Opened& file, const ParameterValues& values, const std::string& prefix,
-                                         std::map<std::string, const Json*>& left)
+/// What may be values, or motions, of rows that a file will give the table: taken from `left`, and from what the file
+/// keeps below `key`.
+ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const ParameterValues& values,
+                                         const std::string& prefix, std::map<std::string, const Json*>& left)
 {
     ParameterValues::PendingRows pending;
     const std::vector<std::string> files = values.tableFiles();
@@ -73,7 +76,7 @@ ParameterValues::PendingRows pendingRows(Opened& file, const ParameterValues& va
             continue;
         }
         pending[name] = render::writeJson(*at->second);
-        file.root["values"].erase(at->first);
+        file.root[key].erase(at->first);
         at = left.erase(at);
     }
     return pending;
@@ -96,8 +99,25 @@ ParameterValues readRows(Opened& file, const Parameters& table, const std::strin
         values.setRow(i, valueFromJson(row, *at->second, file.place("values." + key), key, file.notes));
         left.erase(at);
     }
-    values.setPending(pendingRows(file, values, prefix, left));
+    values.setPending(pendingRows(file, "values", values, prefix, left));
     return values;
+}
+
+/// Reads how the rows of one table move, as `readRows`.
+void readMotions(Opened& file, ParameterValues& values, const std::string& prefix,
+                 std::map<std::string, const Json*>& left)
+{
+    for (std::size_t i = 0; i < values.rows().size(); ++i) {
+        const ParameterInfo& row = values.rows()[i];
+        auto at = left.find(prefix + std::string(row.name));
+        if (at == left.end() && !row.formerly.empty()) at = left.find(prefix + std::string(row.formerly));
+        if (at == left.end()) continue;
+        const std::string key = "motions." + at->first;
+        values.setMotion(i, motionFromJson(row, *at->second, file.place(key), key, file.notes));
+        file.root["motions"].erase(at->first);
+        left.erase(at);
+    }
+    values.setPendingMotions(pendingRows(file, "motions", values, prefix, left));
 }
 
 std::map<std::string, const Json*> entries(const Json& object)
@@ -107,9 +127,9 @@ std::map<std::string, const Json*> entries(const Json& object)
     return map;
 }
 
-void noteUnknown(Opened& file, const std::map<std::string, const Json*>& left)
+void noteUnknown(Opened& file, const std::string& of, const std::map<std::string, const Json*>& left)
 {
-    for (const auto& [key, value] : left) file.notes.push_back("values." + key + " is not known here; it is kept");
+    for (const auto& [key, value] : left) file.notes.push_back(of + key + " is not known here; it is kept");
 }
 
 void writeRows(const ParameterValues& values, const std::string& prefix, std::map<std::string, Json>& out)
@@ -126,26 +146,42 @@ void writeRows(const ParameterValues& values, const std::string& prefix, std::ma
     for (const auto& [name, json] : values.pending()) out[prefix + name] = render::parseJson(json, name).root();
 }
 
-/// What the file held in `values`, to be overlaid.
-std::map<std::string, Json> keptValues(const Json& kept)
+void writeMotions(const ParameterValues& values, const std::string& prefix, std::map<std::string, Json>& out)
+{
+    for (std::size_t i = 0; i < values.rows().size(); ++i)
+        if (const Motion* motion = values.motion(i))
+            out[prefix + std::string(values.rows()[i].name)] = jsonFromMotion(values.rows()[i], *motion);
+    for (const auto& [name, json] : values.pendingMotions()) out[prefix + name] = render::parseJson(json, name).root();
+}
+
+/// What the file held below `key`, to be overlaid.
+std::map<std::string, Json> keptOf(const Json& kept, const char* key)
 {
     std::map<std::string, Json> values;
-    if (!kept.contains("values")) return values;
-    for (const auto& [key, value] : kept["values"].items()) values[key] = value;
+    if (!kept.contains(key)) return values;
+    for (const auto& [name, value] : kept[key].items()) values[name] = value;
     return values;
 }
 
+Json objectOf(const std::map<std::string, Json>& entries)
+{
+    Json object = Json::object();
+    for (const auto& [key, value] : entries) object[key] = value;
+    return object;
+}
+
 std::string writeFile(std::string_view format, const std::string& exhibit, const std::string& name,
-                      const std::map<std::string, Json>& values, const std::optional<Json>& camera, const Json& kept)
+                      const std::map<std::string, Json>& values, const std::map<std::string, Json>& motions,
+                      const std::optional<Json>& camera, const Json& kept)
 {
     Json root = Json::object();
     root["format"] = format;
-    root["version"] = presetVersion;
+    root["version"] = motions.empty() ? presetVersionWithoutMotions : presetVersion;
     root["app"] = VITRINE_VERSION;
     if (!exhibit.empty()) root["exhibit"] = exhibit;
     root["name"] = name;
-    root["values"] = Json::object();
-    for (const auto& [key, value] : values) root["values"][key] = value;
+    root["values"] = objectOf(values);
+    if (!motions.empty()) root["motions"] = objectOf(motions);
     if (camera) root["camera"] = *camera;
     for (const auto& [key, value] : kept.items()) {
         if (std::find(knownKeys.begin(), knownKeys.end(), key) == knownKeys.end()) root[key] = value;
@@ -185,7 +221,7 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
         throw document.failure("exhibit", "this preset is for " + file.header.exhibit + ", not for " +
                                               std::string(exhibit) + "; choose another.");
     }
-    std::map<std::string, const Json*> left = entries(file.values);
+    std::map<std::string, const Json*> left = entries(file.values), leftMotions = entries(file.motions);
     Preset preset{file.header.exhibit,
                   file.header.name,
                   readRows(file, table, {}, left),
@@ -193,7 +229,9 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
                   file.header.version,
                   {},
                   {}};
-    noteUnknown(file, left);
+    readMotions(file, preset.values, {}, leftMotions);
+    noteUnknown(file, "values.", left);
+    noteUnknown(file, "motions.", leftMotions);
     if (file.root.contains("camera"))
         preset.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
     preset.kept = std::move(file.root);
@@ -203,11 +241,12 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
 
 std::string presetText(const Preset& preset)
 {
-    std::map<std::string, Json> values = keptValues(preset.kept);
+    std::map<std::string, Json> values = keptOf(preset.kept, "values"), motions = keptOf(preset.kept, "motions");
     writeRows(preset.values, {}, values);
+    writeMotions(preset.values, {}, motions);
     std::optional<Json> camera;
     if (preset.camera) camera = jsonFromCamera(*preset.camera, keptCamera(preset.kept));
-    return writeFile(presetFormat, preset.exhibit, preset.name, values, camera, preset.kept);
+    return writeFile(presetFormat, preset.exhibit, preset.name, values, motions, camera, preset.kept);
 }
 
 Exhibition parseExhibition(std::string text, std::string fileName, const NamedValues& initial)
@@ -215,14 +254,16 @@ Exhibition parseExhibition(std::string text, std::string fileName, const NamedVa
     const JsonDocument document = render::parseJson(std::move(text), std::move(fileName), presetLimits);
     Opened file = open(document);
     if (!file.header.isExhibition) throw document.failure("format", "this is a preset of one exhibit; open it there.");
-    std::map<std::string, const Json*> left = entries(file.values);
+    std::map<std::string, const Json*> left = entries(file.values), leftMotions = entries(file.motions);
     Exhibition exhibition;
     exhibition.name = file.header.name;
     exhibition.chosen = file.header.exhibit;
     for (const auto& [name, values] : initial) {
         exhibition.values.emplace_back(name, readRows(file, values.table(), name + ".", left));
+        readMotions(file, exhibition.values.back().second, name + ".", leftMotions);
     }
-    noteUnknown(file, left);
+    noteUnknown(file, "values.", left);
+    noteUnknown(file, "motions.", leftMotions);
     if (file.root.contains("camera"))
         exhibition.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
     exhibition.kept = std::move(file.root);
@@ -232,9 +273,13 @@ Exhibition parseExhibition(std::string text, std::string fileName, const NamedVa
 
 std::string exhibitionText(const Exhibition& exhibition)
 {
-    std::map<std::string, Json> values = keptValues(exhibition.kept);
-    for (const auto& [name, ofExhibit] : exhibition.values) writeRows(ofExhibit, name + ".", values);
-    return writeFile(exhibitionFormat, exhibition.chosen, exhibition.name, values,
+    std::map<std::string, Json> values = keptOf(exhibition.kept, "values"),
+                                motions = keptOf(exhibition.kept, "motions");
+    for (const auto& [name, ofExhibit] : exhibition.values) {
+        writeRows(ofExhibit, name + ".", values);
+        writeMotions(ofExhibit, name + ".", motions);
+    }
+    return writeFile(exhibitionFormat, exhibition.chosen, exhibition.name, values, motions,
                      jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.kept);
 }
 
@@ -242,7 +287,7 @@ std::string renamedPreset(const JsonDocument& document, std::string_view name)
 {
     const PresetHeader header = presetHeader(document);
     Json root = document.root();
-    if (header.version == presetVersion && !root.contains("name")) {
+    if (header.version > 0 && !root.contains("name")) {
         // Beside the exhibit's name, where presets have it.
         Json ordered = Json::object();
         for (const auto& [key, value] : root.items()) {

@@ -14,8 +14,10 @@
 
 namespace vitrine {
 
-/// The version that is written. Older ones are read; newer ones are refused.
-inline constexpr int presetVersion = 1;
+/// The newest version that is read, and written where rows move. Older ones are read, newer ones are refused.
+inline constexpr int presetVersion = 2;
+/// What is written where none does: programs from before rows could move read it, too.
+inline constexpr int presetVersionWithoutMotions = 1;
 
 /// What a preset file may be at most: it is a few kilobytes, and a hostile one must not cost more.
 inline constexpr render::JsonLimits presetLimits{
@@ -33,7 +35,9 @@ inline constexpr render::JsonLimits presetLimits{
 ///       "camera": {"eye": [0.0, 1.0, 2.0], "target": [0.0, 1.0, 0.0], "fov": 0.9}
 ///     }
 ///
-/// `values` holds only what differs from the initial values, sorted by key, in SI.
+/// `values` holds only what differs from the initial values, sorted by key, in SI. Where rows move, the version is 2
+/// and beside `values` stands "motions", by the same keys: {"morph": {"kind": "sine", "from": 0.1, ...}}, see
+/// `jsonFromMotion`.
 struct Preset {
     std::string exhibit;
     std::string name;  ///< Any UTF-8 text without control characters.

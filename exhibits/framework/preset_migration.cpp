@@ -23,7 +23,13 @@ Json from0(const Json& old)
     return json;
 }
 
-constexpr std::array<Json (*)(const Json&), presetVersion> steps = {from0};
+/// Version 1 has no "motions", and nothing else is another way.
+Json from1(const Json& old)
+{
+    return old;
+}
+
+constexpr std::array<Json (*)(const Json&), presetVersion> steps = {from0, from1};
 
 }  // namespace
 

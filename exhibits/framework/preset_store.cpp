@@ -146,7 +146,7 @@ SaveOutcome PresetStore::save(StoredPreset& stored, IfChanged ifChanged) const
     if (ifChanged == IfChanged::report && changedSince(stored.path, stored.stamp)) return SaveOutcome::changedOnDisk;
     const std::string text = presetText(stored.preset);
     std::error_code error;
-    if (stored.preset.versionRead < presetVersion && fs::exists(stored.path, error)) {
+    if (stored.preset.versionRead < presetVersionWithoutMotions && fs::exists(stored.path, error)) {
         fs::path backup = stored.path;
         backup.replace_extension(".v" + std::to_string(stored.preset.versionRead) + ".bak");
         if (!fs::exists(backup, error)) render::atomicWriteMakingFolder(backup, readText(stored.path));

@@ -82,6 +82,13 @@ public:
         return vitrine::readTables(subjects_, *assets_, sceneState);
     }
 
+    /// What moves subject `i` at the request's moment: the clock, and how far its camera is from the middle of the
+    /// subject's bounds (of the hall's, for the hall).
+    [[nodiscard]] MotionMoment motionMoment(const SceneState&, std::size_t i, const FrameRequest&) const;
+    /// The look at the request's moment: rows that move have the values that they then have. The same moment gives the
+    /// same values.
+    [[nodiscard]] SceneState atMoment(const SceneState&, const FrameRequest&) const;
+
     /// Resolves what pictures of this look at the request's moment, from its camera, take to plan: the only place where
     /// files are read and simulations run. What is out of view is left alone. Any thread may call it, several at once;
     /// what one has made serves all. A file that cannot be read is left out, and the pictures complain of it; where the
@@ -125,6 +132,7 @@ private:
     struct Present;
     struct Frame;
     [[nodiscard]] Seen firstSeen(const Prepared&, const render::Ray&) const;
+    [[nodiscard]] render::Box boundsOf(const Prepared&, const Exhibit&, std::size_t i) const;
     [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&, bool alone) const;
     /// Hides all but the nearest of those in view, where no more are asked for. What lies over the frame stays.
     static void leaveToLater(std::vector<Present>&, const FrameRequest&);

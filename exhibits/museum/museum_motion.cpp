@@ -43,6 +43,12 @@ bool changesLamps(const Exhibit& exhibit, const ExhibitState& state)
     return carrier && carrier->lightsChange(state);
 }
 
+/// Seconds until it next changes by itself or by a row that moves.
+double nextOf(const Exhibit& exhibit, const ExhibitState& state)
+{
+    return std::min(exhibit.nextChangeOf(state), nextMotion(state.values, state.time));
+}
+
 }  // namespace
 
 render::Box withShadow(const render::Box& box, const glm::dvec3& towardsSun)
@@ -61,6 +67,37 @@ render::View wholeView(const FrameRequest& request)
     return render::makeView(request.camera, whole);
 }
 
+MotionMoment Museum::motionMoment(const SceneState& sceneState, std::size_t i, const FrameRequest& request) const
+{
+    render::Box box = subjects_[i]->bounds(sceneState.values[i]);
+    if (i != hallIndex && !request.alone) box = box.transformed(worldFromExhibit(i));
+    return {request.time, glm::distance(request.camera.eye, box.center())};
+}
+
+SceneState Museum::atMoment(const SceneState& sceneState, const FrameRequest& request) const
+{
+    SceneState now = sceneState;
+    for (std::size_t i = 0; i < subjects_.size() && i < now.values.size(); ++i)
+        if (!now.values[i].motions().empty())
+            now.values[i] = valuesAt(now.values[i], motionMoment(sceneState, i, request));
+    return now;
+}
+
+/// At this moment and, where rows move, at both ends of their ways: what grows into view is waited for.
+render::Box Museum::boundsOf(const Prepared& prepared, const Exhibit& exhibit, std::size_t i) const
+{
+    render::Box box = exhibit.boundsOf(prepared.state(i));
+    const ParameterValues& values = prepared.sceneState.values[i];
+    if (values.motions().empty()) return box;
+    for (const int end : {0, 1}) {
+        const ParameterValues there = valuesAtEnd(values, end);
+        const render::Box then = exhibit.boundsOf({there, prepared.time, prepared.sincePress(i)});
+        box.include(then.low);
+        box.include(then.high);
+    }
+    return box;
+}
+
 double Museum::nextChange(const Prepared& prepared, const FrameRequest& request) const
 {
     double next = neverChanges;
@@ -75,8 +112,9 @@ double Museum::nextChange(const Prepared& prepared, const FrameRequest& request)
         // Light in the air is wherever one looks.
         if (shadows || p.hidden.empty() || capability<OverFrame>(p.exhibit) || (!alone && p.noShadow.empty()) ||
             changesLamps(p.exhibit, prepared.state(p.index)))
-            next = std::min(next, p.exhibit.nextChangeOf(prepared.state(p.index)));
-    return next;
+            next = std::min(next, nextOf(p.exhibit, prepared.state(p.index)));
+    // The building is always around the visitor, and its light is in every picture.
+    return std::min(next, nextMotion(prepared.sceneState.hall(), prepared.time));
 }
 
 std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, const FrameRequest& request) const
@@ -85,6 +123,7 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
     constexpr double edge = 2;           // Pixels over which jitter and filters spread what moves.
     for (const double since : prepared.sincePressed)
         if (since < buttonTime) return std::nullopt;  // The button itself.
+    if (nextMotion(prepared.sceneState.hall(), prepared.time) < neverChanges) return std::nullopt;
     const bool alone = request.alone.has_value();
     const render::View view = wholeView(request);
     const HallScene scene = sceneOf(prepared, alone);
@@ -102,6 +141,10 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
         lightInTheAir = lightInTheAir || (ofLight && seen);
         const auto* glass = capability<CastsGlassShadow>(p.exhibit);
         glassSeen = glassSeen || (seen && glass && glass->castsGlassShadow(prepared.sceneState.values[p.index]));
+        const bool seenAtAll = seen || shadowSeen || shadows;
+        // A row may do anything: make lamps, throw light around, be mirrored in the floor.
+        if (seenAtAll && nextMotion(prepared.sceneState.values[p.index], prepared.time) < neverChanges)
+            return std::nullopt;
         if (!(p.exhibit.nextChangeOf(prepared.state(p.index)) < neverChanges)) continue;
         // Light of lamps and their shadows may fall anywhere.
         if (shadows || changesLamps(p.exhibit, prepared.state(p.index))) return std::nullopt;

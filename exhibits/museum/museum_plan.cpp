@@ -44,6 +44,12 @@ void takeLamps(const Subject& subject, const ExhibitState& state, const glm::dma
     }
 }
 
+/// For the ledger.
+std::string whyHiddenOf(const std::string& hidden, const ParameterValues& values)
+{
+    return values.motions().empty() ? hidden : hidden + ": its rows that move ask for no pictures";
+}
+
 /// What every sample and tile of the picture shows, and a little around it.
 render::View widened(const render::View& view)
 {
@@ -148,7 +154,7 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
         Present p{i, exhibit, scene.alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}, {}, {}};
         if (request.subject == i || request.alone == i)
             p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
-        p.box = exhibit.boundsOf(prepared.state(i)).transformed(p.worldFromExhibit);
+        p.box = boundsOf(prepared, exhibit, i).transformed(p.worldFromExhibit);
         p.unlit = capability<OverFrame>(exhibit) ? "it is made of light"
                   : exhibit.castsShadow()        ? whyUnlit(scene, p.box)
                                                  : "it throws no shadow";
@@ -164,7 +170,11 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
 
 Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& request) const
 {
-    Prepared made{sceneState, request.time, request.sincePressed, {}, std::vector<PreparedExhibit>(subjects_.size()),
+    Prepared made{atMoment(sceneState, request),
+                  request.time,
+                  request.sincePressed,
+                  {},
+                  std::vector<PreparedExhibit>(subjects_.size()),
                   {}};
     render::AssetStore assets = request.waitless ? assets_->waitless() : *assets_;
     const auto complainOf = [&](const PreparedPart* part) {
@@ -224,7 +234,8 @@ FrameHistory Museum::Frame::history() const
     if (history.frames <= 1) return history;
     render::Hash look;
     for (std::size_t i = 0; i < prepared.exhibits.size(); ++i) {
-        derive::addToKey(look, prepared.sceneState.values[i]);
+        // Rows that move change it no more than the clock does.
+        derive::addToKey(look, valuesAtEnd(prepared.sceneState.values[i], 0));
         look.addValue(prepared.exhibits[i].part ? prepared.exhibits[i].part->filesId : 0);
     }
     look.addValue(scene.filesId).addValue(alone).addValue(request.transparent).addValue(request.exhibitTransform);
@@ -413,7 +424,7 @@ void Museum::Frame::planExhibits()
         if (present[i].hidden.empty())
             exhibit.plan(contexts[i], plan);
         else if (!capability<OverFrame>(exhibit))  // That lies over the frame wherever its bounds are.
-            plan.skip(name, present[i].hidden);
+            plan.skip(name, whyHiddenOf(present[i].hidden, contexts[i].values));
     }
     for (std::size_t i = 0; i < present.size(); ++i) {
         const auto* over = capability<OverFrame>(present[i].exhibit);

@@ -19,7 +19,7 @@ struct PreparedExhibit {
 /// A look at one moment with everything resolved that it takes to plan pictures of it: whoever draws owns what it
 /// prepared. Holds what it names: nothing in it changes or goes while it lives. Made by Museum::prepare.
 struct Prepared {
-    SceneState sceneState;
+    SceneState sceneState;             ///< At this moment: `Museum::atMoment`.
     double time = 0;                   ///< Seconds.
     std::vector<double> sincePressed;  ///< As in FrameRequest.
     std::shared_ptr<const PreparedHall> hall;

@@ -68,6 +68,7 @@ void sweep(std::vector<ViewShot>& shots, const SceneState& from, const SceneStat
                     throw Failure(Blame::usage,
                                   std::string(a.rows()[row].name) +
                                       " has no values between two others; let a number, a color or a direction run.");
+                shots[k].sceneState.values[exhibit].setMotion(row, std::nullopt);
                 shots[k].sceneState.values[exhibit].setRow(row, *value);
             }
         }

@@ -125,10 +125,10 @@ public:
                              const Unwanted& unwanted) override
     {
         strangers += std::this_thread::get_id() == thread ? 0 : 1;
-        (void)museum().prepare(sceneState, request);
+        const Prepared prepared = museum().prepare(sceneState, request);
         if (beforeDrawing) beforeDrawing(request, unwanted);
         if (thrown) std::rethrow_exception(thrown);
-        red_ = static_cast<float>(sceneState.values[1][table().roughness]);
+        red_ = static_cast<float>(prepared.sceneState.values[1][table().roughness]);
         green_ = green(request);
         {
             const std::scoped_lock lock(mutex_);

@@ -96,11 +96,13 @@ void History::set(std::size_t exhibit, std::size_t row, const Value& value, Gest
     const ParameterValues& values = sceneState_.values[exhibit];
     const ParameterInfo& info = values.rows()[row];
     const std::optional<Value> legal = nearestLegal(info, value);
-    if (!legal || *legal == values.row(row)) return;
+    const bool moves = values.motion(row) != nullptr;
+    if (!legal || (*legal == values.row(row) && !moves)) return;
     gesture_ = gesture;
     SceneStateChange change(sceneState_, exhibit, row, *legal);
-    if (info.kind == Kind::file) {
+    if (info.kind == Kind::file || moves) {
         SceneState after = sceneState_;
+        after.values[exhibit].setMotion(row, std::nullopt);
         after.values[exhibit].chooseFile(row, *legal);
         change = SceneStateChange(sceneState_, after);
     }

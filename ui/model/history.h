@@ -29,7 +29,8 @@ public:
     /// The values after the first `step` undo steps, 0 to the stack's count; the camera is the present one.
     [[nodiscard]] SceneState valuesAt(int step) const;
     /// Sets one value, or the nearest legal one. `text` names the step for people; empty: "Change roughness". A value
-    /// equal to the one on show is no step.
+    /// equal to the one on show is no step. A row that moves stops and keeps the value: whoever sets it has taken it
+    /// over.
     void set(std::size_t exhibit, std::size_t row, const Value&, Gesture, const QString& text = {});
     /// Sets several values at once: shows `after`, under the tables on show where it names the same files for them. A
     /// look equal to the one on show is no step.

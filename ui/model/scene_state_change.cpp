@@ -8,7 +8,8 @@ SceneStateChange::SceneStateChange(const SceneState& before, const SceneState& a
 {
     for (std::size_t e = 0; e < before.values.size(); ++e) {
         const ParameterValues &from = before.values[e], &to = after.values[e];
-        if (from.sharedTable() != to.sharedTable() || from.pending() != to.pending()) {
+        if (from.sharedTable() != to.sharedTable() || from.pending() != to.pending() ||
+            from.motions() != to.motions() || from.pendingMotions() != to.pendingMotions()) {
             tables_.push_back({e, from, to});
             continue;
         }

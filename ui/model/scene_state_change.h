@@ -11,7 +11,7 @@
 namespace vitrine::ui {
 
 /// What turns one look into another, but for the camera. Keeps the rows that differ (looks are large, and an afternoon
-/// has thousands of steps), and all values of an exhibit whose table is another one, too.
+/// has thousands of steps), and all values of an exhibit whose table is another one, too, or whose rows move otherwise.
 class SceneStateChange {
 public:
     SceneStateChange() = default;
@@ -34,7 +34,7 @@ private:
         std::shared_ptr<const Parameters> table;  ///< In which it is that row.
         Value before, after;
     };
-    /// Of an exhibit that has no entry in `rows_`.
+    /// Of an exhibit that has no entry in `rows_`: with all its motions.
     struct Table {
         std::size_t exhibit = 0;
         ParameterValues before, after;

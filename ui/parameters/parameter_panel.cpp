@@ -6,6 +6,7 @@
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/model/other_settings.h"
+#include "ui/parameters/motion_dialog.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
 #include "ui/parameters/shown_text.h"
@@ -115,7 +116,7 @@ void ParameterPanel::showAll()
         table_ = values().sharedTable();
         rebuild();
     }
-    for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->showValue(values().row(i));
+    for (std::size_t i = 0; i < rows_.size(); ++i) showValue(i);
     showWhatActs();
     for (ParameterSection* section : sections_) section->refresh();
     // While only changed rows are shown, a row that was just reset stays until the next look.
@@ -128,9 +129,25 @@ void ParameterPanel::showAll()
 void ParameterPanel::showRow(std::size_t exhibit, std::size_t row)
 {
     if (exhibit != exhibit_ || rows_.empty()) return;
-    rows_[row]->showValue(values().row(row));
+    showValue(row);
     showWhatActs();
     sectionOf_[row]->refresh();
+}
+
+void ParameterPanel::showValue(std::size_t row)
+{
+    const ParameterInfo& info = values().rows()[row];
+    const Motion* motion = values().motion(row);
+    rows_[row]->setMotion(motion ? QString::fromStdString(describe(info, *motion)) : QString());
+    rows_[row]->showValue(motion ? valueOf(info, *motion, moment_) : values().row(row));
+}
+
+void ParameterPanel::showMoment(const MotionMoment& moment)
+{
+    moment_ = moment;
+    if (values().motions().empty()) return;
+    for (std::size_t i = 0; i < rows_.size(); ++i)
+        if (values().motion(i)) showValue(i);
 }
 
 void ParameterPanel::showWhatActs()
@@ -351,7 +368,7 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
     const ParameterInfo& info = values().rows()[row];
     QAction* reset =
         menu->addAction(tr("Reset to %1").arg(shownText(info, info.initial)), rows_[row], &ParameterRow::reset);
-    reset->setEnabled(!values().isInitial(row));
+    reset->setEnabled(!values().isInitial(row) || values().motion(row));
     menu->addSeparator();
     if (gauges_ && info.qualityReference)
         menu->addAction(tr("What does accuracy cost?"), this, [this, row] { emit accuracyAsked(row); });
@@ -359,9 +376,42 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
     menu->addAction(tr("Paste"), this, [this, row] { paste(row); });
     menu->addAction(tr("Copy all as JSON"), this, [this] { copyAll(); });
     menu->addAction(tr("Paste all"), this, [this, row] { pasteAll(row); });
+    addMotionTo(*menu, row);
     addOtherTo(*menu, row);
     addLocksTo(*menu, row);
     menu->popup(at);
+}
+
+void ParameterPanel::addMotionTo(QMenu& menu, std::size_t row)
+{
+    const ParameterInfo& info = values().rows()[row];
+    menu.addSeparator();
+    const std::string_view why = whyUnmoved(info);
+    QAction* animate = menu.addAction(
+        tr("Animate…"), this, [this, row] { (new MotionDialog(history_, exhibit_, row, this))->openOver(*this); });
+    animate->setEnabled(why.empty());
+    animate->setToolTip(text(why));
+    menu.setToolTipsVisible(true);
+    const Motion* motion = values().motion(row);
+    if (!motion) return;
+    const QString name = rowLabel(info).toLower();
+    const Motion next = motion->heldAt ? resumed(*motion, moment_) : held(*motion, moment_);
+    const Value now = valueOf(info, *motion, moment_);
+    menu.addAction(
+        motion->heldAt ? tr("Move on") : tr("Hold"), this,
+        [this, row, next, base = values().row(row),
+         words = (motion->heldAt ? tr("Move %1 on") : tr("Hold %1")).arg(name)] { setMotion(row, words, next, base); });
+    menu.addAction(tr("Stop here"), this,
+                   [this, row, now, words = tr("Stop %1").arg(name)] { setMotion(row, words, std::nullopt, now); });
+}
+
+void ParameterPanel::setMotion(std::size_t row, const QString& words, const std::optional<Motion>& motion,
+                               const Value& base)
+{
+    SceneState next = history_.sceneState();
+    next.values[exhibit_].setMotion(row, motion);
+    next.values[exhibit_].setRow(row, base);
+    history_.change(words, next);
 }
 
 void ParameterPanel::addLocksTo(QMenu& menu, std::size_t row)

@@ -58,6 +58,9 @@ public:
     [[nodiscard]] QStringList foldedGroups() const;
     void setFoldedGroups(const QStringList&);
 
+    /// The moment of the last picture, for rows that move: they show the values that they then have.
+    void showMoment(const MotionMoment&);
+
     /// Rows that keep their values when the others are varied, "exhibit/row": kept with the window's layout.
     [[nodiscard]] QStringList lockedRows() const;
     void setLockedRows(const QStringList&);
@@ -95,6 +98,10 @@ private:
     void openMenu(std::size_t row, const QPoint& at);
     /// Entries that copy the row from and to B, while there is one.
     void addOtherTo(QMenu&, std::size_t row);
+    /// Entries that let the row move, hold it and stop it.
+    void addMotionTo(QMenu&, std::size_t row);
+    void setMotion(std::size_t row, const QString& text, const std::optional<Motion>&, const Value&);
+    void showValue(std::size_t row);
     /// Entries that lock the row and its group.
     void addLocksTo(QMenu&, std::size_t row);
     [[nodiscard]] QString keyOf(std::size_t row) const;
@@ -127,6 +134,7 @@ private:
     bool gauges_ = false;
     OtherSettings* other_ = nullptr;
     QSet<QString> locked_;
+    MotionMoment moment_;
     std::uint64_t seed_ = 0;  // Of the last variation.
 };
 

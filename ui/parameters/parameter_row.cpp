@@ -17,7 +17,26 @@ namespace vitrine::ui {
 namespace {
 
 constexpr float idleInk = 0.45F;  // Of a row that does not act.
-constexpr int lockRoom = 14;      // Pixels for the padlock beside a label.
+constexpr int markRoom = 14;      // Pixels for a mark beside a label.
+
+void paintPadlock(QPainter& painter, const QPointF& middle)
+{
+    painter.setPen(QPen(theme().dim, 1.3));
+    painter.drawArc(QRectF(middle.x() - 2.5, middle.y() - 6, 5, 7), 0, 180 * 16);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme().dim);
+    painter.drawRoundedRect(QRectF(middle.x() - 4, middle.y() - 2.5, 8, 6), 1, 1);
+}
+
+void paintWave(QPainter& painter, const QPointF& middle)
+{
+    QPainterPath wave(middle - QPointF(5, 0));
+    wave.cubicTo(middle + QPointF(-3, -6), middle + QPointF(-2, -6), middle);
+    wave.cubicTo(middle + QPointF(2, 6), middle + QPointF(3, 6), middle + QPointF(5, 0));
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(theme().accent, 1.5, Qt::SolidLine, Qt::RoundCap));
+    painter.drawPath(wave);
+}
 
 }  // namespace
 
@@ -34,23 +53,26 @@ void RowLabel::paintEvent(QPaintEvent*)
     QColor ink = isEnabled() ? theme().text : theme().dim;
     if (dim_) ink.setAlphaF(idleInk);
     painter.setPen(ink);
-    const QRect room = rect().adjusted(0, 0, locked_ ? -lockRoom : 0, 0);
+    const int marks = (locked_ ? 1 : 0) + (moving_ ? 1 : 0);
+    const QRect room = rect().adjusted(0, 0, -marks * markRoom, 0);
     // Names differ at their ends: "Handle radius", "Handle thickness".
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));
-    if (!locked_) return;
     painter.setRenderHint(QPainter::Antialiasing);
-    const QPointF middle(width() - lockRoom / 2.0, height() / 2.0 + 1);
-    painter.setPen(QPen(theme().dim, 1.3));
-    painter.drawArc(QRectF(middle.x() - 2.5, middle.y() - 6, 5, 7), 0, 180 * 16);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme().dim);
-    painter.drawRoundedRect(QRectF(middle.x() - 4, middle.y() - 2.5, 8, 6), 1, 1);
+    if (locked_) paintPadlock(painter, {width() - markRoom / 2.0, height() / 2.0 + 1});
+    if (moving_) paintWave(painter, {width() - (marks - 0.5) * markRoom, height() / 2.0});
 }
 
 void RowLabel::setLocked(bool locked)
 {
     locked_ = locked;
+    update();
+}
+
+void RowLabel::setMoving(bool moving)
+{
+    if (moving_ == moving) return;
+    moving_ = moving;
     update();
 }
 
@@ -194,7 +216,7 @@ void ParameterRow::reset()
 void ParameterRow::showValue(const Value& value)
 {
     editor_->showValue(value);
-    differs_ = !(value == info().initial);
+    differs_ = !(value == info().initial) || !motion_.isEmpty();
     dot_->setDiffers(differs_);
 }
 
@@ -209,10 +231,25 @@ void ParameterRow::setIdle(const QString& when)
         gray->setOpacity(idleInk);
     }
     editor_->setGraphicsEffect(gray);
-    const QString sentence =
-        idle() ? tr("Does nothing now: acts when %1. It keeps its value.").arg(idleUntil_) : QString();
-    setToolTip(idle() ? sentence + QStringLiteral("\n\n") + tooltipText(info()) : tooltipText(info()));
-    setAccessibleDescription(sentence);
+    describe();
+}
+
+void ParameterRow::setMotion(const QString& how)
+{
+    if (how == motion_) return;
+    motion_ = how;
+    label_->setMoving(!how.isEmpty());
+    describe();
+}
+
+void ParameterRow::describe()
+{
+    QStringList now;
+    if (idle()) now << tr("Does nothing now: acts when %1. It keeps its value.").arg(idleUntil_);
+    if (!motion_.isEmpty()) now << tr("Moves: %1. Setting it by hand stops it.").arg(motion_);
+    setAccessibleDescription(now.join(QLatin1Char(' ')));
+    now << tooltipText(info());
+    setToolTip(now.join(QStringLiteral("\n\n")));
 }
 
 void ParameterRow::resizeEvent(QResizeEvent* event)

@@ -16,6 +16,8 @@ public:
     void setDim(bool dim);
     /// Shows a padlock.
     void setLocked(bool locked);
+    /// Shows a wave.
+    void setMoving(bool moving);
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -28,6 +30,7 @@ private:
     bool dragging_ = false;
     bool dim_ = false;
     bool locked_ = false;
+    bool moving_ = false;
 };
 
 /// An amber dot while the value differs from the initial one, an arrow under the pointer; a click resets.
@@ -83,6 +86,9 @@ public:
     [[nodiscard]] bool idle() const { return !idleUntil_.isEmpty(); }
     /// Marks a row that keeps its value when others are varied.
     void setLocked(bool locked) { label_->setLocked(locked); }
+    /// Marks a row that moves, and says how in its tooltip; empty: it keeps its value.
+    void setMotion(const QString& how);
+    [[nodiscard]] const QString& motion() const { return motion_; }
     /// Quality parameters show their gauge only once something answers it.
     void setGaugeShown(bool);
 
@@ -98,7 +104,9 @@ private:
     RowLabel* label_;
     QWidget* naming_;
     ResetDot* dot_;
-    QString idleUntil_;
+    void describe();
+
+    QString idleUntil_, motion_;
     GaugeMark* gauge_ = nullptr;
     bool differs_ = false;
     bool wanted_ = true;

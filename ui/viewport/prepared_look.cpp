@@ -1,17 +1,22 @@
 #include "ui/viewport/prepared_look.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace vitrine::ui {
 
 const Prepared& PreparedLook::of(const SceneState& sceneState, long long number, FrameRequest wanted)
 {
-    const bool current = prepared_ && number_ == number && prepared_->time == wanted.time;
+    const bool moves = std::any_of(sceneState.values.begin(), sceneState.values.end(),
+                                   [](const ParameterValues& values) { return !values.motions().empty(); });
+    const bool current =
+        prepared_ && number_ == number && prepared_->time == wanted.time && (!moves || eye_ == wanted.camera.eye);
     if (!current || (!prepared_->pending.empty() && !asked_)) {
         wanted.waitless = true;  // The render thread reads what it draws,
         wanted.rests = false;    // and makes what it draws it with.
         prepared_ = museum_.prepare(sceneState, wanted);
         number_ = number;
+        eye_ = wanted.camera.eye;
         ++preparations_;
     }
     asked_ = true;

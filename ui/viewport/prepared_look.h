@@ -22,6 +22,7 @@ public:
 private:
     const Museum& museum_;
     std::optional<Prepared> prepared_;
+    glm::dvec3 eye_{0};  ///< Where it was asked from: rows may move by the visitor's distance.
     long long number_ = 0;
     bool asked_ = false;  ///< Since `lookAgain`.
     long long preparations_ = 0;

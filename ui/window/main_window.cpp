@@ -168,6 +168,7 @@ void MainWindow::noteFrame(const render::FrameReport& report, const QSize& pixel
 {
     status_->note(report, pixels, viewport_->reason());
     docks_->ledger().note(report);
+    panel().showMoment(museum_.motionMoment(history_.sceneState(), shown(), viewport_->shownRequest()));
     showComplaints(report.skipped);
     keepThumbnail();
 }

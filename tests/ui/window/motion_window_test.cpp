@@ -1,0 +1,135 @@
+#include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
+
+#include "exhibits/framework/preset.h"
+#include "ui/parameters/motion_dialog.h"
+#include "ui/parameters/number_field.h"
+
+#include <QComboBox>
+#include <QContextMenuEvent>
+#include <QMenu>
+#include <QPushButton>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// Rows that move, as the visitor lets them: by the row's menu and its dialog.
+class MotionWindowTest : public test::OpenWindow {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init()
+    {
+        start();
+        window_->choose(1);
+        settle();
+    }
+    void cleanup() { finish(); }
+
+    void aRowMovesUntilItIsHeldAndStopsWhereItIs()
+    {
+        const int steps = window_->history().stack().count();
+        const double before = roughness();
+        auto* dialog = animate();
+        QVERIFY(dialog);
+        QVERIFY(motion());
+        QVERIFY(row()->differs());
+        const long long drawn = window_->viewport().picturesDrawn();
+        QTRY_VERIFY(window_->viewport().picturesDrawn() > drawn + 3);
+        const double shown = in<NumberField>("roughness")->value();
+        QTRY_VERIFY(in<NumberField>("roughness")->value() != shown);
+        QCOMPARE(roughness(), before);
+        dialog->accept();
+        QCOMPARE(window_->history().stack().count(), steps + 1);
+        choose("Hold");
+        QVERIFY(motion()->heldAt);
+        settle();
+        const long long held = window_->viewport().picturesDrawn();
+        const double heldValue = in<NumberField>("roughness")->value();
+        QTest::qWait(400);
+        QCOMPARE(window_->viewport().picturesDrawn(), held);
+        choose("Stop here");
+        QVERIFY(!motion());
+        QVERIFY(std::abs(roughness() - heldValue) < 1e-6);
+        while (window_->history().stack().canUndo()) window_->history().stack().undo();
+        QVERIFY(!motion());
+        QCOMPARE(roughness(), before);
+    }
+
+    void theDialogShowsWhatItsKindGoesByAndIsOneStepAndCancels()
+    {
+        const int steps = window_->history().stack().count();
+        auto* dialog = animate();
+        auto* kinds = dialog->row("kind")->findChild<QComboBox*>();
+        QVERIFY(dialog->row("period") && dialog->row("phase"));
+        QVERIFY(!dialog->row("steps") && !dialog->row("nearest"));
+        choose(*kinds, static_cast<int>(MotionKind::steps));
+        QCOMPARE(motion()->kind, MotionKind::steps);
+        QVERIFY(dialog->row("steps"));
+        choose(*kinds, static_cast<int>(MotionKind::distance));
+        QVERIFY(dialog->row("nearest") && dialog->row("farthest") && !dialog->row("period"));
+        QCOMPARE(window_->history().stack().count(), steps + 1);
+        dialog->reject();
+        QVERIFY(!motion());
+        dialog = animate();
+        window_->history().stack().undo();
+        QTRY_VERIFY(!window_->findChild<MotionDialog*>());
+    }
+
+    void whoSetsItByHandStopsIt()
+    {
+        animate()->accept();
+        QVERIFY(motion());
+        dragRoughness(30);
+        QVERIFY(!motion());
+        window_->history().stack().undo();
+        QVERIFY(motion());
+        row()->reset();
+        QVERIFY(!motion());
+        QVERIFY(!row()->differs());
+    }
+
+    void presetsKeepIt()
+    {
+        animate()->accept();
+        const std::string text = presetText({"made", "A", window_->history().sceneState().values[1], std::nullopt,
+                                             presetVersion, render::Json::object(), {}});
+        const Preset read = parsePreset(text, "a.json", "made", gallery_->table());
+        QCOMPARE(read.values.motions().size(), std::size_t{1});
+        QVERIFY(read.values == window_->history().sceneState().values[1]);
+    }
+
+private:
+    [[nodiscard]] ParameterRow* row() { return window_->panel().row("roughness"); }
+    [[nodiscard]] const Motion* motion()
+    {
+        const ParameterValues& values = window_->history().sceneState().values[1];
+        return values.motion(*values.table().find("roughness"));
+    }
+    /// Chooses from the row's menu.
+    void choose(const char* words)
+    {
+        QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, row()->mapToGlobal(QPoint(5, 5)));
+        QApplication::sendEvent(row(), &event);
+        auto* menu = window_->panel().findChild<QMenu*>();
+        QVERIFY(menu);
+        for (QAction* action : menu->actions())
+            if (action->text() == QString::fromUtf8(words)) action->trigger();
+        delete menu;
+    }
+    static void choose(QComboBox& box, int index)
+    {
+        box.setCurrentIndex(index);
+        emit box.activated(index);
+    }
+    MotionDialog* animate()
+    {
+        choose("Animate…");
+        return window_->findChild<MotionDialog*>();
+    }
+};
+
+VITRINE_TEST_MAIN(MotionWindowTest)
+
+#include "motion_window_test.moc"

@@ -1,0 +1,272 @@
+#include "ui/parameters/motion_dialog.h"
+
+#include "ui/kit/text.h"
+#include "ui/parameters/parameter_row.h"
+
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::ui {
+namespace {
+
+/// What a motion goes by beside its two ends, as rows: their controls are those of every other row.
+struct MotionTable final : Parameters {
+    Choice<MotionKind> kind =
+        choice("kind", MotionKind::sine, {"once", "sine", "triangle", "steps", "noise", "by distance"},
+               "Once from one to the other; there and back, softly or evenly; in steps; at random; or by how far away "
+               "the visitor is.");
+    Choice<Ease> ease = choice("ease", Ease::inOut, {"even", "slow at first", "slow at last", "slow at both"},
+                               "How each way begins and ends.");
+    Real period = real("period", 4, second, Range{shortestPeriod, longestPeriod, logarithmic}.soft(0.5, 60),
+                       "How long it takes: there and back, or once.");
+    Real phase = real("phase", 0, none, Range{-1e9, 1e9}.soft(0, 1), "Where it stands when the clock begins, periods.");
+    Real start = real("start", 0, second, Range{-1e9, 1e9}.soft(0, 60), "When it begins.");
+    Count steps = count("steps", 4, Range{2, mostMotionSteps, logarithmic}.soft(2, 16), "How many values it visits.");
+    Count seed = count("seed", 1, Range{0, 4294967295.0}.soft(0, 100), "Another one, another way.");
+    Real nearest = real("nearest", 1, meter, Range{0, 1e4}.soft(0, 20), "So near or nearer it has the first value.");
+    Real farthest = real("farthest", 6, meter, Range{0, 1e4}.soft(0, 20), "So far or farther it has the second.");
+};
+
+const MotionTable& motionTable()
+{
+    static const MotionTable table;
+    return table;
+}
+
+ParameterValues numbersOf(const Motion& motion)
+{
+    const MotionTable& t = motionTable();
+    ParameterValues values = t.initial();
+    values.set(t.kind, motion.kind);
+    values.set(t.ease, motion.ease);
+    values.set(t.period, motion.period);
+    values.set(t.phase, motion.phase);
+    values.set(t.start, motion.start);
+    values.set(t.steps, motion.steps);
+    values.setRow(t.seed.row, static_cast<double>(motion.seed));
+    values.set(t.nearest, motion.nearest);
+    values.set(t.farthest, motion.farthest);
+    return values;
+}
+
+Motion withNumbers(Motion motion, const ParameterValues& values)
+{
+    const MotionTable& t = motionTable();
+    motion.kind = values[t.kind];
+    motion.ease = values[t.ease];
+    motion.period = values[t.period];
+    motion.phase = values[t.phase];
+    motion.start = values[t.start];
+    motion.steps = values[t.steps];
+    motion.seed = static_cast<std::uint32_t>(std::get<double>(values.row(t.seed.row)));
+    motion.nearest = values[t.nearest];
+    motion.farthest = values[t.farthest];
+    return motion;
+}
+
+/// Whether a motion of this kind goes by a row of the table.
+bool isUsed(MotionKind kind, std::size_t row)
+{
+    const MotionTable& t = motionTable();
+    if (row == t.ease.row) return isEased(kind);
+    if (row == t.period.row) return kind != MotionKind::distance;
+    if (row == t.phase.row) return isPeriodic(kind);
+    if (row == t.start.row) return kind == MotionKind::ease;
+    if (row == t.steps.row) return kind == MotionKind::steps;
+    if (row == t.seed.row) return kind == MotionKind::noise;
+    if (row == t.nearest.row || row == t.farthest.row) return kind == MotionKind::distance;
+    return true;
+}
+
+}  // namespace
+
+Motion usualMotion(const ParameterInfo& row, const Value& now)
+{
+    Motion motion;
+    motion.from = now;
+    if (const double* number = std::get_if<double>(&now)) {
+        const auto way = [&](double end) {
+            const bool byFactors = row.range.scale == logarithmic && *number > 0 && end > 0;
+            return std::abs(byFactors ? std::log(end / *number) : end - *number);
+        };
+        const bool up = way(row.range.softHigh) >= way(row.range.softLow);
+        motion.to = row.kind == Kind::toggle ? 1 - *number : up ? row.range.softHigh : row.range.softLow;
+        if (row.kind == Kind::choice)
+            motion.to = *number + 1 < static_cast<double>(row.choices.size()) ? *number + 1 : 0;
+    } else if (const auto* three = std::get_if<glm::dvec3>(&now)) {
+        // The color that is left of white; a quarter turn about the vertical.
+        if (row.kind == Kind::color)
+            motion.to = glm::dvec3(1) - *three;
+        else
+            motion.to = std::abs(three->y) > 0.99 ? glm::dvec3(1, 0, 0) : glm::dvec3(three->z, three->y, -three->x);
+    }
+    motion.to = nearestLegal(row, motion.to).value_or(now);
+    return motion;
+}
+
+/// The dialog's own rows, whose changes are changes of the motion.
+class MotionDialog::Numbers final : public ValueHolder {
+public:
+    explicit Numbers(MotionDialog& dialog) : dialog_(dialog) {}
+
+    [[nodiscard]] const ParameterValues& heldValues() const override { return values_; }
+    void hold(std::size_t row, const Value& value, Gesture, const QString&) override
+    {
+        const Motion* motion = dialog_.present();
+        if (!motion) return;
+        values_.setRow(row, value);
+        dialog_.change(withNumbers(*motion, values_));
+    }
+    void take(const Motion& motion) { values_ = numbersOf(motion); }
+
+private:
+    MotionDialog& dialog_;
+    ParameterValues values_ = motionTable().initial();
+};
+
+/// One end of the way: values of the exhibit in which the row has the value that it has there.
+class MotionDialog::End final : public ValueHolder {
+public:
+    End(MotionDialog& dialog, Value Motion::*end, const ParameterValues& values, std::size_t row)
+        : dialog_(dialog), end_(end), values_(values), row_(row)
+    {
+    }
+
+    [[nodiscard]] const ParameterValues& heldValues() const override { return values_; }
+    void hold(std::size_t, const Value& value, Gesture, const QString&) override
+    {
+        const Motion* motion = dialog_.present();
+        if (!motion) return;
+        Motion changed = *motion;
+        changed.*end_ = value;
+        dialog_.change(changed);
+    }
+    void take(const Motion& motion)
+    {
+        values_.setRow(row_, motion.*end_);
+        editor->showValue(values_.row(row_));
+    }
+    [[nodiscard]] ValueRef ref() { return {*this, row_}; }
+
+    ValueEditor* editor = nullptr;
+
+private:
+    MotionDialog& dialog_;
+    Value Motion::*end_;
+    ParameterValues values_;
+    std::size_t row_;
+};
+
+MotionDialog::MotionDialog(History& history, std::size_t exhibit, std::size_t row, QWidget* parent)
+    : QuietDialog(tr("Animate %1").arg(QString::fromStdString(label(history.sceneState().values[exhibit].rows()[row]))),
+                  tr("Done"), parent),
+      history_(history), exhibit_(exhibit), name_(history.sceneState().values[exhibit].rows()[row].name),
+      before_(history.sceneState()), numbers_(std::make_unique<Numbers>(*this))
+{
+    const ParameterValues& values = history.sceneState().values[exhibit];
+    const ParameterInfo& info = values.rows()[row];
+    from_ = std::make_unique<End>(*this, &Motion::from, values, row);
+    to_ = std::make_unique<End>(*this, &Motion::to, values, row);
+    addEnd(*from_, tr("From"));
+    addEnd(*to_, tr("To"));
+    addNumbers();
+    if (!present()) change(usualMotion(info, values.row(row)));
+    connect(&history_, &History::changed, this, &MotionDialog::refresh);
+    connect(&history_, &History::replaced, this, &MotionDialog::refresh);
+    refresh();
+}
+
+MotionDialog::~MotionDialog()
+{
+    // The editors read from what goes before them.
+    for (ParameterRow* row : rows_) delete row;
+    for (const End* end : {from_.get(), to_.get()}) delete end->editor;
+}
+
+void MotionDialog::addEnd(End& end, const QString& name)
+{
+    auto* line = new QHBoxLayout;
+    line->setContentsMargins(16, 0, 22, 0);
+    line->setSpacing(4);
+    auto* words = new QLabel(name, this);
+    words->setFixedWidth(ParameterRow::narrowestLabel);
+    end.editor = makeEditor(end.ref(), this);
+    end.editor->setAccessibleName(name);
+    for (QWidget* child : end.editor->findChildren<QWidget*>())
+        if (child->focusPolicy() != Qt::NoFocus) child->setAccessibleName(name);
+    line->addWidget(words);
+    line->addWidget(end.editor, 1);
+    body().addLayout(line);
+}
+
+void MotionDialog::addNumbers()
+{
+    auto* lines = new QVBoxLayout;
+    lines->setSpacing(0);
+    for (std::size_t i = 0; i < motionTable().rows().size(); ++i) {
+        rows_.push_back(new ParameterRow(ValueRef(*numbers_, i), this));
+        lines->addWidget(rows_.back());
+    }
+    body().addLayout(lines);
+}
+
+ParameterRow* MotionDialog::row(std::string_view name) const
+{
+    const std::optional<std::size_t> i = motionTable().find(name);
+    return i && !rows_[*i]->isHidden() ? rows_[*i] : nullptr;
+}
+
+const Motion* MotionDialog::present() const
+{
+    const ParameterValues& values = history_.sceneState().values[exhibit_];
+    const std::optional<std::size_t> row = values.table().find(name_);
+    return row ? values.motion(*row) : nullptr;
+}
+
+void MotionDialog::change(const Motion& motion)
+{
+    SceneState next = history_.sceneState();
+    ParameterValues& values = next.values[exhibit_];
+    const std::optional<std::size_t> row = values.table().find(name_);
+    if (!row || !values.setMotion(*row, motion)) return;
+    history_.change(tr("Animate %1").arg(QString::fromStdString(label(values.rows()[*row])).toLower()), next, gesture_);
+}
+
+void MotionDialog::refresh()
+{
+    const Motion* motion = present();
+    if (!motion) {
+        QuietDialog::reject();
+        return;
+    }
+    numbers_->take(*motion);
+    from_->take(*motion);
+    to_->take(*motion);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        rows_[i]->setVisible(isUsed(motion->kind, i));
+        rows_[i]->showValue(numbers_->heldValues().row(i));
+    }
+}
+
+void MotionDialog::reject()
+{
+    disconnect(&history_, nullptr, this, nullptr);
+    SceneState next = history_.sceneState();
+    ParameterValues& values = next.values[exhibit_];
+    const std::optional<std::size_t> now = values.table().find(name_);
+    const std::optional<std::size_t> then = before_.values[exhibit_].table().find(name_);
+    if (now && then) {
+        const Motion* motion = before_.values[exhibit_].motion(*then);
+        values.setMotion(*now, motion ? std::optional(*motion) : std::nullopt);
+        history_.change(tr("Animate %1").arg(QString::fromStdString(label(values.rows()[*now])).toLower()), next,
+                        gesture_);
+    }
+    QuietDialog::reject();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_motion_dialog.cpp"
