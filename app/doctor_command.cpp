@@ -8,6 +8,7 @@
 #include "render/gl/frame_clock.h"
 #include "render/image/oiio_codec.h"
 #include "render/library_versions.h"
+#include "render/video/video_codec.h"
 
 #include <CLI/CLI.hpp>
 #include <qcustomplot.h>
@@ -27,6 +28,7 @@ Json libraries()
     versions["QCustomPlot"] = QCUSTOMPLOT_VERSION_STR;
     versions["CLI11"] = CLI11_VERSION;
     versions["OpenImageIO"] = render::oiioCodec().libraryVersion();
+    versions["libavcodec"] = render::videoCodec().libraryVersion();
     return versions;
 }
 

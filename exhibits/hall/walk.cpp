@@ -86,6 +86,12 @@ bool cameraPasses(const std::vector<Collider>& colliders, const glm::dvec3& from
     for (const Collider& collider : colliders) {
         const glm::dvec3 first(collider.localFromWorld * glm::dvec4(from, 1));
         const glm::dvec3 last(collider.localFromWorld * glm::dvec4(to, 1));
+        const glm::dvec3 half(collider.halfSize.x, collider.halfSize.y,
+                              collider.cylinder ? collider.halfSize.x : collider.halfSize.z);
+        const glm::dvec3 reach = half + cameraRadius;
+        if (glm::any(glm::greaterThan(glm::min(first, last), reach)) ||
+            glm::any(glm::lessThan(glm::max(first, last), -reach)))
+            continue;
         for (int i = 0; i <= steps; ++i) {
             const glm::dvec3 p = glm::abs(glm::mix(first, last, static_cast<double>(i) / steps));
             const glm::dvec2 out = collider.cylinder ? glm::dvec2(std::hypot(p.x, p.z) - collider.halfSize.x, 0)

@@ -99,8 +99,8 @@ TEST(Doctor, SaysWhatThisMachineCanDo)
     EXPECT_FALSE(report["clock"]["method"].get<std::string>().empty());
     EXPECT_FALSE(report["clock"]["why"].get<std::string>().empty());
     const std::regex version(R"(\d+(\.\d+)+.*)");
-    for (const char* library : {"Bullet", "CLI11", "GLM", "OpenImageIO", "QCustomPlot", "Qt", "libepoxy", "libpng",
-                                "nlohmann-json", "tinygltf"})
+    for (const char* library : {"Bullet", "CLI11", "GLM", "OpenImageIO", "QCustomPlot", "Qt", "libavcodec", "libepoxy",
+                                "libpng", "nlohmann-json", "tinygltf"})
         EXPECT_TRUE(std::regex_match(report["libraries"].value(library, ""), version))
             << library << " " << report["libraries"].value(library, "is missing");
     EXPECT_NE(test::vitrine({"doctor"}).out.find(report["opengl"]["renderer"].get<std::string>()), std::string::npos);

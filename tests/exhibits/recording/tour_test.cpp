@@ -136,6 +136,8 @@ TEST(TourPath, ErrorsNameTheBookmarks)
     EXPECT_NE(said({0, 1.65, 10.5}, middle).find("\"there\" is inside"), std::string::npos);
     const std::string out = said({0, 1.65, 10.5}, {0, 1.65, 500});
     EXPECT_NE(out.find("\"here\" to \"there\""), std::string::npos) << out;
+    const std::string far = said({0, 1.65, 10.5}, {1e6, -1e6, 1e6});  // As far as a file may say, within seconds.
+    EXPECT_NE(far.find("\"here\" to \"there\""), std::string::npos) << far;
 }
 
 TEST(TourPath, TheMuseumsOwnPassesEveryExhibitAndHitsNothing)
