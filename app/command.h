@@ -17,6 +17,7 @@ void addListCommand(CLI::App&, Action& chosen);
 void addRenderCommand(CLI::App&, Action& chosen);
 void addTourCommand(CLI::App&, Action& chosen);
 void addPresetCommand(CLI::App&, Action& chosen);
+void addLessonCommand(CLI::App&, Action& chosen);
 void addDoctorCommand(CLI::App&, Action& chosen);
 void addCompareCommand(CLI::App&, Action& chosen);
 void addCompareSettingsCommand(CLI::App&, Action& chosen);
