@@ -133,10 +133,12 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"compare", {"kit", "model", "viewport", "parameters", "presets"}},
     {"tree", {"kit", "model", "viewport", "parameters"}},
     {"study", {"kit", "model", "viewport"}},
+    {"lessons", {"kit", "model", "viewport", "parameters"}},
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},
     {"sprites", {"kit", "model", "viewport", "parameters"}},
     {"window",
-     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "tree", "study", "print", "sprites"}},
+     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "tree", "lessons", "study", "print",
+      "sprites"}},
 };
 
 /// The folder below the first one; empty where there is none.

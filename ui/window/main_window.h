@@ -14,6 +14,7 @@ namespace vitrine::ui {
 class CloseGuard;
 class CompareDesk;
 class FileOpener;
+class LessonDesk;
 class MessageStrip;
 class ParameterPanel;
 class PresetShelf;
@@ -52,6 +53,7 @@ public:
     [[nodiscard]] FileOpener& files() const { return *files_; }
     [[nodiscard]] WindowDocks& docks() const { return *docks_; }
     [[nodiscard]] CompareDesk& comparison() const { return *comparison_; }
+    [[nodiscard]] LessonDesk& lessons() const { return *lessons_; }
 
     /// Of a first window on a screen with this much room, its frame left out: as large as is useful, never larger.
     [[nodiscard]] static QSize firstSize(const QSize& room);
@@ -67,6 +69,8 @@ public:
     void resetEverything();
     void openPalette();
     void openShortcutSheet();
+    /// What is behind this subject: its page.
+    void openPage(std::size_t subject);
 
 protected:
     void closeEvent(QCloseEvent*) override;
@@ -77,6 +81,8 @@ private:
     void buildMiddle();
     void connectParts();
     void connectViewport();
+    void addLessons();
+    void showRow(const QString& name);
     void showShippedThumbnails();
     void showTitle();
     void noteFrame(const render::FrameReport&, const QSize& pixels);
@@ -93,6 +99,7 @@ private:
     PresetShelf* shelf_ = nullptr;
     FileOpener* files_ = nullptr;
     CompareDesk* comparison_ = nullptr;
+    LessonDesk* lessons_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     render::Diagnostics complaints_;  // Those that are in the log already.

@@ -7,6 +7,7 @@ class QAction;
 namespace vitrine::ui {
 
 class CompareActions;
+class LessonDesk;
 class MainWindow;
 class PresetShelf;
 
@@ -31,6 +32,7 @@ private:
     void addScreenAndClock(Maker&, MainWindow&);
     void addCompareMenu(Maker&, const CompareActions&);
     void addExhibitMenu(Maker&, MainWindow&);
+    void addLessonMenu(Maker&, const LessonDesk&);
     void addHelpMenu(Maker&, MainWindow&);
 };
 
