@@ -18,6 +18,7 @@ void addRenderCommand(CLI::App&, Action& chosen);
 void addTourCommand(CLI::App&, Action& chosen);
 void addRecordCommand(CLI::App&, Action& chosen);
 void addPresetCommand(CLI::App&, Action& chosen);
+void addLessonCommand(CLI::App&, Action& chosen);
 void addDoctorCommand(CLI::App&, Action& chosen);
 void addCompareCommand(CLI::App&, Action& chosen);
 void addCompareSettingsCommand(CLI::App&, Action& chosen);

@@ -33,6 +33,7 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addTourCommand(parser, chosen);
     vitrine::app::addRecordCommand(parser, chosen);
     vitrine::app::addPresetCommand(parser, chosen);
+    vitrine::app::addLessonCommand(parser, chosen);
     vitrine::app::addCompareCommand(parser, chosen);
     vitrine::app::addCompareSettingsCommand(parser, chosen);
     vitrine::app::addStudyCommand(parser, chosen);

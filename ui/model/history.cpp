@@ -24,9 +24,9 @@ public:
           cameraBefore_(history.sceneState().camera), cameraAfter_(cameraAfter), gesture_(gesture), camera_(camera)
     {
     }
-    SceneStateStep(History& history, const QString& text, SceneStateChange change, std::function<void()> redo,
-                   std::function<void()> undo)
-        : SceneStateStep(history, text, std::move(change), history.sceneState().camera, 0, History::Camera::stays)
+    SceneStateStep(History& history, const QString& text, SceneStateChange change, const render::Camera& cameraAfter,
+                   History::Camera camera, std::function<void()> redo, std::function<void()> undo)
+        : SceneStateStep(history, text, std::move(change), cameraAfter, 0, camera)
     {
         redo_ = std::move(redo);
         undo_ = std::move(undo);
@@ -127,11 +127,11 @@ void History::record(const QString& text, std::function<void()> redo, std::funct
 }
 
 void History::record(const QString& text, const SceneState& after, std::function<void()> redo,
-                     std::function<void()> undo)
+                     std::function<void()> undo, Camera camera)
 {
     gesture_ = 0;
-    stack_.push(
-        new SceneStateStep(*this, text, SceneStateChange(sceneState_, after), std::move(redo), std::move(undo)));
+    stack_.push(new SceneStateStep(*this, text, SceneStateChange(sceneState_, after), after.camera, camera,
+                                   std::move(redo), std::move(undo)));
 }
 
 void History::exchangeTables(const SceneState& tabled)

@@ -38,7 +38,8 @@ public:
     /// A step that is no change of the look, such as deleting a preset; `redo` is called now.
     void record(const QString& text, std::function<void()> redo, std::function<void()> undo);
     /// The same where the look becomes `after` as well, once `redo` was called; `undo` is called before it goes back.
-    void record(const QString& text, const SceneState& after, std::function<void()> redo, std::function<void()> undo);
+    void record(const QString& text, const SceneState& after, std::function<void()> redo, std::function<void()> undo,
+                Camera = Camera::stays);
     /// The visitor moved: no step, no signal.
     void setCamera(const render::Camera& camera) { sceneState_.camera = camera; }
     /// Exchanges the tables of exhibits that name the same files as in `tabled`, which has read them. No step of its

@@ -307,6 +307,11 @@ void ParameterPanel::setFoldedGroups(const QStringList& groups)
                                 foldedAtFirst_[i]);
 }
 
+void ParameterPanel::find(const QString& words)
+{
+    filter_->setText(words);
+}
+
 void ParameterPanel::focusFilter()
 {
     filter_->setFocus(Qt::ShortcutFocusReason);

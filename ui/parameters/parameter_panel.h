@@ -67,6 +67,9 @@ public:
     /// Gives all rows of the exhibit that are not locked other values, by the next seed (`variation`). One undo step.
     void vary();
 
+    /// Shows the rows that match these words, as if they were typed.
+    void find(const QString& words);
+
 public slots:
     void focusFilter();
 

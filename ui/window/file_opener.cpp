@@ -79,7 +79,7 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
 
 QStringList FileOpener::openable()
 {
-    QStringList patterns{QStringLiteral("*.json")};
+    QStringList patterns{QStringLiteral("*.json"), QStringLiteral("*.md")};
     for (const QString& ending : models + pictures) patterns << QStringLiteral("*.") + ending;
     return patterns;
 }
@@ -115,14 +115,16 @@ void FileOpener::open(const QString& path)
             emit printFound(path);
         else if (!openDocument(path))
             shelf_.loadFile(path);
+    } else if (ending == QLatin1String("md")) {
+        emit lessonFound(path);
     } else if (models.contains(ending)) {
         setHallFile("model", path);
     } else if (pictures.contains(ending)) {
         openPicture(path);
     } else {
-        window_.say(
-            MessageStrip::Mood::problem,
-            tr("%1 cannot be opened: Vitrine opens .json, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.").arg(path));
+        window_.say(MessageStrip::Mood::problem,
+                    tr("%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.")
+                        .arg(path));
     }
 }
 

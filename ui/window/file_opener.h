@@ -28,6 +28,8 @@ public:
 signals:
     /// A lenticular print, or the settings of one.
     void printFound(const QString& path);
+    /// A lesson.
+    void lessonFound(const QString& path);
     /// This exhibit shows it now.
     void documentOpened(std::size_t exhibit);
 

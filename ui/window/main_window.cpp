@@ -8,6 +8,9 @@
 #include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
 #include "ui/kit/tile_delegate.h"
+#include "ui/lessons/lesson_bar.h"
+#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/page_dialog.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"
@@ -82,6 +85,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     comparison_ = new CompareDesk(*this, *shelf_, this);
     centralWidget()->layout()->addWidget(&comparison_->bar());
     bookmarks_ = new Bookmarks(*this, this);
+    addLessons();
     actions_ = std::make_unique<WindowActions>(*this);
     docks_->presets().setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
     connectParts();
@@ -121,6 +125,15 @@ void MainWindow::showShippedThumbnails()
         if (kept.isNull()) kept.load(thumbnailPath(museum_.subject(i)));
         if (!kept.isNull()) docks_->exhibits().setThumbnail(i, kept);
     }
+}
+
+void MainWindow::addLessons()
+{
+    lessons_ = new LessonDesk(*this, this);
+    static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, &lessons_->bar());
+    connect(lessons_, &LessonDesk::rowAsked, this, &MainWindow::showRow);
+    connect(lessons_, &LessonDesk::opened, this, &addRecentFile);
+    connect(files_, &FileOpener::lessonFound, lessons_, &LessonDesk::open);
 }
 
 MainWindow::~MainWindow()
@@ -287,6 +300,7 @@ void MainWindow::hidePanels(bool hidden)
     statusBar()->setVisible(!hidden);
     messages_->setBanned(hidden);
     comparison_->bar().setBanned(hidden);
+    lessons_->bar().setBanned(hidden);
     if (actions_) actions_->panels->setChecked(hidden);
     viewport_->setFocus();
 }
@@ -296,6 +310,19 @@ void MainWindow::findParameter()
     hidePanels(false);
     docks_->showParameters();
     panel().focusFilter();
+}
+
+void MainWindow::showRow(const QString& name)
+{
+    if (!lessons_->lesson()) return;
+    const bool ofHall = name.startsWith(QLatin1String("hall."));
+    const std::size_t subject = ofHall ? hallIndex : *museum_.find(lessons_->lesson()->exhibit);
+    const ParameterValues& values = history_.sceneState().values[subject];
+    const auto row = values.table().find((ofHall ? name.mid(5) : name).toStdString());
+    if (!row) return;
+    if (!ofHall) choose(subject);
+    findParameter();
+    panel().find(QString::fromStdString(label(values.rows()[*row])));
 }
 
 void MainWindow::setFullScreen(bool on)
@@ -309,6 +336,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
         event->ignore();
         return;
     }
+    lessons_->leave();  // What comes back next time is what was open before.
     keeper_->close();
     event->accept();
 }
@@ -392,6 +420,21 @@ void MainWindow::openAbout()
 void MainWindow::openShortcutSheet()
 {
     (new ShortcutSheet(actions_->all, this))->show();
+}
+
+void MainWindow::openPage(std::size_t subject)
+{
+    auto* dialog = findChild<PageDialog*>();
+    if (!dialog) {
+        dialog = new PageDialog(this);
+        connect(dialog, &PageDialog::lessonAsked, this, [this](const QString& exhibit) {
+            if (const auto found = museum_.find(exhibit.toStdString())) lessons_->start(*found);
+        });
+    }
+    dialog->showPage(text(museum_.subject(subject).name()));
+    dialog->show();
+    dialog->raise();
+    dialog->activateWindow();
 }
 
 }  // namespace vitrine::ui

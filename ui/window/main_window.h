@@ -16,6 +16,7 @@ class CloseGuard;
 class CompareDesk;
 class ExportAgain;
 class FileOpener;
+class LessonDesk;
 class MessageStrip;
 class ParameterPanel;
 class PresetShelf;
@@ -56,6 +57,7 @@ public:
     [[nodiscard]] WindowDocks& docks() const { return *docks_; }
     [[nodiscard]] CompareDesk& comparison() const { return *comparison_; }
     [[nodiscard]] Bookmarks& bookmarks() const { return *bookmarks_; }
+    [[nodiscard]] LessonDesk& lessons() const { return *lessons_; }
 
     /// Of a first window on a screen with this much room, its frame left out: as large as is useful, never larger.
     [[nodiscard]] static QSize firstSize(const QSize& room);
@@ -75,6 +77,8 @@ public:
     void resetEverything();
     void openPalette();
     void openShortcutSheet();
+    /// What is behind this subject: its page.
+    void openPage(std::size_t subject);
 
 protected:
     void closeEvent(QCloseEvent*) override;
@@ -85,6 +89,8 @@ private:
     void buildMiddle();
     void connectParts();
     void connectViewport();
+    void addLessons();
+    void showRow(const QString& name);
     void showShippedThumbnails();
     void showTitle();
     void noteFrame(const render::FrameReport&, const QSize& pixels);
@@ -102,6 +108,7 @@ private:
     FileOpener* files_ = nullptr;
     CompareDesk* comparison_ = nullptr;
     Bookmarks* bookmarks_ = nullptr;
+    LessonDesk* lessons_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     ExportAgain* again_ = nullptr;

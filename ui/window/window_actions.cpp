@@ -5,6 +5,7 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
+#include "ui/lessons/lesson_desk.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/record/bookmarks.h"
@@ -110,6 +111,7 @@ WindowActions::WindowActions(MainWindow& window)
     addViewMenu(make, window);
     addCompareMenu(make, window.comparison().actions());
     addExhibitMenu(make, window);
+    addLessonMenu(make, window.lessons());
     addBookmarkMenu(make, window);
     addHelpMenu(make, window);
 }
@@ -309,10 +311,24 @@ void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
     make.add(tr("&Forget all bookmarks"), {}, tr("Empties all nine."), [&bookmarks] { bookmarks.forgetAll(); });
 }
 
+void WindowActions::addLessonMenu(Maker& make, const LessonDesk& lessons)
+{
+    make.menu(tr("&Lesson"));
+    for (QAction* action : lessons.actions()) {
+        if (action)
+            make.take(action);
+        else
+            make.separator();
+    }
+}
+
 void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("&Help"));
-    make.add(tr("&Keyboard and mouse"), {QKeySequence(Qt::Key_F1), QKeySequence(Qt::Key_Question)},
+    make.add(tr("&How this works"), {QKeySequence(Qt::Key_F1)},
+             tr("A page about the exhibit that you visit: its technique, figures, formulas, sources."),
+             [&window] { window.openPage(window.chosen()); });
+    make.add(tr("&Keyboard and mouse"), {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_F1)},
              tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
     const QString manual = manualPath();
     QAction* read = make.add(tr("&Manual"), {},

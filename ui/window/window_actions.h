@@ -7,6 +7,7 @@ class QAction;
 namespace vitrine::ui {
 
 class CompareActions;
+class LessonDesk;
 class MainWindow;
 class PresetShelf;
 
@@ -32,6 +33,7 @@ private:
     void addCompareMenu(Maker&, const CompareActions&);
     void addExhibitMenu(Maker&, MainWindow&);
     void addBookmarkMenu(Maker&, MainWindow&);
+    void addLessonMenu(Maker&, const LessonDesk&);
     void addHelpMenu(Maker&, MainWindow&);
 };
 

@@ -1,6 +1,6 @@
-// Draws the window into pictures, dark and light, to look at: show_window FOLDER [museum | tree | compare]. With
-// "museum" the real one, with "tree" its exhibits that are made of trees, with "compare" two settings of it; else a
-// gallery of one color with every kind of parameter.
+// Draws the window into pictures, dark and light, to look at: show_window FOLDER [museum | tree | compare |
+// lessons]. With "museum" the real one, with "tree" its exhibits that are made of trees, with "compare" two settings of
+// it, with "lessons" a step of each lesson, and the pages; else a gallery of one color with every kind of parameter.
 #include "tests/ui/painted_gallery.h"
 
 #include "exhibits/exhibits.h"
@@ -10,6 +10,8 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/other_picture.h"
 #include "ui/kit/theme.h"
+#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/page_dialog.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
@@ -83,6 +85,24 @@ void showComparison(ui::MainWindow& window, const QString& folder, const QString
     }
 }
 
+/// The third step of every lesson, and the page about its exhibit.
+void showLessons(ui::MainWindow& window, const Museum& museum, const QString& folder, const QString& ending)
+{
+    for (const MuseumExhibit& each : museum.exhibits()) {
+        const QString name = QString::fromStdString(std::string(each.exhibit.name()));
+        window.lessons().start(each.index);
+        for (int i = 0; i < 3; ++i) window.lessons().next();
+        waitUntilStill(window, 60000);
+        window.grab().save(folder + QStringLiteral("/lesson_") + name + ending);
+        window.openPage(each.index);
+        auto* page = window.findChild<ui::PageDialog*>();
+        page->resize(760, 1400);
+        QApplication::processEvents();
+        page->grab().save(folder + QStringLiteral("/page_") + name + ending);
+    }
+    window.lessons().leave();
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -114,6 +134,10 @@ int main(int argc, char** argv)
         window.show();
         if (trees) {
             showTrees(window, *museum, folder, ending);
+            continue;
+        }
+        if (real && QLatin1String(argv[2]) == QLatin1String("lessons")) {
+            showLessons(window, *museum, folder, ending);
             continue;
         }
         if (real && QLatin1String(argv[2]) == QLatin1String("compare")) {

@@ -1,0 +1,87 @@
+#include "app/command.h"
+
+#include "exhibits/exhibits.h"
+#include "exhibits/framework/lesson.h"
+#include "exhibits/hall/hall_table.h"
+#include "render/failure.h"
+#include "render/files/read_file.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace vitrine::app {
+namespace {
+
+/// The subjects of the museum, without its building.
+struct Tables {
+    const HallTable hall;
+    const std::vector<std::unique_ptr<Exhibit>> exhibits = allExhibits();
+    NamedValues values{{"hall", hall.initial()}};
+
+    Tables()
+    {
+        for (const auto& exhibit : exhibits)
+            values.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
+    }
+};
+
+/// Checks one file. Returns 0 when it is good, the code of a failed check when its content is not, and that of a failed
+/// read when it cannot be read at all.
+int checkLesson(const std::string& file, const NamedValues& tables)
+{
+    Blame blame = Blame::file;
+    try {
+        const std::string text = render::readFile(file, lessonBytes);
+        blame = Blame::check;
+        const Lesson lesson = parseLesson(text, file, tables);
+        std::printf("%s: %s (%s \"%s\", %zu steps)\n", file.c_str(), lesson.notes.empty() ? "good" : "changed",
+                    lesson.exhibit.c_str(), lesson.title.c_str(), lesson.steps.size());
+        for (const std::string& note : lesson.notes) std::printf("  %s\n", note.c_str());
+        return lesson.notes.empty() ? 0 : static_cast<int>(Blame::check);
+    } catch (const Failure& failure) {
+        std::fprintf(stderr, "vitrine: %s\n", failure.what());
+        return static_cast<int>(blame);
+    }
+}
+
+int checkLessons(const std::vector<std::string>& files)
+{
+    const Tables tables;
+    int worst = 0;
+    for (const std::string& file : files) worst = std::max(worst, checkLesson(file, tables.values));
+    return worst;
+}
+
+/// Of every exhibit that has one: its name, how many steps, its title.
+int listLessons()
+{
+    const Tables tables;
+    for (const auto& exhibit : tables.exhibits) {
+        const std::filesystem::path path = shippedLesson(exhibit->name());
+        std::error_code ignored;
+        if (!std::filesystem::exists(path, ignored)) continue;
+        const Lesson lesson = readLesson(path, tables.values);
+        std::printf("%-16s %2zu steps  %s\n", lesson.exhibit.c_str(), lesson.steps.size(), lesson.title.c_str());
+    }
+    return 0;
+}
+
+}  // namespace
+
+void addLessonCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand("lesson", "Work with lessons");
+    command->require_subcommand(1);
+    command->add_subcommand("list", "The lessons that come with the program")->callback([&chosen] {
+        chosen = listLessons;
+    });
+    CLI::App* checking = command->add_subcommand("check", "Say whether lessons can be read, and what is wrong in them");
+    auto files = std::make_shared<std::vector<std::string>>();
+    checking->add_option("files", *files, "Lessons, as Markdown")->required();
+    checking->callback([&chosen, files] { chosen = [files] { return checkLessons(*files); }; });
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,323 @@
+#include "exhibits/framework/lesson.h"
+
+#include "exhibits/framework/preset_values.h"
+#include "render/failure.h"
+#include "render/files/assets.h"
+#include "render/files/read_file.h"
+
+#include <algorithm>
+#include <array>
+
+namespace vitrine {
+namespace {
+
+using render::Json;
+using render::JsonDocument;
+
+constexpr std::string_view rowMark = "[row:";
+constexpr render::JsonLimits blockLimits{.bytes = 64U << 10U, .depth = 16, .nodes = 4'000, .stringBytes = 16U << 10U};
+
+/// A heading and what stands below it, up to the next.
+struct Part {
+    std::string title;
+    std::string text;   ///< Without the block.
+    std::string block;  ///< JSON, after as many newlines as bring it to its own line of the file.
+    int line = 0;       ///< Of the heading.
+    bool hasBlock = false;
+};
+
+std::string_view trimmed(std::string_view s)
+{
+    const auto first = s.find_first_not_of(" \t\r\n");
+    if (first == std::string_view::npos) return {};
+    return s.substr(first, s.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+Failure failureAt(const std::string& file, int line, const std::string& problem)
+{
+    return {Blame::file, file + ", line " + std::to_string(line) + ": " + problem};
+}
+
+/// Cuts the file at its headings.
+class Cutter {
+public:
+    Cutter(const std::string& text, const std::string& file) : file_(file)
+    {
+        for (std::size_t at = 0; at < text.size();) {
+            const std::size_t end = std::min(text.find('\n', at), text.size());
+            ++line_;
+            take(std::string_view(text).substr(at, end - at));
+            at = end + 1;
+        }
+        if (inBlock_) throw failureAt(file_, blockLine_, "this block is not closed; end it with ```.");
+        if (parts.empty()) throw failureAt(file_, 1, "a lesson begins with its title; write \"# Title\".");
+    }
+
+    std::vector<Part> parts;
+
+private:
+    void take(std::string_view line)
+    {
+        const std::string_view plain = trimmed(line);
+        if (inBlock_) {
+            if (plain == "```")
+                inBlock_ = false;
+            else
+                (parts.back().block += line) += '\n';
+        } else if (plain.starts_with("```")) {
+            begin(plain);
+        } else if (plain.starts_with("# ") || plain.starts_with("## ")) {
+            head(plain);
+        } else if (parts.empty()) {
+            if (!plain.empty()) throw failureAt(file_, line_, "a lesson begins with its title; write \"# Title\".");
+        } else {
+            (parts.back().text += trimmed(line)) += '\n';
+        }
+    }
+    void begin(std::string_view fence)
+    {
+        if (fence != "```json") throw failureAt(file_, line_, "only blocks of JSON are read; begin it with ```json.");
+        if (parts.empty()) throw failureAt(file_, line_, "a lesson begins with its title; write \"# Title\".");
+        if (parts.back().hasBlock)
+            throw failureAt(file_, line_, "there is a block under this heading already; put both into one.");
+        parts.back().hasBlock = inBlock_ = true;
+        parts.back().block.assign(static_cast<std::size_t>(line_), '\n');
+        blockLine_ = line_;
+    }
+    void head(std::string_view line)
+    {
+        const bool title = line.starts_with("# ");
+        if (title != parts.empty())
+            throw failureAt(file_, line_,
+                            title ? "a lesson has one title; write \"## \" for a step."
+                                  : "a lesson begins with its title; write \"# Title\".");
+        parts.push_back({std::string(trimmed(line.substr(title ? 2 : 3))), {}, {}, line_, false});
+    }
+
+    const std::string& file_;
+    int line_ = 0, blockLine_ = 0;
+    bool inBlock_ = false;
+};
+
+const ParameterValues* tableOf(const NamedValues& tables, std::string_view name)
+{
+    const auto found = std::find_if(tables.begin(), tables.end(), [&](const auto& each) { return each.first == name; });
+    return found == tables.end() ? nullptr : &found->second;
+}
+
+/// The row that "kind" or "hall.exposure" means; null: there is none.
+const ParameterInfo* rowNamed(std::string_view name, std::string_view exhibit, const NamedValues& tables)
+{
+    if (name.starts_with("hall.")) {
+        name.remove_prefix(5);
+        exhibit = "hall";
+    }
+    const ParameterValues* values = tableOf(tables, exhibit);
+    if (!values) return nullptr;
+    const auto row = values->table().find(name);
+    return row ? &values->rows()[*row] : nullptr;
+}
+
+std::string noSuchRow(std::string_view name, std::string_view exhibit)
+{
+    const bool ofHall = name.starts_with("hall.");
+    const std::string subject(ofHall ? "hall" : exhibit);
+    return "there is no row \"" + std::string(ofHall ? name.substr(5) : name) + "\"; `vitrine list --manual " +
+           subject + "` names those of " + subject + ".";
+}
+
+/// Reads the parts of one file.
+class Reader {
+public:
+    Reader(const std::string& file, const NamedValues& tables, Lesson& lesson)
+        : file_(file), tables_(tables), lesson_(lesson)
+    {
+    }
+
+    void head(const Part& part)
+    {
+        if (!part.hasBlock)
+            throw failureAt(file_, part.line,
+                            "the block that says whose lesson this is is missing; write ```json, {\"format\": "
+                            "\"vitrine-lesson\", \"version\": 1, \"exhibit\": ...} and ``` below the title.");
+        const JsonDocument document = object(part, {"format", "version", "exhibit"});
+        const Json& root = document.root();
+        if (root.value("format", Json()) != "vitrine-lesson")
+            throw document.failure("format", "this is no lesson; write \"vitrine-lesson\".");
+        const Json version = root.value("version", Json());
+        if (!version.is_number_integer() || version < 1)
+            throw document.failure("version", "this must be " + std::to_string(lessonVersion) + "; correct it there.");
+        if (version > lessonVersion)
+            throw document.failure("version", "this lesson is of a newer Vitrine; update the program.");
+        const Json exhibit = root.value("exhibit", Json());
+        if (!exhibit.is_string() || exhibit == "hall" || !tableOf(tables_, exhibit.get<std::string>()))
+            throw document.failure("exhibit", "there is no exhibit of that name; `vitrine list` names them.");
+        lesson_.exhibit = exhibit.get<std::string>();
+        lesson_.title = part.title;
+        lesson_.intro = textOf(part, false);
+    }
+
+    void step(const Part& part)
+    {
+        if (!part.hasBlock)
+            throw failureAt(file_, part.line,
+                            "this step has no preset; write ```json, {\"values\": {}} and ``` below its text.");
+        const JsonDocument document = object(part, {"values", "hall", "camera", "read"});
+        LessonStep step{part.title, textOf(part, true), *tableOf(tables_, lesson_.exhibit), {}, {}, false,
+                        {},         part.line};
+        setRows(step.values, document);
+        for (const auto& [name, value] : section(document, "hall")) {
+            const ParameterInfo& row = rowAt("hall." + name, document, "hall." + name);
+            step.hall.emplace_back(
+                *tableOf(tables_, "hall")->table().find(name),
+                valueFromJson(row, value, place(document, "hall." + name), "hall." + name, lesson_.notes));
+        }
+        camera(step, document);
+        if (document.root().contains("read")) step.read = number(document);
+        lesson_.steps.push_back(std::move(step));
+    }
+
+private:
+    static JsonPlace place(const JsonDocument& document, const std::string& path) { return {document, path, {}}; }
+
+    [[nodiscard]] JsonDocument object(const Part& part, const std::vector<std::string_view>& known) const
+    {
+        JsonDocument document = render::parseJson(part.block, file_, blockLimits);
+        if (!document.root().is_object()) throw failureAt(file_, part.line, "its block must be an object: {...}.");
+        for (const auto& [key, value] : document.root().items()) {
+            if (std::find(known.begin(), known.end(), key) != known.end()) continue;
+            std::string names;
+            for (const std::string_view each : known) (names += names.empty() ? "" : ", ") += each;
+            throw document.failure(key, "this key means nothing here; take it out, or write one of " + names + ".");
+        }
+        return document;
+    }
+
+    [[nodiscard]] std::string textOf(const Part& part, bool needed) const
+    {
+        const std::string text(trimmed(part.text));
+        if (needed && text.empty())
+            throw failureAt(file_, part.line, "this step says nothing; write a sentence below its heading.");
+        if (text.size() > mostLessonLetters)
+            throw failureAt(file_, part.line,
+                            "the text below this heading has " + std::to_string(text.size()) +
+                                " bytes and the strip has room for " + std::to_string(mostLessonLetters) +
+                                "; shorten it, or make two steps of it.");
+        for (std::size_t at = text.find(rowMark); at != std::string::npos; at = text.find(rowMark, at + 1)) {
+            const std::size_t name = at + rowMark.size(), end = text.find(']', name);
+            const std::string row = text.substr(name, end == std::string::npos ? end : end - name);
+            if (end == std::string::npos || !rowNamed(row, lesson_.exhibit, tables_))
+                throw failureAt(file_, part.line, "in the text below this heading " + noSuchRow(row, lesson_.exhibit));
+        }
+        return text;
+    }
+
+    static std::vector<std::pair<std::string, Json>> section(const JsonDocument& document, const char* key)
+    {
+        std::vector<std::pair<std::string, Json>> entries;
+        if (!document.root().contains(key)) return entries;
+        const Json& values = document.root()[key];
+        if (!values.is_object()) throw document.failure(key, "this must be an object; correct it there.");
+        for (const auto& [name, value] : values.items()) entries.emplace_back(name, value);
+        return entries;
+    }
+
+    [[nodiscard]] const ParameterInfo& rowAt(const std::string& name, const JsonDocument& document,
+                                             const std::string& path) const
+    {
+        const ParameterInfo* row = rowNamed(name, lesson_.exhibit, tables_);
+        if (!row) throw document.failure(path, noSuchRow(name, lesson_.exhibit));
+        return *row;
+    }
+
+    /// What is no row of the exhibit may be one that a file gives, where the step names such a file.
+    void setRows(ParameterValues& values, const JsonDocument& document)
+    {
+        ParameterValues::PendingRows pending;
+        for (const auto& [name, json] : section(document, "values")) {
+            const std::string path = "values." + name;
+            if (const auto row = values.table().find(name))
+                values.setRow(*row,
+                              valueFromJson(values.rows()[*row], json, place(document, path), name, lesson_.notes));
+            else
+                pending[name] = render::writeJson(json);
+        }
+        const std::vector<std::string> files = values.tableFiles();
+        const bool given = std::any_of(files.begin(), files.end(), [](const auto& file) { return !file.empty(); });
+        for (const auto& [name, json] : pending)
+            if (!given || !isRowName(name)) (void)rowAt(name, document, "values." + name);
+        values.setPending(std::move(pending));
+    }
+
+    void camera(LessonStep& step, const JsonDocument& document)
+    {
+        if (!document.root().contains("camera")) return;
+        const Json& camera = document.root()["camera"];
+        step.bestView = camera == "best";
+        if (camera.is_string() && !step.bestView)
+            throw document.failure("camera", "this must be \"best\", or an object with eye, target and fov.");
+        if (!step.bestView) step.camera = cameraFromJson(camera, place(document, "camera"), lesson_.notes);
+    }
+
+    [[nodiscard]] LessonNumber number(const JsonDocument& document) const
+    {
+        const Json& json = document.root()["read"];
+        const std::string read = json.is_string() ? json.get<std::string>() : std::string();
+        if (read == "milliseconds") return {};
+        if (read.starts_with("counter:") && isRowName(read.substr(8)))
+            return {LessonNumber::Of::counter, read.substr(8)};
+        if (!read.starts_with("row:"))
+            throw document.failure("read", "write \"milliseconds\", \"row:NAME\" or \"counter:NAME\" here.");
+        (void)rowAt(read.substr(4), document, "read");
+        return {LessonNumber::Of::row, read.substr(4)};
+    }
+
+    const std::string& file_;
+    const NamedValues& tables_;
+    Lesson& lesson_;
+};
+
+}  // namespace
+
+Lesson parseLesson(const std::string& text, const std::string& fileName, const NamedValues& tables)
+{
+    const Cutter cut(text, fileName);
+    Lesson lesson;
+    Reader reader(fileName, tables, lesson);
+    reader.head(cut.parts.front());
+    for (std::size_t i = 1; i < cut.parts.size(); ++i) reader.step(cut.parts[i]);
+    if (lesson.steps.empty())
+        throw failureAt(fileName, cut.parts.front().line, "there is no step in it; write \"## Title\" for each.");
+    if (lesson.steps.size() > mostLessonSteps)
+        throw failureAt(fileName, lesson.steps[mostLessonSteps].line,
+                        "a lesson has at most " + std::to_string(mostLessonSteps) + " steps; make two of it.");
+    return lesson;
+}
+
+Lesson readLesson(const std::filesystem::path& path, const NamedValues& tables)
+{
+    return parseLesson(render::readFile(path, lessonBytes), path.string(), tables);
+}
+
+std::string withLabels(std::string_view text, std::string_view exhibit, const NamedValues& tables,
+                       std::string_view before, std::string_view after)
+{
+    std::string result;
+    for (std::size_t at = text.find(rowMark); at != std::string_view::npos; at = text.find(rowMark)) {
+        const std::size_t end = text.find(']', at);
+        if (end == std::string_view::npos) break;
+        const std::string_view name = text.substr(at + rowMark.size(), end - at - rowMark.size());
+        const ParameterInfo* row = rowNamed(name, exhibit, tables);
+        ((result += text.substr(0, at)) += before) += row ? label(*row) : std::string(name);
+        result += after;
+        text.remove_prefix(end + 1);
+    }
+    return result += text;
+}
+
+std::filesystem::path shippedLesson(std::string_view exhibit)
+{
+    return render::asset("lessons/" + std::string(exhibit) + ".md");
+}
+
+}  // namespace vitrine

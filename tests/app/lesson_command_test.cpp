@@ -1,0 +1,53 @@
+#include "tests/app/child_process.h"
+
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace vitrine;
+using test::Ended;
+
+std::string lessonFile(const std::string& block)
+{
+    return "# Steps\n```json\n{\"format\": \"vitrine-lesson\", \"version\": 1, \"exhibit\": \"sdf_morph\"}\n```\n"
+           "## One\nText.\n```json\n" +
+           block + "\n```\n";
+}
+
+TEST(LessonCommand, SaysWhatIsGoodAndWhatIsNot)
+{
+    const test::TemporaryFolder folder;
+    const std::string good = folder / "good.md", bad = folder / "bad.md", far = folder / "far.md";
+    test::writeBytes(good, lessonFile(R"({"values": {"morph": 0.5}})"));
+    test::writeBytes(bad, lessonFile(R"({"values": {"morhp": 0.5}})"));
+    test::writeBytes(far, lessonFile(R"({"values": {"morph": 7}})"));
+
+    const Ended fine = test::vitrine({"lesson", "check", good});
+    EXPECT_EQ(fine.code, 0) << fine.err;
+    EXPECT_EQ(fine.out, good + ": good (sdf_morph \"Steps\", 1 steps)\n");
+
+    const Ended wrong = test::vitrine({"lesson", "check", good, bad});
+    EXPECT_EQ(wrong.code, 1);
+    EXPECT_NE(wrong.err.find(bad + ", line 8, values.morhp: there is no row \"morhp\""), std::string::npos)
+        << wrong.err;
+
+    const Ended changed = test::vitrine({"lesson", "check", far});
+    EXPECT_EQ(changed.code, 1);
+    EXPECT_NE(changed.out.find("  morph 7 -> 1 (allowed 0 to 1)"), std::string::npos) << changed.out;
+
+    EXPECT_EQ(test::vitrine({"lesson", "check", folder / "none.md"}).code, 5);
+    EXPECT_EQ(test::vitrine({"lesson", "check"}).code, 2);
+    EXPECT_EQ(test::vitrine({"lesson"}).code, 2);
+}
+
+TEST(LessonCommand, ListsTheLessonOfEveryExhibit)
+{
+    const Ended ended = test::vitrine({"lesson", "list"});
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(std::count(ended.out.begin(), ended.out.end(), '\n'), 9) << ended.out;
+    EXPECT_NE(ended.out.find("sdf_morph "), std::string::npos);
+}
+
+}  // namespace

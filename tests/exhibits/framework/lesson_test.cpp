@@ -1,0 +1,202 @@
+#include "exhibits/framework/lesson.h"
+
+#include "exhibits/exhibits.h"
+#include "exhibits/hall/hall_table.h"
+
+#include "tests/exhibits/framework/every_kind.h"
+#include "tests/support/failures.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace {
+
+using namespace vitrine;
+
+const std::string lessonHead = "# Title\n\n```json\n{\"format\": \"vitrine-lesson\", \"version\": 1, \"exhibit\": "
+                               "\"everything\"}\n```\n\nAn **introduction**.\n\n";
+
+const NamedValues& lessonTables()
+{
+    static const HallTable hall;
+    static const NamedValues tables{{"hall", hall.initial()}, {"everything", test::everyKind.initial()}};
+    return tables;
+}
+
+Lesson lessonOf(const std::string& text)
+{
+    return parseLesson(text, "a.md", lessonTables());
+}
+
+/// A lesson with one step, whose heading is line 9 and whose block begins at line 13.
+std::string oneStep(const std::string& block, const std::string& text = "See this.")
+{
+    return lessonHead + "## First\n\n" + text + "\n```json\n" + block + "\n```\n";
+}
+
+TEST(Lesson, HasATitleAnIntroductionAndSteps)
+{
+    const Lesson lesson = lessonOf(oneStep(R"({"values": {"gap": 0.25}, "hall": {"exposure": 1.5}})") +
+                                   "## Second\nMore.\n\nAnd more.\n```json\n{\"camera\": \"best\"}\n```\n");
+    EXPECT_EQ(lesson.title, "Title");
+    EXPECT_EQ(lesson.exhibit, "everything");
+    EXPECT_EQ(lesson.intro, "An **introduction**.");
+    ASSERT_EQ(lesson.steps.size(), 2U);
+    const LessonStep &first = lesson.steps[0], &second = lesson.steps[1];
+    EXPECT_EQ(first.title, "First");
+    EXPECT_EQ(first.text, "See this.");
+    EXPECT_EQ(first.line, 9);
+    EXPECT_EQ(first.values[test::everyKind.gap], 0.25);
+    const HallTable hall;
+    ASSERT_EQ(first.hall.size(), 1U);
+    EXPECT_EQ(first.hall[0].first, hall.exposure.row);
+    EXPECT_EQ(std::get<double>(first.hall[0].second), 1.5);
+    EXPECT_FALSE(first.bestView || first.camera || first.read);
+    EXPECT_EQ(second.text, "More.\n\nAnd more.");
+    EXPECT_TRUE(second.bestView);
+    EXPECT_TRUE(second.values == test::everyKind.initial()) << "a step does not depend on the one before";
+    EXPECT_TRUE(lesson.notes.empty());
+}
+
+TEST(Lesson, NamesNumbersToRead)
+{
+    const auto read = [](const std::string& what) {
+        return *lessonOf(oneStep(R"({"read": ")" + what + "\"}")).steps[0].read;
+    };
+    EXPECT_EQ(read("milliseconds").of, LessonNumber::Of::milliseconds);
+    EXPECT_EQ(read("row:gap").of, LessonNumber::Of::row);
+    EXPECT_EQ(read("row:hall.exposure").name, "hall.exposure");
+    EXPECT_EQ(read("counter:marchSteps").name, "marchSteps");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"read": "row:gpa"})")), "line 13, read: there is no row \"gpa\"");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"read": 3})")), "line 13, read: write \"milliseconds\"");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"read": "counter:a b"})")), "line 13, read: write");
+}
+
+TEST(Lesson, SaysRowsByTheirLabels)
+{
+    const Lesson lesson = lessonOf(oneStep("{}", "Set [row:gap] and [row:hall.exposure]."));
+    const std::string& text = lesson.steps[0].text;
+    EXPECT_EQ(withLabels(text, "everything", lessonTables(), "<b>", "</b>"),
+              "Set <b>" + label(test::everyKind.rows()[test::everyKind.gap.row]) + "</b> and <b>Exposure</b>.");
+    EXPECT_EQ(withLabels("[row:", "everything", lessonTables(), "<", ">"), "[row:");
+    EXPECT_FAILURE(lessonOf(oneStep("{}", "Set [row:gpa].")), "a.md, line 9: in the text below this heading there "
+                                                              "is no row \"gpa\"; `vitrine list --manual "
+                                                              "everything`");
+    EXPECT_FAILURE(lessonOf(oneStep("{}", "Set [row:hall.gpa].")), "`vitrine list --manual hall`");
+    EXPECT_FAILURE(lessonOf(oneStep("{}", "Set [row:gap")), "line 9");
+}
+
+TEST(Lesson, RefusalsNameFileLineKeyAndWhatToDo)
+{
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"values": {"gpa": 1}})")),
+                   "a.md, line 13, values.gpa: there is no row \"gpa\"; `vitrine list --manual everything`");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"hall": {"exposre": 1}})")), "line 13, hall.exposre: there is no row");
+    EXPECT_FAILURE(lessonOf(oneStep("{\"values\":\n{\"gap\": \"long\"}}")), "a.md, line 14, values.gap: this must "
+                                                                            "be a number");
+    EXPECT_FAILURE(lessonOf(oneStep("{\"values\":\n{\"gap\": 1,}}")), "line 14");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"valeus": {}})")), "line 13, valeus: this key means nothing here");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"values": 3})")), "line 13, values: this must be an object");
+    EXPECT_FAILURE(lessonOf(oneStep("[]")), "line 9: its block must be an object");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"camera": "nice"})")), "line 13, camera: this must be \"best\"");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"camera": {"eye": 3}})")), "line 13, camera.eye");
+    EXPECT_FAILURE(lessonOf(oneStep("{}", "")), "line 9: this step says nothing");
+    EXPECT_FAILURE(lessonOf(oneStep("{}", std::string(mostLessonLetters + 1, 'x'))), "line 9: the text below");
+    EXPECT_FAILURE(lessonOf(oneStep("{}") + "```json\n{}\n```"),
+                   "line 15: there is a block under this heading already");
+    EXPECT_FAILURE(lessonOf(lessonHead + "## First\nText."), "line 9: this step has no preset");
+    EXPECT_FAILURE(lessonOf(lessonHead + "## First\nText.\n```yaml\n"), "line 11: only blocks of JSON are read");
+    EXPECT_FAILURE(lessonOf(lessonHead + "## First\nText.\n```json\n{}"), "line 11: this block is not closed");
+    EXPECT_FAILURE(lessonOf(lessonHead + "# Another\n"), "line 9: a lesson has one title");
+    EXPECT_FAILURE(lessonOf(lessonHead), "line 1: there is no step in it");
+    EXPECT_FAILURE(lessonOf("## First\n"), "line 1: a lesson begins with its title");
+    EXPECT_FAILURE(lessonOf("Hello.\n# Title\n"), "line 1: a lesson begins with its title");
+    EXPECT_FAILURE(lessonOf(""), "line 1: a lesson begins with its title");
+    EXPECT_FAILURE(lessonOf("# Title\n## First\n"), "line 1: the block that says whose lesson this is is missing");
+    std::string many = lessonHead;
+    for (std::size_t i = 0; i <= mostLessonSteps; ++i) many += "## Step\nText.\n```json\n{}\n```\n";
+    EXPECT_FAILURE(lessonOf(many), "a lesson has at most 24 steps");
+}
+
+TEST(Lesson, RefusesOtherFormatsVersionsAndExhibits)
+{
+    const auto headed = [](const std::string& head) {
+        return "# Title\n```json\n" + head + "\n```\n## A\nText.\n```json\n{}\n```\n";
+    };
+    EXPECT_EQ(lessonOf(headed(R"({"format": "vitrine-lesson", "version": 1, "exhibit": "everything"})")).steps.size(),
+              1U);
+    EXPECT_FAILURE(lessonOf(headed(R"({"format": "vitrine-preset", "version": 1, "exhibit": "everything"})")),
+                   "a.md, line 3, format: this is no lesson");
+    EXPECT_FAILURE(lessonOf(headed(R"({"format": "vitrine-lesson", "version": 2, "exhibit": "everything"})")),
+                   "line 3, version: this lesson is of a newer Vitrine; update");
+    for (const char* version : {"0", "\"1\"", "1.5", "null"})
+        EXPECT_FAILURE(
+            lessonOf(headed(std::string(R"({"format": "vitrine-lesson", "exhibit": "everything", "version": )") +
+                            version + "}")),
+            "version: this must be 1");
+    for (const char* exhibit : {"nothing", "hall"})
+        EXPECT_FAILURE(lessonOf(headed(std::string(R"({"format": "vitrine-lesson", "version": 1, "exhibit": ")") +
+                                       exhibit + "\"}")),
+                       "exhibit: there is no exhibit of that name; `vitrine list`");
+}
+
+TEST(Lesson, TellsWhatItHadToChange)
+{
+    const Lesson lesson = lessonOf(oneStep(R"({"values": {"gap": 1e9}})"));
+    ASSERT_EQ(lesson.notes.size(), 1U);
+    EXPECT_NE(lesson.notes[0].find("gap"), std::string::npos);
+}
+
+/// Every lesson that comes with the program.
+class ShippedLessons : public testing::Test {
+protected:
+    ShippedLessons()
+    {
+        tables_.emplace_back("hall", hall_.initial());
+        for (const auto& exhibit : exhibits_)
+            tables_.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
+    }
+    [[nodiscard]] Lesson read(const Exhibit& exhibit) const
+    {
+        return readLesson(shippedLesson(exhibit.name()), tables_);
+    }
+
+    const HallTable hall_;
+    const std::vector<std::unique_ptr<Exhibit>> exhibits_ = allExhibits();
+    NamedValues tables_;
+};
+
+TEST_F(ShippedLessons, ThereIsOneForEveryExhibitAndNothingInItIsChanged)
+{
+    for (const auto& exhibit : exhibits_) {
+        const Lesson lesson = read(*exhibit);
+        EXPECT_EQ(lesson.exhibit, exhibit->name());
+        EXPECT_TRUE(lesson.notes.empty()) << exhibit->name() << ": " << lesson.notes.front();
+        EXPECT_GE(lesson.steps.size(), 5U) << exhibit->name();
+        EXPECT_LE(lesson.steps.size(), 8U) << exhibit->name();
+        EXPECT_TRUE(lesson.steps.front().bestView || lesson.steps.front().camera) << exhibit->name();
+        EXPECT_FALSE(lesson.intro.empty()) << exhibit->name();
+    }
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(shippedLesson("hall").parent_path()))
+        files += entry.path().extension() == ".md" ? 1 : 0;
+    EXPECT_EQ(files, exhibits_.size()) << "a lesson that belongs to no exhibit";
+}
+
+TEST_F(ShippedLessons, EveryStepShowsSomethingElseAndNamesARowOrANumber)
+{
+    for (const auto& exhibit : exhibits_) {
+        const Lesson lesson = read(*exhibit);
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            const LessonStep& step = lesson.steps[i];
+            EXPECT_TRUE(step.text.find("[row:") != std::string::npos || step.read)
+                << exhibit->name() << ", line " << step.line;
+            if (i == 0) continue;
+            const LessonStep& before = lesson.steps[i - 1];
+            EXPECT_FALSE(step.values == before.values && step.hall == before.hall && step.camera == before.camera)
+                << exhibit->name() << ", line " << step.line << ": the same as the step before";
+        }
+    }
+}
+
+}  // namespace

@@ -1,0 +1,258 @@
+#include "tests/ui/open_window.h"
+
+#include "exhibits/exhibits.h"
+#include "render/files/assets.h"
+#include "ui/kit/message_strip.h"
+#include "ui/lessons/lesson_bar.h"
+#include "ui/lessons/lesson_desk.h"
+#include "ui/lessons/page_dialog.h"
+#include "ui/window/file_opener.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QLabel>
+#include <QLineEdit>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QTextDocument>
+#include <QToolButton>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// A walk through a lesson in the whole window, and the pages about the exhibits.
+class LessonWindowTest : public test::OpenWindow {
+    Q_OBJECT
+
+    [[nodiscard]] LessonDesk& desk() { return window_->lessons(); }
+    [[nodiscard]] QToolButton* button(const char* name)
+    {
+        for (auto* each : desk().bar().findChildren<QToolButton*>())
+            if (each->accessibleName() == QLatin1String(name)) return each;
+        return nullptr;
+    }
+    [[nodiscard]] bool says(const QString& words)
+    {
+        for (const QLabel* label : desk().bar().findChildren<QLabel*>())
+            if (label->isVisible() && label->text().contains(words)) return true;
+        return false;
+    }
+    QString write(const char* name, const QByteArray& steps)
+    {
+        const QString path = home_->filePath(QLatin1String(name));
+        QFile file(path);
+        if (!file.open(QIODevice::WriteOnly)) return {};
+        file.write("# Two settings\n\n```json\n{\"format\": \"vitrine-lesson\", \"version\": 1, \"exhibit\": "
+                   "\"sdf_morph\"}\n```\nWhat is **rough**?\n\n" +
+                   steps);
+        return path;
+    }
+    QString goodLesson()
+    {
+        return write(
+            "good.md",
+            "## Rough\nSee [row:roughness] & [row:hall.exposure].\n```json\n{\"values\": {\"roughness\": 0.9}, "
+            "\"hall\": {\"exposure\": 2}, \"read\": \"row:roughness\"}\n```\n"
+            "## Smooth\nAnd now?\n```json\n{\"values\": {\"roughness\": 0.1}, \"camera\": {\"eye\": [1, 1.2, 4], "
+            "\"target\": [1, 1, 0], \"fov\": 0.8}, \"read\": \"milliseconds\"}\n```\n");
+    }
+    [[nodiscard]] double exposure()
+    {
+        const ParameterValues& hall = window_->history().sceneState().hall();
+        return std::get<double>(hall.row(*hall.table().find("exposure")));
+    }
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init() { start(); }
+    void cleanup() { finish(); }
+
+    void aLessonIsWalkedThroughAndWhatWasOpenComesBack()
+    {
+        QVERIFY(!desk().bar().isVisible());
+        window_->viewport().jumpTo({{1.35, 1.65, 8}, {1, 1.6, 0}, 0.9});
+        dragRoughnessOf(1, 60);
+        window_->choose(hallIndex);
+        settle();
+        const SceneState before = window_->history().sceneState();
+        const int steps = window_->history().stack().count();
+
+        desk().open(goodLesson());
+        QVERIFY(desk().bar().isVisible());
+        QCOMPARE(window_->chosen(), std::size_t{1});
+        QVERIFY(says("Two settings"));
+        QVERIFY(says("What is <b>rough</b>?"));
+        QVERIFY(says("2 steps"));
+        QCOMPARE(window_->history().stack().count(), steps + 1);
+        QVERIFY(!button("Step back")->isEnabled());
+
+        QTest::mouseClick(button("Next step"), Qt::LeftButton);
+        QCOMPARE(roughness(), 0.9);
+        QCOMPARE(exposure(), 2.0);
+        QVERIFY(says("Step 1 of 2"));
+        QVERIFY(says("<a href=\"row:roughness\"><b>Roughness</b></a> &amp; "));
+        QVERIFY(says("Read: Roughness 0.9"));
+        QTRY_VERIFY(red() > 200);
+
+        QTest::mouseClick(button("Next step"), Qt::LeftButton);
+        QCOMPARE(roughness(), 0.1);
+        QCOMPARE(exposure(), std::get<double>(before.hall().row(*before.hall().table().find("exposure"))));
+        QCOMPARE(window_->history().sceneState().camera.eye, glm::dvec3(1, 1.2, 4));
+        QVERIFY(!button("Next step")->isEnabled());
+        QTRY_VERIFY(says(" ms"));
+        QCOMPARE(window_->history().stack().count(), steps + 3);
+
+        QTest::mouseClick(button("Step back"), Qt::LeftButton);
+        QCOMPARE(roughness(), 0.9);
+        QTest::mouseClick(button("Leave the lesson"), Qt::LeftButton);
+        QVERIFY(!desk().bar().isVisible());
+        QCOMPARE(window_->chosen(), hallIndex);
+        QVERIFY(window_->history().sceneState() == before);
+        QCOMPARE(window_->history().stack().count(), steps + 5);
+    }
+
+    void undoLeadsThroughTheLesson()
+    {
+        desk().open(goodLesson());
+        desk().next();
+        desk().next();
+        window_->history().stack().undo();
+        QVERIFY(says("Step 1 of 2"));
+        QCOMPARE(roughness(), 0.9);
+        window_->history().stack().undo();
+        window_->history().stack().undo();
+        QVERIFY(!desk().lesson());
+        QCOMPARE(roughness(), 0.25);
+        QCOMPARE(window_->chosen(), hallIndex);
+        window_->history().stack().redo();
+        window_->history().stack().redo();
+        QVERIFY(says("Step 1 of 2"));
+        QCOMPARE(roughness(), 0.9);
+        desk().leave();
+        window_->history().stack().undo();
+        QVERIFY2(says("Step 1 of 2"), "undone, the lesson is open again");
+    }
+
+    void whatAVisitorChangesInAStepIsGoneInTheNextAndTheLessonKnowsNoOtherExhibit()
+    {
+        desk().open(goodLesson());
+        desk().next();
+        window_->history().set(1, *window_->history().sceneState().values[1].table().find("morph"), 0.875,
+                               newGesture());
+        desk().next();
+        desk().back();
+        const ParameterValues& values = window_->history().sceneState().values[1];
+        QCOMPARE(std::get<double>(values.row(*values.table().find("morph"))), 0.5);
+    }
+
+    void keysAndLinksDoTheSame()
+    {
+        desk().open(goodLesson());
+        window_->viewport().setFocus();
+        QTest::keyClick(&window_->viewport(), Qt::Key_PageDown, Qt::ControlModifier);
+        QTRY_VERIFY(says("Step 1 of 2"));
+        QTest::keyClick(&window_->viewport(), Qt::Key_PageUp, Qt::ControlModifier);
+        QTRY_VERIFY(says("2 steps"));
+        desk().next();
+        emit desk().rowAsked(QStringLiteral("roughness"));
+        QCOMPARE(window_->panel().filterText(), QStringLiteral("Roughness"));
+        QTest::keyClick(&window_->viewport(), Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
+        QTRY_VERIFY(!desk().lesson());
+        window_->files().open(goodLesson());
+        QVERIFY2(desk().lesson(), "a lesson that is dropped on the window is opened");
+        window_->hidePanels(true);
+        QVERIFY(!desk().bar().isVisible());
+        window_->hidePanels(false);
+        QVERIFY(desk().bar().isVisible());
+    }
+
+    void aBadLessonIsNotOpenedAndSaysWhy()
+    {
+        desk().open(write("bad.md", "## One\nText.\n```json\n{\"values\": {\"roughnes\": 1}}\n```\n"));
+        QVERIFY(!desk().lesson());
+        QCOMPARE(window_->history().stack().count(), 0);
+        const QString said = window_->findChild<MessageStrip*>()->texts().join(QLatin1Char('\n'));
+        QVERIFY2(said.contains("bad.md, line 11, values.roughnes: there is no row"), qPrintable(said));
+    }
+
+    void aWindowThatClosesInALessonKeepsWhatWasOpenBefore()
+    {
+        desk().open(goodLesson());
+        desk().next();
+        closeWindow();
+        openWindow();
+        QCOMPARE(roughness(), 0.25);
+        QVERIFY(!desk().lesson());
+    }
+
+    void everyExhibitHasItsPageAndAllPicturesAndLinksInItResolve()
+    {
+        QStringList names{QStringLiteral("hall")};
+        for (const auto& exhibit : allExhibits()) names << QString::fromStdString(std::string(exhibit->name()));
+        PageDialog dialog(nullptr);
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        for (const QString& name : names) {
+            dialog.showPage(name);
+            const QUrl source = dialog.browser().source();
+            QVERIFY2(QFileInfo::exists(source.toLocalFile()), qPrintable(source.toLocalFile()));
+            const QTextDocument& page = *dialog.browser().document();
+            QVERIFY2(page.toPlainText().size() > 600, qPrintable(name));
+            QVERIFY2(!dialog.windowTitle().isEmpty(), qPrintable(name));
+            int pictures = 0, links = 0;
+            for (QTextBlock block = page.begin(); block.isValid(); block = block.next()) {
+                for (auto part = block.begin(); !part.atEnd(); ++part) {
+                    const QTextCharFormat format = part.fragment().charFormat();
+                    if (format.isImageFormat()) {
+                        const QString file = format.toImageFormat().name();
+                        const QImage picture(QFileInfo(source.toLocalFile()).dir().filePath(file));
+                        QVERIFY2(!picture.isNull(), qPrintable(name + ": " + file));
+                        QVERIFY2(picture.width() <= 720, qPrintable(name + ": wider than the page: " + file));
+                        ++pictures;
+                    }
+                    if (!format.isAnchor() || format.anchorHref().isEmpty()) continue;
+                    ++links;
+                    const QUrl link(format.anchorHref());
+                    if (link.scheme() == "https") {
+                        QVERIFY2(link.isValid() && !link.host().isEmpty(), qPrintable(format.anchorHref()));
+                    } else if (link.scheme() == "lesson") {
+                        QVERIFY2(names.contains(link.path()), qPrintable(format.anchorHref()));
+                    } else {
+                        const QString file = source.resolved(link).toLocalFile();
+                        QVERIFY2(QFileInfo::exists(file), qPrintable(name + ": " + format.anchorHref()));
+                    }
+                }
+            }
+            QVERIFY2(name == "hall" || (pictures >= 2 && links >= 1), qPrintable(name));
+        }
+        const QStringList files = QDir(QString::fromStdString(render::asset("pages").string())).entryList({"*.html"});
+        QCOMPARE(files.size(), names.size());
+    }
+
+    void thePageOfTheVisitedExhibitOpensWithF1AndStartsItsLesson()
+    {
+        window_->choose(1);
+        window_->viewport().setFocus();
+        QTest::keyClick(&window_->viewport(), Qt::Key_F1);
+        QTRY_VERIFY(window_->findChild<PageDialog*>());
+        auto* dialog = window_->findChild<PageDialog*>();
+        QVERIFY(dialog->browser().source().path().endsWith("/sdf_morph.html"));
+        window_->openPage(hallIndex);
+        QVERIFY(dialog->browser().source().path().endsWith("/hall.html"));
+        emit dialog->browser().anchorClicked(QUrl(QStringLiteral("noise.html")));
+        QVERIFY(dialog->browser().source().path().endsWith("/noise.html"));
+        dialog->browser().backward();
+        QVERIFY(dialog->browser().source().path().endsWith("/hall.html"));
+        dialog->close();
+    }
+
+private:
+    void dragRoughnessOf(std::size_t exhibit, int pixels)
+    {
+        window_->choose(exhibit);
+        dragRoughness(pixels);
+    }
+};
+
+QTEST_MAIN(LessonWindowTest)
+
+#include "lesson_window_test.moc"

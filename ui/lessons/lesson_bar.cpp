@@ -1,0 +1,112 @@
+#include "ui/lessons/lesson_bar.h"
+
+#include "exhibits/framework/lesson.h"
+#include "ui/kit/theme.h"
+#include "ui/lessons/lesson_desk.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QToolButton>
+
+namespace vitrine::ui {
+namespace {
+
+/// Only what changed, so that a text which somebody selects or hears is not begun anew.
+void setWords(QLabel& label, const QString& words)
+{
+    if (label.text() != words) label.setText(words);
+    label.setVisible(!words.isEmpty());
+}
+
+}  // namespace
+
+LessonBar::LessonBar(LessonDesk& desk)
+    : desk_(desk), title_(new QLabel(this)), count_(new QLabel(this)), text_(new QLabel(this)),
+      number_(new QLabel(this))
+{
+    setAccessibleName(tr("Lesson"));
+    setAccessibleDescription(tr("What to see in this step"));
+    title_->setTextFormat(Qt::PlainText);
+    QFont heading = title_->font();
+    heading.setWeight(QFont::DemiBold);
+    title_->setFont(heading);
+    title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    count_->setTextFormat(Qt::PlainText);
+    text_->setTextFormat(Qt::RichText);
+    text_->setWordWrap(true);
+    text_->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    text_->setAccessibleName(tr("What to see"));
+    number_->setTextFormat(Qt::PlainText);
+    number_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    number_->setAccessibleName(tr("Number to read"));
+    number_->setWordWrap(true);
+
+    auto* top = new QHBoxLayout;
+    top->setSpacing(4);
+    top->addWidget(title_, 1);
+    top->addWidget(count_);
+    top->addSpacing(8);
+    top->addWidget(button(desk.backAction(), tr("◂ Back")));
+    top->addWidget(button(desk.nextAction(), tr("Next ▸")));
+    top->addWidget(button(desk.leaveAction(), tr("✕ Leave")));
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(12, 4, 8, 8);
+    layout->setSpacing(2);
+    layout->addLayout(top);
+    layout->addWidget(text_);
+    layout->addWidget(number_);
+    connect(text_, &QLabel::linkActivated, this, [this](const QString& link) {
+        if (link.startsWith(QLatin1String("row:"))) emit desk_.rowAsked(link.mid(4));
+    });
+    setVisible(false);
+}
+
+QToolButton* LessonBar::button(QAction& action, const QString& words)
+{
+    auto* made = new QToolButton(this);
+    made->setAutoRaise(true);
+    made->setFocusPolicy(Qt::TabFocus);
+    made->setText(words);
+    made->setToolTip(action.toolTip() +
+                     QStringLiteral(" (%1)").arg(action.shortcut().toString(QKeySequence::NativeText)));
+    made->setAccessibleName(action.text().remove(QLatin1Char('&')));
+    made->setEnabled(action.isEnabled());
+    connect(&action, &QAction::enabledChanged, made, &QToolButton::setEnabled);
+    connect(made, &QToolButton::clicked, &action, &QAction::trigger);
+    return made;
+}
+
+void LessonBar::refresh()
+{
+    const Lesson* lesson = desk_.lesson();
+    setVisible(lesson && !banned_);
+    if (!lesson) return;
+    const QString title = QString::fromStdString(lesson->title);
+    const std::size_t page = desk_.page();
+    setWords(*title_,
+             page == 0 ? title : tr("%1: %2").arg(title, QString::fromStdString(lesson->steps[page - 1].title)));
+    title_->setToolTip(title_->text());
+    setWords(*count_, page == 0 ? tr("%1 steps").arg(lesson->steps.size())
+                                : tr("Step %1 of %2").arg(page).arg(lesson->steps.size()));
+    setWords(*text_, desk_.pageText());
+    setWords(*number_, desk_.numberText());
+}
+
+void LessonBar::setBanned(bool banned)
+{
+    banned_ = banned;
+    refresh();
+}
+
+void LessonBar::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), theme().base);
+    painter.fillRect(QRect(0, 0, 3, height()), theme().accent);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_lesson_bar.cpp"

@@ -1,0 +1,301 @@
+#include "ui/lessons/lesson_desk.h"
+
+#include "exhibits/museum/museum.h"
+#include "render/plan/render_backend.h"
+#include "ui/kit/message_of.h"
+#include "ui/kit/text.h"
+#include "ui/lessons/lesson_bar.h"
+#include "ui/model/history.h"
+#include "ui/model/workbench.h"
+#include "ui/parameters/shown_text.h"
+#include "ui/viewport/viewport.h"
+
+#include <QAction>
+#include <QFileDialog>
+#include <QLocale>
+#include <QWidget>
+
+#include <filesystem>
+
+namespace vitrine::ui {
+namespace {
+
+QString words(const std::string& s)
+{
+    return QString::fromStdString(s);
+}
+
+/// "march steps" for "marchSteps".
+QString counterWords(const std::string& name)
+{
+    QString result;
+    for (const QChar c : words(name)) {
+        if (c.isUpper()) result += QLatin1Char(' ');
+        result += c.toLower();
+    }
+    return result;
+}
+
+/// Paragraphs, **bold** and what `withLabels` marked.
+QString richText(const std::string& text)
+{
+    QString rich = words(text).toHtmlEscaped();
+    rich.replace(QLatin1Char('\x01'), QStringLiteral("<a href=\"row:"));
+    rich.replace(QLatin1Char('\x02'), QStringLiteral("\"><b>"));
+    rich.replace(QLatin1Char('\x03'), QStringLiteral("</b></a>"));
+    const QStringList pieces = rich.split(QStringLiteral("**"));
+    rich = pieces.front();
+    for (qsizetype i = 1; i < pieces.size(); ++i)
+        rich += (i % 2 == 1 ? QStringLiteral("<b>") : QStringLiteral("</b>")) + pieces[i];
+    if (pieces.size() % 2 == 0) rich += QStringLiteral("</b>");
+    return rich.replace(QStringLiteral("\n\n"), QStringLiteral("<br/>"));
+}
+
+/// Each "[row:x]" becomes a link "\1x\2Label\3", in characters that escaping leaves alone.
+std::string withLinks(const std::string& text, const std::string& exhibit, const NamedValues& tables)
+{
+    std::string linked;
+    std::size_t at = 0;
+    for (std::size_t mark = text.find("[row:"); mark != std::string::npos; mark = text.find("[row:", at)) {
+        const std::size_t end = text.find(']', mark);
+        if (end == std::string::npos) break;
+        linked += text.substr(at, mark - at) + '\x01' + text.substr(mark + 5, end - mark - 5);
+        linked += withLabels(text.substr(mark, end + 1 - mark), exhibit, tables, "\x02", "\x03");
+        at = end + 1;
+    }
+    return linked + text.substr(at);
+}
+
+}  // namespace
+
+LessonDesk::LessonDesk(Workbench& window, QObject* parent) : QObject(parent), window_(window)
+{
+    addActions();
+    bar_ = new LessonBar(*this);
+    connect(&window.viewport(), &Viewport::drawn, this, &LessonDesk::noteFrame);
+    connect(&window.history(), &History::changed, this, &LessonDesk::show);
+    connect(&window.history(), &History::replaced, this, &LessonDesk::show);
+    show();
+}
+
+QAction* LessonDesk::add(const QString& text, const QList<QKeySequence>& keys, const QString& tip)
+{
+    auto* action = new QAction(text, this);
+    action->setShortcuts(keys);
+    action->setToolTip(tip);
+    action->setStatusTip(tip);
+    actions_ << action;
+    return action;
+}
+
+void LessonDesk::addActions()
+{
+    connect(add(tr("&Start the lesson"), {QKeySequence(Qt::CTRL | Qt::Key_L)},
+                tr("Walks you through the exhibit that you visit, step by step.")),
+            &QAction::triggered, this, [this] {
+                if (window_.chosen() != hallIndex) return start(window_.chosen());
+                window_.say(MessageStrip::Mood::notice, tr("Visit an exhibit first: lessons are about one of them."));
+            });
+    connect(add(tr("&Open lesson…"), {}, tr("A lesson of your own, as Markdown; the manual says how to write one.")),
+            &QAction::triggered, this, &LessonDesk::askForFile);
+    actions_ << nullptr;
+    back_ = add(tr("Step &back"), {QKeySequence(Qt::CTRL | Qt::Key_PageUp)}, tr("The lesson's step before this one."));
+    connect(back_, &QAction::triggered, this, &LessonDesk::back);
+    next_ = add(tr("&Next step"), {QKeySequence(Qt::CTRL | Qt::Key_PageDown)}, tr("The lesson's next step."));
+    connect(next_, &QAction::triggered, this, &LessonDesk::next);
+    leave_ = add(tr("&Leave the lesson"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)},
+                 tr("Brings back what was open before the lesson."));
+    connect(leave_, &QAction::triggered, this, &LessonDesk::leave);
+    actions_ << nullptr;
+    for (const auto& [i, exhibit] : window_.museum().exhibits()) {
+        QAction* action = add(tr("Lesson: %1").arg(text(exhibit.title())), {}, text(exhibit.summary()));
+        std::error_code ignored;
+        action->setEnabled(std::filesystem::exists(shippedLesson(exhibit.name()), ignored));
+        connect(action, &QAction::triggered, this, [this, index = i] { start(index); });
+    }
+}
+
+void LessonDesk::askForFile()
+{
+    auto* dialog = new QFileDialog(bar_->window(), tr("Open lesson"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    dialog->setNameFilters({tr("Lessons (*.md)"), tr("All files (*)")});
+    connect(dialog, &QFileDialog::fileSelected, this, &LessonDesk::open);
+    dialog->open();
+}
+
+void LessonDesk::open(const QString& path)
+{
+    try {
+        load(path);
+        emit opened(path);
+    } catch (const std::exception& failure) {
+        window_.say(MessageStrip::Mood::problem, messageOf(failure));
+    }
+}
+
+void LessonDesk::load(const QString& path)
+{
+    const Museum& museum = window_.museum();
+    NamedValues tables = namedValues(museum.subjects(), museum.initialSceneState().values);
+    Lesson lesson = readLesson(path.toStdString(), tables);
+    const std::size_t exhibit = *museum.find(lesson.exhibit);
+    auto next = std::make_shared<Opened>(
+        Opened{std::move(lesson), exhibit, window_.history().sceneState(), std::move(tables), window_.chosen()});
+    if (place_.opened) {  // Out of one lesson into another: what comes back is what was open before both.
+        next->before = place_.opened->before;
+        next->chosenBefore = place_.opened->chosenBefore;
+    }
+    for (const std::string& note : next->lesson.notes)
+        window_.say(MessageStrip::Mood::notice, tr("%1 was opened, with changes: %2").arg(path, words(note)));
+    const QString title = words(next->lesson.title);
+    goTo({std::move(next), 0}, tr("Open lesson %1").arg(title));
+}
+
+void LessonDesk::start(std::size_t exhibit)
+{
+    try {
+        load(words(shippedLesson(window_.museum().subject(exhibit).name()).string()));
+    } catch (const std::exception& failure) {
+        window_.say(MessageStrip::Mood::problem, messageOf(failure));
+    }
+}
+
+void LessonDesk::next()
+{
+    if (!lesson() || place_.page >= lesson()->steps.size()) return;
+    goTo({place_.opened, place_.page + 1}, tr("Lesson step %1").arg(place_.page + 1));
+}
+
+void LessonDesk::back()
+{
+    if (!lesson() || place_.page == 0) return;
+    goTo({place_.opened, place_.page - 1}, tr("Lesson step %1").arg(place_.page - 1));
+}
+
+void LessonDesk::leave()
+{
+    if (lesson()) goTo({}, tr("Leave the lesson"));
+}
+
+SceneState LessonDesk::stateAt(const Place& place, bool& movesCamera) const
+{
+    movesCamera = true;
+    if (!place.opened) return place_.opened->before;  // Only an open lesson is left.
+    const Opened& opened = *place.opened;
+    SceneState state = opened.before;
+    state.camera = window_.history().sceneState().camera;
+    if (place.page == 0) {
+        state.camera = window_.museum().bestView(opened.exhibit, state.values[opened.exhibit]);
+        return state;
+    }
+    const LessonStep& step = opened.lesson.steps[place.page - 1];
+    state.values[opened.exhibit] = step.values;
+    for (const auto& [row, value] : step.hall) state.hall().setRow(row, value);
+    if (step.camera)
+        state.camera = *step.camera;
+    else if (step.bestView)
+        state.camera = window_.museum().bestView(opened.exhibit, step.values);
+    else
+        movesCamera = false;
+    return state;
+}
+
+void LessonDesk::goTo(const Place& to, const QString& step)
+{
+    History& history = window_.history();
+    bool movesCamera = false;
+    SceneState after = stateAt(to, movesCamera);
+    for (std::size_t i = 0; i < after.values.size(); ++i)
+        after.values[i] = after.values[i].asShownBy(history.sceneState().values[i]);
+    history.record(
+        step, after, [this, to] { stand(to); }, [this, from = place_] { stand(from); },
+        movesCamera ? History::Camera::moves : History::Camera::stays);
+    show();
+}
+
+void LessonDesk::stand(const Place& to)
+{
+    const Place from = std::exchange(place_, to);
+    if (from.opened == to.opened) return show();
+    numbers_.clear();
+    window_.choose(to.opened ? to.opened->exhibit : from.opened->chosenBefore);
+    show();
+}
+
+const LessonNumber* LessonDesk::asked(std::size_t page) const
+{
+    if (!lesson() || page == 0) return nullptr;
+    const std::optional<LessonNumber>& read = lesson()->steps[page - 1].read;
+    return read ? &*read : nullptr;
+}
+
+void LessonDesk::noteFrame(const render::FrameReport& report, const QSize& pixels)
+{
+    const LessonNumber* number = asked(place_.page);
+    if (!number || number->of == LessonNumber::Of::row) return;
+    // While something moves, pictures are smaller, and their numbers tell nothing.
+    const Viewport& viewport = window_.viewport();
+    if (pixels != (QSizeF(viewport.size()) * viewport.devicePixelRatioF()).toSize()) return;
+    const QLocale plain = QLocale::c();
+    if (number->of == LessonNumber::Of::milliseconds) {
+        numbers_[place_.page] = tr("%1 ms").arg(plain.toString(report.milliseconds, 'f', 1));
+    } else {
+        const auto found = report.counters.find(number->name);
+        if (found == report.counters.end()) return;
+        numbers_[place_.page] = plain.toString(static_cast<qlonglong>(found->second));
+    }
+    show();
+}
+
+QString LessonDesk::nameOf(const LessonNumber& number) const
+{
+    switch (number.of) {
+    case LessonNumber::Of::counter: return counterWords(number.name);
+    case LessonNumber::Of::milliseconds: return tr("time of a picture");
+    case LessonNumber::Of::row: break;
+    }
+    return words(withLabels("[row:" + number.name + "]", lesson()->exhibit, place_.opened->tables, "", ""));
+}
+
+QString LessonDesk::numberText() const
+{
+    const LessonNumber* number = asked(place_.page);
+    if (!number) return {};
+    if (number->of == LessonNumber::Of::row) {
+        const bool ofHall = number->name.starts_with("hall.");
+        const ParameterValues& values =
+            window_.history().sceneState().values[ofHall ? hallIndex : place_.opened->exhibit];
+        const auto row = values.table().find(ofHall ? number->name.substr(5) : number->name);
+        return row ? tr("Read: %1 %2").arg(nameOf(*number), shownText(values.rows()[*row], values.row(*row)))
+                   : QString();
+    }
+    const auto now = numbers_.find(place_.page);
+    QString line = tr("Read: %1 %2").arg(nameOf(*number), now == numbers_.end() ? QStringLiteral("…") : now->second);
+    const LessonNumber* before = asked(place_.page - 1);
+    const auto then = numbers_.find(place_.page - 1);
+    if (before && before->of == number->of && before->name == number->name && then != numbers_.end())
+        line += tr(", in the step before %1").arg(then->second);
+    return line;
+}
+
+QString LessonDesk::pageText() const
+{
+    if (!lesson()) return {};
+    const std::string& text = place_.page == 0 ? lesson()->intro : lesson()->steps[place_.page - 1].text;
+    return richText(withLinks(text, lesson()->exhibit, place_.opened->tables));
+}
+
+void LessonDesk::show()
+{
+    const bool open = lesson() != nullptr;
+    next_->setEnabled(open && place_.page < lesson()->steps.size());
+    back_->setEnabled(open && place_.page > 0);
+    leave_->setEnabled(open);
+    if (bar_) bar_->refresh();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_lesson_desk.cpp"

@@ -1,0 +1,91 @@
+#include "ui/lessons/page_dialog.h"
+
+#include "render/files/assets.h"
+#include "ui/kit/theme.h"
+
+#include <QDesktopServices>
+#include <QDialogButtonBox>
+#include <QFileInfo>
+#include <QPushButton>
+#include <QTextBrowser>
+#include <QUrl>
+#include <QVBoxLayout>
+
+namespace vitrine::ui {
+namespace {
+
+QString pageFolder()
+{
+    return QString::fromStdString(render::asset("pages").string());
+}
+
+/// Of the pages' headings, figures and links, in the colors of the window.
+QString pageStyle()
+{
+    return QStringLiteral("h1 { font-size: x-large; margin-bottom: 4px; } h2 { font-size: large; margin-top: 16px; }"
+                          "p, li { line-height: 130%; } a { color: %1; } .caption { color: %2; }"
+                          ".formula { margin-left: 24px; }")
+        .arg(theme().accent.name(), theme().dim.name());
+}
+
+}  // namespace
+
+PageDialog::PageDialog(QWidget* window) : QDialog(window), browser_(new QTextBrowser(this))
+{
+    setAttribute(Qt::WA_DeleteOnClose);
+    browser_->setAccessibleName(tr("How it works"));
+    browser_->setFrameShape(QFrame::NoFrame);
+    browser_->setOpenLinks(false);
+    browser_->document()->setDefaultStyleSheet(pageStyle());
+    browser_->document()->setDocumentMargin(20);
+    connect(browser_, &QTextBrowser::anchorClicked, this, &PageDialog::follow);
+    connect(browser_, &QTextBrowser::sourceChanged, this, &PageDialog::noteSource);
+
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    back_ = buttons->addButton(tr("&Back"), QDialogButtonBox::ActionRole);
+    back_->setAutoDefault(false);
+    back_->setEnabled(false);
+    connect(back_, &QPushButton::clicked, browser_, &QTextBrowser::backward);
+    connect(browser_, &QTextBrowser::backwardAvailable, back_, &QPushButton::setEnabled);
+    lesson_ = buttons->addButton(tr("&Start its lesson"), QDialogButtonBox::ActionRole);
+    lesson_->setAutoDefault(false);
+    connect(lesson_, &QPushButton::clicked, this,
+            [this] { emit lessonAsked(QFileInfo(browser_->source().path()).baseName()); });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 8);
+    layout->addWidget(browser_, 1);
+    layout->addWidget(buttons);
+    buttons->setContentsMargins(8, 0, 8, 0);
+    resize(760, 760);
+    browser_->setFocus();
+}
+
+void PageDialog::showPage(const QString& name)
+{
+    browser_->setSource(QUrl::fromLocalFile(pageFolder() + QLatin1Char('/') + name + QStringLiteral(".html")));
+}
+
+void PageDialog::follow(const QUrl& link)
+{
+    if (link.scheme() == QLatin1String("lesson"))
+        emit lessonAsked(link.path());
+    else if (link.scheme().startsWith(QLatin1String("http")))
+        QDesktopServices::openUrl(link);
+    else
+        browser_->setSource(browser_->source().resolved(link));
+}
+
+void PageDialog::noteSource()
+{
+    const QString name = QFileInfo(browser_->source().path()).baseName();
+    lesson_->setEnabled(
+        QFileInfo::exists(pageFolder() + QStringLiteral("/../lessons/") + name + QStringLiteral(".md")));
+    const QString title = browser_->documentTitle();
+    setWindowTitle(title.isEmpty() ? tr("How this works") : title);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_page_dialog.cpp"
