@@ -189,6 +189,40 @@ TEST(RenderCommand, APictureBringsItsLookBack)
     }
 }
 
+TEST(RenderCommand, ARowThatMovesIsWhereTheTimeSays)
+{
+    const TemporaryFolder folder;
+    const auto render = [&](const std::string& name, Words options) {
+        options.insert(options.end(), {"--alone", "--size", "64x36", "--time"});
+        const std::string out = folder / name;
+        options.push_back(name[0] == 'b' ? "3" : "1");
+        const Ended ended = test::vitrine(rendering("sdf_morph", out, options));
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return render::readImage(out).pixels;
+    };
+    const Words moving{"--animate", "morph=triangle:0:1:ease=linear:period=8"};
+    EXPECT_EQ(render("a.png", moving), render("still-a.png", {"--set", "morph=0.25"}));
+    EXPECT_EQ(render("b.png", moving), render("bs.png", {"--set", "morph=0.75"}));
+    EXPECT_EQ(render("again.png", {"--preset", folder / "a.png"}), render::readImage(folder / "a.png").pixels)
+        << "the picture keeps how it moves";
+    EXPECT_NE(render("b-again.png", {"--preset", folder / "a.png"}), render::readImage(folder / "a.png").pixels);
+}
+
+TEST(RenderCommand, AMotionThatIsNoneSaysWhatToGive)
+{
+    const TemporaryFolder folder;
+    const auto said = [&](const char* motion) {
+        const Ended ended = test::vitrine(rendering("sdf_morph", folder / "x.png", {"--animate", motion}));
+        EXPECT_EQ(ended.code, 2) << motion;
+        return ended.err;
+    };
+    EXPECT_NE(said("morph=waltz:0:1").find("give one of ease, sine"), std::string::npos);
+    EXPECT_NE(said("morph=sine:0").find("give a kind and two values"), std::string::npos);
+    EXPECT_NE(said("morph=sine:0:1:period=never").find("give a number from"), std::string::npos);
+    EXPECT_NE(said("stepLimit=sine:1:9").find("accuracy cannot move"), std::string::npos);
+    EXPECT_NE(said("nothing=sine:0:1").find("has no parameter of that name"), std::string::npos);
+}
+
 TEST(RenderCommand, AValueOutOfRangeIsBroughtBackAndSaidSo)
 {
     const TemporaryFolder folder;
