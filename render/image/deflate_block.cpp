@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstring>
 
 namespace vitrine::render {
 namespace {
@@ -185,7 +183,8 @@ private:
     std::uint64_t extraBits_ = 0;
 };
 
-void writeLiterals(const std::uint8_t* at, std::size_t count, const Code<literalSymbols>& code, BitWriter& out)
+[[gnu::always_inline]] inline void writeLiterals(const std::uint8_t* at, std::size_t count,
+                                                 const Code<literalSymbols>& code, BitWriter& out)
 {
     std::size_t i = 0;
     for (; i + 3 <= count; i += 3) {  // Three of 15 bits, and 7 that were left, fit.
@@ -199,8 +198,9 @@ void writeLiterals(const std::uint8_t* at, std::size_t count, const Code<literal
 }
 
 void writeCoded(const std::uint8_t* at, std::span<const PieceDeflater::Sequence> sequences, const BlockCodes& codes,
-                BitWriter& out)
+                BitWriter& writer)
 {
+    BitWriter out = writer;  // In registers: what is written could otherwise be the writer itself.
     for (const PieceDeflater::Sequence& sequence : sequences) {
         writeLiterals(at, sequence.literals, codes.literals, out);
         at += sequence.literals + sequence.length;
@@ -215,6 +215,7 @@ void writeCoded(const std::uint8_t* at, std::span<const PieceDeflater::Sequence>
     }
     codes.literals.put(endOfBlock, out);
     out.flush();
+    writer = out;
 }
 
 }  // namespace

@@ -2,6 +2,9 @@
 
 #include "render/image/piece_deflater.h"
 
+#include <bit>
+#include <cstring>
+
 namespace vitrine::render {
 
 /// Bits into bytes, lowest first.
@@ -22,7 +25,8 @@ public:
     /// Whole bytes go out; fewer than 8 bits stay.
     void flush()
     {
-        for (int i = 0; i < 8; ++i) at_[i] = static_cast<std::uint8_t>(held_ >> (8U * static_cast<unsigned>(i)));
+        const std::uint64_t low = std::endian::native == std::endian::little ? held_ : __builtin_bswap64(held_);
+        std::memcpy(at_, &low, sizeof low);
         const unsigned bytes = count_ / 8;
         at_ += bytes;
         held_ >>= 8 * bytes;
