@@ -146,6 +146,8 @@ void PngPieces::make(Piece& piece, Workplace& place) const
         }
     } catch (const std::bad_alloc&) {
         piece.problem = "memory is full";
+    } catch (const std::exception& failure) {
+        piece.problem = failure.what();
     }
 }
 

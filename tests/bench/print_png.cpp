@@ -11,6 +11,7 @@
 #include "render/image/png_rows.h"
 
 #include <png.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -172,7 +173,8 @@ struct Worst {
 
 void compare(const char* name, const Pixels& pixels, Worst& worst)
 {
-    const std::string path = (std::filesystem::temp_directory_path() / "vitrine-bench.png").string();
+    const std::string path =
+        (std::filesystem::temp_directory_path() / ("vitrine-bench-" + std::to_string(::getpid()) + ".png")).string();
     Times before;
     Times one;
     Times two;
