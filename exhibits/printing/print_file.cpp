@@ -96,8 +96,8 @@ std::vector<std::filesystem::path> writeRaster(const PrintLayout& layout, const 
     for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile) {
         paths.push_back(cuts.size() == 2 ? file.path : tilePath(file.path, tile));
         const render::StreamSpec spec{
-            cuts[tile + 1] - cuts[tile], layout.height(), file.bits,   settings.dpiX, settings.dpiY, file.compression,
-            layout.vertical(),           file.json,       file.profile};
+            cuts[tile + 1] - cuts[tile], layout.height(), file.bits,    settings.dpiX, settings.dpiY, file.compression,
+            layout.vertical(),           file.json,       file.profile, file.threads};
         streams.push_back(std::make_unique<render::PictureStream>(paths.back(), spec));
         if (file.bits == 16)
             writeColumns<std::uint16_t>(layout, source.sixteen, file, cuts[tile], cuts[tile + 1], *streams.back());

@@ -19,7 +19,7 @@ struct PrintFile {
     double tileWidth = 0;   ///< In millimeters: cut into files of about this width at cusps; 0: one file.
     std::string profile{};  ///< ICC profile of the views.
     std::string json{};
-    int threads = 1;
+    int threads = 1;  ///< That interlace, and as many more that deflate a PNG; the file is the same for any number.
     std::function<bool(double)> progress{};  ///< Told the part that is done, 0 to 1; false stops.
 };
 

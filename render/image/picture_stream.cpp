@@ -61,10 +61,10 @@ PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec
     const bool packed = isPng(path) || spec.compression != StreamCompression::none;
     requireSpace(path, packed ? bytes / 4 : bytes, ops);
     if (isPng(path)) {
-        pngRows_ =
-            std::make_unique<PngRows>(PngRowTarget{part_.path().string(), spec.width, spec.height, spec.bits, spec.dpiX,
-                                                   spec.dpiY, spec.likeRowAbove, printKey, spec.json, spec.profile},
-                                      ops);
+        pngRows_ = std::make_unique<PngRows>(PngRowTarget{part_.path().string(), spec.width, spec.height, spec.bits,
+                                                          spec.dpiX, spec.dpiY, spec.likeRowAbove, printKey, spec.json,
+                                                          spec.profile, spec.threads},
+                                             ops);
         if (const std::string why = pngRows_->begin(); !why.empty()) refuse(why);
         return;
     }

@@ -25,9 +25,10 @@ struct StreamSpec {
     int bits = 8;
     double dpiX = 0, dpiY = 0;
     StreamCompression compression = StreamCompression::none;  ///< Of TIFF; PNG is always deflated.
-    bool likeRowAbove = true;                                 ///< Rows resemble the one above (for PNG's filter).
-    std::string json{};     ///< What made it: TIFF's ImageDescription, PNG's text "vitrine:print".
-    std::string profile{};  ///< ICC profile; none when empty.
+    bool likeRowAbove = true;  ///< Rows resemble the one above (a hint for PNG's filter).
+    std::string json{};        ///< What made it: TIFF's ImageDescription, PNG's text "vitrine:print".
+    std::string profile{};     ///< ICC profile; none when empty.
+    int threads = 1;           ///< That deflate a PNG; the file is the same for any number.
 };
 
 /// Writes a TIFF (BigTIFF by itself beyond 4000 MiB) or PNG row by row, beside its target; memory does not

@@ -1,5 +1,7 @@
 #include "render/image/png_rows.h"
 
+#include "render/image/png_pieces.h"
+
 #include <fcntl.h>
 #include <png.h>
 
@@ -10,6 +12,7 @@
 #include <cstring>
 #include <new>
 
+// libpng writes what comes before the pixels, PngPieces the pixels.
 // libpng reports errors by longjmp: between setjmp and the calls into libpng stand only trivial locals.
 
 namespace vitrine::render {
@@ -21,16 +24,46 @@ struct PngRows::State {
     png_structp png = nullptr;
     png_infop info = nullptr;
     std::array<char, 200> problem{};
+    std::unique_ptr<PngPieces> pieces{};
+
+    void startPixels();
 };
 
 namespace {
 
-std::string said(const std::array<char, 200>& problem)
+constexpr std::array<std::uint8_t, 12> lastChunk = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};
+
+std::string said(const char* problem)
 {
-    return std::string("writing failed (") + problem.data() + ")";
+    return std::string("writing failed (") + problem + ")";
+}
+
+/// 0, or the error that writing all of it met.
+int writeAll(FileOps& ops, int fd, const std::uint8_t* bytes, std::size_t size)
+{
+    while (size > 0) {
+        const ssize_t wrote = ops.write(fd, bytes, size);
+        if (wrote < 0 && errno == EINTR) continue;
+        if (wrote <= 0) return wrote < 0 ? errno : ENOSPC;
+        bytes += wrote;
+        size -= static_cast<std::size_t>(wrote);
+    }
+    return 0;
 }
 
 }  // namespace
+
+void PngRows::State::startPixels()
+{
+    const auto pixelBytes = static_cast<std::size_t>(3 * target.bits / 8);
+    const PngPieces::Shape shape{static_cast<std::size_t>(target.width) * pixelBytes, pixelBytes,
+                                 target.bits == 16 && std::endian::native == std::endian::little,
+                                 target.likeRowAbove ? PngFilter::above : PngFilter::left};
+    pieces = std::make_unique<PngPieces>(shape, target.threads, [this](const std::uint8_t* bytes, std::size_t size) {
+        const int error = writeAll(ops, fd, bytes, size);
+        return error == 0 ? std::string() : said(std::strerror(error));
+    });
+}
 
 PngRows::PngRows(const PngRowTarget& target, FileOps& ops) : state_(new State{target, ops}) {}
 
@@ -52,13 +85,8 @@ std::string PngRows::begin()
     };
     const auto onWrite = [](png_structp png, png_bytep bytes, std::size_t size) {
         auto* state = static_cast<State*>(png_get_io_ptr(png));
-        while (size > 0) {
-            const ssize_t wrote = state->ops.write(state->fd, bytes, size);
-            if (wrote < 0 && errno == EINTR) continue;
-            if (wrote <= 0) png_error(png, std::strerror(wrote < 0 ? errno : ENOSPC));
-            bytes += wrote;
-            size -= static_cast<std::size_t>(wrote);
-        }
+        if (const int error = writeAll(state->ops, state->fd, bytes, size); error != 0)
+            png_error(png, std::strerror(error));
     };
     s.png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &s, onError, [](png_structp, png_const_charp) {});
     if (s.png) s.info = png_create_info_struct(s.png);
@@ -71,13 +99,9 @@ std::string PngRows::begin()
     text.key = const_cast<png_charp>(s.target.textKey.c_str());
     text.text = const_cast<png_charp>(s.target.text.c_str());
     text.itxt_length = s.target.text.size();
-    if (setjmp(png_jmpbuf(s.png))) return said(s.problem);  // NOLINT(cert-err52-cpp): libpng's own protocol.
+    if (setjmp(png_jmpbuf(s.png))) return said(s.problem.data());  // NOLINT(cert-err52-cpp): libpng's own protocol.
     png_set_write_fn(s.png, &s, onWrite, [](png_structp) {});
     png_set_user_limits(s.png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
-    png_set_compression_buffer_size(s.png, 1U << 18U);
-    // Beyond level 1 interlaced prints shrink little and take eight times as long.
-    png_set_compression_level(s.png, 1);
-    png_set_filter(s.png, PNG_FILTER_TYPE_BASE, s.target.likeRowAbove ? PNG_FILTER_UP : PNG_FILTER_SUB);
     png_set_IHDR(s.png, s.info, static_cast<png_uint_32>(s.target.width), static_cast<png_uint_32>(s.target.height),
                  s.target.bits, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
                  PNG_FILTER_TYPE_DEFAULT);
@@ -91,26 +115,23 @@ std::string PngRows::begin()
     png_set_pHYs(s.png, s.info, meterX, meterY, PNG_RESOLUTION_METER);
     if (!s.target.text.empty()) png_set_text(s.png, s.info, &text, 1);
     png_write_info(s.png, s.info);
-    if (s.target.bits == 16 && std::endian::native == std::endian::little) png_set_swap(s.png);
     return {};
 }
 
 std::string PngRows::write(const void* rows, std::int64_t count)
 {
-    State& s = *state_;
-    const std::size_t stride =
-        static_cast<std::size_t>(s.target.width) * 3 * static_cast<std::size_t>(s.target.bits / 8);
-    const auto* at = static_cast<png_const_bytep>(rows);
-    if (setjmp(png_jmpbuf(s.png))) return said(s.problem);  // NOLINT(cert-err52-cpp)
-    for (std::int64_t y = 0; y < count; ++y) png_write_row(s.png, at + static_cast<std::size_t>(y) * stride);
-    return {};
+    if (!state_->pieces) state_->startPixels();
+    return state_->pieces->write(static_cast<const std::uint8_t*>(rows), count);
 }
 
 std::string PngRows::close()
 {
     State& s = *state_;
-    if (setjmp(png_jmpbuf(s.png))) return said(s.problem);  // NOLINT(cert-err52-cpp)
-    png_write_end(s.png, s.info);
+    if (!s.pieces) return "there are no rows";
+    if (std::string why = s.pieces->finish(); !why.empty()) return why;
+    s.pieces.reset();
+    if (const int error = writeAll(s.ops, s.fd, lastChunk.data(), lastChunk.size()); error != 0)
+        return said(std::strerror(error));
     const int fd = s.fd;
     s.fd = -1;
     if (s.ops.close(fd) != 0) return std::string("closing it failed (") + std::strerror(errno) + ")";

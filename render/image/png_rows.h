@@ -16,9 +16,10 @@ struct PngRowTarget {
     std::int64_t height = 0;
     int bits = 8;
     double dpiX = 0, dpiY = 0;      ///< Rounded to whole dots per meter: the format has no fractions.
-    bool likeRowAbove = true;       ///< Filter Up; otherwise Sub.
+    bool likeRowAbove = true;       ///< Which filter is taken first, Up or Sub; every row may have another.
     std::string textKey{}, text{};  ///< An iTXt chunk, when there is text.
     std::string profile{};          ///< ICC profile; an sRGB chunk when empty.
+    int threads = 1;                ///< That filter and deflate; the file is the same for any number.
 };
 
 class PngRows {
@@ -32,6 +33,7 @@ public:
 
     [[nodiscard]] std::string begin();
     [[nodiscard]] std::string write(const void* rows, std::int64_t count);
+    /// After the last of `height` rows.
     [[nodiscard]] std::string close();
 
 private:

@@ -23,6 +23,7 @@ scene_evaluations cpu $tests/bench_scene_evaluations
 ice_cream_solids cpu $tests/bench_ice_cream_solids
 interlacing cpu $tests/bench_interlacing
 large_print cpu $tests/bench_large_print
+print_png cpu $tests/bench_print_png
 window_start gl xvfb-run -a $tests/bench_window_start
 window_latency gl xvfb-run -a -s -screen\ 0\ 1600x1000x24 $tests/bench_window_latency
 fur_costs gl $tests/bench_fur_costs

@@ -1,0 +1,224 @@
+#include "render/image/png_pieces.h"
+
+#include "render/image/piece_deflater.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <new>
+#include <optional>
+#include <span>
+#include <system_error>
+
+namespace vitrine::render {
+namespace {
+
+constexpr std::size_t pieceBytes = 1U << 19U;
+/// A chunk ends below 2^31 bytes, and PieceDeflater's pieces at 2^30.
+constexpr std::size_t mostAtOnce = 1U << 30U;
+constexpr std::size_t chunkHead = 8;
+/// A window of 32 KB, made by a fast method (P. Deutsch and J.-L. Gailly, RFC 1950, 1996).
+constexpr std::array<std::uint8_t, 2> zlibHead = {0x78, 0x01};
+/// An empty stored block, the last one.
+constexpr std::array<std::uint8_t, 5> lastBlock = {0x01, 0x00, 0x00, 0xFF, 0xFF};
+
+void putBigEndian(std::uint32_t value, std::uint8_t* at)
+{
+    for (unsigned i = 0; i < 4; ++i) at[i] = static_cast<std::uint8_t>(value >> (24 - 8 * i));
+}
+
+/// Room for a chunk's length and type at the end of `out`; returns where it begins.
+std::size_t beginChunk(std::vector<std::uint8_t>& out)
+{
+    const std::size_t begin = out.size();
+    out.resize(begin + chunkHead);
+    std::memcpy(out.data() + begin + 4, "IDAT", 4);
+    return begin;
+}
+
+void endChunk(std::vector<std::uint8_t>& out, std::size_t begin)
+{
+    const std::size_t size = out.size() - begin - chunkHead;
+    putBigEndian(static_cast<std::uint32_t>(size), out.data() + begin);
+    const auto crc = static_cast<std::uint32_t>(crc32_z(0, out.data() + begin + 4, size + 4));
+    out.resize(out.size() + 4);
+    putBigEndian(crc, out.data() + out.size() - 4);
+}
+
+/// The checksum of a zlib stream, over rows of `stride` bytes. Rows like the one above, of which prints have many, are
+/// zeros but for their first byte: the sum of the sums is known then (RFC 1950, 8.2).
+std::uint32_t adlerOf(std::span<const std::uint8_t> rows, std::size_t stride)
+{
+    constexpr std::uint64_t base = 65521;
+    auto adler = static_cast<std::uint32_t>(adler32_z(0, nullptr, 0));
+    for (std::size_t at = 0; at < rows.size(); at += stride) {
+        const std::uint8_t* row = rows.data() + at;
+        if (stride < 3 || row[1] != 0 || std::memcmp(row + 1, row + 2, stride - 2) != 0) {
+            adler = static_cast<std::uint32_t>(adler32_z(adler, row, stride));
+            continue;
+        }
+        const std::uint64_t low = ((adler & 0xFFFFU) + row[0]) % base;
+        const std::uint64_t high = ((adler >> 16U) + stride % base * low) % base;
+        adler = static_cast<std::uint32_t>(high << 16U | low);
+    }
+    return adler;
+}
+
+}  // namespace
+
+/// What one thread works with.
+struct PngPieces::Workplace {
+    std::optional<PieceDeflater> deflater{};  ///< Made where a lack of memory can be said.
+    std::vector<std::uint8_t> filtered{};
+};
+
+PngPieces::PngPieces(const Shape& shape, int threads, Put put)
+    : shape_(shape), put_(std::move(put)), rowsPerPiece_(std::max<std::size_t>(1, pieceBytes / (shape.rowBytes + 1)))
+{
+    const auto count = static_cast<std::size_t>(std::max(threads, 1));
+    for (std::size_t i = 0; i < count + 2; ++i) {
+        ring_.push_back(std::make_unique<Piece>());
+        ring_.back()->rows.resize(shape.rowBytes);
+    }
+    pieceAt(0).first = true;
+    start(static_cast<int>(count));
+}
+
+PngPieces::~PngPieces()
+{
+    {
+        const std::lock_guard lock(mutex_);
+        stop_ = true;
+    }
+    wanted_.notify_all();
+    for (std::thread& thread : threads_) thread.join();
+}
+
+void PngPieces::start(int threads)
+{
+    try {
+        for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+    } catch (const std::system_error&) {
+        // Those that there are do it; without any, the caller's does.
+    }
+}
+
+void PngPieces::work()
+{
+    Workplace place;
+    std::unique_lock lock(mutex_);
+    for (;;) {
+        wanted_.wait(lock, [&] { return stop_ || taken_ < submitted_; });
+        if (stop_) return;
+        Piece& piece = pieceAt(taken_++);
+        lock.unlock();
+        make(piece, place);
+        lock.lock();
+        piece.done = true;
+        made_.notify_one();
+    }
+}
+
+void PngPieces::make(Piece& piece, Workplace& place) const
+{
+    try {
+        if (!place.deflater) place.deflater.emplace();
+        if (shape_.swapped)
+            for (std::size_t i = 0; i + 1 < piece.rows.size(); i += 2) std::swap(piece.rows[i], piece.rows[i + 1]);
+        place.filtered.resize(piece.count * (shape_.rowBytes + 1));
+        PngFilter filter = shape_.filter;
+        for (std::size_t y = 0; y < piece.count; ++y) {
+            const std::uint8_t* above = piece.rows.data() + y * shape_.rowBytes;
+            filterPngRow(above + shape_.rowBytes, above, shape_.rowBytes, shape_.pixelBytes, filter,
+                         place.filtered.data() + y * (shape_.rowBytes + 1));
+        }
+        piece.filteredBytes = place.filtered.size();
+        piece.adler = adlerOf(place.filtered, shape_.rowBytes + 1);
+        piece.chunks.clear();
+        const std::span<const std::uint8_t> all(place.filtered);
+        for (std::size_t at = 0; at < all.size(); at += mostAtOnce) {
+            const std::size_t begin = beginChunk(piece.chunks);
+            if (piece.first && at == 0) piece.chunks.insert(piece.chunks.end(), zlibHead.begin(), zlibHead.end());
+            place.deflater->append(all.subspan(at, std::min(mostAtOnce, all.size() - at)), piece.chunks);
+            endChunk(piece.chunks, begin);
+        }
+    } catch (const std::bad_alloc&) {
+        piece.problem = "memory is full";
+    } catch (const std::exception& failure) {
+        piece.problem = failure.what();
+    }
+}
+
+/// Hands over the piece that was being filled.
+void PngPieces::submit()
+{
+    Piece& piece = pieceAt(submitted_);
+    if (threads_.empty()) {
+        Workplace place;
+        make(piece, place);
+        piece.done = true;
+        ++taken_;
+        ++submitted_;
+        return;
+    }
+    {
+        const std::lock_guard lock(mutex_);
+        ++submitted_;
+    }
+    wanted_.notify_one();
+}
+
+/// Waits for the oldest piece and writes it.
+std::string PngPieces::takeOldest()
+{
+    Piece& piece = pieceAt(written_);
+    {
+        std::unique_lock lock(mutex_);
+        made_.wait(lock, [&] { return piece.done; });
+    }
+    piece.done = false;
+    ++written_;
+    if (!piece.problem.empty()) return piece.problem;
+    adler_ =
+        static_cast<std::uint32_t>(adler32_combine(adler_, piece.adler, static_cast<z_off_t>(piece.filteredBytes)));
+    return put_(piece.chunks.data(), piece.chunks.size());
+}
+
+std::string PngPieces::write(const std::uint8_t* rows, std::int64_t count)
+{
+    for (auto left = static_cast<std::size_t>(count); left > 0;) {
+        Piece& piece = pieceAt(submitted_);
+        const std::size_t more = std::min(left, rowsPerPiece_ - piece.count);
+        piece.rows.insert(piece.rows.end(), rows, rows + more * shape_.rowBytes);
+        piece.count += more;
+        rows += more * shape_.rowBytes;
+        left -= more;
+        if (piece.count < rowsPerPiece_) break;
+        submit();
+        if (submitted_ - written_ == ring_.size())
+            if (std::string why = takeOldest(); !why.empty()) return why;
+        Piece& next = pieceAt(submitted_);
+        next.rows.assign(rows - shape_.rowBytes, rows);
+        next.count = 0;
+        next.first = false;
+    }
+    return {};
+}
+
+std::string PngPieces::finish()
+{
+    if (pieceAt(submitted_).count > 0) submit();
+    while (written_ < submitted_)
+        if (std::string why = takeOldest(); !why.empty()) return why;
+    std::vector<std::uint8_t> end;
+    const std::size_t begin = beginChunk(end);
+    end.insert(end.end(), lastBlock.begin(), lastBlock.end());
+    end.resize(end.size() + 4);
+    putBigEndian(adler_, end.data() + end.size() - 4);
+    endChunk(end, begin);
+    return put_(end.data(), end.size());
+}
+
+}  // namespace vitrine::render
