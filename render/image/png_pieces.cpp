@@ -2,6 +2,7 @@
 
 #include "render/image/piece_deflater.h"
 
+#include <isa-l.h>
 #include <zlib.h>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ void putBigEndian(std::uint32_t value, std::uint8_t* at)
 }
 
 /// Room for a chunk's length and type at the end of `out`; returns where it begins.
-std::size_t beginChunk(std::vector<std::uint8_t>& out)
+std::size_t openChunk(std::vector<std::uint8_t>& out)
 {
     const std::size_t begin = out.size();
     out.resize(begin + chunkHead);
@@ -38,32 +39,13 @@ std::size_t beginChunk(std::vector<std::uint8_t>& out)
     return begin;
 }
 
-void endChunk(std::vector<std::uint8_t>& out, std::size_t begin)
+void closeChunk(std::vector<std::uint8_t>& out, std::size_t begin)
 {
     const std::size_t size = out.size() - begin - chunkHead;
     putBigEndian(static_cast<std::uint32_t>(size), out.data() + begin);
-    const auto crc = static_cast<std::uint32_t>(crc32_z(0, out.data() + begin + 4, size + 4));
+    const std::uint32_t crc = crc32_gzip_refl(0, out.data() + begin + 4, size + 4);
     out.resize(out.size() + 4);
     putBigEndian(crc, out.data() + out.size() - 4);
-}
-
-/// The checksum of a zlib stream, over rows of `stride` bytes. Rows like the one above, of which prints have many, are
-/// zeros but for their first byte: the sum of the sums is known then (RFC 1950, 8.2).
-std::uint32_t adlerOf(std::span<const std::uint8_t> rows, std::size_t stride)
-{
-    constexpr std::uint64_t base = 65521;
-    auto adler = static_cast<std::uint32_t>(adler32_z(0, nullptr, 0));
-    for (std::size_t at = 0; at < rows.size(); at += stride) {
-        const std::uint8_t* row = rows.data() + at;
-        if (stride < 3 || row[1] != 0 || std::memcmp(row + 1, row + 2, stride - 2) != 0) {
-            adler = static_cast<std::uint32_t>(adler32_z(adler, row, stride));
-            continue;
-        }
-        const std::uint64_t low = ((adler & 0xFFFFU) + row[0]) % base;
-        const std::uint64_t high = ((adler >> 16U) + stride % base * low) % base;
-        adler = static_cast<std::uint32_t>(high << 16U | low);
-    }
-    return adler;
 }
 
 }  // namespace
@@ -135,14 +117,14 @@ void PngPieces::make(Piece& piece, Workplace& place) const
                          place.filtered.data() + y * (shape_.rowBytes + 1));
         }
         piece.filteredBytes = place.filtered.size();
-        piece.adler = adlerOf(place.filtered, shape_.rowBytes + 1);
+        piece.adler = isal_adler32(1, place.filtered.data(), place.filtered.size());
         piece.chunks.clear();
         const std::span<const std::uint8_t> all(place.filtered);
         for (std::size_t at = 0; at < all.size(); at += mostAtOnce) {
-            const std::size_t begin = beginChunk(piece.chunks);
+            const std::size_t begin = openChunk(piece.chunks);
             if (piece.first && at == 0) piece.chunks.insert(piece.chunks.end(), zlibHead.begin(), zlibHead.end());
             place.deflater->append(all.subspan(at, std::min(mostAtOnce, all.size() - at)), piece.chunks);
-            endChunk(piece.chunks, begin);
+            closeChunk(piece.chunks, begin);
         }
     } catch (const std::bad_alloc&) {
         piece.problem = "memory is full";
@@ -213,11 +195,11 @@ std::string PngPieces::finish()
     while (written_ < submitted_)
         if (std::string why = takeOldest(); !why.empty()) return why;
     std::vector<std::uint8_t> end;
-    const std::size_t begin = beginChunk(end);
+    const std::size_t begin = openChunk(end);
     end.insert(end.end(), lastBlock.begin(), lastBlock.end());
     end.resize(end.size() + 4);
     putBigEndian(adler_, end.data() + end.size() - 4);
-    endChunk(end, begin);
+    closeChunk(end, begin);
     return put_(end.data(), end.size());
 }
 

@@ -31,7 +31,7 @@ struct PngRows::State {
 
 namespace {
 
-constexpr std::array<std::uint8_t, 12> lastChunk = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};
+constexpr std::array<std::uint8_t, 12> endChunk = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};
 
 std::string said(const char* problem)
 {
@@ -130,7 +130,7 @@ std::string PngRows::close()
     if (!s.pieces) return "there are no rows";
     if (std::string why = s.pieces->finish(); !why.empty()) return why;
     s.pieces.reset();
-    if (const int error = writeAll(s.ops, s.fd, lastChunk.data(), lastChunk.size()); error != 0)
+    if (const int error = writeAll(s.ops, s.fd, endChunk.data(), endChunk.size()); error != 0)
         return said(std::strerror(error));
     const int fd = s.fd;
     s.fd = -1;

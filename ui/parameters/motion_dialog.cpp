@@ -89,7 +89,7 @@ Motion usualMotion(const ParameterInfo& row, const Value& now)
     motion.from = now;
     if (const double* number = std::get_if<double>(&now)) {
         const auto way = [&](double end) {
-            const bool byFactors = row.range.scale == logarithmic && *number > 0 && end > 0;
+            const bool byFactors = row.range.scale == Scale::logarithmic && *number > 0 && end > 0;
             return std::abs(byFactors ? std::log(end / *number) : end - *number);
         };
         const bool up = way(row.range.softHigh) >= way(row.range.softLow);
