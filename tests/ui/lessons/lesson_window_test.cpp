@@ -24,6 +24,11 @@ using namespace vitrine::ui;
 class LessonWindowTest : public test::OpenWindow {
     Q_OBJECT
 
+    void activate()
+    {
+        QApplication::setActiveWindow(window_.get());  // No window manager does it under Xvfb.
+        window_->viewport().setFocus();
+    }
     [[nodiscard]] LessonDesk& desk() { return window_->lessons(); }
     [[nodiscard]] QToolButton* button(const char* name)
     {
@@ -148,7 +153,7 @@ private slots:
     void keysAndLinksDoTheSame()
     {
         desk().open(goodLesson());
-        window_->viewport().setFocus();
+        activate();
         QTest::keyClick(&window_->viewport(), Qt::Key_PageDown, Qt::ControlModifier);
         QTRY_VERIFY(says("Step 1 of 2"));
         QTest::keyClick(&window_->viewport(), Qt::Key_PageUp, Qt::ControlModifier);
@@ -156,6 +161,7 @@ private slots:
         desk().next();
         emit desk().rowAsked(QStringLiteral("roughness"));
         QCOMPARE(window_->panel().filterText(), QStringLiteral("Roughness"));
+        activate();
         QTest::keyClick(&window_->viewport(), Qt::Key_L, Qt::ControlModifier | Qt::ShiftModifier);
         QTRY_VERIFY(!desk().lesson());
         window_->files().open(goodLesson());
@@ -231,7 +237,7 @@ private slots:
     void thePageOfTheVisitedExhibitOpensWithF1AndStartsItsLesson()
     {
         window_->choose(1);
-        window_->viewport().setFocus();
+        activate();
         QTest::keyClick(&window_->viewport(), Qt::Key_F1);
         QTRY_VERIFY(window_->findChild<PageDialog*>());
         auto* dialog = window_->findChild<PageDialog*>();
