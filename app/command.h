@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace CLI {
@@ -12,6 +13,10 @@ namespace vitrine::app {
 /// What `main` runs once the command line is read; its result is the exit code.
 using Action = std::function<int()>;
 
+/// Opens the window with these files; the exit code.
+int openWindow(int& argc, char** argv, const std::vector<std::string>& files);
+/// Takes the arguments of `main`, of which Qt has its own.
+void addOpenCommand(CLI::App&, Action& chosen, int& argc, char** argv);
 /// Each adds its sub-commands to the parser; the one that was given sets `chosen`.
 void addListCommand(CLI::App&, Action& chosen);
 void addRenderCommand(CLI::App&, Action& chosen);

@@ -1,7 +1,6 @@
 #include "app/command.h"
 #include "render/failure.h"
 #include "render/measure/memory.h"
-#include "ui/window/run_window.h"
 
 #include <CLI/CLI.hpp>
 
@@ -24,10 +23,8 @@ int parseAndRun(int argc, char** argv)
     parser.set_version_flag("--version", std::string("vitrine ") + VITRINE_VERSION);
     parser.set_help_flag("--help", "Print this help and exit");
     parser.require_subcommand(0, 1);
-    vitrine::app::Action chosen = [&] {
-        const int result = vitrine::ui::runWindow(argc, argv);
-        return result == vitrine::ui::noDisplay ? static_cast<int>(vitrine::Blame::openGl) : result;
-    };
+    vitrine::app::Action chosen = [&] { return vitrine::app::openWindow(argc, argv, {}); };
+    vitrine::app::addOpenCommand(parser, chosen, argc, argv);
     vitrine::app::addListCommand(parser, chosen);
     vitrine::app::addRenderCommand(parser, chosen);
     vitrine::app::addTourCommand(parser, chosen);

@@ -44,7 +44,7 @@ QFileDialog* fileDialog(QWidget* window, const QString& title, QFileDialog::Acce
     dialog->setAcceptMode(mode);
     dialog->setFileMode(mode == QFileDialog::AcceptOpen ? QFileDialog::ExistingFile : QFileDialog::AnyFile);
     dialog->setNameFilter(filter);
-    if (mode == QFileDialog::AcceptSave) dialog->setDefaultSuffix(QStringLiteral("json"));
+    if (mode == QFileDialog::AcceptSave) dialog->setDefaultSuffix(QStringLiteral("vitrine-preset.json"));
     return dialog;
 }
 

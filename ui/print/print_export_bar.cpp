@@ -75,7 +75,7 @@ void PrintExportBar::askSettings(bool save)
                         save ? tr("Settings (*.json)") : tr("Settings and prints (*.json *.tif *.png)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
-    dialog->setDefaultSuffix(save ? QStringLiteral("json") : QString());
+    dialog->setDefaultSuffix(save ? QStringLiteral("vitrine-print.json") : QString());
     connect(dialog, &QFileDialog::fileSelected, this,
             save ? &PrintExportBar::settingsSaved : &PrintExportBar::settingsLoaded);
     dialog->open();

@@ -107,7 +107,7 @@ void TreeFile::saveAs()
                                    document.writable ? file.absolutePath() : QString(), tr("JSON (*.json)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(QStringLiteral("json"));
+    dialog->setDefaultSuffix(QStringLiteral("vitrine-scene.json"));
     dialog->selectFile(file.fileName());
     connect(dialog, &QFileDialog::fileSelected, this, &TreeFile::saveTo);
     dialog->open();

@@ -2,15 +2,18 @@
 
 #include "exhibits/exhibits.h"
 #include "render/failure.h"
+#include "render/files/assets.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_format.h"
 #include "ui/window/application.h"
 #include "ui/window/first_picture.h"
+#include "ui/window/file_opener.h"
 #include "ui/window/main_window.h"
 #include "ui/window/theme_choice.h"
 
+#include <QIcon>
 #include <QSurfaceFormat>
 
 #include <clocale>
@@ -24,7 +27,7 @@ bool hasDisplay()
            !qEnvironmentVariableIsEmpty("QT_QPA_PLATFORM");
 }
 
-int runWindow(int& argc, char** argv)
+int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
 {
     if (!hasDisplay()) {
         std::fprintf(stderr,
@@ -39,7 +42,9 @@ int runWindow(int& argc, char** argv)
     std::setlocale(LC_NUMERIC, "C");  // QApplication took the user's; numbers in shaders and files have points.
     QApplication::setApplicationName(QStringLiteral("vitrine"));
     QApplication::setApplicationDisplayName(QStringLiteral("Vitrine"));
-    QApplication::setDesktopFileName(QStringLiteral("vitrine"));
+    QApplication::setDesktopFileName(QStringLiteral("org.vitrine.Vitrine"));
+    QApplication::setWindowIcon(QIcon(
+        QString::fromStdString(render::asset("icons/vitrine_256.png").string())));
     if (const QString why = whyNoOpenGl(); !why.isEmpty()) {
         std::fprintf(stderr, "vitrine: %s\n", qPrintable(why));
         return static_cast<int>(Blame::openGl);
@@ -52,6 +57,7 @@ int runWindow(int& argc, char** argv)
                      [&window](const QString& message) { window.say(MessageStrip::Mood::problem, message); });
     reportFirstPicture(window.viewport(), window);
     window.show();
+    for (const std::string& file : files) window.files().open(QString::fromStdString(file));
     return QApplication::exec();
 }
 

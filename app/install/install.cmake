@@ -1,0 +1,51 @@
+# What `cmake --install` puts where, and the Debian package that `cpack` makes of it, of a build tree that is built.
+# The program finds its assets in share/vitrine and its two modules in lib/vitrine from where it lies itself.
+
+set(vitrine_generated ${PROJECT_BINARY_DIR}/app/install)
+set(vitrine_install ${PROJECT_SOURCE_DIR}/app/install)
+
+install(TARGETS vitrine RUNTIME DESTINATION bin)
+install(TARGETS vitrine_oiio vitrine_video LIBRARY DESTINATION lib/vitrine)
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION share/vitrine
+        PATTERN "*.py" EXCLUDE PATTERN "*.sh" EXCLUDE PATTERN "*.blend*" EXCLUDE PATTERN "__pycache__" EXCLUDE
+        PATTERN "pictures" EXCLUDE)
+foreach(size 16 22 24 32 48 64 128 256 512)
+    install(FILES ${PROJECT_SOURCE_DIR}/assets/icons/vitrine_${size}.png
+            DESTINATION share/icons/hicolor/${size}x${size}/apps RENAME org.vitrine.Vitrine.png)
+endforeach()
+install(FILES ${PROJECT_SOURCE_DIR}/assets/icons/vitrine.svg
+        DESTINATION share/icons/hicolor/scalable/apps RENAME org.vitrine.Vitrine.svg)
+install(FILES ${vitrine_install}/org.vitrine.Vitrine.desktop DESTINATION share/applications)
+install(FILES ${vitrine_install}/org.vitrine.Vitrine.metainfo.xml DESTINATION share/metainfo)
+install(FILES ${vitrine_install}/org.vitrine.Vitrine.mime.xml DESTINATION share/mime/packages RENAME org.vitrine.Vitrine.xml)
+
+# The help texts are the one home of what commands and options are: manual page and completion are made of them at install.
+install(CODE "
+execute_process(COMMAND sh ${vitrine_install}/help_texts.sh $<TARGET_FILE:vitrine> ${vitrine_generated} COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES ${vitrine_generated}/vitrine.1.gz DESTINATION share/man/man1)
+install(FILES ${vitrine_generated}/vitrine.bash DESTINATION share/bash-completion/completions RENAME vitrine)
+install(FILES ${vitrine_generated}/_vitrine DESTINATION share/zsh/vendor-completions)
+
+install(FILES ${vitrine_install}/copyright ${vitrine_generated}/changelog.gz DESTINATION share/doc/vitrine)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME vitrine)
+set(CPACK_PACKAGE_CONTACT "The developers of Vitrine <vitrine@localhost>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "museum and workbench of real-time rendering techniques")
+set(CPACK_PACKAGE_DESCRIPTION "Walk through a hall, stand before an exhibit, drag its sliders, and see what every
+quality setting costs: fur, signed distance fields, clouds, pixel art, beams of
+light and more. Interlaces views for lenticular prints, and measures what
+accuracy costs. Works without a graphics card, and from the command line
+without a display.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Opened at run time, hence in no list of the linker: OpenGL, the driver for machines without a graphics card, SVG icons.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1, libgl1-mesa-dri, libegl-mesa0, libglx-mesa0, fonts-dejavu-core")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-wayland")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_OUTPUT_FILE_PREFIX ${PROJECT_BINARY_DIR}/packages)
+include(CPack)

@@ -1,0 +1,27 @@
+#include "app/command.h"
+#include "render/failure.h"
+#include "ui/window/run_window.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace vitrine::app {
+
+int openWindow(int& argc, char** argv, const std::vector<std::string>& files)
+{
+    const int result = ui::runWindow(argc, argv, files);
+    return result == ui::noDisplay ? static_cast<int>(Blame::openGl) : result;
+}
+
+void addOpenCommand(CLI::App& parser, Action& chosen, int& argc, char** argv)
+{
+    CLI::App* command = parser.add_subcommand("open", "Open the window with files: presets, prints, scenes, models");
+    auto files = std::make_shared<std::vector<std::string>>();
+    command->add_option("files", *files, "What the window takes when it is dropped there")->check(CLI::ExistingFile);
+    command->callback([&chosen, &argc, argv, files] {
+        chosen = [&argc, argv, files] { return openWindow(argc, argv, *files); };
+    });
+}
+
+}  // namespace vitrine::app
