@@ -19,9 +19,8 @@ void addOpenCommand(CLI::App& parser, Action& chosen, int& argc, char** argv)
     CLI::App* command = parser.add_subcommand("open", "Open the window with files: presets, prints, scenes, models");
     auto files = std::make_shared<std::vector<std::string>>();
     command->add_option("files", *files, "What the window takes when it is dropped there")->check(CLI::ExistingFile);
-    command->callback([&chosen, &argc, argv, files] {
-        chosen = [&argc, argv, files] { return openWindow(argc, argv, *files); };
-    });
+    command->callback(
+        [&chosen, &argc, argv, files] { chosen = [&argc, argv, files] { return openWindow(argc, argv, *files); }; });
 }
 
 }  // namespace vitrine::app

@@ -49,8 +49,9 @@ void ParameterPanel::addMotionTo(QMenu& menu, std::size_t row)
     const ParameterInfo& info = values().rows()[row];
     menu.addSeparator();
     const std::string_view why = whyUnmoved(info);
-    QAction* animate = menu.addAction(
-        tr("Animate…"), this, [this, row] { (new MotionDialog(history_, exhibit_, row, this))->openOver(*rows_[row]); });
+    QAction* animate = menu.addAction(tr("Animate…"), this, [this, row] {
+        (new MotionDialog(history_, exhibit_, row, this))->openOver(*rows_[row]);
+    });
     animate->setEnabled(why.empty());
     animate->setToolTip(text(why));
     menu.setToolTipsVisible(true);

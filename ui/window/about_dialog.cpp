@@ -5,7 +5,6 @@
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QLabel>
-#include <QPainter>
 #include <QVBoxLayout>
 
 namespace vitrine::ui {
@@ -13,25 +12,8 @@ namespace vitrine::ui {
 QIcon programIcon()
 {
     QIcon icon;
-    for (const int side : {16, 24, 32, 48, 64, 128, 256}) {
-        QPixmap picture(side, side);
-        picture.fill(Qt::transparent);
-        QPainter painter(&picture);
-        painter.setRenderHint(QPainter::Antialiasing);
-        painter.scale(side / 64.0, side / 64.0);
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(QColor(0x5c, 0x3d, 0x22));
-        painter.drawRoundedRect(QRectF(8, 50, 48, 10), 2, 2);
-        painter.setBrush(QColor(0xd7, 0xe4, 0xea));
-        painter.drawRoundedRect(QRectF(11, 4, 42, 46), 3, 3);
-        painter.setBrush(Qt::NoBrush);
-        painter.setPen(QPen(QColor(0xc8, 0x5a, 0x24), 8));
-        painter.drawEllipse(QPointF(32, 31), 11, 11);
-        painter.setPen(QPen(QColor(0x8a, 0x6b, 0x3f), 3));
-        painter.drawRoundedRect(QRectF(11, 4, 42, 46), 3, 3);
-        painter.end();
-        icon.addPixmap(picture);
-    }
+    for (const int side : {16, 22, 24, 32, 48, 64, 128, 256})
+        icon.addFile(QString::fromStdString(render::asset("icons/vitrine_" + std::to_string(side) + ".png").string()));
     return icon;
 }
 

@@ -2,18 +2,16 @@
 
 #include "exhibits/exhibits.h"
 #include "render/failure.h"
-#include "render/files/assets.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
 #include "ui/viewport/viewport_format.h"
 #include "ui/window/application.h"
-#include "ui/window/first_picture.h"
 #include "ui/window/file_opener.h"
+#include "ui/window/first_picture.h"
 #include "ui/window/main_window.h"
 #include "ui/window/theme_choice.h"
 
-#include <QIcon>
 #include <QSurfaceFormat>
 
 #include <clocale>
@@ -43,8 +41,6 @@ int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
     QApplication::setApplicationName(QStringLiteral("vitrine"));
     QApplication::setApplicationDisplayName(QStringLiteral("Vitrine"));
     QApplication::setDesktopFileName(QStringLiteral("org.vitrine.Vitrine"));
-    QApplication::setWindowIcon(QIcon(
-        QString::fromStdString(render::asset("icons/vitrine_256.png").string())));
     if (const QString why = whyNoOpenGl(); !why.isEmpty()) {
         std::fprintf(stderr, "vitrine: %s\n", qPrintable(why));
         return static_cast<int>(Blame::openGl);

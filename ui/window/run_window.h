@@ -13,8 +13,8 @@ namespace vitrine::ui {
 /// decides what to do without one.
 inline constexpr int noDisplay = 64;
 
-/// Opens the workbench with `files` put where they belong and runs it until it is closed. Returns the exit code: 3 without OpenGL 4.5, with
-/// one sentence on standard error. Throws Failure when the museum cannot be built.
+/// Opens the workbench with `files` put where they belong and runs it until it is closed. Returns the exit code: 3
+/// without OpenGL 4.5, with one sentence on standard error. Throws Failure when the museum cannot be built.
 [[nodiscard]] int runWindow(int& argc, char** argv, const std::vector<std::string>& files = {});
 
 }  // namespace vitrine::ui

@@ -1,0 +1,62 @@
+#!/bin/sh
+# install_test.sh BUILD: installs a built tree into an empty folder and looks at what lies there with the tools of the
+# desktop, as far as they are here; then makes the Debian package and asks lintian. Exit 77: none of the tools is here.
+set -e
+build=$1
+root=$(mktemp -d)
+trap 'rm -rf "$root"' EXIT
+asked=0
+
+fail() {
+    echo "install_test: $*" >&2
+    exit 1
+}
+# has TOOL: whether it is here; says so where it is not.
+has() {
+    if command -v "$1" >/dev/null 2>&1; then
+        asked=$((asked + 1))
+        return 0
+    fi
+    echo "not asked, because it is not installed: $1"
+    return 1
+}
+
+cmake --install "$build" --prefix "$root/usr" >"$root/log" || { cat "$root/log"; fail "cmake --install failed"; }
+share=$root/usr/share
+for file in bin/vitrine lib/vitrine/libvitrine_oiio.so lib/vitrine/libvitrine_video.so share/vitrine/presets/fur/cat.json \
+    share/applications/org.vitrine.Vitrine.desktop share/icons/hicolor/48x48/apps/org.vitrine.Vitrine.png share/man/man1/vitrine.1.gz; do
+    [ -e "$root/usr/$file" ] || fail "$file was not installed"
+done
+if find "$root/usr" -name '*.py' -o -name '*.sh' -o -name '*.h' -o -name '*.a' | grep .; then fail "these serve only who builds it"; fi
+
+# It runs where it lies, from its own assets and modules.
+cd "$root"
+mv "$root/usr" "$root/elsewhere"
+"$root/elsewhere/bin/vitrine" render fur --size 32x18 --samples 1 --alone --out "$root/picture.tif"
+[ -s "$root/picture.tif" ] || fail "the installed program drew nothing"
+"$root/elsewhere/bin/vitrine" doctor | grep -q "$root/elsewhere/share/vitrine" || fail "it has its assets from somewhere else"
+mv "$root/elsewhere" "$root/usr"
+
+if has desktop-file-validate; then
+    desktop-file-validate "$share/applications/org.vitrine.Vitrine.desktop" || fail "the desktop file is wrong"
+fi
+if has appstreamcli; then
+    appstreamcli validate --no-net "$share/metainfo/org.vitrine.Vitrine.metainfo.xml" || fail "the AppStream file is wrong"
+fi
+if has xmllint; then xmllint --noout "$share/mime/packages/org.vitrine.Vitrine.xml"; fi
+if has mandoc; then
+    gzip -dc "$share/man/man1/vitrine.1.gz" >"$root/vitrine.1"
+    mandoc -T lint -W warning "$root/vitrine.1" || fail "the manual page is wrong"
+fi
+if has bash; then
+    words=$(bash -c '. "$1"; COMP_WORDS=(vitrine ren); COMP_CWORD=1; _vitrine; echo "${COMPREPLY[@]}"' - \
+        "$share/bash-completion/completions/vitrine")
+    [ "$words" = render ] || fail "bash completes \"ren\" to \"$words\""
+fi
+if has zsh; then zsh -n "$share/zsh/vendor-completions/_vitrine" || fail "the completion for zsh is wrong"; fi
+
+if has dpkg-shlibdeps && has lintian; then
+    (cd "$build" && cpack -G DEB -B "$root/packages") >"$root/log" 2>&1 || { cat "$root/log"; fail "cpack failed"; }
+    lintian --fail-on error,warning "$root"/packages/vitrine_*.deb || fail "lintian has something against the package"
+fi
+[ "$asked" -gt 0 ] || exit 77
