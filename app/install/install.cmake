@@ -1,11 +1,11 @@
 # What `cmake --install` puts where, and the Debian package that `cpack` makes of it, of a build tree that is built.
-# The program finds its assets in share/vitrine and its two modules in lib/vitrine from where it lies itself.
+# The program finds its assets in share/vitrine and its two modules in lib/vitrine/modules from where it lies itself.
 
 set(vitrine_generated ${PROJECT_BINARY_DIR}/app/install)
 set(vitrine_install ${PROJECT_SOURCE_DIR}/app/install)
 
 install(TARGETS vitrine RUNTIME DESTINATION bin)
-install(TARGETS vitrine_oiio vitrine_video LIBRARY DESTINATION lib/vitrine)
+install(TARGETS vitrine_oiio vitrine_video LIBRARY DESTINATION lib/vitrine/modules)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION share/vitrine
         PATTERN "*.py" EXCLUDE PATTERN "*.sh" EXCLUDE PATTERN "*.blend*" EXCLUDE PATTERN "__pycache__" EXCLUDE
         PATTERN "pictures" EXCLUDE)
@@ -27,16 +27,17 @@ install(FILES ${vitrine_generated}/vitrine.bash DESTINATION share/bash-completio
 install(FILES ${vitrine_generated}/_vitrine DESTINATION share/zsh/vendor-completions)
 
 install(FILES ${vitrine_install}/copyright ${vitrine_generated}/changelog.gz DESTINATION share/doc/vitrine)
+install(FILES ${vitrine_install}/lintian_overrides DESTINATION share/lintian/overrides RENAME vitrine)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME vitrine)
 set(CPACK_PACKAGE_CONTACT "The developers of Vitrine <vitrine@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "museum and workbench of real-time rendering techniques")
-set(CPACK_PACKAGE_DESCRIPTION "Walk through a hall, stand before an exhibit, drag its sliders, and see what every
-quality setting costs: fur, signed distance fields, clouds, pixel art, beams of
-light and more. Interlaces views for lenticular prints, and measures what
-accuracy costs. Works without a graphics card, and from the command line
-without a display.")
+set(CPACK_PACKAGE_DESCRIPTION "Walk through a hall, stand before an exhibit,
+drag its sliders, and see what every quality setting costs: fur, clouds,
+signed distance fields, pixel art, beams of light and more. Interlaces views
+for lenticular prints, and measures what accuracy costs. Works without a
+graphics card, and from the command line without a display.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)

@@ -14,7 +14,7 @@ void* openModule(const ModuleFile& file, const std::function<void*(void*)>& made
     std::error_code error;
     const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
     const std::array<fs::path, 4> places = {here / file.name, here.parent_path() / file.name,
-                                            here.parent_path() / "lib" / "vitrine" / file.name, file.built};
+                                            here.parent_path() / "lib" / "vitrine" / "modules" / file.name, file.built};
     std::string problems;
     for (const fs::path& place : places) {
         if (!fs::exists(place, error)) continue;

@@ -15,9 +15,9 @@ struct ModuleFile {
     std::string needs;            ///< "OpenImageIO", for messages.
 };
 
-/// Looks for it beside the running program, one folder up, in ../lib/vitrine, and where it was built, and opens the
-/// first whose symbol `made` turns into something (null: it belongs to another version). It is never closed: threads
-/// of what it links would outlive their code. Throws Failure (Blame::file) when none can be opened.
+/// Looks for it beside the running program, one folder up, in ../lib/vitrine/modules, and where it was built, and opens
+/// the first whose symbol `made` turns into something (null: it belongs to another version). It is never closed:
+/// threads of what it links would outlive their code. Throws Failure (Blame::file) when none can be opened.
 [[nodiscard]] void* openModule(const ModuleFile&, const std::function<void*(void* symbol)>& made);
 
 }  // namespace vitrine::render

@@ -101,7 +101,7 @@ public:
 };
 
 /// The codec; opens the module on the first call, from any thread. The module `vitrine_oiio` is looked for
-/// beside the running program, one folder up, in ../lib/vitrine, and where it was built.
+/// beside the running program, one folder up, in ../lib/vitrine/modules, and where it was built.
 /// Throws Failure when it cannot be opened.
 [[nodiscard]] OiioCodec& oiioCodec();
 
