@@ -53,6 +53,10 @@ if has bash; then
         "$share/bash-completion/completions/vitrine")
     [ "$words" = render ] || fail "bash completes \"ren\" to \"$words\""
 fi
+if has flatpak-builder; then
+    flatpak-builder --show-manifest "$(dirname "$0")/../../app/install/org.vitrine.Vitrine.yml" >"$root/manifest" ||
+        fail "the Flatpak manifest is wrong"
+fi
 if has zsh; then zsh -n "$share/zsh/vendor-completions/_vitrine" || fail "the completion for zsh is wrong"; fi
 
 if has dpkg-shlibdeps && has lintian; then
