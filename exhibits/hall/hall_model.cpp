@@ -80,8 +80,9 @@ HallModel::HallModel()
     std::future<render::Model> geometry =
         std::async(std::launch::async, [] { return render::loadGltf(render::asset("models/hall.glb")); });
     try {
+        std::future<void> lightmaps = std::async(std::launch::async, [this] { readLightmaps(); });
         readMaterials();
-        readLightmaps();
+        lightmaps.get();
     } catch (const Json::exception& error) {
         throw Failure(Blame::file,
                       "assets/models/materials.json, hall_light.json, hall_bounce.json or hall_lamps.json: " +

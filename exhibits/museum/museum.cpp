@@ -3,6 +3,7 @@
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/walk.h"
+#include "exhibits/kit/blue_noise.h"
 
 #include <algorithm>
 #include <cassert>
@@ -22,7 +23,8 @@ std::vector<ExhibitSlot> slotsOf(const std::vector<std::unique_ptr<Exhibit>>& ex
 }  // namespace
 
 Museum::Museum(std::vector<std::unique_ptr<Exhibit>> exhibits)
-    : model_(std::make_shared<const HallModel>()), owned_(std::move(exhibits)),
+    : blueNoise_(std::async(std::launch::async, [] { (void)blueNoise(); })),
+      model_(std::make_shared<const HallModel>()), owned_(std::move(exhibits)),
       hall_(std::make_unique<const Hall>(model_, slotsOf(owned_))), subjects_{hall_.get()},
       assets_(std::make_unique<render::AssetStore>())
 {

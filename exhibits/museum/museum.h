@@ -7,6 +7,7 @@
 #include "exhibits/museum/scene_state.h"
 
 #include <filesystem>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string_view>
@@ -142,6 +143,7 @@ private:
     [[nodiscard]] std::vector<render::LocalLight> lampsOf(const Prepared&, const std::vector<Present>&,
                                                           bool alone) const;
 
+    std::future<void> blueNoise_;  ///< Made while the hall is read; most frames ask for it.
     std::shared_ptr<const HallModel> model_;
     std::vector<std::unique_ptr<Exhibit>> owned_;
     std::unique_ptr<const Hall> hall_;

@@ -6,6 +6,7 @@
 #include "render/gl/frame_block.h"
 #include "render/gl/frame_clock.h"
 #include "render/gl/framebuffers.h"
+#include "render/gl/mipmaps.h"
 #include "render/gl/pass_state.h"
 #include "render/gl/program_cache.h"
 #include "render/gl/resources.h"
@@ -216,7 +217,7 @@ struct Renderer::State {
         if (std::any_of(pass.buffers.begin(), pass.buffers.end(),
                         [](const BufferUse& use) { return use.access != Access::read; }))
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-        for (const std::string& name : pass.mipmaps) resources.target(name).makeMipmaps();
+        for (const std::string& name : pass.mipmaps) makeMipmaps(resources.target(name), programs);
         // A part that another program drew is drawn again by the right one.
         if (pass.parts == 1 || (pass.past.endPart == pass.parts && used.standIn.empty()))
             for (const std::string& name : outputsOf(pass)) resources.finished(name);

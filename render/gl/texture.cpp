@@ -1,6 +1,7 @@
 #include "render/gl/texture.h"
 
 #include "render/failure.h"
+#include "render/image/mipmap.h"
 
 #include <algorithm>
 #include <bit>
@@ -66,6 +67,16 @@ int bytesOfTexel(Format format)
     return 4;
 }
 
+void upload(GLuint name, int level, const PixelFormat& format, const render::Texture& picture)
+{
+    const void* data = picture.floats.empty() ? static_cast<const void*>(picture.bytes.data()) : picture.floats.data();
+    if (picture.layers > 1)
+        glTextureSubImage3D(name, level, 0, 0, 0, picture.width, picture.height, picture.layers, format.external,
+                            format.type, data);
+    else
+        glTextureSubImage2D(name, level, 0, 0, picture.width, picture.height, format.external, format.type, data);
+}
+
 void setParameter(GLuint name, GLenum parameter, GLenum value)
 {
     glTextureParameteri(name, parameter, static_cast<GLint>(value));
@@ -90,13 +101,12 @@ GLenum internalFormat(Format format)
 
 Texture::Texture(const ImageInfo& info, glm::ivec2 size)
     : name_(create(targetOf(info.type))), size_(size), layers_(info.type == TextureType::cube ? 6 : info.layers),
-      levels_(info.levels), texelBytes_(bytesOfTexel(info.format)), volume_(info.type == TextureType::volume),
-      format_(info.format)
+      levels_(info.levels), texelBytes_(bytesOfTexel(info.format)), type_(info.type), format_(info.format)
 {
     const GLuint name = name_.name();
     while (glGetError() != GL_NO_ERROR) {
     }
-    if (info.type == TextureType::array || volume_)
+    if (info.type == TextureType::array || info.type == TextureType::volume)
         glTextureStorage3D(name, info.levels, internalFormat(info.format), size.x, size.y, info.layers);
     else
         glTextureStorage2D(name, info.levels, internalFormat(info.format), size.x, size.y);
@@ -129,18 +139,18 @@ Texture::Texture(const render::Texture& picture)
     const GLuint name = name_.name();
     const PixelFormat format = pixelFormat(picture);
     const int levels = levels_;
-    const void* data = picture.floats.empty() ? static_cast<const void*>(picture.bytes.data()) : picture.floats.data();
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    if (picture.layers > 1) {
+    if (picture.layers > 1)
         glTextureStorage3D(name, levels, format.internal, picture.width, picture.height, picture.layers);
-        glTextureSubImage3D(name, 0, 0, 0, 0, picture.width, picture.height, picture.layers, format.external,
-                            format.type, data);
-    } else {
+    else
         glTextureStorage2D(name, levels, format.internal, picture.width, picture.height);
-        glTextureSubImage2D(name, 0, 0, 0, picture.width, picture.height, format.external, format.type, data);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    upload(name, 0, format, picture);
+    render::Texture smaller;
+    for (int level = 1; level < levels; ++level) {
+        smaller = halved(level == 1 ? picture : smaller);
+        upload(name, level, format, smaller);
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    if (levels > 1) glGenerateTextureMipmap(name);
     setParameter(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     setParameter(name, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
     const GLenum wrap = picture.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
@@ -153,7 +163,7 @@ std::int64_t Texture::bytes() const
 {
     std::int64_t texels = 0;
     for (int level = 0; level < levels_; ++level) {
-        const int layers = volume_ ? std::max(layers_ >> level, 1) : layers_;
+        const int layers = type_ == TextureType::volume ? std::max(layers_ >> level, 1) : layers_;
         texels += static_cast<std::int64_t>(size(level).x) * size(level).y * layers;
     }
     return texels * texelBytes_;

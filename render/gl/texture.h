@@ -25,7 +25,8 @@ public:
     void bind(int unit) const { glBindTextureUnit(static_cast<GLuint>(unit), name_.name()); }
     /// Fills all of level 0 with zeros: black, as far as can be.
     void clear() const;
-    void makeMipmaps() const { glGenerateTextureMipmap(name_.name()); }
+    [[nodiscard]] int levels() const { return levels_; }
+    [[nodiscard]] TextureType type() const { return type_; }
     void abandon() { name_.abandon(); }
 
 private:
@@ -34,7 +35,7 @@ private:
     int layers_ = 1;
     int levels_ = 1;
     int texelBytes_ = 4;
-    bool volume_ = false;  ///< Its layers halve from level to level, too.
+    TextureType type_ = TextureType::flat;  ///< Of a volume the layers halve from level to level, too.
     Format format_ = Format::rgba8;
 };
 

@@ -14,6 +14,7 @@ using Attach = render::Attachment;
 
 using Framebuffers = test::RendererTest;
 using OwnPixels = test::RendererTest;
+using CubeMipmaps = test::RendererTest;
 using Volume = test::RendererTest;
 using HistoryImage = test::RendererTest;
 using PartsOfWork = test::RendererTest;
@@ -24,6 +25,42 @@ constexpr const char* temporalInclude = "#include \"lib/temporal.glsl\"\n";
 constexpr const char* sourceSampler =
     "#include \"lib/bindings.glsl\"\nlayout(binding = UNIT_SOURCE) uniform sampler2D source;\n";
 constexpr int unitSource = 12;  // UNIT_SOURCE
+
+// ---- mipmaps
+
+TEST_F(CubeMipmaps, AreTheMeansOfFourTexelsOfTheirFace)
+{
+    // A side that is no power of two is halved by the driver: the control, which the means of a ramp fit as well.
+    for (const int side : {8, 12}) {
+        FramePlan plan = planOf({6, 4});
+        plan.image({.name = "cube", .type = TextureType::cube, .size = {side, side}, .layers = 6, .levels = 4});
+        for (int face = 0; face < 6; ++face) {
+            Pass pass = fill("face " + std::to_string(face), "cube",
+                             "color = vec4(gl_FragCoord.x, gl_FragCoord.y * gl_FragCoord.x, float(" +
+                                 std::to_string(face) + "), 1.0);");
+            pass.colors = {Attach::slice("cube", face)};
+            if (face == 5) pass.mipmaps = {"cube"};
+            plan.add(std::move(pass));
+        }
+        Pass look =
+            fill("look", "frame", "color = textureLod(cube, directions[int(gl_FragCoord.x)], floor(gl_FragCoord.y));",
+                 "#include \"lib/bindings.glsl\"\nlayout(binding = UNIT_SOURCE) uniform samplerCube cube;\n"
+                 "const vec3 directions[6] = vec3[](vec3(1, 0, 0), vec3(-1, 0, 0), vec3(0, 1, 0), vec3(0, -1, 0), "
+                 "vec3(0, 0, 1), vec3(0, 0, -1));\n");
+        look.inputs = {{unitSource, std::string("cube")}};
+        plan.add(std::move(look));
+        (void)draw(plan);
+        const Image frame = renderer().read("frame");
+        for (int face = 0; face < 6; ++face)
+            for (int level = 0; level < 4; ++level) {
+                // The middle of a face, between texels that are means: of a ramp and of its product, its own middle.
+                const int row = frame.height - 1 - level;
+                EXPECT_NEAR(frame.at(face, row, 0), side / 2.0, 0.05) << side << ", level " << level;
+                EXPECT_NEAR(frame.at(face, row, 2), face, 0.01) << side << ", level " << level;
+                EXPECT_GT(frame.at(face, row, 1), side * side / 4.0 - 0.1) << side << ", level " << level;
+            }
+    }
+}
 
 // ---- framebuffers
 
