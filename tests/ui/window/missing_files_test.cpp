@@ -4,6 +4,7 @@
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
 #include "render/plan/frame_plan.h"
+#include "tests/ui/few_samples.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_panel.h"
@@ -113,6 +114,7 @@ class MissingFilesTest : public QObject {
         });
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
+        vitrine::test::takeFewSamples(*window_, 1);
         drawAnother();
     }
     /// The window draws: it lives.

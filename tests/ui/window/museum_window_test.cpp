@@ -4,6 +4,7 @@
 #include "render/failure.h"
 #include "render/image/image_io.h"
 #include "render/measure/clock.h"
+#include "tests/ui/few_samples.h"
 #include "ui/charts/charts_dock.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
@@ -57,6 +58,7 @@ class MuseumWindowTest : public QObject {
         window_->resize(1000, 560);  // A small picture: a software renderer draws it too.
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
+        vitrine::test::takeFewSamples(*window_, 2);
         QTRY_VERIFY(window_->viewport().picturesDrawn() > 0);
     }
     void settle() { QTRY_VERIFY(window_->viewport().schedule().still()); }
@@ -180,7 +182,7 @@ private slots:
         // The object fills a good part of the picture: another shape is no rounding.
         QVERIFY2(difference(before, after) > 1, qPrintable(QString::number(difference(before, after))));
         window_->history().stack().undo();
-        // Same inputs, same picture; the average of sixteen samples is kept in half floats.
+        // Same inputs, same picture; the average of two samples is kept in half floats.
         QVERIFY2(difference(before, picture()) < 0.5, qPrintable(QString::number(difference(before, picture()))));
         window_->history().stack().redo();
         window_->shelf().saveUnder("Half melted");
@@ -240,9 +242,6 @@ private slots:
     void theLedgersSwitchRunsEverythingAndChangesNoPixel()
     {
         window_->visit(exhibit_);
-        // Every sample draws all exhibits, seen or not, and the probe.
-        const std::size_t samples = *window_->museum().subject(0).parameters().find("supersamples");
-        window_->history().set(0, samples, 2.0, newGesture());
         window_->findChild<QDockWidget*>("ledger")->show();
         const QImage before = pictureAtRest();
         auto* ledger = window_->findChild<LedgerDock*>();
