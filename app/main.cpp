@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/queue/shard.h"
 #include "render/failure.h"
 #include "render/measure/memory.h"
 
@@ -9,6 +10,8 @@
 #include <cstdio>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -16,6 +19,19 @@ constexpr const char* about = "Vitrine: a workbench for real-time rendering tech
                               "Without a command, the window opens.\n"
                               "Exit codes: 0 done, 1 check failed, 2 usage, 3 no OpenGL 4.5, 4 shader failed, 5 file "
                               "not read or not written, 130 stopped.";
+
+int parseAndRun(int argc, char** argv);
+
+/// The program's own command line in place of the one that it was started with.
+int runWords(const std::vector<std::string>& words)
+{
+    std::vector<std::string> all{"vitrine"};
+    all.insert(all.end(), words.begin(), words.end());
+    std::vector<char*> pointers;
+    for (std::string& word : all) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    return parseAndRun(static_cast<int>(all.size()), pointers.data());
+}
 
 int parseAndRun(int argc, char** argv)
 {
@@ -36,6 +52,7 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addStudyCommand(parser, chosen);
     vitrine::app::addPrintCommand(parser, chosen);
     vitrine::app::addProofCommand(parser, chosen);
+    vitrine::app::addMergeCommand(parser, chosen, runWords);
     vitrine::app::addSceneCommand(parser, chosen);
     vitrine::app::addSpriteCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);
@@ -56,6 +73,7 @@ int main(int argc, char** argv)
     std::signal(SIGPIPE, SIG_IGN);
     std::setlocale(LC_NUMERIC, "C");
     vitrine::render::returnFreedMemory();
+    vitrine::app::commandLine().assign(argv + 1, argv + argc);
     try {
         return parseAndRun(argc, argv);
     } catch (const vitrine::Failure& failure) {

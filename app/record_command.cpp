@@ -1,6 +1,7 @@
 #include "app/command.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
+#include "app/queue/parts.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
@@ -31,6 +32,7 @@ struct RecordOptions {
     double turn = 0;      ///< Degrees; 0: 360 alone, 60 in the hall.
     double seconds = 8, framesPerSecond = 30, shutter = 0;
     int shutterSamples = 8;
+    PartOptions part;
 };
 
 Pace paceOf(const RecordOptions& options, Pace otherwise)
@@ -96,7 +98,20 @@ RecordingRequest recordingRequest(const RecordOptions& options, const Museum& mu
     return request;
 }
 
-int makeRecording(const RecordOptions& options)
+int countOf(const RecordOptions& options)
+{
+    RecordingRequest request;
+    request.seconds = options.seconds;
+    request.framesPerSecond = options.framesPerSecond;
+    return request.frames();
+}
+
+/// The frames of a video that is made in parts.
+constexpr const char* framesOfParts = "%06d.png";
+
+/// Draws what was asked for into `out`, or the share of it that `share` says; nothing when it was stopped, else the
+/// renderer's name.
+std::optional<std::string> draw(const RecordOptions& options, const std::string& out, const RecordingShare& share)
 {
     PictureOptions picture = options.picture;
     picture.subject = isTourFile(options) ? "hall" : options.subject;
@@ -105,6 +120,7 @@ int makeRecording(const RecordOptions& options)
     early.picture.frame.transparent = picture.transparent;
     early.framesPerSecond = options.framesPerSecond;
     requireRecordable(early, picture.out);
+    const bool isVideo = render::lowerExtension(out) != ".png";
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
     PictureOptions described = picture;
@@ -114,7 +130,7 @@ int makeRecording(const RecordOptions& options)
     for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
     render::gl::Renderer renderer;
     const StopSignal signal;
-    Recording recording(museum, renderer, job.sceneState, job.subject, request, picture.out);
+    Recording recording(museum, renderer, job.sceneState, job.subject, request, out, share);
     {
         ProgressLine line("recording");
         line.estimate();
@@ -122,17 +138,41 @@ int makeRecording(const RecordOptions& options)
         }
     }
     if (!recording.finished()) {
-        const bool isVideo = render::lowerExtension(picture.out) != ".png";
         std::fprintf(stderr, "vitrine: Stopped; %s.\n",
                      isVideo ? "nothing was written"
                              : "the frames so far are whole, and the same command goes on with the next one");
-        return StopSignal::exitCode;
+        return std::nullopt;
     }
-    std::printf("%s: %d frames of %d x %d", picture.out.c_str(), recording.drawn() + recording.kept(),
+    std::printf("%s: %d frames of %d x %d", out.c_str(), recording.drawn() + recording.kept(),
                 request.picture.frame.raster.size.x, request.picture.frame.raster.size.y);
     if (recording.kept() > 0) std::printf(", %d of them kept", recording.kept());
     std::printf("\n");
-    return 0;
+    return context.info().renderer;
+}
+
+int makePart(const RecordOptions& options)
+{
+    const std::string& out = options.picture.out;
+    const Shard shard = parseShard(options.part.shard);
+    const RecordingShare share{[shard](int k) { return shard.makes(static_cast<std::size_t>(k)); }, {}};
+    if (render::lowerExtension(out) == ".png")
+        return draw(options, out, share) ? 0 : StopSignal::exitCode;  // The frames are all that there is to make.
+    return runPart(out, options.part.shard, [&](Parts& parts) {
+        const std::string frames = parts.file(framesOfParts);
+        const auto renderer = draw(options, frames, share);
+        const int count = countOf(options);
+        for (int k = 0; renderer && k < count; ++k)
+            if (share.draws(k)) parts.wrote(framePath(frames, k).filename());
+        return renderer;
+    });
+}
+
+int makeRecording(const RecordOptions& options)
+{
+    if (!options.part.shard.empty()) return makePart(options);
+    RecordingShare share;
+    if (options.part.fromParts) share.from = Parts{std::filesystem::path(options.picture.out)}.file(framesOfParts);
+    return draw(options, options.picture.out, share) ? 0 : StopSignal::exitCode;
 }
 
 void addMotionOptions(CLI::App& command, RecordOptions& o)
@@ -180,6 +220,7 @@ void addRecordCommand(CLI::App& parser, Action& chosen)
         ->required();
     addMotionOptions(*command, *options);
     addSceneOptions(*command, options->picture);
+    addPartOptions(*command, options->part);
     command->callback([&chosen, options] { chosen = [options] { return makeRecording(*options); }; });
 }
 

@@ -22,6 +22,7 @@ struct GatheredViews {
     render::Json scene;                  ///< What brings rendered views back; null for pictures.
     std::vector<std::string> notes;      ///< For standard error.
     std::vector<std::string> numbers;    ///< For standard output.
+    std::string renderer;                ///< That drew them; empty where none were drawn.
     std::unique_ptr<ViewFolder> folder;  ///< Of --save-views, not yet published.
 };
 

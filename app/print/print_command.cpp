@@ -2,6 +2,7 @@
 #include "app/print/gathered_views.h"
 #include "app/print/print_options.h"
 #include "app/progress.h"
+#include "app/queue/parts.h"
 
 #include "exhibits/printing/chart.h"
 #include "exhibits/printing/print_file.h"
@@ -20,6 +21,7 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 
 namespace vitrine::app {
 namespace {
@@ -85,14 +87,35 @@ int makeChart(const PrintOptions& options)
     return 0;
 }
 
+int makePart(const PrintOptions& options, const LayoutOf& layoutOf)
+{
+    if (options.views.scene.subject.empty() || options.out.empty())
+        throw Failure(Blame::usage,
+                      "--shard " + options.part.shard +
+                          ": only views that are rendered are made in parts; give an --exhibit and --out.");
+    checkTarget(options.out);
+    return runPart(options.out, options.part.shard, [&](Parts& parts) -> std::optional<std::string> {
+        ViewOptions views = options.views;
+        views.makes = &parts;
+        const GatheredViews made = gatherViews(views, layoutOf);
+        for (const std::string& note : made.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+        return made.renderer;
+    });
+}
+
 int makePrint(const PrintOptions& options)
 {
     if (options.out.empty() && (options.views.saveViews.empty() || !options.chart.empty()))
         throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in .tif or .png.");
+    const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
+    if (!options.part.shard.empty()) return makePart(options, layoutOf);
     if (!options.chart.empty()) return makeChart(options);
     if (!options.out.empty()) checkTarget(options.out);
-    const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
-    GatheredViews made = gatherViews(options.views, layoutOf);
+    std::optional<Parts> parts;
+    if (options.part.fromParts) parts.emplace(fs::path(options.out));
+    ViewOptions views = options.views;
+    views.made = parts ? &*parts : nullptr;
+    GatheredViews made = gatherViews(views, layoutOf);
     for (const std::string& note : made.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
     const PrintLayout layout = layoutOf(made.views.count());
     if (const std::string stretched = printing::stretchWarning(layout, made.views); !stretched.empty())
@@ -143,6 +166,7 @@ void addPrintCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand("print", "Interlace views into a print for a lenticular sheet");
     auto options = std::make_shared<PrintOptions>();
     addPrintOptions(*command, *options);
+    addPartOptions(*command, options->part);
     command->callback([&chosen, options] { chosen = [options] { return makeStoppably(*options); }; });
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "app/print/view_options.h"
+#include "app/queue/shard.h"
 #include "exhibits/printing/print_layout.h"
 #include "render/image/picture_stream.h"
 
@@ -15,6 +16,7 @@ namespace vitrine::app {
 /// What `print` can be told, as typed.
 struct PrintOptions {
     ViewOptions views;
+    PartOptions part;
     std::string chart;     ///< "pitch", "phase", "views", "rotation"; empty: a print of views.
     double chartSpan = 1;  ///< Of a pitch chart, in percent each way.
     std::string out, report;

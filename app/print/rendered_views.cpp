@@ -1,6 +1,7 @@
 #include "app/print/rendered_views.h"
 
 #include "app/progress.h"
+#include "app/queue/parts.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/printing/sheet.h"
@@ -170,6 +171,17 @@ render::Json sceneJson(const Museum& museum, const ViewOptions& options, const R
             {"viewSize", {size.x, size.y}}};
 }
 
+std::string nameOfView(int k)
+{
+    return text("view_%04d.picture", k);
+}
+
+render::Image viewMade(const Parts& parts, int k)
+{
+    if (auto image = parts.kept(nameOfView(k))) return std::move(*image);
+    throw Failure(Blame::check, parts.file(nameOfView(k)).string() + " is missing; make all parts anew.");
+}
+
 }  // namespace
 
 GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
@@ -192,7 +204,7 @@ GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf
     result.notes = picture.notes;
     if (options.turnDegrees != 0) printing::turn(shots, options.turnDegrees * printing::radiansPerDegree);
     applySweeps(museum, options, picture, shots, result.notes);
-    if (!options.saveViews.empty())
+    if (!options.saveViews.empty() && !options.makes)
         result.folder = std::make_unique<ViewFolder>(options.saveViews, options.viewFormat, count);
 
     render::gl::Renderer renderer;
@@ -204,16 +216,33 @@ GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf
     describe(rig, depth, layout.settings().reverse, result);
     for (int k = 0; k < count; ++k) result.sources.push_back(scene.subject + ", view " + std::to_string(k));
     result.scene = sceneJson(museum, options, picture, base, rig);
-    ProgressLine line("rendering views");
-    printing::ViewMaker maker(museum, renderer, shots, [&](int k, const render::Image& image) {
+    const auto take = [&](int k, const render::Image& image) {
         result.views.add(image);
         if (result.folder)
             result.folder->add(
                 k, image, presetOf(museum, picture.subject, shots[static_cast<std::size_t>(k)].sceneState, "View"));
+    };
+    if (options.made) {
+        for (int k = 0; k < count; ++k) take(k, viewMade(*options.made, k));
+        return result;
+    }
+    std::vector<int> chosen;
+    for (int k = 0; k < count; ++k)
+        if (!options.makes || options.makes->shard().makes(static_cast<std::size_t>(k))) chosen.push_back(k);
+    std::vector<ViewShot> rendered;
+    for (const int k : chosen) rendered.push_back(shots[static_cast<std::size_t>(k)]);
+    ProgressLine line("rendering views");
+    printing::ViewMaker maker(museum, renderer, rendered, [&](int i, const render::Image& image) {
+        const int k = chosen[static_cast<std::size_t>(i)];
+        if (options.makes)
+            options.makes->keep(nameOfView(k), image);
+        else
+            take(k, image);
     });
     while (maker.step())
         if (!line.show(maker.progress()))
             throw Failure(Blame::usage, "Rendering the views was stopped; nothing was written.");
+    result.renderer = context.info().renderer;
     return result;
 }
 

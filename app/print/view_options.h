@@ -12,6 +12,8 @@ class App;
 
 namespace vitrine::app {
 
+class Parts;
+
 /// What `print` can be told about its views, as typed.
 struct ViewOptions {
     std::vector<std::string> files;  ///< --views: folders and files.
@@ -27,6 +29,8 @@ struct ViewOptions {
     double convergence = 0;     ///< Meters; 0: the camera's target.
     double turnDegrees = 0;
     std::vector<std::string> sweeps;  ///< "name=a..b".
+    Parts* makes = nullptr;           ///< Only a part of the views is rendered, into this.
+    const Parts* made = nullptr;      ///< The views were rendered before, in parts.
     std::string saveViews;            ///< A folder; empty: the views are not kept.
     std::string viewFormat = "png";
 };

@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/queue/study_in_parts.h"
 #include "app/report.h"
 #include "app/study/study_folder.h"
 #include "app/study/study_options.h"
@@ -18,6 +19,7 @@
 #include <cstdio>
 #include <memory>
 #include <numeric>
+#include <optional>
 
 namespace vitrine::app {
 namespace {
@@ -91,16 +93,38 @@ std::string chosenPreset(const Museum& museum, const Study& study)
         Preset{std::string(museum.subject(subject).name()), name, sceneState.values[subject], std::nullopt});
 }
 
-int runStudy(const StudyOptions& options)
+/// Measures a part's share; the renderer's name.
+std::optional<std::string> measurePart(const StudyOptions& options, Parts& parts)
 {
-    requireStudyFolder(options.out);
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
     std::vector<std::string> notes;
     StudyRequest request = studyRequest(museum, options, notes);
     for (const std::string& note : notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
     render::gl::Renderer renderer;
-    Study study(museum, renderer, std::move(request));
+    StudyInParts kept(parts, true);
+    Study study(museum, renderer, std::move(request), &kept);
+    StudyLine line(isatty(STDERR_FILENO) != 0);
+    while (study.step()) line.show(study.progress(), study.doing());
+    return context.info().renderer;
+}
+
+int runStudy(const StudyOptions& options)
+{
+    requireStudyFolder(options.out);
+    if (!options.part.shard.empty())
+        return runPart(options.out, options.part.shard, [&](Parts& parts) { return measurePart(options, parts); });
+    std::optional<Parts> parts;
+    if (options.part.fromParts) parts.emplace(std::filesystem::path(options.out));
+    std::optional<StudyInParts> found;
+    if (parts) found.emplace(*parts, false);
+    const render::gl::HeadlessContext context;
+    const Museum museum{allExhibits()};
+    std::vector<std::string> notes;
+    StudyRequest request = studyRequest(museum, options, notes);
+    for (const std::string& note : notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    render::gl::Renderer renderer;
+    Study study(museum, renderer, std::move(request), found ? &*found : nullptr);
     {
         StudyLine line(isatty(STDERR_FILENO) != 0);
         while (study.step()) line.show(study.progress(), study.doing());
@@ -127,6 +151,7 @@ void addStudyCommand(CLI::App& parser, Action& chosen)
         parser.add_subcommand("study", "Measure what accuracy costs: error over work and time, with pictures");
     auto options = std::make_shared<StudyOptions>();
     addStudyOptions(*command, *options);
+    addPartOptions(*command, options->part);
     command->callback([&chosen, options] { chosen = [options] { return runStudy(*options); }; });
 }
 

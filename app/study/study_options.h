@@ -1,5 +1,6 @@
 #pragma once
 
+#include "app/queue/shard.h"
 #include "exhibits/study/study_result.h"
 #include "render/measure/flip.h"
 #include "render/measure/metrics.h"
@@ -35,6 +36,7 @@ struct StudyOptions {
     bool noModelError = false;
     std::optional<double> maxError, maxMilliseconds;
     std::string out;
+    PartOptions part;
 };
 
 void addStudyOptions(CLI::App&, StudyOptions&);

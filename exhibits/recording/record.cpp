@@ -87,9 +87,9 @@ fs::path framePath(const fs::path& pattern, int k)
 }
 
 Recording::Recording(const Museum& museum, render::RenderBackend& backend, SceneState sceneState, std::size_t subject,
-                     RecordingRequest request, fs::path out)
+                     RecordingRequest request, fs::path out, RecordingShare share)
     : museum_(museum), backend_(backend), sceneState_(std::move(sceneState)), subject_(subject),
-      request_(std::move(request)), out_(std::move(out))
+      request_(std::move(request)), out_(std::move(out)), share_(std::move(share))
 {
     requireRecordable(request_, out_);
     if (!isFrames(out_)) {
@@ -121,10 +121,10 @@ std::string Recording::presetAt(int k) const
 
 void Recording::beginFrame()
 {
-    while (!video_ && next_ < request_.frames() &&
-           isThere(framePath(out_, next_), presetAt(next_), frameLine(request_, next_))) {
+    for (; !video_ && next_ < request_.frames(); ++next_) {
+        if (share_.draws && !share_.draws(next_)) continue;
+        if (!isThere(framePath(out_, next_), presetAt(next_), frameLine(request_, next_))) break;
         ++kept_;
-        ++next_;
     }
     if (next_ < request_.frames())
         maker_ = std::make_unique<FrameMaker>(museum_, backend_, sceneState_, request_, next_);
@@ -142,10 +142,23 @@ void Recording::endFrame()
     ++drawn_;
 }
 
+void Recording::takeFrame()
+{
+    const fs::path path = framePath(share_.from, next_);
+    if (!isThere(path, presetAt(next_), frameLine(request_, next_)))
+        throw Failure(Blame::check, path.string() + ": this frame is missing or of other settings; draw it anew.");
+    video_->add(render::readImage(path));
+    ++next_;
+    ++kept_;
+}
+
 bool Recording::step()
 {
     if (finished_) return false;
-    if (!maker_) beginFrame();
+    if (!share_.from.empty())
+        takeFrame();
+    else if (!maker_)
+        beginFrame();
     if (maker_) {
         maker_->step();
         if (maker_->finished()) endFrame();

@@ -23,15 +23,11 @@ std::vector<std::size_t> spread(std::size_t all, std::size_t count)
     return chosen;
 }
 
-bool goesByColor(render::Metric metric)
-{
-    return metric != render::Metric::normal && metric != render::Metric::depth;
-}
-
 }  // namespace
 
-Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest request)
-    : museum_(museum), backend_(backend), request_(std::move(request)), judge_(museum.subjects(), request_),
+Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest request, StudyParts* parts)
+    : museum_(museum), backend_(backend), parts_(parts), request_(std::move(request)),
+      judge_(museum.subjects(), request_),
       search_(
           museum.subjects(), request_, result_, [this](const Setting& setting) { addSetting(setting); },
           [this] { judge(); })
@@ -42,6 +38,10 @@ Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest 
     if (request_.metric == render::Metric::psnr)
         throw Failure(Blame::usage,
                       "A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.");
+    if (parts_ && parts_->isPart() && request_.axes.size() > 2)
+        throw Failure(Blame::usage,
+                      "A study over three parameters or more searches: which settings it measures depends on those "
+                      "before, so it cannot be split; study one or two parameters.");
     request_.runs = std::max(request_.runs, 1);
     if (request_.subject == hallIndex) request_.alone = false;
     addViews();
@@ -124,153 +124,6 @@ std::vector<double> Study::valuesOf(const Setting& setting) const
     return values;
 }
 
-void Study::findDependentPasses()
-{
-    using Keys = std::map<std::string, std::uint64_t>;
-    const auto keysAt = [&](const std::vector<double>& values) {
-        const SceneState sceneState = lookAt(values, 0);
-        Keys keys;
-        const FrameRequest frame = pictureRequest(sceneState, 0).frame;
-        const render::FramePlan plan = museum_.plan(museum_.prepare(sceneState, frame), frame);
-        for (const render::Pass& pass : plan.passes())
-            if (pass.key) keys[pass.name] = *pass.key;
-        return keys;
-    };
-    const Keys exact = keysAt(result_.exact);
-    for (std::size_t i = 0; i < request_.axes.size(); ++i) {
-        for (const double value : {request_.axes[i].values.front(), request_.axes[i].values.back()}) {
-            std::vector<double> values = result_.exact;
-            values[i] = value;
-            const Keys other = keysAt(values);
-            for (const auto& [name, key] : exact)
-                if (!other.contains(name) || other.at(name) != key) dependentPasses_.insert(name);
-            for (const auto& [name, key] : other)
-                if (!exact.contains(name)) dependentPasses_.insert(name);
-        }
-    }
-}
-
-void Study::addPicture(std::string name, SceneState sceneState, const PictureRequest& wanted,
-                       std::function<void(render::Image)> take)
-{
-    // Made when its turn comes: it holds the whole picture.
-    std::shared_ptr<PictureMaker> none;
-    jobs_.push_back({std::move(name), [this, sceneState = std::move(sceneState), wanted, maker = std::move(none),
-                                       take = std::move(take)]() mutable {
-                         if (!maker) maker = std::make_shared<PictureMaker>(museum_, backend_, sceneState, wanted);
-                         maker->step();
-                         if (!maker->finished()) return false;
-                         const render::Image& picture = maker->picture();
-                         const bool scaled = picture.width != request_.size.x || picture.height != request_.size.y;
-                         take(scaled ? resampled(picture, request_.size) : picture);
-                         return true;
-                     }});
-}
-
-void Study::addReference(std::size_t view, bool withNeighbors)
-{
-    if (views_[view].heldOut && phase_ != Phase::choice) return;
-    const SceneState exact = lookAt(result_.exact, view);
-    addPicture("reference of " + views_[view].view.name, exact, referenceRequest(exact, view),
-               [this, view](render::Image picture) {
-                   if (!views_[view].heldOut) result_.references[view] = picture;
-                   views_[view].reference = std::move(picture);
-               });
-    if (!withNeighbors || studiesMotion()) return;  // At rest, nothing of what is studied acts.
-    for (const std::vector<double>& neighbor : neighborsOf(request_.sceneState, request_.axes, doublings_)) {
-        const SceneState near = lookAt(neighbor, view);
-        addPicture("check of the reference, " + views_[view].view.name, near, pictureRequest(near, view),
-                   [this, view](render::Image picture) { views_[view].neighbors.push_back(std::move(picture)); });
-    }
-}
-
-void Study::addSetting(const Setting& setting)
-{
-    if (!known_.try_emplace(setting, result_.points.size()).second) return;
-    const std::size_t point = result_.points.size();
-    result_.points.push_back({});
-    result_.points.back().setting = setting;
-    result_.points.back().shots.resize(result_.views.size());
-    for (std::size_t view = 0; view < result_.views.size(); ++view) {
-        const SceneState sceneState = lookAt(valuesOf(setting), view);
-        addPicture("setting " + std::to_string(point + 1) + ", " + views_[view].view.name, sceneState,
-                   pictureRequest(sceneState, view), [this, point, view, sceneState](render::Image picture) {
-                       StudyShot& shot = result_.points[point].shots[view];
-                       const int samples = pictureRequest(sceneState, view).samples;
-                       const render::FrameReport report = drawTimed(sceneState, view);
-                       shot.counters = report.counters;
-                       eraseStateCounters(shot.counters);
-                       if (const std::int64_t evaluations = channelTotal(picture, "evaluations"); evaluations > 0)
-                           shot.counters["evaluations"] = evaluations;
-                       const glm::ivec2 drawn = pictureRequest(sceneState, view).frame.raster.size;
-                       shot.counters["pixels"] = static_cast<std::int64_t>(drawn.x) * drawn.y;
-                       for (auto& [name, count] : shot.counters) count *= samples;
-                       shot.firstMilliseconds = report.milliseconds * samples;
-                       shot.errors = judge_.errorsOf(views_[view].reference, picture);
-                       // A search keeps many pictures: of those, the colors are enough, unless it goes by something
-                       // else.
-                       shot.picture = request_.axes.size() > 2 && goesByColor(request_.metric) ? colorsOf(picture)
-                                                                                               : std::move(picture);
-                       if (view + 1 == result_.views.size()) judge();
-                   });
-    }
-}
-
-render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t view)
-{
-    // What the studied parameters change is drawn anew, however often it was drawn: it is what they cost.
-    render::PersistentState kept = backend_.persistentState();
-    for (const std::string& pass : dependentPasses_) kept.passes.erase(pass);
-    FrameRequest frame = pictureRequest(sceneState, view).frame;
-    frame.channels = {};
-    frame.cut = frame.finished = true;  // As the pictures that it is the time of.
-    const Prepared prepared = museum_.prepare(sceneState, frame);
-    if (studiesMotion()) {
-        // What is timed finds what a frame before it left.
-        frame.movingFrame = 1;
-        (void)backend_.draw(museum_.plan(prepared, frame, kept));
-        kept = backend_.persistentState();
-        frame.movingFrame = 2;
-        frame.cut = false;
-    }
-    render::FrameReport report = backend_.draw(museum_.plan(prepared, frame, kept));
-    result_.clock = report.clock;
-    result_.clockTrusted = report.clockTrusted;
-    result_.overheadMilliseconds = report.overheadMilliseconds;
-    return report;
-}
-
-void Study::addTimes()
-{
-    std::vector<std::size_t> timed(result_.points.size());
-    std::iota(timed.begin(), timed.end(), std::size_t{0});
-    // In a search, what is dearer and no better by a margin beyond the noise of one frame stays untimed, and so does
-    // what can neither be chosen nor is on the front.
-    if (request_.axes.size() > 2) {
-        std::erase_if(timed, [&](std::size_t i) {
-            if (result_.present == i) return false;
-            const bool onFront = std::find(result_.front.begin(), result_.front.end(), i) != result_.front.end();
-            if (request_.maxError && result_.points[i].worstError > *request_.maxError && !onFront) return true;
-            return std::any_of(result_.points.begin(), result_.points.end(), [&](const StudyPoint& other) {
-                return other.error <= result_.points[i].error && other.cost * 1.3 < result_.points[i].cost;
-            });
-        });
-    }
-    for (std::size_t run = 0; run < static_cast<std::size_t>(request_.runs); ++run) {
-        for (const std::size_t i : render::interleaved(timed.size(), run)) {
-            const std::size_t point = timed[i];
-            jobs_.push_back({"run " + std::to_string(run + 1) + " of " + std::to_string(request_.runs),
-                             [this, point, view = std::size_t{0}]() mutable {
-                                 const SceneState sceneState = lookAt(valuesOf(result_.points[point].setting), view);
-                                 result_.points[point].shots[view].milliseconds.push_back(
-                                     drawTimed(sceneState, view).milliseconds *
-                                     pictureRequest(sceneState, view).samples);
-                                 return ++view == result_.views.size();
-                             }});
-        }
-    }
-}
-
 void Study::renewErrors()
 {
     for (StudyPoint& point : result_.points)
@@ -330,10 +183,11 @@ void Study::tryCandidate()
     for (std::size_t view = result_.views.size(); view < views_.size(); ++view) {
         result_.choice->heldOutViews.push_back(views_[view].view.name);
         const SceneState sceneState = lookAt(valuesOf(result_.points[point].setting), view);
-        addPicture("held-out view " + views_[view].view.name, sceneState, pictureRequest(sceneState, view),
-                   [this, view, sceneState](render::Image picture) {
+        addPicture({"held_out_" + std::to_string(point) + "_" + std::to_string(view),
+                    "held-out view " + views_[view].view.name, sceneState, pictureRequest(sceneState, view)},
+                   [this, view, sceneState](const StudyMeasure& measure) {
                        StudyChoice& choice = *result_.choice;
-                       const double error = judge_.errorsOf(views_[view].reference, picture)[request_.metric];
+                       const double error = judge_.errorsOf(views_[view].reference, measure.picture)[request_.metric];
                        choice.heldOutError = std::max(choice.heldOutError, error);
                        if (request_.maxError) choice.holds = choice.holds && error <= *request_.maxError;
                        if (!request_.maxMilliseconds) return;
@@ -348,35 +202,45 @@ void Study::tryCandidate()
     }
 }
 
+void Study::addExactReferences()
+{
+    if (!request_.modelError) return;
+    for (std::size_t view = 0; view < result_.views.size(); ++view) {
+        SceneState sceneState = lookAt(result_.exact, view);
+        sceneState.values[request_.subject] = atReference(sceneState.values[request_.subject]);
+        for (std::size_t i = 0; i < request_.axes.size(); ++i)
+            sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, result_.exact[i]);
+        addPicture({"exact_" + std::to_string(view) + "_" + std::to_string(doublings_),
+                    "everything exact, " + views_[view].view.name, sceneState, referenceRequest(sceneState, view)},
+                   [this, view](StudyMeasure measure) {
+                       views_[view].exact = std::move(measure.picture);
+                       for (StudyPoint& point : result_.points)
+                           point.shots[view].modelError =
+                               judge_.errorsOf(views_[view].exact, point.shots[view].picture)[request_.metric];
+                   });
+    }
+}
+
 void Study::nextPhase()
 {
     switch (phase_) {
     case Phase::pictures:
+        if (parts_ && parts_->isPart()) {
+            phase_ = Phase::exactReferences;
+            return addExactReferences();
+        }
         if (request_.axes.size() > 2 ? search_.advance() : refineReference()) return;
         judge();
         phase_ = Phase::exactReferences;
-        if (!request_.modelError) return;
-        for (std::size_t view = 0; view < result_.views.size(); ++view) {
-            SceneState sceneState = lookAt(result_.exact, view);
-            sceneState.values[request_.subject] = atReference(sceneState.values[request_.subject]);
-            for (std::size_t i = 0; i < request_.axes.size(); ++i)
-                sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, result_.exact[i]);
-            addPicture("everything exact, " + views_[view].view.name, sceneState, referenceRequest(sceneState, view),
-                       [this, view](render::Image picture) {
-                           views_[view].exact = std::move(picture);
-                           for (StudyPoint& point : result_.points)
-                               point.shots[view].modelError =
-                                   judge_.errorsOf(views_[view].exact, point.shots[view].picture)[request_.metric];
-                       });
-        }
-        return;
+        return addExactReferences();
     case Phase::exactReferences:
         phase_ = Phase::times;
         addTimes();
         return;
     case Phase::times:
-        judge();
         phase_ = Phase::done;
+        if (parts_ && parts_->isPart()) return;
+        judge();
         if (!request_.maxError && !request_.maxMilliseconds) return;
         candidates_ = choiceCandidates(request_, result_);
         if (candidates_.empty()) return;
@@ -405,7 +269,7 @@ void Study::findJob()
 void Study::keepColors()
 {
     for (View& view : views_) view = {std::move(view.view), {}, {}, {}, view.heldOut};
-    if (!goesByColor(request_.metric)) return;
+    if (!goesByColor(request_)) return;
     const auto keep = [](render::Image& picture) {
         if (picture.channels > 4) picture = colorsOf(picture);
     };

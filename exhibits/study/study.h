@@ -2,11 +2,13 @@
 
 #include "exhibits/museum/picture.h"
 #include "exhibits/study/study_judge.h"
+#include "exhibits/study/study_parts.h"
 #include "exhibits/study/study_search.h"
 
 #include <deque>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -17,8 +19,10 @@ namespace vitrine {
 /// on copies, and whoever started it finds everything as it was.
 class Study {
 public:
-    /// The museum and the painter must outlive it. Throws Failure (Blame::usage) when there is nothing to measure.
-    Study(const Museum&, render::RenderBackend&, StudyRequest);
+    /// The museum, the painter and the parts must outlive it. Without parts all is measured here. Throws Failure
+    /// (Blame::usage) when there is nothing to measure, and for a part of a search, whose next settings depend on what
+    /// was found before.
+    Study(const Museum&, render::RenderBackend&, StudyRequest, StudyParts* parts = nullptr);
     ~Study();
     Study(const Study&) = delete;  // Its search refers to it.
     Study& operator=(const Study&) = delete;
@@ -50,9 +54,22 @@ private:
 
     // Jobs: what is drawn.
     void addViews();
-    void addPicture(std::string name, SceneState, const PictureRequest&, std::function<void(render::Image)> take);
+    /// What is to be drawn, and whether one frame of it is timed and counted.
+    struct PictureJob {
+        std::string key;   ///< In the parts.
+        std::string name;  ///< For people.
+        SceneState sceneState;
+        PictureRequest wanted;
+        std::optional<std::size_t> timedView = {};
+    };
+    void addPicture(PictureJob, std::function<void(StudyMeasure)> take);
+    /// A job whose result is taken from the parts, or kept there, or used: `measure` returns nothing while it goes on.
+    void addMeasure(std::string key, std::string name, std::function<std::optional<StudyMeasure>()> measure,
+                    std::function<void(StudyMeasure)> take);
     void addReference(std::size_t view, bool withNeighbors);
     void addSetting(const Setting&);
+    void takeShot(std::size_t point, std::size_t view, const SceneState&, StudyMeasure);
+    void addExactReferences();
     void addTimes();
     void nextPhase();
     void findJob();
@@ -75,6 +92,8 @@ private:
 
     const Museum& museum_;
     render::RenderBackend& backend_;
+    StudyParts* parts_;
+    std::size_t measures_ = 0;  ///< Jobs that measure, so far.
     StudyRequest request_;
     StudyResult result_;
     StudyJudge judge_;

@@ -2,6 +2,11 @@
 
 namespace vitrine {
 
+bool goesByColor(const StudyRequest& request)
+{
+    return request.metric != render::Metric::normal && request.metric != render::Metric::depth;
+}
+
 bool StudyResult::costsTheSame(const StudyPoint& a, const StudyPoint& b) const
 {
     if (a.counters == b.counters) return true;

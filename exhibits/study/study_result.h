@@ -34,6 +34,9 @@ struct StudyRequest {
     std::optional<double> maxError, maxMilliseconds;
 };
 
+/// Whether its errors are taken of colors, not of normals or depths.
+[[nodiscard]] bool goesByColor(const StudyRequest&);
+
 /// How far a picture is from a reference, by every metric that the pictures allow.
 using Errors = std::map<render::Metric, double>;
 

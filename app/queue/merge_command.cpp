@@ -1,0 +1,28 @@
+#include "app/command.h"
+#include "app/queue/parts.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace vitrine::app {
+
+void addMergeCommand(CLI::App& parser, Action& chosen, const std::function<int(const std::vector<std::string>&)>& run)
+{
+    CLI::App* command = parser.add_subcommand("merge", "Put together what was made in parts by --shard");
+    auto out = std::make_shared<std::string>();
+    command->add_option("out", *out, "What the parts were told as --out")->required();
+    command->callback([&chosen, out, run] {
+        chosen = [out, run] {
+            const Parts parts{std::filesystem::path(*out)};
+            std::vector<std::string> words = parts.command();
+            words.emplace_back("--from-parts");
+            const int code = run(words);
+            if (code == 0) std::printf("The parts in %s are not needed any more.\n", parts.folder().c_str());
+            return code;
+        };
+    });
+}
+
+}  // namespace vitrine::app

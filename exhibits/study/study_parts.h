@@ -1,0 +1,37 @@
+#pragma once
+
+#include "render/image/image.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+
+/// One thing that a study measured: a picture, or times.
+struct StudyMeasure {
+    render::Image picture;
+    std::map<std::string, std::int64_t> counters;
+    std::vector<double> milliseconds;
+    std::string clock;
+    bool clockTrusted = false;
+    double overheadMilliseconds = 0;
+};
+
+/// Where a study that is measured in parts keeps what it measured, or finds it.
+class StudyParts {
+public:
+    virtual ~StudyParts() = default;
+    /// Whether this is one part, which measures its share and judges nothing.
+    [[nodiscard]] virtual bool isPart() const = 0;
+    /// Whether the part measures the thing of this number, counted through the study.
+    [[nodiscard]] virtual bool makes(std::size_t number) const = 0;
+    virtual void keep(const std::string& key, const StudyMeasure&) = 0;
+    /// What a part measured; nothing when none did: the study measures it itself.
+    [[nodiscard]] virtual std::optional<StudyMeasure> find(const std::string& key) const = 0;
+};
+
+}  // namespace vitrine
