@@ -30,6 +30,7 @@ void addCompareSettingsCommand(CLI::App&, Action& chosen);
 void addStudyCommand(CLI::App&, Action& chosen);
 void addPrintCommand(CLI::App&, Action& chosen);
 void addProofCommand(CLI::App&, Action& chosen);
+void addServeCommand(CLI::App&, Action& chosen);
 void addSceneCommand(CLI::App&, Action& chosen);
 void addSpriteCommand(CLI::App&, Action& chosen);
 /// To `scene`.
