@@ -32,6 +32,7 @@ void addStudyCommand(CLI::App&, Action& chosen);
 void addMergeCommand(CLI::App&, Action& chosen, const std::function<int(const std::vector<std::string>&)>& run);
 void addPrintCommand(CLI::App&, Action& chosen);
 void addProofCommand(CLI::App&, Action& chosen);
+void addServeCommand(CLI::App&, Action& chosen);
 void addSceneCommand(CLI::App&, Action& chosen);
 void addSpriteCommand(CLI::App&, Action& chosen);
 /// To `scene`.

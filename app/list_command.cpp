@@ -1,9 +1,8 @@
 #include "app/command.h"
-
 #include "app/picture_options.h"
+#include "app/table_json.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
-#include "exhibits/framework/preset_values.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
@@ -17,58 +16,6 @@ namespace vitrine::app {
 namespace {
 
 using render::Json;
-
-/// {"test": "all", "parts": [...]}, or {"test": "among", "row": "sunBy", "values": ["angles"]}.
-Json conditionJson(const Condition& condition, const Parameters& table)
-{
-    Json json{{"test", std::string(toString(condition.test))}};
-    if (condition.row.empty()) {
-        json["parts"] = Json::array();
-        for (const Condition& part : condition.parts) json["parts"].push_back(conditionJson(part, table));
-        return json;
-    }
-    const ParameterInfo& row = table.rows()[table.find(condition.row).value()];
-    json["row"] = std::string(condition.row);
-    json["values"] = Json::array();
-    for (const double value : condition.values) json["values"].push_back(jsonFromValue(row, value));
-    return json;
-}
-
-/// Numbers are in SI, and `unit` is the SI unit that they are in.
-Json rowJson(const ParameterInfo& row, const Parameters& table)
-{
-    Json choices = Json::array();
-    for (const std::string_view choice : row.choices) choices.push_back(std::string(choice));
-    Json quality = nullptr;
-    if (row.qualityReference) quality = Json{{"reference", jsonFromValue(row, *row.qualityReference)}};
-    Json when = nullptr;
-    if (row.actsWhen) when = conditionJson(*row.actsWhen, table);
-    return Json{{"name", std::string(row.name)},
-                {"label", label(row)},
-                {"group", std::string(row.group)},
-                {"kind", std::string(toString(row.kind))},
-                {"unit", std::string(info(row.unit).storedSymbol)},
-                {"low", row.range.low},
-                {"high", row.range.high},
-                {"softLow", row.range.softLow},
-                {"softHigh", row.range.softHigh},
-                {"scale", std::string(toString(row.range.scale))},
-                {"initial", jsonFromValue(row, row.initial)},
-                {"help", std::string(row.help)},
-                {"choices", choices},
-                {"quality", quality},
-                {"actsWhen", when}};
-}
-
-Json exhibitJson(std::string_view name, std::string_view title, std::string_view summary, const Parameters& table)
-{
-    Json rows = Json::array();
-    for (const ParameterInfo& row : table.rows()) rows.push_back(rowJson(row, table));
-    return Json{{"name", std::string(name)},
-                {"title", std::string(title)},
-                {"summary", std::string(summary)},
-                {"parameters", rows}};
-}
 
 int manual(const std::string& name)
 {
@@ -104,12 +51,7 @@ Json tablesWith(const std::vector<std::string>& sets)
     std::vector<std::string> notes;
     applySets(museum, sceneState, hallIndex, sets, notes);
     for (const std::string& note : notes) std::fprintf(stderr, "%s\n", note.c_str());
-    Json all = Json::array();
-    for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
-        const Subject& subject = museum.subject(i);
-        all.push_back(exhibitJson(subject.name(), subject.title(), subject.summary(), sceneState.values[i].table()));
-    }
-    return all;
+    return exhibitsJson(museum, sceneState);
 }
 
 int list(bool asJson, const std::vector<std::string>& sets)

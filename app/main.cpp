@@ -55,6 +55,7 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addMergeCommand(parser, chosen, runWords);
     vitrine::app::addSceneCommand(parser, chosen);
     vitrine::app::addSpriteCommand(parser, chosen);
+    vitrine::app::addServeCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);
     try {
         parser.parse(argc, argv);

@@ -299,6 +299,13 @@ void applySet(const Museum& museum, SceneState& sceneState, std::size_t subject,
     assign(museum, sceneState, assignmentOf(museum, subject, assignment), notes);
 }
 
+NamedRow namedRow(const Museum& museum, const SceneState& sceneState, std::size_t subject, const std::string& name,
+                  const std::string& option)
+{
+    const Assignment a = assignmentOf(museum, subject, name + '=', option);
+    return {a.owner, rowNamed(museum, sceneState, a, option)};
+}
+
 void applyMotion(const Museum& museum, SceneState& sceneState, std::size_t subject, const std::string& assignment)
 {
     const Assignment a = assignmentOf(museum, subject, assignment, "--animate", "morph=sine:0.1:0.9:period=4");
@@ -319,6 +326,12 @@ std::string presetOf(const Museum& museum, std::size_t subject, const SceneState
 
 RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& options)
 {
+    return requestedPicture(museum, options, museum.initialSceneState(), std::nullopt);
+}
+
+RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& options, SceneState start,
+                                  const std::optional<render::Camera>& startCamera)
+{
     const auto subject = museum.find(options.subject);
     if (!subject)
         throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + "\"; `vitrine list` names them.");
@@ -328,7 +341,9 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
 
     RequestedPicture job;
     job.subject = *subject;
-    job.sceneState = museum.initialSceneState();
+    job.sceneState = std::move(start);
+    if (startCamera) job.sceneState.camera = *startCamera;
+    job.cameraFromPreset = startCamera.has_value();
     if (!options.preset.empty()) applyPreset(museum, options.preset, job);
     applySets(museum, job.sceneState, *subject, options.sets, job.notes);
     for (const std::string& motion : options.motions) applyMotion(museum, job.sceneState, *subject, motion);

@@ -53,6 +53,10 @@ struct RequestedPicture {
     std::vector<std::string> notes;  ///< What was brought to the nearest legal value, for standard error.
 };
 [[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&);
+/// The same from this look in place of the initial one; the camera, where there is one, in place of the best view of
+/// the subject.
+[[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&, SceneState,
+                                                const std::optional<render::Camera>&);
 
 /// Sets several, each a "name=value", whatever their order: files that give rows come first.
 void applySets(const Museum&, SceneState&, std::size_t subject, const std::vector<std::string>& assignments,
@@ -62,6 +66,14 @@ void applySets(const Museum&, SceneState&, std::size_t subject, const std::vecto
 /// `list --json` and presets have them; "30deg" and "12mm" name their own.
 void applySet(const Museum&, SceneState&, std::size_t subject, const std::string& assignment,
               std::vector<std::string>& notes);
+
+/// A row and whose it is.
+struct NamedRow {
+    std::size_t owner, row;
+};
+/// The row "name", of the subject, or "exhibit.name". Throws Failure (Blame::usage) naming `option`.
+[[nodiscard]] NamedRow namedRow(const Museum&, const SceneState&, std::size_t subject, const std::string& name,
+                                const std::string& option);
 
 /// Lets one row move, "name=motion" as `typedMotion` reads it. Throws Failure (Blame::usage) naming the option.
 void applyMotion(const Museum&, SceneState&, std::size_t subject, const std::string& assignment);

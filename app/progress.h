@@ -15,6 +15,8 @@ public:
     StopSignal& operator=(const StopSignal&) = delete;
 
     [[nodiscard]] static bool stopped();
+    /// Readable once `stopped()`, for whoever waits in poll; while a StopSignal lives.
+    [[nodiscard]] static int descriptor();
     /// What a shell expects of a program that was stopped.
     static constexpr int exitCode = 130;
 };

@@ -1,5 +1,6 @@
 #include "app/report.h"
 
+#include "app/ledger_json.h"
 #include "render/files/atomic_write.h"
 #include "render/files/strict_json.h"
 #include "render/measure/memory.h"
@@ -27,12 +28,6 @@ FrameRequest frameOf(const RequestedPicture& job, const render::RenderBackend& b
     return frame;
 }
 
-/// Null where nothing is promised.
-Json boundJson(const render::ContributionBound& bound)
-{
-    return bound.isKnown() ? Json{{"share", bound.relative}, {"radiance", bound.absolute}} : Json(nullptr);
-}
-
 /// Sum of a counting channel: exact while below 2^53.
 std::int64_t total(const render::Image& counts)
 {
@@ -50,23 +45,6 @@ std::vector<double> timesOf(const Museum& museum, render::gl::Renderer& renderer
         milliseconds.push_back(renderer.draw(museum.plan(prepared, frame, renderer.persistentState())).milliseconds);
     std::sort(milliseconds.begin(), milliseconds.end());
     return milliseconds;
-}
-
-Json ranJson(const render::FrameReport& frame, const std::map<std::string, double>& stepMilliseconds)
-{
-    Json ran = Json::array();
-    for (const render::StepReport& step : frame.ran) {
-        const auto timed = stepMilliseconds.find(step.name);
-        ran.push_back(Json{{"name", step.name},
-                           {"kind", toString(step.work)},
-                           {"reason", step.reason},
-                           {"ms", timed == stepMilliseconds.end() ? Json(nullptr) : Json(timed->second)},
-                           {"bound", boundJson(step.bound)}});
-        if (!step.variant.empty()) ran.back()["variant"] = step.variant;
-        for (const render::Effect& effect : step.effects)
-            ran.back()["effects"].push_back(Json{{"name", effect.name}, {"bound", boundJson(effect.bound)}});
-    }
-    return ran;
 }
 
 Json memoryJson(const render::gl::Renderer& renderer)
@@ -104,14 +82,15 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
     renderer.timeSteps(false);
 
     const render::FrameReport& first = maker.report();
-    Json skipped = Json::array();
-    for (const render::CulledPass& step : first.skipped) {
-        const double known = wouldCost.of(step.name);
-        skipped.push_back(Json{{"name", step.name},
-                               {"kind", toString(step.work)},
-                               {"reason", step.reason},
-                               {"wouldCostMs", known < 0 ? Json(nullptr) : Json(known)},
-                               {"boundIsZero", step.boundIsZero}});
+    std::vector<render::StepReport> ran = first.ran;
+    for (render::StepReport& step : ran) {
+        const auto timed = stepMilliseconds.find(step.name);
+        step.milliseconds = timed == stepMilliseconds.end() ? -1 : timed->second;
+    }
+    Json skipped = skippedJson(first.skipped);
+    for (std::size_t i = 0; i < skipped.size(); ++i) {
+        const double known = wouldCost.of(first.skipped[i].name);
+        skipped[i]["wouldCostMs"] = known < 0 ? Json(nullptr) : Json(known);
     }
 
     Json counters = Json::object();
@@ -127,7 +106,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
         {"renderer", gl.renderer},
         {"clock",
          Json{{"method", first.clock}, {"trusted", first.clockTrusted}, {"overheadMs", first.overheadMilliseconds}}},
-        {"ran", ranJson(first, stepMilliseconds)},
+        {"ran", ranJson(ran)},
         {"skipped", skipped},
         {"counters", counters},
         {"memory", memoryJson(renderer)},

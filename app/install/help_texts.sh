@@ -34,7 +34,8 @@ roff() {
         function text(s) { sub(/^ +/, "", s); if (s ~ /^[.\047]/) s = "\\&" s; if (s != "") print s }
         /^Usage:/ { next }
         /^[A-Z][A-Za-z ]*:$/ { next }
-        /^  [^ ]/ { line = substr($0, 3); at = match(line, /   *[^ ]/)
+        /^[^ ]/ { if (entry) print ".PP"; entry = 0 }
+        /^  [^ ]/ { entry = 1; line = substr($0, 3); at = match(line, /   *[^ ]/)
             print ".TP"; print "\\fB" (at ? substr(line, 1, at - 1) : line) "\\fR"; if (at) text(substr(line, at)); next }
         { text($0) }'
 }

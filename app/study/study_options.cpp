@@ -110,12 +110,18 @@ void addStudyOptions(CLI::App& command, StudyOptions& o)
 
 StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, std::vector<std::string>& notes)
 {
+    return studyRequest(museum, options, museum.initialSceneState(), notes);
+}
+
+StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, SceneState start,
+                          std::vector<std::string>& notes)
+{
     PictureOptions picture;
     picture.subject = options.subject;
     picture.preset = options.preset;
     picture.sets = options.sets;
     picture.size = options.size;
-    RequestedPicture job = requestedPicture(museum, picture);
+    RequestedPicture job = requestedPicture(museum, picture, std::move(start), std::nullopt);
     notes = job.notes;
 
     StudyRequest request;

@@ -44,5 +44,8 @@ void addStudyOptions(CLI::App&, StudyOptions&);
 /// The study that the options ask for; `notes` gets what was brought to the nearest legal value. Throws Failure
 /// (Blame::usage) naming the option or parameter and what to give.
 [[nodiscard]] StudyRequest studyRequest(const Museum&, const StudyOptions&, std::vector<std::string>& notes);
+/// The same from this look in place of the initial one.
+[[nodiscard]] StudyRequest studyRequest(const Museum&, const StudyOptions&, SceneState,
+                                        std::vector<std::string>& notes);
 
 }  // namespace vitrine::app

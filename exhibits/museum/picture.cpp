@@ -103,6 +103,12 @@ FrameRequest PictureMaker::frameOf(const Tile& tile, int step) const
     return frame;
 }
 
+render::FramePlan PictureMaker::firstPlan()
+{
+    if (!prepared_) prepared_ = museum_.prepare(sceneState_, request_.frame);
+    return museum_.plan(*prepared_, frameOf(tiles_.front(), 0), backend_.persistentState());
+}
+
 bool PictureMaker::step()
 {
     if (finished()) return false;

@@ -35,6 +35,8 @@ public:
     /// without pixels, or whose pixels do not fit into half of the machine's memory.
     PictureMaker(const Museum&, render::RenderBackend&, SceneState, PictureRequest);
 
+    /// What the first step would do: nothing is drawn. Of a picture at rest that was not begun.
+    [[nodiscard]] render::FramePlan firstPlan();
     /// Draws one sample of one tile; the first one prepares the picture. Returns false when it was already finished.
     bool step();
     [[nodiscard]] double progress() const;  ///< 0 to 1.

@@ -40,12 +40,11 @@ TEST_P(FuzzCorpus, IsReadOrRefusedAndNothingElse)
     EXPECT_GE(files.size(), 5U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Readers, FuzzCorpus,
-                         testing::Values(Corpus{"preset", vitrine::fuzz::readPreset},
-                                         Corpus{"exhibition", vitrine::fuzz::readExhibition},
-                                         Corpus{"gltf", vitrine::fuzz::readGltf},
-                                         Corpus{"image", vitrine::fuzz::readImage},
-                                         Corpus{"scene", vitrine::fuzz::readScene}),
-                         [](const auto& p) { return std::string(p.param.folder); });
+INSTANTIATE_TEST_SUITE_P(
+    Readers, FuzzCorpus,
+    testing::Values(Corpus{"preset", vitrine::fuzz::readPreset}, Corpus{"exhibition", vitrine::fuzz::readExhibition},
+                    Corpus{"gltf", vitrine::fuzz::readGltf}, Corpus{"image", vitrine::fuzz::readImage},
+                    Corpus{"scene", vitrine::fuzz::readScene}, Corpus{"request", vitrine::fuzz::readRequest}),
+    [](const auto& p) { return std::string(p.param.folder); });
 
 }  // namespace

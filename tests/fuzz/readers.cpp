@@ -1,5 +1,6 @@
 #include "tests/fuzz/readers.h"
 
+#include "app/serve/json_rpc.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/hall/hall_table.h"
@@ -195,6 +196,24 @@ bool readScene(std::string_view bytes)
         require(!std::isnan(field.distance(p)), "the distance of an accepted scene is a number");
     require(!scenes::sceneGlsl(scenes::SceneProgram(read.scene)).empty(), "an accepted scene has a shader");
     return true;
+}
+
+bool readRequest(std::string_view bytes)
+{
+    const auto requireOneLine = [](const std::string& line) {
+        require(line.find('\n') == line.size() - 1, "an answer is one line");
+        return render::parseJson(line, "answer").root();
+    };
+    try {
+        const app::RpcRequest request = app::parseRequest(std::string(bytes));
+        require(request.params.is_object(), "params go by name");
+        const render::Json answer = requireOneLine(app::answerLine(request.id, request.params));
+        require(answer["id"] == request.id && answer["result"] == request.params, "what was read is written again");
+        return true;
+    } catch (const app::RpcFailure& failure) {
+        require(requireOneLine(app::errorLine(failure.id(), failure))["id"] == failure.id(), "a refusal has the id");
+        return false;
+    }
 }
 
 }  // namespace vitrine::fuzz

@@ -17,5 +17,7 @@ bool readGltf(std::string_view bytes);
 bool readImage(std::string_view bytes);
 /// A scene of shapes; what is accepted has a field that is a number everywhere, and a shader.
 bool readScene(std::string_view bytes);
+/// A line to the service; whether it is accepted or refused, the answer is one line of JSON.
+bool readRequest(std::string_view bytes);
 
 }  // namespace vitrine::fuzz

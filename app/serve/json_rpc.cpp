@@ -1,0 +1,131 @@
+#include "app/serve/json_rpc.h"
+
+#include <cctype>
+#include <new>
+
+namespace vitrine::app {
+namespace {
+
+using render::Json;
+
+std::string lineOf(const Json& json)
+{
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string errorLine(const Json& id, int code, const std::string& message, const Json& data)
+{
+    Json error{{"code", code}, {"message", message}};
+    if (!data.is_null()) error["data"] = data;
+    return lineOf(Json{{"jsonrpc", "2.0"}, {"id", id}, {"error", error}});
+}
+
+std::string blameName(Blame blame)
+{
+    switch (blame) {
+    case Blame::check: return "check";
+    case Blame::usage: return "usage";
+    case Blame::openGl: return "openGl";
+    case Blame::shader: return "shader";
+    case Blame::file: break;
+    }
+    return "file";
+}
+
+/// Throws RpcFailure when the root is no request.
+RpcRequest requestOf(Json& root)
+{
+    if (root.is_array())
+        throw RpcFailure(RpcCode::request, "Batches are not taken; send one request a line, without brackets.");
+    if (!root.is_object()) throw RpcFailure(RpcCode::request, "A request is an object with jsonrpc, method and id.");
+    RpcRequest request;
+    request.wantsAnswer = root.contains("id");
+    if (request.wantsAnswer) {
+        const Json& id = root["id"];
+        if (!id.is_string() && !id.is_number() && !id.is_null())
+            throw RpcFailure(RpcCode::request, "id: give a text or a number.");
+        request.id = id;
+    }
+    const auto refuse = [&](const std::string& message) { return RpcFailure(RpcCode::request, message, request.id); };
+    for (const auto& [key, value] : root.items())
+        if (key != "jsonrpc" && key != "id" && key != "method" && key != "params")
+            throw refuse("A request has no \"" + key + "\"; it has jsonrpc, id, method and params.");
+    if (!root.contains("jsonrpc") || root["jsonrpc"] != "2.0")
+        throw refuse("jsonrpc: this service speaks version \"2.0\" only.");
+    if (!root.contains("method") || !root["method"].is_string()) throw refuse("method: give a name, such as \"list\".");
+    request.method = root["method"].get<std::string>();
+    if (!root.contains("params")) return request;
+    if (!root["params"].is_object())
+        throw RpcFailure(RpcCode::params, "params: give an object; here they go by name.", request.id);
+    request.params = std::move(root["params"]);
+    return request;
+}
+
+}  // namespace
+
+RpcRequest parseRequest(std::string line)
+{
+    const std::size_t bytes = line.size();
+    try {
+        render::JsonDocument document = render::parseJson(std::move(line), "The request", rpcLimits);
+        RpcRequest request = requestOf(document.root());
+        request.bytes = bytes;
+        return request;
+    } catch (const Failure& failure) {
+        throw RpcFailure(RpcCode::parse, failure.what());
+    }
+}
+
+std::string answerLine(const Json& id, const Json& result)
+{
+    return lineOf(Json{{"jsonrpc", "2.0"}, {"id", id}, {"result", result}});
+}
+
+std::string errorLine(const Json& id, RpcCode code, const std::string& message)
+{
+    return errorLine(id, static_cast<int>(code), message, nullptr);
+}
+
+std::string errorLine(const Json& id, const std::exception& error)
+{
+    if (const auto* refused = dynamic_cast<const RpcFailure*>(&error))
+        return errorLine(id, refused->code(), refused->what());
+    if (const auto* failure = dynamic_cast<const Failure*>(&error)) {
+        const int code = failure->blame() == Blame::usage ? static_cast<int>(RpcCode::params)
+                                                          : static_cast<int>(RpcCode::ofFailure) - failure->exitCode();
+        return errorLine(id, code, withoutDashes(failure->what()),
+                         Json{{"blame", blameName(failure->blame())}, {"exitCode", failure->exitCode()}});
+    }
+    if (dynamic_cast<const std::bad_alloc*>(&error))
+        return errorLine(id, RpcCode::params,
+                         "There was not enough memory for this; ask for a smaller size, or fewer samples or views.");
+    return errorLine(id, RpcCode::internal, error.what());
+}
+
+std::string eventLine(const std::string& method, const Json& params)
+{
+    return lineOf(Json{{"jsonrpc", "2.0"}, {"method", method}, {"params", params}});
+}
+
+std::string withoutDashes(const std::string& message)
+{
+    std::string text;
+    bool quoted = false;  // Within `backquotes`.
+    bool option = false;  // Within the name of an option.
+    for (std::size_t i = 0; i < message.size(); ++i) {
+        const char c = message[i];
+        if (c == '`') quoted = !quoted;
+        const bool starts = !quoted && (i == 0 || message[i - 1] == ' ') && message.compare(i, 2, "--") == 0 &&
+                            i + 2 < message.size() && std::islower(static_cast<unsigned char>(message[i + 2])) != 0;
+        if (starts) {
+            option = true;
+            ++i;
+            continue;
+        }
+        option = option && (std::islower(static_cast<unsigned char>(c)) != 0 || c == '-');
+        text += option && c == '-' ? '_' : c;
+    }
+    return text;
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,117 @@
+#include "app/serve/params.h"
+
+#include "app/serve/json_rpc.h"
+#include "render/failure.h"
+#include "render/files/number_text.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <vector>
+
+namespace vitrine::app {
+namespace {
+
+using render::Json;
+
+std::string keyOf(const CLI::Option& option)
+{
+    std::string key = option.get_single_name();
+    std::replace(key.begin(), key.end(), '-', '_');
+    return key;
+}
+
+std::string keysOf(const CLI::App& options)
+{
+    std::string keys;
+    for (const CLI::Option* option : options.get_options()) keys += (keys.empty() ? "" : ", ") + keyOf(*option);
+    return keys;
+}
+
+/// What is typed for a value; `separator` stands between the elements of a list.
+std::string typed(const std::string& key, const Json& value, char separator)
+{
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
+    if (value.is_number_integer()) return value.dump();
+    if (value.is_number()) return render::shortestNumber(value.get<double>());
+    if (value.is_array() && !value.empty()) {
+        std::string text;
+        for (const Json& element : value) {
+            if (!element.is_number() && !element.is_string())
+                throw Failure(Blame::usage, key + ": a list is of numbers, or of names.");
+            text += (text.empty() ? "" : std::string(1, separator)) + typed(key, element, separator);
+        }
+        return text;
+    }
+    throw Failure(Blame::usage, key + ": give a text, a number, true or false, or a list of numbers; to leave it as it "
+                                      "is, leave it out.");
+}
+
+/// "name=value" for each member of an object, or each element of a list as it is.
+std::vector<std::string> typedList(const std::string& key, const Json& value)
+{
+    std::vector<std::string> texts;
+    if (value.is_object()) {
+        for (const auto& [name, member] : value.items()) {
+            if (name.empty() || name.find('=') != std::string::npos)
+                throw Failure(Blame::usage, key + ": \"" + name + "\" is no parameter's name.");
+            texts.push_back(name + '=' + typed(key + '.' + name, member, ','));
+        }
+    } else if (value.is_array()) {
+        for (const Json& element : value) texts.push_back(typed(key, element, ','));
+    } else {
+        texts.push_back(typed(key, value, ','));
+    }
+    return texts;
+}
+
+void take(CLI::Option& option, const std::string& key, const Json& value)
+{
+    if (option.get_items_expected_max() == 0) {
+        if (!value.is_boolean()) throw Failure(Blame::usage, key + ": give true or false.");
+        if (value.get<bool>()) option.add_result("true");
+    } else if (option.get_items_expected_max() > 1) {
+        for (std::string& text : typedList(key, value)) option.add_result(std::move(text));
+    } else {
+        if (value.is_boolean()) throw Failure(Blame::usage, key + ": this takes a value, not true or false.");
+        option.add_result(typed(key, value, key == "size" ? 'x' : ','));
+    }
+    if (option.count() > 0) option.run_callback();
+}
+
+void requireWhole(const CLI::App& options, const std::string& method)
+{
+    for (const CLI::Option* option : options.get_options()) {
+        if (option->get_required() && option->count() == 0)
+            throw Failure(Blame::usage, method + ": " + keyOf(*option) + " is missing.");
+        if (option->count() == 0) continue;
+        for (const CLI::Option* other : option->get_excludes())
+            if (other->count() > 0)
+                throw Failure(Blame::usage, method + ": give either " + keyOf(*option) + " or " + keyOf(*other) + '.');
+    }
+}
+
+}  // namespace
+
+void readParams(CLI::App& options, const std::string& method, const Json& params)
+{
+    options.set_help_flag();
+    for (const auto& [key, value] : params.items()) {
+        const std::vector<CLI::Option*> all = options.get_options();
+        const auto found = std::find_if(all.begin(), all.end(), [&](const CLI::Option* o) { return keyOf(*o) == key; });
+        if (found == all.end()) {
+            const std::string keys = keysOf(options);
+            throw Failure(Blame::usage,
+                          method + " knows no \"" + key + "\"; it takes " + (keys.empty() ? "nothing" : keys) + '.');
+        }
+        try {
+            take(**found, key, value);
+        } catch (const CLI::ParseError& error) {
+            throw Failure(Blame::usage, withoutDashes(error.what()) + '.');
+        }
+    }
+    requireWhole(options, method);
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,56 @@
+#include "app/command.h"
+#include "app/progress.h"
+#include "app/serve/listener.h"
+#include "app/serve/server.h"
+#include "app/serve/service.h"
+
+#include "exhibits/exhibits.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cstdio>
+#include <memory>
+
+namespace vitrine::app {
+namespace {
+
+std::string serveFooter()
+{
+    return "JSON-RPC 2.0, one object a line, params by name; all connections share one look. Methods:\n" +
+           Service::methodsText() +
+           "  events    notifications of progress and of changes by other connections; {off: true}: no more\n"
+           "  cancel    {id}: stops that request of this connection at its next step; without it, all of them\n"
+           "Params that a command has too are its options, with underscores for dashes. SIGTERM ends the server.";
+}
+
+int serve(const std::string& path)
+{
+    const StopSignal stop;
+    const Listener listener(path);
+    const render::gl::HeadlessContext context;
+    const Museum museum{allExhibits()};
+    render::gl::Renderer renderer;
+    Service service(museum, renderer, context.info());
+    Server server(listener, service);
+    std::printf("vitrine: serving at %s\n", path.c_str());
+    std::fflush(stdout);
+    server.run();
+    return 0;
+}
+
+}  // namespace
+
+void addServeCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand(
+        "serve", "Answer tools and notebooks of the same user over a local socket, in JSON-RPC; no network");
+    auto path = std::make_shared<std::string>();
+    command->add_option("--socket", *path, "Where to listen; only the owner can connect, and it is removed at the end")
+        ->required();
+    command->footer(serveFooter);
+    command->callback([&chosen, path] { chosen = [path] { return serve(*path); }; });
+}
+
+}  // namespace vitrine::app

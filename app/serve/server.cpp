@@ -1,0 +1,253 @@
+#include "app/serve/server.h"
+
+#include "app/progress.h"
+#include "app/serve/params.h"
+#include "render/failure.h"
+
+#include <CLI/CLI.hpp>
+
+#include <poll.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <iterator>
+#include <vector>
+
+namespace vitrine::app {
+namespace {
+
+using render::Json;
+using std::chrono::steady_clock;
+
+/// Between two events about the progress of one request.
+constexpr std::chrono::milliseconds progressPause{100};
+/// How long a wait may last while a dropped connection is to be forgotten.
+constexpr int dropWaitMilliseconds = 500;
+
+const std::string tooLong = "A line has more than " + std::to_string(Connection::mostLineBytes) +
+                            " bytes; it was left out. Send less at once, or name a file.";
+
+}  // namespace
+
+void Server::run()
+{
+    while (!StopSignal::stopped()) {
+        for (Client& client : clients_) takeIn(client);
+        removeEnded();
+        exchange(std::none_of(clients_.begin(), clients_.end(), isNext));
+        for (auto client = clients_.begin(); client != clients_.end() && !StopSignal::stopped(); ++client)
+            if (isNext(*client)) serve(*client);
+    }
+    for (Client& client : clients_)
+        client.connection.drop(errorLine(nullptr, RpcCode::dropped, "The server was stopped."));
+}
+
+bool Server::mayAsk(const Client& client)
+{
+    return client.waiting.size() < mostWaiting && client.waitingBytes < Connection::mostLineBytes &&
+           client.connection.keepsUp() && !client.connection.dropped();
+}
+
+bool Server::isNext(const Client& client)
+{
+    return !client.waiting.empty() && client.connection.keepsUp();
+}
+
+void Server::exchange(bool wait)
+{
+    std::vector<pollfd> polled{{StopSignal::descriptor(), POLLIN, 0}, {listener_.descriptor(), POLLIN, 0}};
+    std::vector<Client*> clients;
+    bool anyDropped = false;
+    for (Client& client : clients_) {
+        const Connection& connection = client.connection;
+        anyDropped = anyDropped || connection.dropped();
+        // Who has hung up and has nothing left to read would wake us for ever.
+        if (connection.hungUp() && (connection.inputEnded() || !mayAsk(client))) continue;
+        int events = connection.hasUnsent() ? POLLOUT : 0;
+        if (!connection.inputEnded() && (mayAsk(client) || connection.dropped())) events |= POLLIN;
+        polled.push_back({connection.descriptor(), static_cast<short>(events), 0});
+        clients.push_back(&client);
+    }
+    const int limit = !wait ? 0 : anyDropped ? dropWaitMilliseconds : -1;
+    if (::poll(polled.data(), polled.size(), limit) < 0) return;
+    for (std::size_t i = 0; i < clients.size(); ++i) {
+        const short events = polled[i + 2].revents;
+        Client& client = *clients[i];
+        if ((events & (POLLHUP | POLLERR)) != 0) client.connection.hangUp();
+        if ((events & POLLOUT) != 0) client.connection.flush();
+        if ((events & (POLLIN | POLLHUP)) != 0 && (mayAsk(client) || client.connection.dropped()))
+            client.connection.receive();
+    }
+    for (Client& client : clients_) takeIn(client);
+    removeEnded();
+    if ((polled[1].revents & POLLIN) != 0) acceptAll();
+}
+
+void Server::acceptAll()
+{
+    for (std::size_t i = 0; i < mostConnections; ++i) {  // Who connects without end keeps nobody waiting.
+        std::optional<render::Descriptor> socket = listener_.accept();
+        if (!socket) return;
+        Client client{Connection(std::move(*socket))};
+        client.number = ++lastNumber_;
+        if (clients_.size() >= mostConnections) {
+            client.connection.send(errorLine(nullptr, RpcCode::dropped,
+                                             "There are " + std::to_string(mostConnections) +
+                                                 " connections already; close one and try again."));
+            std::fprintf(stderr, "vitrine: connection %d was one too many.\n", client.number);
+            continue;
+        }
+        clients_.push_back(std::move(client));
+    }
+}
+
+void Server::takeIn(Client& client)
+{
+    Connection& connection = client.connection;
+    while (mayAsk(client)) {
+        std::optional<ReceivedLine> line = connection.takeLine();
+        if (!line) return;
+        if (line->kind == ReceivedLine::Kind::tooLong) {
+            connection.send(errorLine(nullptr, RpcCode::request, tooLong));
+        } else if (line->kind == ReceivedLine::Kind::unfinished) {
+            connection.send(errorLine(nullptr, RpcCode::parse, "The last line has no end; a request ends with one."));
+        } else {
+            try {
+                takeRequest(client, parseRequest(std::move(line->text)));
+            } catch (const RpcFailure& failure) {
+                connection.send(errorLine(failure.id(), failure));
+            } catch (const std::exception& error) {  // Of memory that ran out.
+                connection.send(errorLine(nullptr, error));
+            }
+        }
+    }
+}
+
+void Server::takeRequest(Client& client, RpcRequest request)
+{
+    if (request.method == "cancel") {  // At once: what it is about runs or waits.
+        served(client, request);
+        return;
+    }
+    client.waitingBytes += request.bytes;
+    client.waiting.push_back(std::move(request));
+}
+
+void Server::answer(Client& client, const RpcRequest& request, const std::string& line)
+{
+    if (request.wantsAnswer) client.connection.send(line);
+}
+
+void Server::serve(Client& client)
+{
+    const RpcRequest request = std::move(client.waiting.front());
+    client.waiting.pop_front();
+    client.waitingBytes -= request.bytes;
+    if (client.connection.dropped() || served(client, request)) return;
+    Current current{client, request};
+    current_ = &current;
+    std::string how = "done";
+    try {
+        const Json result = service_.answer(request.method, request.params,
+                                            [this](double part, const std::string& doing) { watch(part, doing); });
+        answer(client, request, answerLine(request.id, result));
+    } catch (const std::exception& error) {
+        const auto* refused = dynamic_cast<const RpcFailure*>(&error);
+        how = refused && refused->code() == RpcCode::canceled ? "canceled" : "failed";
+        answer(client, request, errorLine(request.id, error));
+    }
+    if (current.told != steady_clock::time_point()) tellProgress("finished", Json{{"how", how}});
+    current_ = nullptr;
+    tellChanges(client);
+}
+
+bool Server::served(Client& client, const RpcRequest& request)
+{
+    if (request.method != "events" && request.method != "cancel") return false;
+    try {
+        if (request.method == "cancel") {
+            cancel(client, request);
+            return true;
+        }
+        CLI::App options;
+        bool off = false;
+        options.add_flag("--off", off);
+        readParams(options, "events", request.params);
+        client.wantsEvents = !off;
+        answer(client, request, answerLine(request.id, Json{{"events", client.wantsEvents}}));
+    } catch (const Failure& failure) {
+        answer(client, request, errorLine(request.id, failure));
+    }
+    return true;
+}
+
+void Server::cancel(Client& client, const RpcRequest& request)
+{
+    const Json* id = request.params.contains("id") ? &request.params["id"] : nullptr;
+    if (request.params.size() != (id ? 1U : 0U))
+        throw Failure(Blame::usage, "cancel takes id, of a request of this connection, or nothing: all of them.");
+    int count = 0;
+    if (current_ && &current_->client == &client && !current_->canceled && (!id || current_->request.id == *id)) {
+        current_->canceled = true;
+        ++count;
+    }
+    std::deque<RpcRequest> kept;
+    for (RpcRequest& waiting : client.waiting) {
+        if (id && waiting.id != *id) {
+            kept.push_back(std::move(waiting));
+            continue;
+        }
+        ++count;
+        client.waitingBytes -= waiting.bytes;
+        answer(client, waiting, errorLine(waiting.id, RpcCode::canceled, waiting.method + " was canceled."));
+    }
+    client.waiting = std::move(kept);
+    answer(client, request, answerLine(request.id, Json{{"canceled", count}}));
+}
+
+void Server::watch(double part, const std::string& doing)
+{
+    const auto now = steady_clock::now();
+    if (current_->told == steady_clock::time_point() || now - current_->told >= progressPause) {
+        tellProgress("progress", Json{{"part", part}, {"doing", doing}});
+        current_->told = now;
+    }
+    exchange(false);
+    const Connection& connection = current_->client.connection;
+    if (!current_->canceled && !connection.hungUp() && !connection.dropped() && !StopSignal::stopped()) return;
+    throw RpcFailure(RpcCode::canceled, current_->request.method +
+                                            (StopSignal::stopped() ? ": the server was stopped." : " was canceled."));
+}
+
+void Server::tellProgress(const std::string& event, Json params)
+{
+    for (Client& client : clients_) {
+        if (!client.wantsEvents) continue;
+        const bool own = &client == &current_->client;
+        Json told{{"method", current_->request.method}, {"own", own}};
+        told["id"] = own ? current_->request.id : Json(nullptr);
+        told.update(params);
+        client.connection.send(eventLine(event, told));
+    }
+}
+
+void Server::tellChanges(const Client& by)
+{
+    for (const Json& change : service_.takeChanges())
+        for (Client& client : clients_)
+            if (client.wantsEvents && &client != &by) client.connection.send(eventLine("changed", change));
+}
+
+void Server::removeEnded()
+{
+    clients_.remove_if([this](const Client& client) {
+        const Connection& connection = client.connection;
+        if (current_ && &client == &current_->client) return false;
+        if (connection.over())
+            std::fprintf(stderr, "vitrine: connection %d was dropped: it did not read.\n", client.number);
+        if (connection.dropped()) return connection.over();
+        return connection.inputEnded() && client.waiting.empty() && !connection.hasUnsent();
+    });
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,212 @@
+#include "app/serve/service.h"
+
+#include "app/apply_preset.h"
+#include "app/picture_options.h"
+#include "app/serve/json_rpc.h"
+#include "app/serve/params.h"
+#include "app/serve/values_json.h"
+#include "app/table_json.h"
+#include "exhibits/framework/preset_store.h"
+#include "exhibits/framework/preset_values.h"
+#include "render/failure.h"
+#include "render/files/assets.h"
+
+#include <CLI/CLI.hpp>
+
+namespace vitrine::app {
+
+using render::Json;
+
+namespace {
+
+Json textsJson(const std::vector<std::string>& texts)
+{
+    Json json = Json::array();
+    for (const std::string& text : texts) json.push_back(withoutDashes(text));
+    return json;
+}
+
+}  // namespace
+
+Service::Service(const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl)
+    : museum_(museum), renderer_(renderer), gl_(gl), sceneState_(museum.initialSceneState())
+{
+}
+
+const std::vector<Service::Entry>& Service::methods()
+{
+    static const std::vector<Entry> all{
+        {"list", &Service::listExhibits, "every exhibit and its rows, as `vitrine list --json`; {exhibit}: that one"},
+        {"get", &Service::getValues, "{exhibit, names}: values and motions of its rows, or of the named ones"},
+        {"set", &Service::setValues, "{exhibit, values: {row: value}, animate: {row: motion}}: what the rows are then"},
+        {"reset", &Service::resetValues, "{exhibit}: its rows are initial again; without it, all are"},
+        {"presets", &Service::listPresets, "{exhibit}: its presets"},
+        {"load", &Service::loadPreset, "{exhibit, preset}: a shipped preset by its name, or a file"},
+        {"plan", &Service::planPicture,
+         "{exhibit, size, ...} as of `vitrine render`: what would run, what not and why"},
+        {"render", &Service::renderPicture,
+         "{exhibit, size, out, ...} as of `vitrine render`; without out, the answer has the PNG in base64"},
+        {"study", &Service::runStudy, "{exhibit, parameters, values, ...} as of `vitrine study`: its study.json"}};
+    return all;
+}
+
+std::string Service::methodsText()
+{
+    std::string text;
+    for (const Entry& entry : methods()) {
+        std::string name = entry.name;
+        name.resize(10, ' ');
+        text += "  " + name + entry.help + "\n";
+    }
+    return text;
+}
+
+Json Service::answer(const std::string& method, const Json& params, const Watch& watch)
+{
+    std::string names;
+    for (const Entry& entry : methods()) {
+        if (method == entry.name) return (this->*entry.method)(params, watch);
+        names += std::string(entry.name) + ", ";
+    }
+    throw RpcFailure(RpcCode::method,
+                     "There is no method \"" + method + "\"; there are " + names + "events and cancel.");
+}
+
+std::size_t Service::subjectNamed(const std::string& name) const
+{
+    if (const auto subject = museum_.find(name)) return *subject;
+    throw Failure(Blame::usage, "There is no exhibit \"" + name + "\"; the method list names them.");
+}
+
+std::optional<render::Camera> Service::cameraOf(const std::string& name) const
+{
+    const auto subject = museum_.find(name);
+    const auto camera = subject ? cameras_.find(*subject) : cameras_.end();
+    return camera == cameras_.end() ? std::nullopt : std::optional(camera->second);
+}
+
+void Service::become(SceneState next)
+{
+    for (std::size_t i = 0; i < next.values.size(); ++i) {
+        Json change = changeJson(museum_.subject(i).name(), sceneState_.values[i], next.values[i]);
+        if (!change.is_null()) changes_.push_back(std::move(change));
+    }
+    sceneState_ = std::move(next);
+}
+
+Json Service::listExhibits(const Json& params, const Watch&)
+{
+    std::string exhibit;
+    CLI::App options;
+    options.add_option("exhibit", exhibit);
+    readParams(options, "list", params);
+    Json all = exhibitsJson(museum_, sceneState_);
+    return exhibit.empty() ? all : Json::array({all[subjectNamed(exhibit)]});
+}
+
+Json Service::getValues(const Json& params, const Watch&)
+{
+    std::string exhibit;
+    std::vector<std::string> names;
+    CLI::App options;
+    options.add_option("exhibit", exhibit)->required();
+    options.add_option("--names", names)->take_all();
+    readParams(options, "get", params);
+    const std::size_t subject = subjectNamed(exhibit);
+    const ParameterValues& values = sceneState_.values[subject];
+    if (names.empty())
+        return Json{{"exhibit", exhibit}, {"values", valuesJson(values)}, {"motions", motionsJson(values)}};
+    Json answer{{"exhibit", exhibit}, {"values", Json::object()}, {"motions", Json::object()}};
+    for (const std::string& name : names) {
+        const NamedRow at = namedRow(museum_, sceneState_, subject, name, "names");
+        const ParameterValues& owner = sceneState_.values[at.owner];
+        answer["values"][name] = jsonFromValue(owner.rows()[at.row], owner.row(at.row));
+        const Json motions = motionsJson(owner);
+        const std::string row(owner.rows()[at.row].name);
+        if (motions.contains(row)) answer["motions"][name] = motions[row];
+    }
+    return answer;
+}
+
+Json Service::setValues(const Json& params, const Watch&)
+{
+    std::string exhibit;
+    std::vector<std::string> values, motions;
+    CLI::App options;
+    options.add_option("exhibit", exhibit)->required();
+    options.add_option("--values", values)->take_all();
+    options.add_option("--animate", motions)->take_all();
+    readParams(options, "set", params);
+    const std::size_t subject = subjectNamed(exhibit);
+    SceneState next = sceneState_;
+    std::vector<std::string> notes;
+    applySets(museum_, next, subject, values, notes);
+    for (const std::string& motion : motions) applyMotion(museum_, next, subject, motion);
+    Json now = Json::object();
+    for (const std::string& assignment : values) {
+        const std::string name = assignment.substr(0, assignment.find('='));
+        const NamedRow at = namedRow(museum_, next, subject, name, "values");
+        now[name] = jsonFromValue(next.values[at.owner].rows()[at.row], next.values[at.owner].row(at.row));
+    }
+    become(std::move(next));
+    return Json{{"values", now}, {"notes", textsJson(notes)}};
+}
+
+Json Service::resetValues(const Json& params, const Watch&)
+{
+    std::string exhibit;
+    CLI::App options;
+    options.add_option("exhibit", exhibit);
+    readParams(options, "reset", params);
+    const SceneState initial = museum_.initialSceneState();
+    SceneState next = sceneState_;
+    const std::size_t only = exhibit.empty() ? 0 : subjectNamed(exhibit);
+    for (std::size_t i = 0; i < next.values.size(); ++i) {
+        if (!exhibit.empty() && i != only) continue;
+        next.values[i] = initial.values[i];
+        cameras_.erase(i);
+    }
+    become(std::move(next));
+    return Json::object();
+}
+
+Json Service::listPresets(const Json& params, const Watch&)
+{
+    std::string exhibit;
+    CLI::App options;
+    options.add_option("exhibit", exhibit)->required();
+    readParams(options, "presets", params);
+    const std::string subject(museum_.subject(subjectNamed(exhibit)).name());
+    Json all = Json::array();
+    for (const PresetEntry& preset : PresetStore::standard(render::asset("presets")).list(subject))
+        all.push_back(Json{{"preset", preset.shipped ? preset.path.stem().string() : preset.path.string()},
+                           {"name", preset.name},
+                           {"shipped", preset.shipped},
+                           {"problem", preset.problem.empty() ? Json(nullptr) : Json(preset.problem)}});
+    return all;
+}
+
+Json Service::loadPreset(const Json& params, const Watch&)
+{
+    std::string exhibit, preset;
+    CLI::App options;
+    options.add_option("exhibit", exhibit)->required();
+    options.add_option("--preset", preset)->required();
+    readParams(options, "load", params);
+    RequestedPicture job;
+    job.subject = subjectNamed(exhibit);
+    job.sceneState = sceneState_;
+    applyPreset(museum_, preset, job);
+    applySets(museum_, job.sceneState, job.subject, {}, job.notes);  // The rows that its files give.
+    cameras_.erase(job.subject);
+    if (job.cameraFromPreset) cameras_[job.subject] = job.sceneState.camera;
+    job.sceneState.camera = sceneState_.camera;
+    become(std::move(job.sceneState));
+    const ParameterValues& values = sceneState_.values[job.subject];
+    return Json{{"exhibit", exhibit},
+                {"values", valuesJson(values)},
+                {"motions", motionsJson(values)},
+                {"notes", textsJson(job.notes)}};
+}
+
+}  // namespace vitrine::app
