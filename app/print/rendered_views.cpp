@@ -182,6 +182,33 @@ render::Image viewMade(const Parts& parts, int k)
     throw Failure(Blame::check, parts.file(nameOfView(k)).string() + " is missing; make all parts anew.");
 }
 
+/// Renders the views, or those of a part into it, or takes those that were rendered in parts.
+void takeViews(const Museum& museum, render::RenderBackend& renderer, const std::vector<ViewShot>& shots,
+               const ViewOptions& options, const printing::ViewMaker::Take& take)
+{
+    const int count = static_cast<int>(shots.size());
+    for (int k = 0; options.made && k < count; ++k) take(k, viewMade(*options.made, k));
+    if (options.made) return;
+    std::vector<int> chosen;
+    std::vector<ViewShot> rendered;
+    for (int k = 0; k < count; ++k) {
+        if (options.makes && !options.makes->shard().makes(static_cast<std::size_t>(k))) continue;
+        chosen.push_back(k);
+        rendered.push_back(shots[static_cast<std::size_t>(k)]);
+    }
+    ProgressLine line("rendering views");
+    printing::ViewMaker maker(museum, renderer, rendered, [&](int i, const render::Image& image) {
+        const int k = chosen[static_cast<std::size_t>(i)];
+        if (options.makes)
+            options.makes->keep(nameOfView(k), image);
+        else
+            take(k, image);
+    });
+    while (maker.step())
+        if (!line.show(maker.progress()))
+            throw Failure(Blame::usage, "Rendering the views was stopped; nothing was written.");
+}
+
 }  // namespace
 
 GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf)
@@ -222,26 +249,7 @@ GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf
             result.folder->add(
                 k, image, presetOf(museum, picture.subject, shots[static_cast<std::size_t>(k)].sceneState, "View"));
     };
-    if (options.made) {
-        for (int k = 0; k < count; ++k) take(k, viewMade(*options.made, k));
-        return result;
-    }
-    std::vector<int> chosen;
-    for (int k = 0; k < count; ++k)
-        if (!options.makes || options.makes->shard().makes(static_cast<std::size_t>(k))) chosen.push_back(k);
-    std::vector<ViewShot> rendered;
-    for (const int k : chosen) rendered.push_back(shots[static_cast<std::size_t>(k)]);
-    ProgressLine line("rendering views");
-    printing::ViewMaker maker(museum, renderer, rendered, [&](int i, const render::Image& image) {
-        const int k = chosen[static_cast<std::size_t>(i)];
-        if (options.makes)
-            options.makes->keep(nameOfView(k), image);
-        else
-            take(k, image);
-    });
-    while (maker.step())
-        if (!line.show(maker.progress()))
-            throw Failure(Blame::usage, "Rendering the views was stopped; nothing was written.");
+    takeViews(museum, renderer, shots, options, take);
     result.renderer = context.info().renderer;
     return result;
 }
