@@ -1,9 +1,13 @@
 #include "ui/presets/preset_list.h"
 
+#include "ui/kit/idle_undo.h"
 #include "ui/kit/tile_delegate.h"
 
 #include <QAction>
 #include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -13,13 +17,31 @@
 namespace vitrine::ui {
 namespace {
 
+constexpr int fewPresets = 5;  // These are seen at once.
 constexpr int idRole = Qt::UserRole;
 constexpr int ownLine = TileDelegate::mark + 1;  // The second line of a preset as it was loaded.
 
 }  // namespace
 
-PresetList::PresetList(QWidget* parent) : QWidget(parent), list_(new QListWidget(this)), buttons_(new QWidget(this))
+PresetList::PresetList(QWidget* parent)
+    : QWidget(parent), words_(new QLineEdit(this)), list_(new QListWidget(this)), nothing_(new QLabel(this)),
+      buttons_(new QWidget(this))
 {
+    words_->setPlaceholderText(tr("Find a preset"));
+    words_->setAccessibleName(tr("Find a preset"));
+    words_->setToolTip(
+        tr("Shows only presets whose name contains these words, or is “yours”. Enter loads the first, Esc "
+           "clears."));
+    words_->setProperty(IdleUndo::searches, true);
+    words_->setClearButtonEnabled(true);
+    words_->setFixedHeight(26);
+    words_->setTextMargins(4, 0, 4, 0);
+    words_->installEventFilter(this);
+    words_->hide();
+    nothing_->setText(tr("No preset has these words."));
+    nothing_->setAlignment(Qt::AlignCenter);
+    nothing_->hide();
+    connect(words_, &QLineEdit::textChanged, this, &PresetList::filter);
     list_->setAccessibleName(tr("Presets"));
     list_->setFrameShape(QFrame::NoFrame);
     list_->setItemDelegate(new TileDelegate(list_));
@@ -30,6 +52,8 @@ PresetList::PresetList(QWidget* parent) : QWidget(parent), list_(new QListWidget
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(words_);
+    layout->addWidget(nothing_);
     layout->addWidget(list_, 1);
     layout->addWidget(buttons_);
     auto* row = new QHBoxLayout(buttons_);
@@ -98,7 +122,49 @@ void PresetList::fill(const std::vector<PresetLine>& entries)
         }
         if (!entry.shipped) item->setFlags(item->flags() | Qt::ItemIsEditable);
     }
+    words_->setVisible(list_->count() > fewPresets);
+    if (words_->isHidden()) words_->clear();
+    filter();
     setCurrent(before);
+}
+
+void PresetList::filter()
+{
+    const QStringList words = words_->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    bool any = list_->count() == 0;
+    for (int i = 0; i < list_->count(); ++i) {
+        QListWidgetItem* item = list_->item(i);
+        const QString text = item->text() + QLatin1Char(' ') + item->data(ownLine).toString();
+        const bool has = std::all_of(words.begin(), words.end(),
+                                     [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+        item->setHidden(!has);
+        any = any || has;
+    }
+    nothing_->setVisible(!any);
+}
+
+bool PresetList::eventFilter(QObject* object, QEvent* event)
+{
+    if (object == words_ && event->type() == QEvent::KeyPress) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (key == Qt::Key_Escape && !words_->text().isEmpty()) {
+            words_->clear();
+            return true;
+        }
+        if (key == Qt::Key_Down) {
+            list_->setFocus();
+            return true;
+        }
+        if (key == Qt::Key_Return || key == Qt::Key_Enter) {
+            for (int i = 0; i < list_->count(); ++i) {
+                if (list_->item(i)->isHidden()) continue;
+                emit loadAsked(list_->item(i)->data(idRole).toString());
+                break;
+            }
+            return true;
+        }
+    }
+    return QWidget::eventFilter(object, event);
 }
 
 QListWidgetItem* PresetList::itemOf(const QString& id) const

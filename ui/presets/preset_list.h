@@ -7,6 +7,8 @@
 #include <vector>
 
 class QAction;
+class QLabel;
+class QLineEdit;
 
 namespace vitrine::ui {
 
@@ -19,7 +21,8 @@ struct PresetLine {
     QPixmap thumbnail;
 };
 
-/// The presets of one exhibit, by picture and name. Asks for everything; does nothing itself.
+/// The presets of one exhibit, by picture and name, the visitor's own first. Where there are more than a few, words
+/// find some of them. Asks for everything; does nothing itself.
 class PresetList final : public QWidget {
     Q_OBJECT
 
@@ -39,10 +42,17 @@ signals:
     void loadAsked(const QString& id);
     void renamed(const QString& id, const QString& name);
 
+protected:
+    bool eventFilter(QObject*, QEvent*) override;
+
 private:
+    /// Shows those that have all words that were typed.
+    void filter();
     [[nodiscard]] QListWidgetItem* itemOf(const QString& id) const;
 
+    QLineEdit* words_;
     QListWidget* list_;
+    QLabel* nothing_;
     QWidget* buttons_;
     QList<QAction*> menu_;
 };

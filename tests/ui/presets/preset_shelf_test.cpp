@@ -144,6 +144,42 @@ private slots:
         QCOMPARE(editor->palette().color(QPalette::Base).alpha(), 255);
     }
 
+    void wordsFindSomeOfManyPresets()
+    {
+        window_->choose(1);
+        QLineEdit* words = nullptr;
+        for (QLineEdit* line : window_->findChildren<QLineEdit*>())
+            if (line->accessibleName() == "Find a preset") words = line;
+        QVERIFY(words);
+        const int shipped = presets()->count();
+        for (int i = 0; i < 8; ++i) {
+            dragRoughness(10 + 10 * i);
+            window_->shelf().saveUnder(i == 6 ? QString("Velvet rope") : QStringLiteral("Stone %1").arg(i));
+        }
+        QTRY_COMPARE(presets()->count(), shipped + 8);
+        QTRY_VERIFY(words->isVisible());
+        const auto found = [this] {
+            QStringList names;
+            for (int i = 0; i < presets()->count(); ++i)
+                if (!presets()->item(i)->isHidden()) names << presets()->item(i)->text();
+            return names;
+        };
+        QCOMPARE(found().size(), shipped + 8);
+        words->setFocus();
+        QTest::keyClicks(words, "ROPE vel");
+        QCOMPARE(found(), QStringList{"Velvet rope"});
+        const double last = roughness();
+        QTest::keyClick(words, Qt::Key_Return);
+        QTRY_VERIFY(roughness() != last);
+        QCOMPARE(marked(), QString("Velvet rope"));
+        QTest::keyClicks(words, "xyz");
+        QVERIFY(found().isEmpty());
+        QTest::keyClick(words, Qt::Key_Escape);
+        QCOMPARE(found().size(), shipped + 8);
+        QTest::keyClicks(words, "yours");
+        QCOMPARE(found().size(), 8);
+    }
+
     void anImportedPresetGetsAPicture()
     {
         window_->choose(1);
