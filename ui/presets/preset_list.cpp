@@ -24,8 +24,8 @@ constexpr int ownLine = TileDelegate::mark + 1;  // The second line of a preset 
 }  // namespace
 
 PresetList::PresetList(QWidget* parent)
-    : QWidget(parent), words_(new QLineEdit(this)), list_(new QListWidget(this)), nothing_(new QLabel(this)),
-      buttons_(new QWidget(this))
+    : QWidget(parent), finder_(new QWidget(this)), words_(new QLineEdit(finder_)), list_(new QListWidget(this)),
+      nothing_(new QLabel(this)), buttons_(new QWidget(this))
 {
     words_->setPlaceholderText(tr("Find a preset"));
     words_->setAccessibleName(tr("Find a preset"));
@@ -37,7 +37,10 @@ PresetList::PresetList(QWidget* parent)
     words_->setFixedHeight(26);
     words_->setTextMargins(4, 0, 4, 0);
     words_->installEventFilter(this);
-    words_->hide();
+    auto* finder = new QHBoxLayout(finder_);
+    finder->setContentsMargins(8, 8, 8, 8);
+    finder->addWidget(words_);
+    finder_->hide();
     nothing_->setText(tr("No preset has these words."));
     nothing_->setAlignment(Qt::AlignCenter);
     nothing_->hide();
@@ -52,7 +55,7 @@ PresetList::PresetList(QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(words_);
+    layout->addWidget(finder_);
     layout->addWidget(nothing_);
     layout->addWidget(list_, 1);
     layout->addWidget(buttons_);
@@ -122,8 +125,8 @@ void PresetList::fill(const std::vector<PresetLine>& entries)
         }
         if (!entry.shipped) item->setFlags(item->flags() | Qt::ItemIsEditable);
     }
-    words_->setVisible(list_->count() > fewPresets);
-    if (words_->isHidden()) words_->clear();
+    finder_->setVisible(list_->count() > fewPresets);
+    if (finder_->isHidden()) words_->clear();
     filter();
     setCurrent(before);
 }

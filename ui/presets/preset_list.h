@@ -50,6 +50,7 @@ private:
     void filter();
     [[nodiscard]] QListWidgetItem* itemOf(const QString& id) const;
 
+    QWidget* finder_;
     QLineEdit* words_;
     QListWidget* list_;
     QLabel* nothing_;
