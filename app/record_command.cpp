@@ -98,20 +98,16 @@ RecordingRequest recordingRequest(const RecordOptions& options, const Museum& mu
     return request;
 }
 
-int countOf(const RecordOptions& options)
-{
-    RecordingRequest request;
-    request.seconds = options.seconds;
-    request.framesPerSecond = options.framesPerSecond;
-    return request.frames();
-}
-
 /// The frames of a video that is made in parts.
 constexpr const char* framesOfParts = "%06d.png";
 
-/// Draws what was asked for into `out`, or the share of it that `share` says; nothing when it was stopped, else the
-/// renderer's name.
-std::optional<std::string> draw(const RecordOptions& options, const std::string& out, const RecordingShare& share)
+struct Drawn {
+    std::string renderer;
+    int frames = 0;  ///< Of the whole recording.
+};
+
+/// Draws what was asked for into `out`, or the share of it that `share` says; nothing when it was stopped.
+std::optional<Drawn> draw(const RecordOptions& options, const std::string& out, const RecordingShare& share)
 {
     PictureOptions picture = options.picture;
     picture.subject = isTourFile(options) ? "hall" : options.subject;
@@ -147,7 +143,7 @@ std::optional<std::string> draw(const RecordOptions& options, const std::string&
                 request.picture.frame.raster.size.x, request.picture.frame.raster.size.y);
     if (recording.kept() > 0) std::printf(", %d of them kept", recording.kept());
     std::printf("\n");
-    return context.info().renderer;
+    return Drawn{context.info().renderer, request.frames()};
 }
 
 int makePart(const RecordOptions& options)
@@ -157,13 +153,13 @@ int makePart(const RecordOptions& options)
     const RecordingShare share{[shard](int k) { return shard.makes(static_cast<std::size_t>(k)); }, {}};
     if (render::lowerExtension(out) == ".png")
         return draw(options, out, share) ? 0 : StopSignal::exitCode;  // The frames are all that there is to make.
-    return runPart(out, options.part.shard, [&](Parts& parts) {
+    return runPart(out, shard, [&](Parts& parts) -> std::optional<std::string> {
         const std::string frames = parts.file(framesOfParts);
-        const auto renderer = draw(options, frames, share);
-        const int count = countOf(options);
-        for (int k = 0; renderer && k < count; ++k)
+        const std::optional<Drawn> drawn = draw(options, frames, share);
+        if (!drawn) return std::nullopt;
+        for (int k = 0; k < drawn->frames; ++k)
             if (share.draws(k)) parts.wrote(framePath(frames, k).filename());
-        return renderer;
+        return drawn->renderer;
     });
 }
 

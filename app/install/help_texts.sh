@@ -56,15 +56,16 @@ day=$(date -u -d "$(sed -n 's/^ -- .*>  //p' "$here/changelog")" +%Y-%m-%d)
     done
 } | gzip -9n >"$folder/vitrine.1.gz"
 
+# For each command, the pattern of a `case` and the words that may follow, with a bar between.
+words=$(for command in $(commands_of); do
+    for each in $(commands_of "$command"); do printf '"%s %s")|%s\n' "$command" "$each" "$(options_of "$command $each")"; done
+    printf '"%s "*)|%s\n' "$command" "$(commands_of "$command" | tr '\n' ' ')$(options_of "$command")"
+done)
+
 {
     printf '# bash completion for vitrine, made of its help texts.\n_vitrine() {\n'
     printf '    local word=${COMP_WORDS[COMP_CWORD]} words\n    case "${COMP_WORDS[1]} ${COMP_WORDS[2]}" in\n'
-    for command in $(commands_of); do
-        for each in $(commands_of "$command"); do
-            printf '        "%s %s") words="%s" ;;\n' "$command" "$each" "$(options_of "$command $each")"
-        done
-        printf '        "%s "*) words="%s" ;;\n' "$command" "$(commands_of "$command" | tr '\n' ' ')$(options_of "$command")"
-    done
+    echo "$words" | sed 's/^\(.*\)|\(.*\)$/        \1 words="\2" ;;/'
     printf '    esac\n    if [ "$COMP_CWORD" -eq 1 ]; then words="%s--help --version"; fi\n' "$(commands_of | tr '\n' ' ')"
     printf '    case "${COMP_WORDS[1]}:$COMP_CWORD" in\n        render:2 | record:2 | study:2) words="$words %s" ;;\n    esac\n' \
         "$("$program" list | awk '/^[a-z_]+( |$)/ { print $1 }' | tr '\n' ' ' | sed 's/ $//')"
@@ -75,12 +76,7 @@ day=$(date -u -d "$(sed -n 's/^ -- .*>  //p' "$here/changelog")" +%Y-%m-%d)
 {
     printf '#compdef vitrine\n# Made of the help texts of vitrine.\n_vitrine() {\n    local -a names\n'
     printf '    if (( CURRENT == 2 )); then\n        names=(%s--help --version)\n    else\n        case "$words[2] $words[3]" in\n' "$(commands_of | tr '\n' ' ')"
-    for command in $(commands_of); do
-        for each in $(commands_of "$command"); do
-            printf '            "%s %s") names=(%s) ;;\n' "$command" "$each" "$(options_of "$command $each")"
-        done
-        printf '            "%s "*) names=(%s) ;;\n' "$command" "$(commands_of "$command" | tr '\n' ' ')$(options_of "$command")"
-    done
+    echo "$words" | sed 's/^\(.*\)|\(.*\)$/            \1 names=(\2) ;;/'
     printf '        esac\n    fi\n    compadd -- $names\n    _files\n}\n_vitrine "$@"\n'
 } >"$folder/_vitrine"
 

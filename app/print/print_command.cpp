@@ -94,7 +94,7 @@ int makePart(const PrintOptions& options, const LayoutOf& layoutOf)
                       "--shard " + options.part.shard +
                           ": only views that are rendered are made in parts; give an --exhibit and --out.");
     checkTarget(options.out);
-    return runPart(options.out, options.part.shard, [&](Parts& parts) -> std::optional<std::string> {
+    return runPart(options.out, parseShard(options.part.shard), [&](Parts& parts) -> std::optional<std::string> {
         ViewOptions views = options.views;
         views.makes = &parts;
         const GatheredViews made = gatherViews(views, layoutOf);

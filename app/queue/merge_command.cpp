@@ -15,11 +15,10 @@ void addMergeCommand(CLI::App& parser, Action& chosen, const std::function<int(c
     command->add_option("out", *out, "What the parts were told as --out")->required();
     command->callback([&chosen, out, run] {
         chosen = [out, run] {
-            const Parts parts{std::filesystem::path(*out)};
-            std::vector<std::string> words = parts.command();
-            words.emplace_back("--from-parts");
+            std::vector<std::string> words = Parts::commandFor(*out);
+            words.emplace_back("--from-parts");  // Which looks at all parts before it writes anything.
             const int code = run(words);
-            if (code == 0) std::printf("The parts in %s are not needed any more.\n", parts.folder().c_str());
+            if (code == 0) std::printf("The parts in %s.parts are not needed any more.\n", out->c_str());
             return code;
         };
     });

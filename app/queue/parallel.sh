@@ -8,23 +8,9 @@ if ! command -v parallel >/dev/null 2>&1; then
     echo "parallel.sh: GNU parallel is missing (Debian: apt-get install parallel)" >&2
     exit 1
 fi
-if [ $# -lt 3 ]; then
-    echo "usage: parallel.sh PARTS VITRINE-COMMAND... --out OUT" >&2
-    exit 2
-fi
+. "$(dirname "$0")/arguments.sh"
 parts=$1
 shift
-out=""
-last=""
-for word in "$@"; do
-    [ "$last" = --out ] && out=$word
-    last=$word
-done
-if [ -z "$out" ]; then
-    echo "parallel.sh: --out is missing" >&2
-    exit 2
-fi
-program=${VITRINE:-vitrine}
 # Parallel stops at the first part that fails; `merge` then says which ones to make again.
 failed=0
 seq "$parts" | parallel --will-cite --jobs "${PARALLEL_JOBS:-100%}" --quote "$program" "$@" --shard "{}/$parts" || failed=$?

@@ -19,6 +19,7 @@ using render::Json;
 
 constexpr std::size_t largestReport = std::size_t{64} << 20U;
 constexpr std::size_t largestFile = std::size_t{1} << 32U;
+constexpr const char* jobFile = "job.json";
 constexpr const char* jobFormat = "vitrine-parts";
 constexpr const char* keptFormat = "vitrine-picture";
 constexpr int partsVersion = 1;
@@ -50,6 +51,33 @@ std::optional<Json> readReport(const fs::path& path)
     }
 }
 
+fs::path folderOf(const fs::path& out)
+{
+    return out.string() + ".parts";
+}
+
+struct Job {
+    std::vector<std::string> command;
+    int parts = 1;
+};
+
+/// Throws Failure (Blame::check) where there is none of this version of the program.
+Job jobIn(const fs::path& folder)
+{
+    const std::optional<Json> job = readReport(folder / jobFile);
+    if (!job || job->value("format", "") != jobFormat || !job->contains("command") || !(*job)["command"].is_array() ||
+        (*job)["command"].empty())
+        throw Failure(Blame::check,
+                      folder.string() + ": here are no parts; make them with --shard 1/N to N/N and the same --out.");
+    if (job->value("version", 0) != partsVersion || job->value("app", "") != VITRINE_VERSION)
+        throw Failure(Blame::check, folder.string() + ": the parts are of another version of the program (" +
+                                        job->value("app", "unknown") + "); merge them with that one.");
+    Job found;
+    for (const Json& word : (*job)["command"]) found.command.push_back(word.is_string() ? word.get<std::string>() : "");
+    found.parts = std::clamp(job->value("parts", 1), 1, mostParts);
+    return found;
+}
+
 [[noreturn]] void another(const fs::path& folder, const std::string& why)
 {
     throw Failure(Blame::usage, folder.string() + ": " + why + "; remove the folder, or give another --out.");
@@ -58,10 +86,10 @@ std::optional<Json> readReport(const fs::path& path)
 }  // namespace
 
 Parts::Parts(const fs::path& out, const Shard& shard)
-    : folder_(out.string() + ".parts"), shard_(shard), command_(commandOfAllParts())
+    : folder_(folderOf(out)), shard_(shard), command_(commandOfAllParts())
 {
     std::error_code error;
-    const fs::path job = file("job.json");
+    const fs::path job = file(jobFile);
     const Json wanted = jobOf(command_, shard.of);
     if (fs::exists(job, error)) {
         const std::optional<Json> there = readReport(job);
@@ -75,18 +103,16 @@ Parts::Parts(const fs::path& out, const Shard& shard)
     fs::remove(reportOf(shard.part), error);
 }
 
-Parts::Parts(const fs::path& out) : folder_(out.string() + ".parts")
+std::vector<std::string> Parts::commandFor(const fs::path& out)
 {
-    const std::optional<Json> job = readReport(file("job.json"));
-    if (!job || job->value("format", "") != jobFormat || !job->contains("command") || !(*job)["command"].is_array() ||
-        (*job)["command"].empty())
-        throw Failure(Blame::check,
-                      folder_.string() + ": here are no parts; make them with --shard 1/N to N/N and the same --out.");
-    if (job->value("version", 0) != partsVersion || job->value("app", "") != VITRINE_VERSION)
-        throw Failure(Blame::check, folder_.string() + ": the parts are of another version of the program (" +
-                                        job->value("app", "unknown") + "); merge them with that one.");
-    for (const Json& word : (*job)["command"]) command_.push_back(word.is_string() ? word.get<std::string>() : "");
-    shard_.of = std::clamp(job->value("parts", 1), 1, 10000);
+    return jobIn(folderOf(out)).command;
+}
+
+Parts::Parts(const fs::path& out) : folder_(folderOf(out))
+{
+    Job job = jobIn(folder_);
+    command_ = std::move(job.command);
+    shard_.of = job.parts;
 
     std::string problems;
     std::map<std::string, int> renderers;
@@ -194,10 +220,9 @@ void Parts::fail(const std::string& why)
     render::atomicWrite(reportOf(shard_.part), Json{{"failed", why}}.dump(1) + "\n");
 }
 
-int runPart(const fs::path& out, const std::string& shard,
-            const std::function<std::optional<std::string>(Parts&)>& make)
+int runPart(const fs::path& out, const Shard& shard, const std::function<std::optional<std::string>(Parts&)>& make)
 {
-    Parts parts(out, parseShard(shard));
+    Parts parts(out, shard);
     std::optional<std::string> renderer;
     try {
         renderer = make(parts);

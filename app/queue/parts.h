@@ -25,9 +25,11 @@ public:
     /// drawn by another renderer, one to a line, with the command that makes it.
     explicit Parts(const std::filesystem::path& out);
 
+    /// The command of all parts, without --shard. Throws Failure (Blame::check) where there are none, or of another
+    /// version of the program.
+    [[nodiscard]] static std::vector<std::string> commandFor(const std::filesystem::path& out);
+
     [[nodiscard]] const Shard& shard() const { return shard_; }
-    /// The command of all parts, without --shard.
-    [[nodiscard]] const std::vector<std::string>& command() const { return command_; }
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
     /// A file of that name in the folder.
     [[nodiscard]] std::filesystem::path file(const std::string& name) const { return folder_ / name; }
@@ -58,7 +60,7 @@ private:
 
 /// Makes a part by `make`, which returns the renderer's name, or nothing when it was stopped; says that it is made, or
 /// why not. Returns the exit code; throws what `make` throws.
-int runPart(const std::filesystem::path& out, const std::string& shard,
+int runPart(const std::filesystem::path& out, const Shard&,
             const std::function<std::optional<std::string>(Parts&)>& make);
 
 }  // namespace vitrine::app

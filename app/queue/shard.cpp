@@ -1,13 +1,12 @@
 #include "app/queue/shard.h"
 
 #include "render/failure.h"
+#include "render/files/shell_word.h"
 
 #include <CLI/CLI.hpp>
 
 namespace vitrine::app {
 namespace {
-
-constexpr int mostParts = 10000;
 
 /// A whole number of at most five digits; 0 for anything else.
 int countOf(const std::string& text)
@@ -59,19 +58,7 @@ std::vector<std::string> commandOfAllParts()
 std::string shellText(const std::vector<std::string>& words)
 {
     std::string text;
-    for (const std::string& word : words) {
-        if (!text.empty()) text += ' ';
-        const bool plain =
-            !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                    "0123456789-_=./,:%+@") == std::string::npos;
-        if (plain) {
-            text += word;
-            continue;
-        }
-        text += '\'';
-        for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-        text += '\'';
-    }
+    for (const std::string& word : words) text += (text.empty() ? "" : " ") + render::shellWord(word);
     return text;
 }
 

@@ -21,6 +21,8 @@ struct Shard {
     }
 };
 
+constexpr int mostParts = 10000;
+
 /// Of "2/8". Throws Failure (Blame::usage) saying what to give.
 [[nodiscard]] Shard parseShard(const std::string& typed);
 

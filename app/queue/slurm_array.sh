@@ -9,23 +9,9 @@ if ! command -v sbatch >/dev/null 2>&1; then
     echo "slurm_array.sh: sbatch is missing; this is no machine of a Slurm cluster" >&2
     exit 1
 fi
-if [ $# -lt 3 ]; then
-    echo "usage: slurm_array.sh PARTS VITRINE-COMMAND... --out OUT" >&2
-    exit 2
-fi
+. "$(dirname "$0")/arguments.sh"
 parts=$1
 shift
-out=""
-last=""
-for word in "$@"; do
-    [ "$last" = --out ] && out=$word
-    last=$word
-done
-if [ -z "$out" ]; then
-    echo "slurm_array.sh: --out is missing" >&2
-    exit 2
-fi
-program=${VITRINE:-vitrine}
 # quoted WORD...: as a shell reads them back.
 quoted() {
     for word in "$@"; do

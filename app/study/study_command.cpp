@@ -93,44 +93,50 @@ std::string chosenPreset(const Museum& museum, const Study& study)
         Preset{std::string(museum.subject(subject).name()), name, sceneState.values[subject], std::nullopt});
 }
 
-/// Measures a part's share; the renderer's name.
-std::optional<std::string> measurePart(const StudyOptions& options, Parts& parts)
+StudyRequest requestOf(const Museum& museum, const StudyOptions& options)
 {
-    const render::gl::HeadlessContext context;
-    const Museum museum{allExhibits()};
     std::vector<std::string> notes;
     StudyRequest request = studyRequest(museum, options, notes);
     for (const std::string& note : notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    return request;
+}
+
+/// A study that has been measured, and what it was measured with. `parts`: as Study has them.
+struct MeasuredStudy {
+    MeasuredStudy(const StudyOptions& options, StudyParts* parts)
+        : study(museum, renderer, requestOf(museum, options), parts)
+    {
+        StudyLine line(isatty(STDERR_FILENO) != 0);
+        while (study.step()) line.show(study.progress(), study.doing());
+    }
+
+    render::gl::HeadlessContext context;
+    Museum museum{allExhibits()};
     render::gl::Renderer renderer;
-    StudyInParts kept(parts, true);
-    Study study(museum, renderer, std::move(request), &kept);
-    StudyLine line(isatty(STDERR_FILENO) != 0);
-    while (study.step()) line.show(study.progress(), study.doing());
-    return context.info().renderer;
+    Study study;
+};
+
+int makePart(const StudyOptions& options)
+{
+    return runPart(options.out, parseShard(options.part.shard), [&](Parts& parts) {
+        StudyInParts kept(parts, true);
+        return std::optional(MeasuredStudy(options, &kept).context.info().renderer);
+    });
 }
 
 int runStudy(const StudyOptions& options)
 {
     requireStudyFolder(options.out);
-    if (!options.part.shard.empty())
-        return runPart(options.out, options.part.shard, [&](Parts& parts) { return measurePart(options, parts); });
+    if (!options.part.shard.empty()) return makePart(options);
     std::optional<Parts> parts;
     if (options.part.fromParts) parts.emplace(std::filesystem::path(options.out));
     std::optional<StudyInParts> found;
     if (parts) found.emplace(*parts, false);
-    const render::gl::HeadlessContext context;
-    const Museum museum{allExhibits()};
-    std::vector<std::string> notes;
-    StudyRequest request = studyRequest(museum, options, notes);
-    for (const std::string& note : notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
-    render::gl::Renderer renderer;
-    Study study(museum, renderer, std::move(request), found ? &*found : nullptr);
-    {
-        StudyLine line(isatty(STDERR_FILENO) != 0);
-        while (study.step()) line.show(study.progress(), study.doing());
-    }
+    const MeasuredStudy measured(options, found ? &*found : nullptr);
+    const Museum& museum = measured.museum;
+    const Study& study = measured.study;
     const std::string preset = chosenPreset(museum, study);
-    writeStudyFolder(options.out, museum.subjects(), study, machineJson(context.info()), preset);
+    writeStudyFolder(options.out, museum.subjects(), study, machineJson(measured.context.info()), preset);
     printTable(museum.subjects(), study.request(), study.result());
     std::printf("The study is in %s/index.html\n", options.out.c_str());
     if (!options.maxError && !options.maxMilliseconds) return 0;

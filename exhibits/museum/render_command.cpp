@@ -2,22 +2,13 @@
 
 #include "exhibits/framework/value_text.h"
 #include "render/files/number_text.h"
+#include "render/files/shell_word.h"
 
 #include <cmath>
 #include <numbers>
-#include <string_view>
 
 namespace vitrine {
 namespace {
-
-std::string quoted(const std::string& word)
-{
-    const std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=.,/:+%@";
-    if (!word.empty() && word.find_first_not_of(plain) == std::string::npos) return word;
-    std::string text = "'";
-    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return text + '\'';
-}
 
 std::string triple(const glm::dvec3& v)
 {
@@ -57,11 +48,11 @@ std::string renderCommand(const Museum& museum, const SceneState& sceneState, co
         for (std::size_t row = 0; row < values.rows().size(); ++row) {
             if (values.isInitial(row)) continue;
             const ParameterInfo& info = values.rows()[row];
-            line += " --set " + quoted(std::string(museum.subject(i).name()) + '.' + std::string(info.name) + '=' +
-                                       settingOf(info, values.row(row)));
+            line += " --set " + render::shellWord(std::string(museum.subject(i).name()) + '.' + std::string(info.name) +
+                                                  '=' + settingOf(info, values.row(row)));
         }
     }
-    return line + " --out " + quoted(out);
+    return line + " --out " + render::shellWord(out);
 }
 
 }  // namespace vitrine
