@@ -27,6 +27,7 @@ constexpr int hiddenWait = 250;          // Milliseconds after which a hidden vi
 constexpr double largestRegion = 0.25;   // Of the picture, that is drawn by itself where something moves.
 constexpr double restOfRegions = 5;      // Times as long as drawing one took, the machine rests before the next one ...
 constexpr double shortestRest = 0.03;    // ... and for so many seconds at least.
+constexpr double never = -1e9;           // On the exhibits' clock, seconds.
 constexpr double longestRegionTick = 5;  // After a longer pause (a machine that slept) what moves goes on where it was.
 
 }  // namespace
@@ -50,7 +51,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     setAccessibleName(tr("Museum"));
     setAccessibleDescription(tr("The picture. W A S D walk, dragging looks around, a click visits an exhibit."));
     steady_.start();
-    pressedAt_.assign(museum.subjects().size(), -1e9);
+    pressedAt_.assign(museum.subjects().size(), never);
     schedule_.setExhibits(static_cast<int>(museum.subjects().size()) - 1);  // But for the hall.
     control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return museum_.walk(from, to); });
     control_.jumpTo(history.sceneState().camera);
@@ -100,7 +101,8 @@ FrameRequest Viewport::request(double time) const
     wanted.time = time;
     wanted.runEverything = runEverything_;
     wanted.rests = !rest_.isActive();
-    for (const double pressedAt : pressedAt_) wanted.sincePressed.push_back(time - pressedAt);
+    for (const double pressedAt : pressedAt_)
+        wanted.sincePressed.push_back(time - (pressedAt <= time ? pressedAt : never));
     return wanted;
 }
 
@@ -327,7 +329,7 @@ void Viewport::advanceClock(double at)
     region_ = std::isfinite(change) ? smallRegion() : std::nullopt;
     if (region_) {
         // The picture around it stands still and is refined; what moves is drawn by itself.
-        time_ += since > longestRegionTick ? firstTick : since;
+        passTime(since > longestRegionTick ? firstTick : since);
         // Once more when it has come to rest: that is how it stays.
         regionDue_ = regionDue_ || animated || regionMoved_ || change <= since;
         regionMoved_ = animated;
@@ -336,9 +338,9 @@ void Viewport::advanceClock(double at)
     }
     regionDue_ = regionMoved_ = false;
     if (animated) {
-        time_ += seconds;
+        passTime(seconds);
     } else if (std::isfinite(change)) {
-        time_ += since;
+        passTime(since);
         if (change <= since) schedule_.changed(at);
     }
     schedule_.setMoving(animated || input_->keys().any() || control_.moving(), at);
@@ -427,6 +429,21 @@ void Viewport::setPaused(bool paused)
 {
     paused_ = paused;
     sceneStateChanged();
+}
+
+void Viewport::setTime(double seconds)
+{
+    changeAt_ = time_ = std::clamp(seconds, 0.0, latestTime);
+    emit timePassed();
+    motionFrames_ = 0;
+    sceneStateChanged();
+}
+
+void Viewport::passTime(double seconds)
+{
+    if (seconds == 0) return;
+    time_ += seconds;
+    emit timePassed();
 }
 
 void Viewport::setRunEverything(bool on)

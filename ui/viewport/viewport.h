@@ -50,6 +50,9 @@ public:
 
     void setPaused(bool);
     [[nodiscard]] bool paused() const { return paused_; }
+    static constexpr double latestTime = 86400;  ///< Seconds.
+    /// The exhibits' clock goes on from there, within 0 and `latestTime`; what was pressed later is not pressed yet.
+    void setTime(double seconds);
     /// Times every step: slower, while the ledger is open.
     void setStepsTimed(bool);
     /// Every pass runs, called for or not: the picture must stay the same.
@@ -100,6 +103,8 @@ signals:
     /// The visitor pressed this exhibit's button.
     void pressed(std::size_t exhibit);
     void drawn(const vitrine::render::FrameReport& report, const QSize& pixels);
+    /// `time` is another one.
+    void timePassed();
     /// The camera, the moment or the size of the picture is another one, or it is covered, or no more.
     void looked();
     /// The visitor clicked an exhibit with a tree that he orbits, here.
@@ -120,6 +125,7 @@ private:
     [[nodiscard]] QSize devicePixels() const;
     void tick();
     void advanceClock(double now);
+    void passTime(double seconds);
     void valuesChanged();
     void scheduleNext();
     void paintOpening(QPainter&);

@@ -25,6 +25,7 @@
 #include "ui/viewport/row_drag.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
+#include "ui/window/clock_bar.h"
 #include "ui/window/close_guard.h"
 #include "ui/window/command_palette.h"
 #include "ui/window/exhibit_list.h"
@@ -87,6 +88,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     bookmarks_ = new Bookmarks(*this, this);
     addLessons();
     actions_ = std::make_unique<WindowActions>(*this);
+    statusBar()->addPermanentWidget(new ClockBar(*viewport_, *actions_->pause));
     docks_->presets().setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
     connectParts();
     connectViewport();

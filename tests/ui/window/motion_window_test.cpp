@@ -4,11 +4,13 @@
 #include "exhibits/framework/preset.h"
 #include "ui/parameters/motion_dialog.h"
 #include "ui/parameters/number_field.h"
+#include "ui/window/clock_bar.h"
 
 #include <QComboBox>
 #include <QContextMenuEvent>
 #include <QMenu>
 #include <QPushButton>
+#include <QToolButton>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -105,7 +107,63 @@ private slots:
         QVERIFY(read.values == window_->history().sceneState().values[1]);
     }
 
+    void theClockIsStoppedStartedAndSet()
+    {
+        gallery_->exhibit().moves = true;
+        window_->viewport().sceneStateChanged();
+        QTRY_VERIFY(window_->viewport().time() > 0.3);
+        QTRY_VERIFY(clock()->value() > 0.3);
+        QCOMPARE(clockButton()->text(), QString("Pause"));
+        QTest::mouseClick(clockButton(), Qt::LeftButton);
+        QCOMPARE(clockButton()->text(), QString("Play"));
+        settle();
+        const double rests = window_->viewport().time();
+        QTRY_COMPARE(clock()->value(), rests);
+        type("71.25");
+        QCOMPARE(window_->viewport().time(), 71.25);
+        settle();
+        QCOMPARE(gallery_->requests().back().time, 71.25);
+        QCOMPARE(gallery_->requests().back().samples, 16);
+        const long long drawn = window_->viewport().picturesDrawn();
+        type("71.25");
+        QTest::qWait(300);
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);
+        QTest::mouseClick(clockButton(), Qt::LeftButton);
+        QCOMPARE(clockButton()->text(), QString("Pause"));
+        QTRY_VERIFY(gallery_->requests().back().time > 71.4);
+        QVERIFY(gallery_->requests().back().time < 71.25 + 60);
+        type("1e9");
+        QVERIFY(window_->viewport().time() >= Viewport::latestTime);
+    }
+
+    void atAMomentBeforeAPressNothingIsPressed()
+    {
+        gallery_->exhibit().movesFor = 3;
+        window_->visit(1);
+        settle();
+        action("Pause clock")->trigger();
+        type("10");
+        window_->viewport().press();
+        settle();
+        QCOMPARE(gallery_->requests().back().sincePressed[1], 0.0);
+        type("11.5");
+        settle();
+        QCOMPARE(gallery_->requests().back().sincePressed[1], 1.5);
+        type("9.5");
+        settle();
+        QVERIFY(gallery_->requests().back().sincePressed[1] > 1e6);
+        QCOMPARE(gallery_->requests().back().time, 9.5);
+    }
+
 private:
+    [[nodiscard]] NumberField* clock() { return window_->findChild<ClockBar*>()->findChild<NumberField*>(); }
+    [[nodiscard]] QToolButton* clockButton() { return window_->findChild<ClockBar*>()->findChild<QToolButton*>(); }
+    void type(const char* time)
+    {
+        QTest::mouseClick(clock(), Qt::LeftButton);
+        QTest::keyClicks(clock(), time);
+        QTest::keyClick(clock(), Qt::Key_Return);
+    }
     [[nodiscard]] ParameterRow* row() { return window_->panel().row("roughness"); }
     [[nodiscard]] const Motion* motion()
     {

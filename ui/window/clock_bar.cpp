@@ -1,0 +1,71 @@
+#include "ui/window/clock_bar.h"
+
+#include "ui/parameters/number_field.h"
+#include "ui/parameters/shown_text.h"
+#include "ui/viewport/viewport.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QToolButton>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr int renewedAfter = 200;  // Milliseconds.
+
+/// The time is a row of a table of its own: typing, steps and dragging are those of any number.
+struct ClockRows final : Parameters {
+    Real time = real("time", 0, second, Range{0, Viewport::latestTime}.soft(0, 60),
+                     "The exhibits' clock. Set it to see what moves at that moment.");
+};
+
+const ParameterInfo& timeRow()
+{
+    static const ClockRows rows;
+    return rows.rows()[0];
+}
+
+}  // namespace
+
+ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
+    : QWidget(parent), viewport_(viewport), pause_(pause), button_(new QToolButton(this)),
+      time_(new NumberField(timeRow(), this))
+{
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(0, 0, 8, 0);
+    layout->setSpacing(4);
+    layout->addWidget(button_);
+    layout->addWidget(time_);
+    button_->setAutoRaise(true);
+    button_->setFocusPolicy(Qt::TabFocus);
+    connect(button_, &QToolButton::clicked, &pause_, &QAction::trigger);
+    connect(&pause_, &QAction::changed, this, &ClockBar::showState);
+    time_->setFixedWidth(NumberField::usualWidth);
+    time_->setAccessibleName(tr("Time of the clock"));
+    time_->setToolTip(tooltipText(timeRow()));
+    connect(time_, &NumberField::edited, &viewport_, &Viewport::setTime);
+    timer_.setSingleShot(true);
+    timer_.setInterval(renewedAfter);
+    connect(&timer_, &QTimer::timeout, this, &ClockBar::showTime);
+    connect(&viewport_, &Viewport::timePassed, this, [this] {
+        if (!timer_.isActive()) timer_.start();
+    });
+    showState();
+    showTime();
+}
+
+void ClockBar::showState()
+{
+    button_->setText(pause_.isChecked() ? tr("Play") : tr("Pause"));
+    button_->setToolTip(
+        QStringLiteral("%1 (%2)").arg(pause_.toolTip(), pause_.shortcut().toString(QKeySequence::NativeText)));
+}
+
+void ClockBar::showTime()
+{
+    time_->showValue(viewport_.time());
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_clock_bar.cpp"
