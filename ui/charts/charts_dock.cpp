@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/capabilities.h"
 #include "exhibits/museum/museum.h"
+#include "ui/kit/language.h"
 #include "ui/kit/progress_job.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
@@ -82,14 +83,14 @@ void setRanges(QCustomPlot& plot, const Chart& chart)
 void fill(QCustomPlot& plot, const Chart& chart)
 {
     plot.clearGraphs();
-    plot.setAccessibleName(text(chart.title));
-    plot.xAxis->setLabel(text(chart.title + ": " + chart.xTitle));
-    plot.yAxis->setLabel(text(chart.yTitle));
+    plot.setAccessibleName(said(chart.title));
+    plot.xAxis->setLabel(tr("%1: %2").arg(said(chart.title), said(chart.xTitle)));
+    plot.yAxis->setLabel(said(chart.yTitle));
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) scale(*axis, chart.logarithmic);
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         const ChartCurve& curve = chart.curves[i];
         QCPGraph* graph = plot.addGraph();
-        graph->setName(text(curve.name));
+        graph->setName(said(curve.name));
         graph->setPen(penOf(i));
         QVector<double> x, y;
         for (std::size_t k = 0; k < curve.x.size() && k < curve.y.size(); ++k) {

@@ -5,6 +5,7 @@
 #include "ui/compare/compare_overlay.h"
 #include "ui/compare/compare_rows.h"
 #include "ui/compare/morph_control.h"
+#include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
 #include "ui/model/other_settings.h"
 #include "ui/parameters/value_slider.h"
@@ -32,7 +33,7 @@ ValueSlider* sliderOver(std::uint16_t row, const QString& name, QWidget* parent)
     const ParameterInfo& info = compareRows().rows()[row];
     auto* slider = new ValueSlider(info, parent);
     slider->setAccessibleName(name);
-    slider->setToolTip(QString::fromStdString(std::string(info.help)));
+    slider->setToolTip(said(info.help));
     return slider;
 }
 

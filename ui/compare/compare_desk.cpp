@@ -6,6 +6,7 @@
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/compare/other_picture.h"
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/model/other_settings.h"
 #include "ui/model/workbench.h"
@@ -91,7 +92,7 @@ void CompareDesk::hold(const SceneState& sceneState, const QString& name)
             return [this, read, name, number] {
                 if (number != holds_) return;
                 for (const std::string& why : read.unreadable)
-                    workbench_.say(MessageStrip::Mood::problem, tr("B: %1").arg(QString::fromStdString(why)));
+                    workbench_.say(MessageStrip::Mood::problem, tr("B: %1").arg(said(why)));
                 if (name.isNull())
                     other_->readAgain(read.sceneState);
                 else
@@ -177,8 +178,8 @@ std::vector<RowDifference> CompareDesk::differences() const
         };
         all.push_back({row.subject, row.name,
                        tr("%1: %2: %3 | %4")
-                           .arg(text(workbench_.museum().subject(row.subject).title()),
-                                QString::fromStdString(label(row.info)), value(row.a), value(row.b))});
+                           .arg(said(workbench_.museum().subject(row.subject).title()), said(label(row.info)),
+                                value(row.a), value(row.b))});
     }
     return all;
 }

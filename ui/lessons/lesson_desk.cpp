@@ -2,6 +2,7 @@
 
 #include "exhibits/museum/museum.h"
 #include "render/plan/render_backend.h"
+#include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/text.h"
 #include "ui/lessons/lesson_bar.h"
@@ -108,7 +109,7 @@ void LessonDesk::addActions()
     connect(leave_, &QAction::triggered, this, &LessonDesk::leave);
     actions_ << nullptr;
     for (const auto& [i, exhibit] : window_.museum().exhibits()) {
-        QAction* action = add(tr("Lesson: %1").arg(text(exhibit.title())), {}, text(exhibit.summary()));
+        QAction* action = add(tr("Lesson: %1").arg(said(exhibit.title())), {}, said(exhibit.summary()));
         std::error_code ignored;
         action->setEnabled(std::filesystem::exists(shippedLesson(exhibit.name()), ignored));
         connect(action, &QAction::triggered, this, [this, index = i] { start(index); });

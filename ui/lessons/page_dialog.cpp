@@ -1,6 +1,7 @@
 #include "ui/lessons/page_dialog.h"
 
 #include "render/files/assets.h"
+#include "ui/kit/language.h"
 #include "ui/kit/theme.h"
 
 #include <QDesktopServices>
@@ -64,7 +65,9 @@ PageDialog::PageDialog(QWidget* window) : QDialog(window), browser_(new QTextBro
 
 void PageDialog::showPage(const QString& name)
 {
-    browser_->setSource(QUrl::fromLocalFile(pageFolder() + QLatin1Char('/') + name + QStringLiteral(".html")));
+    const QString file = QLatin1Char('/') + name + QStringLiteral(".html");
+    const QString own = pageFolder() + QLatin1Char('/') + spokenLanguage() + file;
+    browser_->setSource(QUrl::fromLocalFile(QFileInfo::exists(own) ? own : pageFolder() + file));
 }
 
 void PageDialog::follow(const QUrl& link)

@@ -1,5 +1,6 @@
 #include "ui/parameters/color_editor.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
@@ -75,7 +76,7 @@ glm::dvec3 linear(const QColor& color)
 ColorEditor::ColorEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), swatch_(new Swatch(this)), code_(new QLineEdit(this))
 {
-    const QString name = QString::fromStdString(label(row()));
+    const QString name = said(label(row()));
     swatch_->setAccessibleName(tr("%1, choose a color").arg(name));
     swatch_->setToolTip(tr("Choose a color; the picture follows."));
     swatch_->setMinimumSize(40, 22);
@@ -134,7 +135,7 @@ void ColorEditor::typed()
 
 void ColorEditor::choose()
 {
-    auto* dialog = new ColorDialog(QString::fromStdString(label(row())), encoded(value_), window());
+    auto* dialog = new ColorDialog(said(label(row())), encoded(value_), window());
     // All that is tried in one visit to the dialog is one undo step; Cancel takes it back.
     const Gesture gesture = newGesture();
     const glm::dvec3 before = value_;

@@ -1,5 +1,6 @@
 #include "ui/parameters/motion_dialog.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/parameter_row.h"
 
@@ -161,8 +162,8 @@ private:
 };
 
 MotionDialog::MotionDialog(History& history, std::size_t exhibit, std::size_t row, QWidget* parent)
-    : QuietDialog(tr("Animate %1").arg(QString::fromStdString(label(history.sceneState().values[exhibit].rows()[row]))),
-                  tr("Done"), parent),
+    : QuietDialog(tr("Animate %1").arg(said(label(history.sceneState().values[exhibit].rows()[row]))), tr("Done"),
+                  parent),
       history_(history), exhibit_(exhibit), name_(history.sceneState().values[exhibit].rows()[row].name),
       before_(history.sceneState()), numbers_(std::make_unique<Numbers>(*this))
 {
@@ -232,7 +233,7 @@ void MotionDialog::change(const Motion& motion)
     ParameterValues& values = next.values[exhibit_];
     const std::optional<std::size_t> row = values.table().find(name_);
     if (!row || !values.setMotion(*row, motion)) return;
-    history_.change(tr("Animate %1").arg(QString::fromStdString(label(values.rows()[*row])).toLower()), next, gesture_);
+    history_.change(tr("Animate %1").arg(within(said(label(values.rows()[*row])))), next, gesture_);
 }
 
 void MotionDialog::refresh()
@@ -261,8 +262,7 @@ void MotionDialog::reject()
     if (now && then) {
         const Motion* motion = before_.values[exhibit_].motion(*then);
         values.setMotion(*now, motion ? std::optional(*motion) : std::nullopt);
-        history_.change(tr("Animate %1").arg(QString::fromStdString(label(values.rows()[*now])).toLower()), next,
-                        gesture_);
+        history_.change(tr("Animate %1").arg(within(said(label(values.rows()[*now])))), next, gesture_);
     }
     QuietDialog::reject();
 }

@@ -1,4 +1,5 @@
 // The menu of a row: values copied and pasted, rows that move, that are copied from and to B, that are locked.
+#include "ui/kit/language.h"
 #include "ui/parameters/parameter_panel.h"
 
 #include "ui/kit/menu_text.h"
@@ -18,7 +19,7 @@ namespace {
 
 QString rowLabel(const ParameterInfo& row)
 {
-    return QString::fromStdString(label(row));
+    return said(label(row));
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ void ParameterPanel::addMotionTo(QMenu& menu, std::size_t row)
         (new MotionDialog(history_, exhibit_, row, this))->openOver(*rows_[row]);
     });
     animate->setEnabled(why.empty());
-    animate->setToolTip(text(why));
+    animate->setToolTip(said(why));
     menu.setToolTipsVisible(true);
     const Motion* motion = values().motion(row);
     if (!motion) return;

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/random_values.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/parameter_row.h"
@@ -123,7 +124,7 @@ void ParameterPanel::showValue(std::size_t row)
 {
     const ParameterInfo& info = values().rows()[row];
     const Motion* motion = values().motion(row);
-    rows_[row]->setMotion(motion ? QString::fromStdString(describe(info, *motion)) : QString());
+    rows_[row]->setMotion(motion ? said(describe(info, *motion)) : QString());
     rows_[row]->showValue(motion ? valueOf(info, *motion, moment_) : values().row(row));
 }
 
@@ -166,7 +167,7 @@ void ParameterPanel::rebuild()
 
 void ParameterPanel::addSection(const ParameterInfo& first)
 {
-    auto* section = new ParameterSection(text(first.group), content_);
+    auto* section = new ParameterSection(said(first.group), content_);
     const QString key = name_ + QLatin1Char('/') + section->title();
     foldedAtFirst_.push_back(first.groupFolded);
     section->setFolded(folded_.contains(key) != first.groupFolded);

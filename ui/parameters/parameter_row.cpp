@@ -1,5 +1,6 @@
 #include "ui/parameters/parameter_row.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/shown_text.h"
@@ -169,11 +170,11 @@ void GaugeMark::paintEvent(QPaintEvent*)
 
 ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
     : QWidget(parent), value_(value), editor_(makeEditor(value, this)),
-      label_(new RowLabel(QString::fromStdString(labelInGroup(value.info())), editor_, this)),
-      naming_(new QWidget(this)), dot_(new ResetDot(this))
+      label_(new RowLabel(said(labelInGroup(value.info())), editor_, this)), naming_(new QWidget(this)),
+      dot_(new ResetDot(this))
 {
     const ParameterInfo& row = info();
-    const QString name = QString::fromStdString(label(row));
+    const QString name = said(label(row));
     setFixedHeight(rowHeight);
     setToolTip(tooltipText(row));
     setAttribute(Qt::WA_Hover);
@@ -210,7 +211,7 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
 
 void ParameterRow::reset()
 {
-    value_.set(info().initial, newGesture(), tr("Reset %1").arg(QString::fromStdString(label(info())).toLower()));
+    value_.set(info().initial, newGesture(), tr("Reset %1").arg(within(said(label(info())))));
 }
 
 void ParameterRow::showValue(const Value& value)
@@ -261,9 +262,9 @@ void ParameterRow::resizeEvent(QResizeEvent* event)
 
 bool ParameterRow::matches(const ParameterInfo& row, const QString& words)
 {
-    QString all = QString::fromStdString(label(row)) + QLatin1Char(' ') + text(row.name) + QLatin1Char(' ') +
-                  text(row.group) + QLatin1Char(' ') + text(row.help);
-    for (const std::string_view choice : row.choices) all += QLatin1Char(' ') + text(choice);
+    QString all = said(label(row)) + QLatin1Char(' ') + text(row.name) + QLatin1Char(' ') + said(row.group) +
+                  QLatin1Char(' ') + said(row.help);
+    for (const std::string_view choice : row.choices) all += QLatin1Char(' ') + said(choice);
     for (const QString& word : words.split(QLatin1Char(' '), Qt::SkipEmptyParts))
         if (!all.contains(word, Qt::CaseInsensitive)) return false;
     return true;

@@ -1,5 +1,6 @@
 #include "ui/parameters/pick_editors.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 
 #include <QCheckBox>
@@ -26,7 +27,7 @@ QHBoxLayout* rowLayout(QWidget* parent)
 
 QString nameOf(const ParameterInfo& row)
 {
-    return QString::fromStdString(label(row));
+    return said(label(row));
 }
 
 /// What the row's own files end in, and everything.
@@ -62,7 +63,7 @@ void ToggleEditor::showValue(const Value& value)
 ChoiceEditor::ChoiceEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), box_(new QComboBox(this))
 {
-    for (const std::string_view name : row().choices) box_->addItem(text(name));
+    for (const std::string_view name : row().choices) box_->addItem(said(name));
     box_->setAccessibleName(nameOf(row()));
     box_->setFocusPolicy(Qt::StrongFocus);
     box_->setFixedHeight(22);

@@ -4,6 +4,7 @@
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
+#include "ui/kit/language.h"
 #include "ui/kit/name_dialog.h"
 #include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
@@ -78,7 +79,7 @@ void PresetShelf::trySafely(const std::function<void()>& work)
     try {
         work();
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        window_.say(MessageStrip::Mood::problem, said(failure.what()));
     }
 }
 
@@ -210,7 +211,7 @@ void PresetShelf::save()
 void PresetShelf::saveAs()
 {
     const Subject& subject = window_.museum().subject(window_.shown());
-    const QString title = text(subject.title());
+    const QString title = said(subject.title());
     const StoredPreset* used = inUse();
     auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(used ? words(used->preset.name) : title),
                                list_.window());

@@ -5,6 +5,7 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/language.h"
 #include "ui/kit/replace_question.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/print/eyes_preview.h"
@@ -224,7 +225,7 @@ bool PrintDialog::trySaying(const std::function<void()>& work)
         work();
         return true;
     } catch (const std::exception& failure) {
-        say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        say(MessageStrip::Mood::problem, said(failure.what()));
         return false;
     }
 }

@@ -1,5 +1,6 @@
 #include "ui/print/print_numbers.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/theme.h"
 
 #include <QGridLayout>
@@ -209,10 +210,10 @@ void PrintNumbersView::showPlan(const printing::PrintPlan& plan, const std::opti
     bars_->showShares(plan.numbers.ownShare);
     const bool possible = plan.layout.has_value();
     QStringList lines;
-    if (!possible) lines << QString::fromStdString(plan.refusal);
-    for (const std::string& warning : plan.warnings) lines << QString::fromStdString(warning);
+    if (!possible) lines << said(plan.refusal);
+    for (const std::string& warning : plan.warnings) lines << said(warning);
     if (possible && depth)
-        for (const std::string& warning : depth->warnings) lines << QString::fromStdString(warning);
+        for (const std::string& warning : depth->warnings) lines << said(warning);
     fitting_ = depth ? depth->strengthThatHolds : 1;
     fit_->setVisible(possible && depth &&
                      (depth->scene.nearest < depth->held.nearest || depth->scene.farthest > depth->held.farthest));

@@ -2,6 +2,7 @@
 
 #include "exhibits/printing/optics.h"
 #include "render/failure.h"
+#include "ui/kit/language.h"
 #include "ui/kit/name_dialog.h"
 #include "ui/print/print_setup.h"
 
@@ -80,7 +81,7 @@ void SheetBar::change(const std::function<void()>& work)
     try {
         work();
     } catch (const std::exception& failure) {
-        emit failed(QString::fromUtf8(failure.what()));
+        emit failed(said(failure.what()));
     }
     showSheets();
 }
@@ -128,7 +129,7 @@ void SheetBar::showSheets()
     count_ = sheets.size();
     list_->setCurrentIndex(static_cast<int>(index));
     remove_->setEnabled(at != sheets.end() && index >= printing::knownSheets().size());
-    if (!problem.empty()) emit failed(QString::fromStdString(problem));
+    if (!problem.empty()) emit failed(said(problem));
 }
 
 QString SheetBar::current() const

@@ -5,6 +5,7 @@
 #include "render/image/srgb.h"
 #include "ui/kit/export_bar.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/language.h"
 #include "ui/kit/replace_question.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/sprites/sprite_preview.h"
@@ -252,8 +253,7 @@ void SpriteDialog::readObject()
 void SpriteDialog::takeObject(const std::shared_ptr<const SpriteSubject>& subject)
 {
     subject_ = subject;
-    for (const std::string& warning : subject->warnings())
-        messages_->say(MessageStrip::Mood::notice, QString::fromStdString(warning));
+    for (const std::string& warning : subject->warnings()) messages_->say(MessageStrip::Mood::notice, said(warning));
     const std::vector<std::string> names = subject->animations();
     if (std::find(names.begin(), names.end(), setup_.animation()) == names.end())
         setup_.setAnimation(names.empty() ? "" : names.front());
@@ -291,7 +291,7 @@ void SpriteDialog::lookAgain()
     const std::string why = whyNot();
     if (!subject_ || !why.empty()) {
         preview_->setShown(nullptr);
-        numbers_->setText(QString::fromStdString(why));
+        numbers_->setText(said(why));
         return;
     }
     draft_.start(look_, subject_, spriteRequest(draftOf(setup_.values()), setup_.animation()));

@@ -5,6 +5,7 @@
 #include "render/failure.h"
 #include "render/measure/distance.h"
 #include "render/measure/memory.h"
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/time_left.h"
 #include "ui/study/study_chart.h"
@@ -204,8 +205,7 @@ void StudyDock::setSubject(std::size_t exhibit)
     table_ = history_.sceneState().values[exhibit].sharedTable();
     const auto rows = table_->rows();
     for (std::size_t row = 0; row < rows.size(); ++row)
-        if (rows[row].qualityReference)
-            parameter_->addItem(QString::fromStdString(label(rows[row])), static_cast<int>(row));
+        if (rows[row].qualityReference) parameter_->addItem(said(label(rows[row])), static_cast<int>(row));
     if (parameter_->count() > 1) parameter_->setCurrentIndex(std::max(parameter_->findText(before), 1));
     go_->setEnabled(running() || parameter_->count() > 1);
 }
@@ -316,12 +316,11 @@ void StudyDock::take(News news)
         shownPoint_ = -1;
         const QSignalBlocker quiet(view_);
         view_->clear();
-        for (const std::string& view : news.result.views) view_->addItem(QString::fromStdString(view));
+        for (const std::string& view : news.result.views) view_->addItem(said(view));
     }
     progress_->setValue(static_cast<int>(100 * news.progress));
     const double left = secondsLeft(news.progress, elapsed_);
-    doing_->setText(QString::fromStdString(news.doing) +
-                    (left >= 0 && !done ? QStringLiteral(", ") + timeLeft(left) : QString()));
+    doing_->setText(said(news.doing) + (left >= 0 && !done ? QStringLiteral(", ") + timeLeft(left) : QString()));
     if (!showsRunning_) return;
     result_ = std::move(news.result);
     refresh();
@@ -407,18 +406,17 @@ void StudyDock::refresh()
     const std::optional<std::size_t> present = presentPoint();
     std::vector<ChartPoint> points = chartPoints(museum_.subjects(), request_, result());
     for (std::size_t i = 0; i < points.size(); ++i) points[i].present = present == i;
-    chart_->setTitles(QString::fromStdString(costTitle(result().costName.empty() ? "ms" : result().costName)),
-                      text(title(request_.metric)));
+    chart_->setTitles(said(costTitle(result().costName.empty() ? "ms" : result().costName)),
+                      said(title(request_.metric)));
     chart_->setPoints(std::move(points));
     showPoint(shownPoint_);
     if (result().clock.empty()) return;
     QStringList sentences;
     for (const std::string& sentence :
          {lawSentence(result()), choiceSentence(museum_.subjects(), request_, result()), result().convergence})
-        if (!sentence.empty()) sentences << QString::fromStdString(sentence);
-    sentences << tr("Clock: %1, %2.")
-                     .arg(QString::fromStdString(result().clock),
-                          result().clockTrusted ? tr("trusted") : tr("not trusted"));
+        if (!sentence.empty()) sentences << said(sentence);
+    sentences
+        << tr("Clock: %1, %2.").arg(said(result().clock), result().clockTrusted ? tr("trusted") : tr("not trusted"));
     words_->setText(sentences.join(QLatin1Char(' ')));
     words_->setToolTip(sentences.join(QLatin1Char('\n')));
 }
@@ -448,12 +446,11 @@ void StudyDock::showPoint(int wanted)
     pictures_->setAccessibleDescription(
         tr("Left of the line the setting, right of it the reference; arrows move the line. The heat map goes from 0 to "
            "%1 (%2).")
-            .arg(shortNumber(full), text(title(request_.metric))));
-    QString text =
-        QString::fromStdString(pointText(museum_.subjects(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
+            .arg(shortNumber(full), said(title(request_.metric))));
+    QString text = said(pointText(museum_.subjects(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
     if (result().costName != "ms")
         text += tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(p.cost)),
-                                  QString::fromStdString(costTitle(result().costName)));
+                                  said(costTitle(result().costName)));
     if (p.time)
         text += tr(", %1 ms (%2 to %3)")
                     .arg(shortNumber(p.time->median), shortNumber(p.time->interval.low),
@@ -473,10 +470,9 @@ void StudyDock::apply(std::size_t point)
             next.values[axis.subject].setRow(*row, axis.values[result().points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
-    history_.change(
-        one ? tr("Set %1").arg(QString::fromStdString(pointText(museum_.subjects(), request_, result().points[point])))
-            : tr("Set what the study found"),
-        next);
+    history_.change(one ? tr("Set %1").arg(said(pointText(museum_.subjects(), request_, result().points[point])))
+                        : tr("Set what the study found"),
+                    next);
 }
 
 }  // namespace vitrine::ui

@@ -3,6 +3,7 @@
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
+#include "ui/kit/language.h"
 #include "ui/kit/picture_file.h"
 #include "ui/study/study_chart.h"
 
@@ -35,7 +36,7 @@ QString askAndSaveStudy(QWidget* parent, const std::function<QByteArray(const QS
         render::atomicWrite(path.toStdString(), contentOf(suffix).toStdString());
         return {};
     } catch (const Failure& failure) {
-        return QString::fromUtf8(failure.what());
+        return said(failure.what());
     }
 }
 

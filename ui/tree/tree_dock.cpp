@@ -1,5 +1,6 @@
 #include "ui/tree/tree_dock.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/tree/tree_editor.h"
 #include "ui/tree/tree_file.h"
@@ -174,7 +175,7 @@ void TreeDock::offerKinds(QMenu* menu, What what, bool shapes, bool operations)
             for (const TreeKind& kind : editor_.tree().kinds) {
                 if (kind.operation != operation) continue;
                 QAction* action = menu->addAction(text(kind.name));
-                action->setToolTip(text(kind.help));
+                action->setToolTip(said(kind.help));
                 connect(action, &QAction::triggered, this,
                         [this, what, word = std::string(kind.name)] { apply(what, word); });
             }

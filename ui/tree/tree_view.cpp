@@ -72,7 +72,7 @@ void TreeView::rebuild()
         }
         item->setData(0, Qt::UserRole, QString::fromStdString(node.id));
         item->setText(0, text(Tree::title(node)));
-        item->setText(1, node.name.empty() ? QString() : QString::fromStdString(node.kind));
+        item->setText(1, node.name.empty() ? QString() : text(node.kind));
         item->setCheckState(0, node.hidden ? Qt::Unchecked : Qt::Checked);
         item->setToolTip(0, tr("The check mark shows or hides it. Drag to reorder, F2 renames."));
         Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsUserCheckable;

@@ -2,6 +2,7 @@
 
 #include "exhibits/museum/named_files.h"
 #include "render/failure.h"
+#include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
 #include "ui/viewport/overlay.h"
 #include "ui/viewport/reading_notice.h"
@@ -404,7 +405,7 @@ void Viewport::cameraChanged()
         schedule_.cameraMoved(now());
     if (!timer_.isActive()) timer_.start(0);
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? museum_.lookedAt(prepared()) : std::nullopt;
-    label_->say(lookedAt_ ? QString::fromStdString(lookedAt_->text) : QString());
+    label_->say(lookedAt_ ? said(lookedAt_->text) : QString());
     input_->lookAgain();
     emit looked();
 }
@@ -416,7 +417,7 @@ QString Viewport::reason() const
             .arg(schedule_.samples())
             .arg(region_->size.x)
             .arg(region_->size.y);
-    return QString::fromStdString(schedule_.reason());
+    return said(schedule_.reason());
 }
 
 bool Viewport::pictureFinished() const

@@ -1,5 +1,6 @@
 #include "ui/viewport/viewport_input.h"
 
+#include "ui/kit/language.h"
 #include "ui/viewport/overlay.h"
 
 #include <QApplication>
@@ -191,7 +192,7 @@ void ViewportInput::hover()
         viewport_.setCursor(Qt::PointingHandCursor);
     else
         viewport_.unsetCursor();
-    name_->say(found && naming_ ? QString::fromStdString(found->name) : QString());
+    name_->say(found && naming_ ? said(found->name) : QString());
     name_->placeAt(hoverPoint_->toPoint());
 }
 

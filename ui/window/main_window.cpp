@@ -5,6 +5,7 @@
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/language.h"
 #include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
 #include "ui/kit/tile_delegate.h"
@@ -172,7 +173,7 @@ void MainWindow::connectViewport()
         SceneState next = history_.sceneState();
         const Subject& subject = museum_.subject(exhibit);
         if (const auto* button = capability<HasButton>(subject); button && button->press(next.values[exhibit]))
-            history_.change(tr("Press the button of %1").arg(text(subject.title())), next);
+            history_.change(tr("Press the button of %1").arg(said(subject.title())), next);
     });
     connect(viewport_, &Viewport::failed, this,
             [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
@@ -191,7 +192,7 @@ void MainWindow::noteFrame(const render::FrameReport& report, const QSize& pixel
 void MainWindow::showComplaints(const std::vector<render::CulledPass>& skipped)
 {
     for (const render::CulledPass& complaint : complaints_.begun(skipped)) {
-        const QString line = text(lineOf(complaint));
+        const QString line = said(lineOf(complaint));
         if (complaint.unreadable.empty())
             docks_->log().add(line);
         else
@@ -200,7 +201,7 @@ void MainWindow::showComplaints(const std::vector<render::CulledPass>& skipped)
     // A file that is there again is no problem any more.
     QStringList now;
     for (const render::CulledPass& complaint : skipped)
-        if (complaint.complaint && !complaint.unreadable.empty()) now << text(lineOf(complaint));
+        if (complaint.complaint && !complaint.unreadable.empty()) now << said(lineOf(complaint));
     for (const QString& line : std::as_const(unreadable_))
         if (!now.contains(line)) messages_->takeBack(line);
     unreadable_ = now;
@@ -257,7 +258,7 @@ QSize MainWindow::firstSize(const QSize& room)
 void MainWindow::showTitle()
 {
     const QString use = shelf_->titleOfUse();
-    QStringList parts{text(museum_.subject(shown()).title())};
+    QStringList parts{said(museum_.subject(shown()).title())};
     if (!use.isEmpty()) parts << use;
     setWindowTitle(tr("%1 – Vitrine").arg(parts.join(QStringLiteral(": "))));
 }
@@ -267,7 +268,7 @@ void MainWindow::resetEverything()
     const Subject& subject = museum_.subject(shown());
     SceneState next = history_.sceneState();
     next.values[shown()] = subject.parameters().initial();
-    history_.change(tr("Reset %1").arg(text(subject.title())), next);
+    history_.change(tr("Reset %1").arg(said(subject.title())), next);
 }
 
 void MainWindow::keepThumbnail()
@@ -324,7 +325,7 @@ void MainWindow::showRow(const QString& name)
     if (!row) return;
     if (!ofHall) choose(subject);
     findParameter();
-    panel().find(QString::fromStdString(label(values.rows()[*row])));
+    panel().find(said(label(values.rows()[*row])));
 }
 
 void MainWindow::setFullScreen(bool on)

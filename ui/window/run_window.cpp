@@ -2,6 +2,7 @@
 
 #include "exhibits/exhibits.h"
 #include "render/failure.h"
+#include "ui/kit/language.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
@@ -41,6 +42,8 @@ int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
     QApplication::setApplicationName(QStringLiteral("vitrine"));
     QApplication::setApplicationDisplayName(QStringLiteral("Vitrine"));
     QApplication::setDesktopFileName(QStringLiteral("org.vitrine.Vitrine"));
+    // Before the museum, whose plaques are set in the window's language.
+    speak(languageAsked() ? spokenLanguage() : languageOfWindow());
     if (const QString why = whyNoOpenGl(); !why.isEmpty()) {
         std::fprintf(stderr, "vitrine: %s\n", qPrintable(why));
         return static_cast<int>(Blame::openGl);

@@ -1,5 +1,6 @@
 #include "ui/window/status_line.h"
 
+#include "ui/kit/language.h"
 #include "ui/window/frame_graph.h"
 
 #include <QHBoxLayout>
@@ -36,7 +37,7 @@ void StatusLine::note(const render::FrameReport& report, const QSize& pixels, co
     pixels_ = pixels;
     milliseconds_ = report.milliseconds;
     graph_->add(report.milliseconds);
-    clock_ = QString::fromStdString(report.clock);
+    clock_ = said(report.clock);
     if (!report.clockTrusted) clock_ += tr(", not trusted");
     ran_ = report.ran.size();
     skipped_ = report.skipped.size();

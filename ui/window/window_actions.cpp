@@ -3,6 +3,7 @@
 #include "exhibits/sprites/sprite_shots.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_desk.h"
+#include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
 #include "ui/lessons/lesson_desk.h"
@@ -239,6 +240,8 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
     fullScreen = make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."),
                              [&window](bool on) { window.setFullScreen(on); });
     make.submenu(themeMenu(&window));
+    make.submenu(
+        languageMenu(&window, [&window](const QString& message) { window.say(MessageStrip::Mood::notice, message); }));
     make.separator();
     pause = make.toggle(tr("Pause &clock"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Pause)},
                         tr("Stops and starts the exhibits' clock."),
@@ -279,7 +282,7 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
         const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
                               ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))}
                               : Keys{};
-        make.add(tr("Visit %1").arg(text(exhibit.title())), keys, text(exhibit.summary()),
+        make.add(tr("Visit %1").arg(said(exhibit.title())), keys, said(exhibit.summary()),
                  [&window, index = i] { window.visit(index); });
     }
 }

@@ -1,6 +1,7 @@
 #include "ui/window/window_docks.h"
 
 #include "ui/charts/charts_dock.h"
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -118,7 +119,7 @@ void WindowDocks::addLedgerAndLog()
     ledger_ = new LedgerDock([&viewport] { return viewport.reason(); });
     QHash<QString, QString> titles;
     for (const auto& exhibit : workbench_.museum().subjects())
-        titles.insert(text(exhibit->name()), text(exhibit->title()));
+        titles.insert(text(exhibit->name()), said(exhibit->title()));
     ledger_->view().setTitles(titles);
     connect(ledger_, &LedgerDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
     log_ = new LogView;
