@@ -4,8 +4,10 @@ import glob
 import json
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 import xml.etree.ElementTree as ElementTree
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
@@ -184,6 +186,18 @@ def ts_text(texts, known):
     return '\n'.join(lines + ['</context>', '</TS>', ''])
 
 
+def found_by_lupdate():
+    """The window's texts as Qt's own tool finds them, where it is: none may be missing here."""
+    tool = next((t for t in ('/usr/lib/qt6/bin/lupdate', shutil.which('lupdate6')) if t and os.path.exists(t)), None)
+    if not tool:
+        return []
+    with tempfile.TemporaryDirectory() as folder:
+        made = os.path.join(folder, 'found.ts')
+        subprocess.run([tool, '-silent', 'ui', 'app', '-locations', 'none', '-target-language', 'de', '-ts', made],
+                       check=True, capture_output=True)
+        return [m.findtext('source') for m in ElementTree.parse(made).getroot().iter('message')]
+
+
 def read_translations(names, texts, known):
     """Lines "English = German"; plural forms with " | " between; line ends are written as \\n."""
     by_text = {}
@@ -222,6 +236,7 @@ def main(arguments):
     made = ts_text(texts, known)
     if check:
         lacking = [key[0] for key in texts.all if key not in known or not all(known[key])]
+        lacking += [text for text in found_by_lupdate() if not any(key[0] == text for key in known)]
         for text in lacking:
             print('no translation: ' + text.replace('\n', '\\n'))
         return 1 if lacking else 0
