@@ -1,5 +1,6 @@
 #include "ui/parameters/number_editor.h"
 
+#include "ui/kit/type_size.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/value_slider.h"
 
@@ -13,7 +14,7 @@ NumberEditor::NumberEditor(const ValueRef& value, QWidget* parent)
     const QString name = QString::fromStdString(label(row()));
     slider_->setAccessibleName(tr("%1, slider").arg(name));
     field_->setAccessibleName(name);
-    field_->setFixedWidth(NumberField::usualWidth);
+    growWidth(*field_, NumberField::usualWidth);
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
