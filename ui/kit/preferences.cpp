@@ -34,7 +34,7 @@ constexpr std::array<NumberKey, 6> numberKeys{
      {"wheelSpeed", &PreferenceValues::wheelSpeed, PreferenceValues::wheelSpeeds},
      {"mostSamples", &PreferenceValues::mostSamples, PreferenceValues::sampleLimits},
      {"leastScale", &PreferenceValues::leastScale, PreferenceValues::movingScales},
-     {"recentFiles", &PreferenceValues::recentFiles, PreferenceValues::recentCounts}}};
+     {"recentCount", &PreferenceValues::recentFiles, PreferenceValues::recentCounts}}};
 
 QString filePath()
 {

@@ -109,7 +109,7 @@ private slots:
         QTest::newRow("a theme that there is not") << QByteArray("theme=plaid") << "theme";
         QTest::newRow("a number that is none") << QByteArray("typeSize=large") << "typeSize";
         QTest::newRow("a number out of range") << QByteArray("typeSize=99999999999999999999") << "typeSize";
-        QTest::newRow("a negative number") << QByteArray("recentFiles=-1") << "recentFiles";
+        QTest::newRow("a negative number") << QByteArray("recentCount=-1") << "recentCount";
         QTest::newRow("a list for a number") << QByteArray("lookSpeed=1, 2, 3") << "lookSpeed";
         QTest::newRow("a size for a number") << QByteArray("leastScale=@Size(3 4)") << "leastScale";
         QTest::newRow("neither true nor false") << QByteArray("invertedLook=perhaps") << "invertedLook";
