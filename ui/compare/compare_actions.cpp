@@ -65,8 +65,13 @@ QAction* CompareActions::add(const QString& text, const QKeySequence& key, const
 {
     auto* action = new QAction(text, this);
     action->setShortcut(key);
-    action->setToolTip(tip);
     action->setStatusTip(tip);
+    const auto showKey = [action, tip] {
+        const QKeySequence now = action->shortcut();
+        action->setToolTip(now.isEmpty() ? tip : tr("%1 (%2)").arg(tip, now.toString(QKeySequence::NativeText)));
+    };
+    showKey();
+    connect(action, &QAction::changed, this, showKey);  // The visitor may give it another one.
     all_ << action;
     return action;
 }

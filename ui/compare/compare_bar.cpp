@@ -85,12 +85,8 @@ QToolButton* CompareBar::button(QAction& action, const QString& words)
     made->setFocusPolicy(Qt::TabFocus);
     made->setAccessibleName(action.text().remove(QLatin1Char('&')));
     // The action's own words are for the menu; whatever changes of it, these stay.
-    const auto show = [made, words, &action] {
-        made->setText(words);
-        made->setToolTip(tipWithKey(action));
-    };
-    show();
-    connect(&action, &QAction::changed, made, show);
+    made->setText(words);
+    connect(&action, &QAction::changed, made, [made, words] { made->setText(words); });
     return made;
 }
 

@@ -18,7 +18,8 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int fewPresets = 5;  // These are seen at once.
+constexpr int sideBySideUpTo = 140;  // Percent of the usual type.
+constexpr int fewPresets = 5;        // These are seen at once.
 constexpr int idRole = Qt::UserRole;
 constexpr int ownLine = TileDelegate::mark + 1;  // The second line of a preset as it was loaded.
 
@@ -102,6 +103,11 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
     drop->addActions(menu);
     more->setMenu(drop);
     row->addWidget(more);
+    // Side by side, large words would leave the picture little room.
+    followType(*buttons_, [this, row] {
+        const bool large = grown(100, *buttons_) > sideBySideUpTo;
+        row->setDirection(large ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    });
 }
 
 void PresetList::fill(const std::vector<PresetLine>& entries)

@@ -1,89 +1,27 @@
 #include "tests/ui/few_samples.h"
-#include "tests/ui/open_window.h"
-#include "tests/ui/preferences/fake_portal.h"
-#include "tests/ui/ui_main.h"
+#include "tests/ui/preferences/open_preferences.h"
 
-#include "ui/compare/compare_bar.h"
-#include "ui/kit/appearance.h"
 #include "ui/kit/message_strip.h"
-#include "ui/preferences/key_bindings.h"
-#include "ui/preferences/preferences_dialog.h"
-#include "ui/window/command_palette.h"
 #include "ui/window/copies.h"
 #include "ui/window/ledger_dock.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/window_docks.h"
-#include "ui/window/window_preferences.h"
 
 #include <QCheckBox>
-#include <QComboBox>
-#include <QDir>
-#include <QKeySequenceEdit>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
-#include <QMenuBar>
-#include <QPushButton>
-#include <QSpinBox>
-#include <QTabWidget>
-#include <QTreeWidget>
+#include <QThread>
 #include <QWheelEvent>
 
-#include <algorithm>
 #include <cmath>
 
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// Every preference, set in the dialog with keys and clicks, and what the window makes of it.
-class PreferencesWindowTest : public test::OpenWindow {
+/// Every preference but keys, set in the dialog with keys and clicks, and what the window makes of it.
+class PreferencesWindowTest : public test::OpenPreferences {
     Q_OBJECT
 
-    std::unique_ptr<test::PrivateBus> bus_;
-
-    [[nodiscard]] const PreferenceValues& values() { return window_->preferences().values().values(); }
-    PreferencesDialog* openDialog(const char* tab = "Window")
-    {
-        QApplication::setActiveWindow(window_.get());
-        QTest::keyClick(window_.get(), Qt::Key_Comma, Qt::ControlModifier);
-        auto* dialog = window_->findChild<PreferencesDialog*>();
-        if (!dialog || !QTest::qWaitForWindowExposed(dialog, test::patience)) return nullptr;
-        auto* tabs = dialog->findChild<QTabWidget*>();
-        for (int i = 0; i < tabs->count(); ++i)
-            if (tabs->tabText(i) == QLatin1String(tab)) tabs->setCurrentIndex(i);
-        return dialog;
-    }
-    template <typename T> [[nodiscard]] T* control(const char* name)
-    {
-        for (T* each : window_->findChild<PreferencesDialog*>()->template findChildren<T*>())
-            if (each->accessibleName() == QLatin1String(name)) return each;
-        return nullptr;
-    }
-    /// As the arrow keys and Enter do it.
-    void choose(const char* name, const char* item)
-    {
-        auto* box = control<QComboBox>(name);
-        QVERIFY2(box && box->findText(item) >= 0, item);
-        box->setFocus();
-        while (box->currentIndex() < box->findText(item)) QTest::keyClick(box, Qt::Key_Down);
-        while (box->currentIndex() > box->findText(item)) QTest::keyClick(box, Qt::Key_Up);
-    }
-    void type(const char* name, int value)
-    {
-        auto* box = control<QSpinBox>(name);
-        QVERIFY2(box, name);
-        box->setFocus();
-        box->selectAll();
-        QTest::keyClicks(box, QString::number(value));
-        QTest::keyClick(box, Qt::Key_Return);
-    }
-    void reset(const char* name)
-    {
-        auto* dot = control<QAbstractButton>(name);
-        QVERIFY2(dot && dot->isEnabled(), name);
-        QTest::mouseClick(dot, Qt::LeftButton);
-        QVERIFY(!dot->isEnabled());
-    }
     /// How far dragging by so many pixels turns the visitor's look, radians: sideways and up.
     [[nodiscard]] glm::dvec2 turnOf(const QPoint& drag)
     {
@@ -115,40 +53,10 @@ class PreferencesWindowTest : public test::OpenWindow {
         QApplication::sendEvent(&viewport, &turn);
         return distance() / before;
     }
-    [[nodiscard]] QTreeWidgetItem* command(const QString& name)
-    {
-        auto* list = window_->findChild<PreferencesDialog*>()->findChild<QTreeWidget*>();
-        for (int i = 0; i < list->topLevelItemCount(); ++i)
-            if (list->topLevelItem(i)->text(0) == name) return list->topLevelItem(i);
-        return nullptr;
-    }
-    void pressInKeyEdit(int key, Qt::KeyboardModifiers modifiers)
-    {
-        auto* edit = window_->findChild<PreferencesDialog*>()->findChild<QKeySequenceEdit*>();
-        edit->setFocus();
-        QTest::keyClick(edit, static_cast<Qt::Key>(key), modifiers);
-    }
-    [[nodiscard]] QPushButton* button(const char* text)
-    {
-        for (QPushButton* each : window_->findChild<PreferencesDialog*>()->findChildren<QPushButton*>())
-            if (each->text() == QLatin1String(text)) return each;
-        return nullptr;
-    }
     [[nodiscard]] QStringList said() { return window_->findChild<MessageStrip*>()->texts(); }
-    void lookLikeNothingWasChosen()
-    {
-        applyAppearance(*qApp, {}, {});
-        applyTheme(*qApp, darkTheme());
-    }
 
 private slots:
-    void initTestCase()
-    {
-        // Before anyone asks for the session's bus.
-        bus_ = std::make_unique<test::PrivateBus>();
-        qputenv("DBUS_SESSION_BUS_ADDRESS", bus_->address().toLocal8Bit());
-        prepare();
-    }
+    void initTestCase() { prepare(); }
     void init() { start(); }
     void cleanup()
     {
@@ -224,10 +132,13 @@ private slots:
         test::takeFewSamples(*window_, 8);
         settle();
         QVERIFY(openDialog("Picture and mouse"));
-        gallery_->forgetRequests();
         choose("Samples at rest", "2 at most");
         QCOMPARE(values().mostSamples, 2);
         QTRY_VERIFY(window_->viewport().schedule().still() && window_->viewport().schedule().samples() == 2);
+        gallery_->forgetRequests();
+        window_->viewport().sceneStateChanged();
+        settle();
+        QVERIFY(!gallery_->requests().empty());
         for (const FrameRequest& request : gallery_->requests()) QVERIFY(request.samples <= 2);
         const QString reason = window_->viewport().reason();
         QVERIFY2(reason.startsWith("still: refined 2 of 2") && reason.contains("the hall says 8") &&
@@ -237,12 +148,9 @@ private slots:
         window_->viewport().sceneStateChanged();
         settle();
         QTRY_COMPARE(window_->docks().ledger().reasonText(), reason);
-        QVERIFY2(commandLineOf(*window_).contains("--samples 2") || commandLineOf(*window_).contains("samples=2"),
-                 qPrintable(commandLineOf(*window_)));
+        QVERIFY2(commandLineOf(*window_).contains("--samples 2 "), qPrintable(commandLineOf(*window_)));
         // What the hall says stays what it says.
-        QCOMPARE(
-            window_->history().sceneState().values[0][*window_->museum().subject(0).parameters().find("supersamples")],
-            Value(8.0));
+        QCOMPARE(pictureQuality(window_->history().sceneState().hall()).supersamples, 8);
         choose("Samples at rest", "As many as the hall says");
         QTRY_VERIFY(window_->viewport().schedule().still() && window_->viewport().schedule().samples() == 8);
         QVERIFY(!window_->viewport().reason().contains("preferences"));
@@ -274,6 +182,7 @@ private slots:
         choose("Motion", "Reduced");
         QVERIFY(reducedMotion() && !window_->isAnimated());
         QVERIFY(action("Pause clock")->isChecked());
+        settle();
         const double stood = window_->viewport().time();
         gallery_->forgetRequests();
         window_->visit(1);
@@ -314,9 +223,10 @@ private slots:
 
     void theDesktopsWishesAreFollowedWhileTheWindowIsOpen()
     {
-        if (bus_->address().isEmpty()) QSKIP("There is no dbus-daemon here.");
+        const QString address = qEnvironmentVariable("DBUS_SESSION_BUS_ADDRESS");
+        if (address.isEmpty()) QSKIP("There is no dbus-daemon here.");
         closeWindow();
-        test::FakePortal desktop(QDBusConnection::connectToBus(bus_->address(), "desktop"));
+        test::FakePortal desktop(QDBusConnection::connectToBus(address, "desktop"));
         desktop.settings[test::FakePortal::appearance] = {{"color-scheme", 2U}, {"contrast", 1U}};
         openWindow();
         QTRY_COMPARE(theme(), highContrastTheme(false));
@@ -332,110 +242,6 @@ private slots:
         choose("Motion", "Full");
         QVERIFY(!reducedMotion());
         desktop.change(test::FakePortal::gnome, "enable-animations", true);
-    }
-
-    void aCommandGetsAnotherShortcutThatWorksIsShownEverywhereAndKept()
-    {
-        QVERIFY(openDialog("Keys"));
-        auto* find = control<QLineEdit>("Find a command");
-        QTest::keyClicks(find, "commands");
-        QVERIFY(command("Quit")->isHidden());
-        QTreeWidgetItem* palette = command("Commands");
-        QVERIFY(palette && !palette->isHidden());
-        palette->treeWidget()->setCurrentItem(palette);
-        pressInKeyEdit(Qt::Key_K, Qt::ControlModifier);
-        QTRY_COMPARE(action("Commands…")->shortcut(), QKeySequence("Ctrl+K"));
-        QCOMPARE(command("Commands")->text(1), QString("Ctrl+K"));
-        window_->findChild<PreferencesDialog*>()->close();
-        closeWindow();
-        openWindow();
-        QApplication::setActiveWindow(window_.get());
-        QTest::keyClick(window_.get(), Qt::Key_P, Qt::ControlModifier | Qt::ShiftModifier);
-        QVERIFY(!window_->findChild<CommandPalette*>());
-        QTest::keyClick(window_.get(), Qt::Key_K, Qt::ControlModifier);
-        QTRY_VERIFY(window_->findChild<CommandPalette*>());
-        window_->findChild<CommandPalette*>()->close();
-        window_->openShortcutSheet();
-        const auto* sheet = window_->findChild<ShortcutSheet*>()->findChild<QTreeWidget*>();
-        QVERIFY(!sheet->findItems("Ctrl+K", Qt::MatchExactly).isEmpty());
-        QVERIFY(sheet->findItems("Ctrl+Shift+P", Qt::MatchExactly).isEmpty());
-    }
-
-    void tooltipsOfButtonsNameTheNewShortcut()
-    {
-        QVERIFY(openDialog("Keys"));
-        QTreeWidgetItem* wipe = command("Wipe");
-        wipe->treeWidget()->setCurrentItem(wipe);
-        pressInKeyEdit(Qt::Key_F7, {});
-        QTRY_COMPARE(action("Wipe")->shortcut(), QKeySequence("F7"));
-        bool shown = false;
-        for (const QToolButton* each : window_->findChild<CompareBar*>()->findChildren<QToolButton*>())
-            shown = shown || each->toolTip().endsWith("(F7)");
-        QVERIFY(shown);
-    }
-
-    void aShortcutThatSomebodyHasIsTakenOnlyWhenOneSaysSo()
-    {
-        QVERIFY(openDialog("Keys"));
-        QTreeWidgetItem* record = command("Record");
-        record->treeWidget()->setCurrentItem(record);
-        const auto press = [this] {
-            pressInKeyEdit(Qt::Key_W, Qt::ControlModifier);
-            QTRY_VERIFY(button("Take it")->isVisible());
-        };
-        press();
-        bool said = false;
-        for (const QLabel* label : window_->findChild<PreferencesDialog*>()->findChildren<QLabel*>())
-            said = said || label->text() == "Ctrl+W belongs to “Wipe”. Take it from there?";
-        QVERIFY(said);
-        QTest::mouseClick(button("Leave it"), Qt::LeftButton);
-        QCOMPARE(action("Wipe")->shortcut(), QKeySequence("Ctrl+W"));
-        QCOMPARE(action("Record…")->shortcut(), QKeySequence("Shift+F12"));
-        press();
-        QTest::keyClick(button("Take it"), Qt::Key_Space);
-        QVERIFY(action("Wipe")->shortcut().isEmpty());
-        QCOMPARE(action("Record…")->shortcut(), QKeySequence("Ctrl+W"));
-        // Giving it back asks as well, and all at once can be given back.
-        wipeIsReset();
-        QTest::mouseClick(button("Reset all"), Qt::LeftButton);
-        QCOMPARE(action("Wipe")->shortcut(), QKeySequence("Ctrl+W"));
-        QCOMPARE(action("Record…")->shortcut(), QKeySequence("Shift+F12"));
-        QVERIFY(values().keys.isEmpty());
-    }
-
-    void aPlainLetterIsRefusedWithAReason()
-    {
-        QVERIFY(openDialog("Keys"));
-        QTreeWidgetItem* record = command("Record");
-        record->treeWidget()->setCurrentItem(record);
-        pressInKeyEdit(Qt::Key_W, {});
-        const auto reason = [this] {
-            for (const QLabel* label : window_->findChild<PreferencesDialog*>()->findChildren<QLabel*>())
-                if (label->accessibleName() == "About the shortcut") return label->text();
-            return QString();
-        };
-        QTRY_VERIFY(reason().startsWith("W alone is for typing and for walking."));
-        QCOMPARE(action("Record…")->shortcut(), QKeySequence("Shift+F12"));
-    }
-
-    void everyCommandHasAnIdOfItsOwn()
-    {
-        QSet<QString> ids;
-        QVERIFY(openDialog("Keys"));
-        auto* list = window_->findChild<PreferencesDialog*>()->findChild<QTreeWidget*>();
-        int commands = 0;
-        for (QAction* each : window_->findChildren<QAction*>()) {
-            if (each->objectName().isEmpty() || !window_->actions().contains(each)) continue;
-            QVERIFY2(!ids.contains(each->objectName()), qPrintable(each->objectName()));
-            ids << each->objectName();
-            ++commands;
-        }
-        QVERIFY(commands > 60);
-        QVERIFY(list->topLevelItemCount() >= commands);
-        for (QAction* each : window_->actions()) QVERIFY2(!each->objectName().isEmpty(), qPrintable(each->text()));
-        for (const char* id : {"open", "screenshot", "undo", "panel-ledger", "visit-sdf_morph", "set-bookmark-3",
-                               "compare-wipe", "lesson-start"})
-            QVERIFY2(ids.contains(id), id);
     }
 
     void asManyRecentFilesAreKeptAsArePreferredAndTheListIsCleared()
@@ -483,16 +289,11 @@ private slots:
         QCOMPARE(told.size(), 1);
         for (const char* name : {"theme", "typeSize", "keys/quit"}) QVERIFY2(told.front().contains(name), name);
     }
-
-private:
-    void wipeIsReset()
-    {
-        QTreeWidgetItem* wipe = command("Wipe");
-        wipe->treeWidget()->setCurrentItem(wipe);
-        QTest::mouseClick(button("Reset"), Qt::LeftButton);
-        QVERIFY(button("Take it")->isVisible());
-    }
 };
 
-VITRINE_TEST_MAIN(PreferencesWindowTest)
+int main(int argc, char** argv)
+{
+    return test::runWithBus<PreferencesWindowTest>(argc, argv);
+}
+
 #include "preferences_window_test.moc"
