@@ -138,9 +138,10 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},
     {"sprites", {"kit", "model", "viewport", "parameters"}},
     {"record", {"kit", "model", "viewport"}},
+    {"preferences", {"kit", "model", "viewport", "parameters"}},
     {"window",
      {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "tree", "lessons", "study", "print",
-      "sprites", "record"}},
+      "sprites", "record", "preferences"}},
 };
 
 /// The folder below the first one; empty where there is none.

@@ -39,6 +39,8 @@ public:
 
 private:
     QAction* add(const QString& text, const QKeySequence&, const QString& tip);
+    /// Gives each an id, by which the visitor's own shortcuts are kept.
+    void nameAll();
     void addSources();
     void addModes();
     void fillSources();

@@ -7,6 +7,7 @@
 #include "ui/compare/morph_control.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
+#include "ui/kit/type_size.h"
 #include "ui/model/other_settings.h"
 #include "ui/parameters/value_slider.h"
 
@@ -103,9 +104,10 @@ QToolButton* CompareBar::menuButton(QMenu* menu)
 
 void CompareBar::addGain()
 {
-    gain_->setFixedWidth(80);
+    growWidth(*gain_, 80);
     gain_->showValue(desk_.overlay().gain());
-    times_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("× 64")));
+    followType(*times_,
+               [this] { times_->setMinimumWidth(times_->fontMetrics().horizontalAdvance(QStringLiteral("× 64"))); });
     gains_->layout()->addWidget(gain_);
     gains_->layout()->addWidget(times_);
     connect(gain_, &ValueSlider::edited, this, [this](double gain) {
@@ -116,7 +118,7 @@ void CompareBar::addGain()
 
 void CompareBar::addMorph()
 {
-    morph_->setFixedWidth(96);
+    growWidth(*morph_, 96);
     morphs_->layout()->addWidget(new QLabel(tr("A"), morphs_));
     morphs_->layout()->addWidget(morph_);
     morphs_->layout()->addWidget(new QLabel(tr("B"), morphs_));

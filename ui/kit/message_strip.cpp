@@ -1,7 +1,9 @@
 #include "ui/kit/message_strip.h"
 
+#include "ui/kit/appearance.h"
 #include "ui/kit/show_in_folder.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -74,6 +76,7 @@ private:
             life_.start();
             return;
         }
+        if (reducedMotion()) return deleteLater();
         auto* veil = new QGraphicsOpacityEffect(this);
         setGraphicsEffect(veil);
         auto* fading = new QPropertyAnimation(veil, "opacity", this);
@@ -204,7 +207,7 @@ void MessageStrip::fit()
     const int wide = under_ ? under_->width() : width();
     const int wanted =
         list_->hasHeightForWidth() ? list_->heightForWidth(std::max(200, wide)) : list_->sizeHint().height();
-    setFixedHeight(std::min(highest, wanted));
+    setFixedHeight(std::min(grown(highest, *this), wanted));
     if (!under_) return;
     setGeometry(under_->x(), under_->y(), wide, height());
     raise();

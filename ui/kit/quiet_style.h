@@ -14,6 +14,8 @@ public:
     void drawPrimitive(PrimitiveElement, const QStyleOption*, QPainter*, const QWidget*) const override;
     void drawControl(ControlElement, const QStyleOption*, QPainter*, const QWidget*) const override;
     void drawComplexControl(ComplexControl, const QStyleOptionComplex*, QPainter*, const QWidget*) const override;
+    int styleHint(StyleHint, const QStyleOption* = nullptr, const QWidget* = nullptr,
+                  QStyleHintReturn* = nullptr) const override;
     [[nodiscard]] int pixelMetric(PixelMetric, const QStyleOption*, const QWidget*) const override;
     [[nodiscard]] QSize sizeFromContents(ContentsType, const QStyleOption*, const QSize&,
                                          const QWidget*) const override;

@@ -2,6 +2,7 @@
 
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_row.h"
 
 #include <QLabel>
@@ -193,7 +194,7 @@ void MotionDialog::addEnd(End& end, const QString& name)
     line->setContentsMargins(16, 0, 22, 0);
     line->setSpacing(4);
     auto* words = new QLabel(name, this);
-    words->setFixedWidth(ParameterRow::narrowestLabel);
+    growWidth(*words, ParameterRow::narrowestLabel);
     end.editor = makeEditor(end.ref(), this);
     end.editor->setAccessibleName(name);
     for (QWidget* child : end.editor->findChildren<QWidget*>())

@@ -1,6 +1,7 @@
 #include "ui/parameters/number_field.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/shown_text.h"
 
 #include <QFocusEvent>
@@ -20,12 +21,22 @@ NumberField::NumberField(const ParameterInfo& row, QWidget* parent)
     setTextMargins(2, 0, 2, 0);
     setFocusPolicy(Qt::StrongFocus);
     setContextMenuPolicy(Qt::NoContextMenu);  // The row's menu, so that reset is always there.
-    setFixedHeight(22);
+    growHeight(*this, 22);
     setAttribute(Qt::WA_Hover);
     endEdit();
     QPalette clear = palette();
     clear.setColor(QPalette::Base, Qt::transparent);
     setPalette(clear);
+}
+
+QSize NumberField::sizeHint() const
+{
+    return {grown(80, *this), grown(22, *this)};
+}
+
+QSize NumberField::minimumSizeHint() const
+{
+    return {grown(56, *this), grown(22, *this)};
 }
 
 void NumberField::showValue(double value)

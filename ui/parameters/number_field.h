@@ -15,7 +15,7 @@ class NumberField final : public QLineEdit {
     Q_OBJECT
 
 public:
-    static constexpr int usualWidth = 70;
+    static constexpr int usualWidth = 70;  ///< Pixels beside type of the usual size.
 
     NumberField(const ParameterInfo& row, QWidget* parent);
 
@@ -41,8 +41,8 @@ protected:
     void focusInEvent(QFocusEvent*) override;
     void focusOutEvent(QFocusEvent*) override;
     void changeEvent(QEvent*) override;
-    [[nodiscard]] QSize sizeHint() const override { return {80, 22}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {56, 22}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 private:
     void beginEdit();

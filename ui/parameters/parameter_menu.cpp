@@ -4,6 +4,7 @@
 
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
+#include "ui/kit/type_size.h"
 #include "ui/model/other_settings.h"
 #include "ui/parameters/motion_dialog.h"
 #include "ui/parameters/parameter_row.h"
@@ -149,7 +150,7 @@ void ParameterPanel::pasteAll(std::size_t row)
 
 void ParameterPanel::tell(std::size_t row, const QString& words)
 {
-    QToolTip::showText(rows_[row]->mapToGlobal(QPoint(16, ParameterRow::rowHeight)), words, rows_[row]);
+    QToolTip::showText(rows_[row]->mapToGlobal(QPoint(16, rows_[row]->height())), words, rows_[row]);
 }
 
 void ParameterPanel::copyAll() const

@@ -5,6 +5,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
 #include "ui/parameters/shown_text.h"
@@ -28,24 +29,24 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     filter_->setPlaceholderText(tr("Find a parameter"));
     filter_->setAccessibleName(tr("Find a parameter"));
     filter_->setToolTip(
-        tr("Shows only parameters whose name, group, help or choices contain these words (Ctrl+F). Enter goes to the "
-           "first, Esc clears, Esc again leaves."));
+        tr("Shows only parameters whose name, group, help or choices contain these words. Enter goes to the first, "
+           "Esc clears, Esc again leaves."));
     filter_->setProperty(IdleUndo::searches, true);
     filter_->setClearButtonEnabled(true);
-    filter_->setFixedHeight(26);
+    growHeight(*filter_, 26);
     filter_->setTextMargins(4, 0, 4, 0);
     filter_->installEventFilter(this);
     onlyChanged_->setText(tr("Changed"));
     onlyChanged_->setAccessibleName(tr("Only changed"));
     onlyChanged_->setToolTip(tr("Shows only parameters whose value is not the initial one."));
     onlyChanged_->setCheckable(true);
-    onlyChanged_->setFixedHeight(26);
+    growHeight(*onlyChanged_, 26);
     onlyChanged_->setFocusPolicy(Qt::StrongFocus);
     elsewhere_->setAccessibleName(tr("Matches in the other tab"));
     elsewhere_->setToolTip(tr("Goes to the tab that has these parameters."));
     elsewhere_->setFocusPolicy(Qt::StrongFocus);
     elsewhere_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    elsewhere_->setFixedHeight(26);
+    growHeight(*elsewhere_, 26);
     elsewhere_->hide();
     connect(elsewhere_, &QToolButton::clicked, this, &ParameterPanel::elsewhereAsked);
     nothing_->setTextFormat(Qt::PlainText);
@@ -70,7 +71,7 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     layout->addWidget(elsewhere_);
     layout->addWidget(nothing_);
     layout->addWidget(scroll_, 1);
-    setMinimumWidth(320);
+    followType(*this, [this] { setMinimumWidth(std::max(320, grown(260, *this))); });
 
     connect(filter_, &QLineEdit::textChanged, this, [this] {
         applyFilter();

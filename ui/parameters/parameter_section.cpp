@@ -1,6 +1,7 @@
 #include "ui/parameters/parameter_section.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_row.h"
 
 #include <QPainter>
@@ -16,7 +17,7 @@ SectionHeading::SectionHeading(const QString& title, QWidget* parent) : QAbstrac
     setAccessibleName(title);
     setCheckable(true);
     setChecked(true);
-    setFixedHeight(28);
+    growHeight(*this, 28);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setToolTip(tr("Fold or unfold %1").arg(title));

@@ -1,6 +1,7 @@
 #include "ui/parameters/value_slider.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/number_drag.h"
 
 #include <QKeyEvent>
@@ -25,6 +26,11 @@ ValueSlider::ValueSlider(const ParameterInfo& row, QWidget* parent)
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
     setMouseTracking(false);
+}
+
+QSize ValueSlider::sizeHint() const
+{
+    return {96, grown(20, *this)};
 }
 
 void ValueSlider::showValue(double value)
@@ -64,6 +70,7 @@ void ValueSlider::paintEvent(QPaintEvent*)
 
     QColor track = colors.text;
     track.setAlphaF(colors.dark ? 0.16F : 0.2F);
+    if (colors.highContrast) track = colors.outline;
     painter.setPen(Qt::NoPen);
     painter.setBrush(track);
     painter.drawRoundedRect(QRectF(margin, middle - 1.5, width() - 2 * margin, 3), 1.5, 1.5);

@@ -2,6 +2,7 @@
 
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/tile_delegate.h"
+#include "ui/kit/type_size.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -17,7 +18,8 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int fewPresets = 5;  // These are seen at once.
+constexpr int sideBySideUpTo = 140;  // Percent of the usual type.
+constexpr int fewPresets = 5;        // These are seen at once.
 constexpr int idRole = Qt::UserRole;
 constexpr int ownLine = TileDelegate::mark + 1;  // The second line of a preset as it was loaded.
 
@@ -34,7 +36,7 @@ PresetList::PresetList(QWidget* parent)
            "clears."));
     words_->setProperty(IdleUndo::searches, true);
     words_->setClearButtonEnabled(true);
-    words_->setFixedHeight(26);
+    growHeight(*words_, 26);
     words_->setTextMargins(4, 0, 4, 0);
     words_->installEventFilter(this);
     auto* finder = new QHBoxLayout(finder_);
@@ -85,7 +87,7 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
         button->setDefaultAction(action);
         button->setAccessibleName(action->text().remove(QLatin1Char('&')));
         button->setFocusPolicy(Qt::StrongFocus);
-        button->setFixedHeight(26);
+        growHeight(*button, 26);
         row->addWidget(button, 1);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     }
@@ -95,12 +97,17 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
     more->setToolTip(tr("Rename, duplicate, delete, import, export"));
     more->setPopupMode(QToolButton::InstantPopup);
     more->setFocusPolicy(Qt::StrongFocus);
-    more->setFixedSize(28, 26);
+    growSize(*more, 28, 26);
     more->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
     auto* drop = new QMenu(more);
     drop->addActions(menu);
     more->setMenu(drop);
     row->addWidget(more);
+    // Side by side, large words would leave the picture little room.
+    followType(*buttons_, [this, row] {
+        const bool large = grown(100, *buttons_) > sideBySideUpTo;
+        row->setDirection(large ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    });
 }
 
 void PresetList::fill(const std::vector<PresetLine>& entries)

@@ -2,6 +2,7 @@
 
 #include "ui/kit/language.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -141,7 +142,7 @@ QLayout* PrintNumbersView::buildMessages()
     messages_->setWordWrap(true);
     messages_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     messages_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    messages_->setMinimumHeight(2 * messages_->fontMetrics().height() + 4);
+    followType(*messages_, [this] { messages_->setMinimumHeight(2 * messages_->fontMetrics().height() + 4); });
     messages_->setAccessibleName(tr("Warnings"));
     fit_ = new QPushButton(tr("Fit depth"), this);
     fit_->setAutoDefault(false);

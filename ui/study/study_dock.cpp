@@ -8,6 +8,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/time_left.h"
+#include "ui/kit/type_size.h"
 #include "ui/study/study_chart.h"
 #include "ui/study/study_export.h"
 #include "ui/study/study_pictures.h"
@@ -40,7 +41,7 @@ QLineEdit* numberField(const QString& name, const QString& start, QWidget* paren
 {
     auto* field = new QLineEdit(start, parent);
     field->setAccessibleName(name);
-    field->setFixedWidth(64);
+    growWidth(*field, 64);
     field->setAlignment(Qt::AlignRight);
     return field;
 }
@@ -80,13 +81,13 @@ void StudyDock::setTexts()
     }
     progress_->setAccessibleName(tr("Progress"));
     go_->setAccessibleName(tr("Measure, or stop measuring"));
-    progress_->setFixedWidth(120);
+    growWidth(*progress_, 120);
     progress_->setTextVisible(false);
     // What comes and goes while it measures must not move the picture above.
     QSizePolicy keepsItsPlace = progress_->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     progress_->setSizePolicy(keepsItsPlace);
-    go_->setFixedWidth(80);
+    growWidth(*go_, 80);
     copy_->setText(tr("Copy"));
     copy_->setAccessibleName(tr("Copy the measurements"));
     copy_->setToolTip(tr("Copies what was measured as a table (CSV)."));
@@ -129,7 +130,7 @@ QLayout* StudyDock::choosing()
     choose->addStretch(1);
     for (QToolButton* button : {copy_, save_}) {
         button->setFocusPolicy(Qt::StrongFocus);
-        button->setFixedHeight(26);
+        growHeight(*button, 26);
         choose->addWidget(button);
     }
     return choose;

@@ -161,10 +161,25 @@ void CameraControl::jumpTo(const render::Camera& camera)
 void CameraControl::glideTo(const Standpoint& there)
 {
     if (mode_ == Mode::walk) beforeVisit_ = walker_.camera();
-    glide_.start(camera(), there.camera);
     walker_.stop();
+    startGlide(camera(), there);
+}
+
+void CameraControl::startGlide(const render::Camera& from, const Standpoint& there)
+{
+    glide_.start(from, there.camera);
     afterGlide_ = there.mode;
     mode_ = Mode::glide;
+    if (cuts_) arrive();
+}
+
+void CameraControl::arrive()
+{
+    mode_ = afterGlide_;
+    if (mode_ == Mode::orbit)
+        orbit_.start(glide_.end());
+    else
+        walker_.place(glide_.end());
 }
 
 CameraControl::Standpoint CameraControl::standpoint() const
@@ -181,9 +196,7 @@ void CameraControl::walkOn()
     standing.eye.y = Walker::eyeHeight;
     if (walkable_ && glm::distance(walkable_(standing.eye, standing.eye), standing.eye) > 1e-6)
         standing.eye = beforeVisit_.eye;
-    glide_.start(now, standing);
-    afterGlide_ = Mode::walk;
-    mode_ = Mode::glide;
+    startGlide(now, {standing, Mode::walk});
 }
 
 void CameraControl::turn(double yaw, double pitch)
@@ -204,13 +217,7 @@ bool CameraControl::advance(double seconds, const WalkKeys& keys)
     if (mode_ == Mode::orbit && keys.any()) walkOn();
     if (mode_ == Mode::glide) {
         glide_.advance(seconds);
-        if (glide_.finished()) {
-            mode_ = afterGlide_;
-            if (mode_ == Mode::orbit)
-                orbit_.start(glide_.end());
-            else
-                walker_.place(glide_.end());
-        }
+        if (glide_.finished()) arrive();
     } else if (mode_ == Mode::walk) {
         walker_.advance(seconds, keys, walkable_);
     }

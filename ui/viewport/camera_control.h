@@ -107,6 +107,9 @@ public:
         Mode mode = Mode::walk;  ///< Never `glide`.
     };
 
+    /// While on, nothing glides: the camera is at once where it would have glided to.
+    void setCutting(bool cuts) { cuts_ = cuts; }
+    [[nodiscard]] bool cuts() const { return cuts_; }
     void setWalkable(Walkable walkable) { walkable_ = std::move(walkable); }
     /// At once: walking where a visitor can stand, else orbiting the camera's target.
     void jumpTo(const render::Camera&);
@@ -129,7 +132,11 @@ public:
     [[nodiscard]] bool moving() const { return mode_ == Mode::glide || walker_.moving(); }
 
 private:
+    void startGlide(const render::Camera& from, const Standpoint& there);
+    void arrive();
+
     Walkable walkable_;
+    bool cuts_ = false;
     Walker walker_;
     Orbit orbit_;
     Glide glide_;

@@ -317,7 +317,10 @@ void Viewport::advanceClock(double at)
     lastTick_ = at;
     const CameraControl::Mode modeBefore = control_.mode();
     if (control_.advance(seconds, input_->keys())) cameraChanged();
-    if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) emit walkedOn();
+    if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) {
+        cut_ = cut_ || control_.cuts();
+        emit walkedOn();
+    }
 
     double change = paused_ ? INFINITY : museum_.nextChange(prepared(), request(time_));
     // What is still to be read or made is there with the next picture: it is asked for once.
@@ -378,13 +381,6 @@ void Viewport::buildBetter()
     });
 }
 
-void Viewport::takeQuality()
-{
-    const PictureQuality quality = pictureQuality(history_.sceneState().hall());
-    schedule_.setSamples(quality.supersamples);
-    schedule_.setHistory(quality.historyFrames);
-}
-
 void Viewport::sceneStateChanged()
 {
     ++sceneStateNumber_;
@@ -414,9 +410,10 @@ QString Viewport::reason() const
 {
     if (region_ && schedule_.still())
         return tr("still: refined %1 of %1; what moves is drawn by itself, %2 × %3 pixels")
-            .arg(schedule_.samples())
-            .arg(region_->size.x)
-            .arg(region_->size.y);
+                    .arg(schedule_.samples())
+                    .arg(region_->size.x)
+                    .arg(region_->size.y) +
+                said(schedule_.limit());
     return said(schedule_.reason());
 }
 

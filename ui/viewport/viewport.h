@@ -19,6 +19,7 @@ namespace vitrine::ui {
 
 class Overlay;
 class ReadingNotice;
+struct Handling;
 class ViewportInput;
 
 /// The picture, and the visitor in it. It shows the last picture that the render thread finished and draws none itself;
@@ -48,6 +49,11 @@ public:
     void walkOn();
     [[nodiscard]] CameraControl::Mode mode() const { return control_.mode(); }
 
+    void setHandling(const Handling&);
+    /// See `DrawSchedule::setLimits`.
+    void setLimits(int mostSamples, double leastScale);
+    /// While on, the camera cuts to where it would glide otherwise.
+    void setReducedMotion(bool on) { control_.setCutting(on); }
     void setPaused(bool);
     [[nodiscard]] bool paused() const { return paused_; }
     static constexpr double latestTime = 86400;  ///< Seconds.
@@ -145,6 +151,8 @@ private:
     /// What moves by itself moves in this part of a picture that can stand still around it.
     [[nodiscard]] std::optional<PictureRegion> smallRegion();
     void cameraChanged();
+    /// The same after a glide began, or a cut was made in its place.
+    void leftFor();
     void showProblems(const std::vector<render::gl::ShaderProblem>&);
     void watchFiles();
     /// What rests is drawn faster from now on, once that can be.

@@ -137,8 +137,9 @@ void ViewportInput::drag(const QMouseEvent& event)
         if (button_ == Qt::RightButton) viewport_.setCursor(Qt::BlankCursor);
     }
     if (moved.isNull()) return;
-    const double rate = control_.mode() == CameraControl::Mode::orbit ? orbitRadiansPerPixel : radiansPerPixel;
-    control_.turn(moved.x() * rate, -moved.y() * rate);
+    const double rate =
+        (control_.mode() == CameraControl::Mode::orbit ? orbitRadiansPerPixel : radiansPerPixel) * handling_.look;
+    control_.turn(moved.x() * rate, (handling_.inverted ? moved.y() : -moved.y()) * rate);
     lastPoint_ = event.position();
     if (button_ == Qt::RightButton) {
         QCursor::setPos(viewport_.mapToGlobal(pressPoint_).toPoint());
@@ -161,7 +162,7 @@ bool ViewportInput::releasePointer(const QMouseEvent& event)
 bool ViewportInput::turnWheel(const QWheelEvent& event)
 {
     if (control_.mode() != CameraControl::Mode::orbit) return false;
-    control_.zoom(event.angleDelta().y() / 120.0);
+    control_.zoom(event.angleDelta().y() / 120.0 * handling_.wheel);
     emit turned();
     return true;
 }

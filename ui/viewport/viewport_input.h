@@ -20,6 +20,12 @@ namespace vitrine::ui {
 
 class Overlay;
 
+/// How the pointer and the wheel turn the camera, as factors of what is usual.
+struct Handling {
+    double look = 1, wheel = 1;
+    bool inverted = false;  ///< Dragging down looks up.
+};
+
 /// The visitor's hands over the viewport: keys that are held down, the pointer that turns the head, the wheel, clicks,
 /// and the name of what the pointer rests on.
 class ViewportInput final : public QObject {
@@ -33,6 +39,7 @@ public:
     ViewportInput(QWidget& viewport, CameraControl& control, PointedAt pointedAt);
 
     [[nodiscard]] const WalkKeys& keys() const { return keys_; }
+    void setHandling(const Handling& handling) { handling_ = handling; }
     /// Something else may lie under a pointer that rests.
     void lookAgain();
     /// Whether the name of what is under the pointer is shown; it is at first.
@@ -71,6 +78,7 @@ private:
     PointedAt pointedAt_;
     Overlay* name_;
     WalkKeys keys_;
+    Handling handling_;
     QTimer hoverTimer_;
     std::optional<QPointF> hoverPoint_;  // Where the pointer is while it is over the picture and no button is down.
     QPointF pressPoint_, lastPoint_;

@@ -18,6 +18,12 @@ void Viewport::visit(std::size_t exhibit)
     subject_ = exhibit;
     control_.glideTo({museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
                       exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
+    leftFor();
+}
+
+void Viewport::leftFor()
+{
+    cut_ = cut_ || control_.cuts();
     cameraChanged();
 }
 
@@ -34,7 +40,7 @@ void Viewport::goBack()
     former_.pop_back();
     subject_ = former.subject;
     control_.glideTo(former.standpoint);
-    cameraChanged();
+    leftFor();
     emit visited(former.subject);
 }
 
@@ -52,7 +58,7 @@ void Viewport::goTo(const render::Camera& camera)
     const bool stands = std::abs(camera.eye.y - visitorsEye) < 1e-6 &&
                         glm::length(museum_.walk(camera.eye, camera.eye) - camera.eye) < 1e-6;
     control_.glideTo({camera, stands ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
-    cameraChanged();
+    leftFor();
 }
 
 void Viewport::walkOn()
@@ -60,7 +66,7 @@ void Viewport::walkOn()
     if (control_.standpoint().mode == CameraControl::Mode::walk) return;
     remember();
     control_.walkOn();
-    cameraChanged();
+    leftFor();
     emit walkedOn();
 }
 
@@ -77,7 +83,7 @@ void Viewport::click(const QPointF& at)
     remember();
     subject_ = found->exhibit;
     control_.visit(found->view);
-    cameraChanged();
+    leftFor();
     emit visited(found->exhibit);
 }
 

@@ -1,5 +1,7 @@
 #include "ui/window/command_palette.h"
 
+#include "ui/kit/type_size.h"
+
 #include <QAction>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -32,7 +34,7 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* window)
     setAccessibleName(tr("Commands"));
     words_->setPlaceholderText(tr("Find a command"));
     words_->setAccessibleName(tr("Find a command"));
-    words_->setFixedHeight(28);
+    growHeight(*words_, 28);
     words_->installEventFilter(this);
     list_->setAccessibleName(tr("Commands"));
     list_->setFrameShape(QFrame::NoFrame);
@@ -46,7 +48,7 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* window)
     connect(words_, &QLineEdit::returnPressed, this, &CommandPalette::run);
     connect(list_, &QListWidget::itemClicked, this, &CommandPalette::run);
     fill();
-    resize(480, 360);
+    resize(QSize(grown(480, *this), grown(360, *this)).boundedTo(window->size() - QSize(32, 96)));
     move(window->mapToGlobal(QPoint((window->width() - width()) / 2, 64)));
     words_->setFocus();
 }
@@ -117,7 +119,7 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     line(tr("Wheel"), tr("Come nearer to the exhibit or step back"));
     line(QStringLiteral("E"), tr("Press the red button you look at, or that of the exhibit you visit"));
     line(QStringLiteral("Esc"), tr("Leave the exhibit and walk on"));
-    line(tr("Backspace, Alt+Left"), tr("Back to where you stood before"));
+    line(tr("Backspace"), tr("Back to where you stood before"));
     heading(tr("While two settings are compared"));
     line(tr("B, held"), tr("B in place of A"));
     line(tr("Drag the line"), tr("Move the wipe"));
@@ -134,7 +136,7 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(tree);
-    resize(560, 560);
+    resize(QSize(grown(560, *this), grown(560, *this)).boundedTo(screen()->availableSize() - QSize(32, 96)));
 }
 
 }  // namespace vitrine::ui

@@ -13,6 +13,7 @@
 #include "ui/lessons/lesson_desk.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/preferences/preferences_dialog.h"
 #include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/print/print_dialog.h"
@@ -43,6 +44,7 @@
 #include "ui/window/table_reader.h"
 #include "ui/window/window_actions.h"
 #include "ui/window/window_docks.h"
+#include "ui/window/window_preferences.h"
 
 #include <QAction>
 #include <QCloseEvent>
@@ -69,7 +71,8 @@ QString thumbnailPath(const Subject& subject)
 }  // namespace
 
 MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* parent)
-    : QMainWindow(parent), museum_(museum), renderers_(renderers), history_(museum.initialSceneState())
+    : QMainWindow(parent), museum_(museum), renderers_(renderers), history_(museum.initialSceneState()),
+      preferences_(new WindowPreferences(*this))
 {
     setWindowIcon(programIcon());
     setAcceptDrops(true);
@@ -99,6 +102,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     keeper_ = new SessionKeeper(*this);
     if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
     keeper_->watch();
+    preferences_->follow(*actions_);
     viewport_->setFocus();
 }
 
@@ -142,6 +146,7 @@ void MainWindow::addLessons()
 MainWindow::~MainWindow()
 {
     // Pictures in the making end while the viewport, its render thread and the message strip are still there.
+    qDeleteAll(findChildren<PreferencesDialog*>());
     qDeleteAll(findChildren<PrintDialog*>());
     qDeleteAll(findChildren<SpriteDialog*>());
     qDeleteAll(findChildren<RecordDialog*>());

@@ -25,6 +25,7 @@ class StatusLine;
 class StudyDock;
 class Viewport;
 class WindowDocks;
+class WindowPreferences;
 struct WindowActions;
 
 /// The workbench: the picture in the middle, everything else around it.
@@ -58,6 +59,7 @@ public:
     [[nodiscard]] CompareDesk& comparison() const { return *comparison_; }
     [[nodiscard]] Bookmarks& bookmarks() const { return *bookmarks_; }
     [[nodiscard]] LessonDesk& lessons() const { return *lessons_; }
+    [[nodiscard]] WindowPreferences& preferences() const { return *preferences_; }
 
     /// Of a first window on a screen with this much room, its frame left out: as large as is useful, never larger.
     [[nodiscard]] static QSize firstSize(const QSize& room);
@@ -112,6 +114,7 @@ private:
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     ExportAgain* again_ = nullptr;
+    WindowPreferences* preferences_;
     render::Diagnostics complaints_;  // Those that are in the log already.
     QStringList unreadable_;          // What the strip says about files that cannot be read.
     std::unique_ptr<WindowActions> actions_;

@@ -19,8 +19,9 @@
 #include "ui/window/main_window.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/screenshot.h"
-#include "ui/window/theme_choice.h"
+#include "ui/window/theme_menu.h"
 #include "ui/window/window_docks.h"
+#include "ui/window/window_preferences.h"
 
 #include <QAction>
 #include <QDesktopServices>
@@ -35,6 +36,24 @@ namespace {
 
 using Keys = QList<QKeySequence>;
 
+/// Words for people with the English ones that they are a translation of.
+struct Words : QString {
+    QByteArray english;
+};
+
+/// An id that is the same in every language: of "Export &picture…", "export-picture".
+QString idOf(const QByteArray& english)
+{
+    QString id;
+    for (const QChar c : QString::fromUtf8(english).toLower().remove(QLatin1Char('&')))
+        if (c.isLetterOrNumber())
+            id += c;
+        else if (!id.endsWith(QLatin1Char('-')))
+            id += QLatin1Char('-');
+    while (id.endsWith(QLatin1Char('-'))) id.chop(1);
+    return id;
+}
+
 }  // namespace
 
 /// Makes actions and puts them into the menu that was begun last.
@@ -45,9 +64,17 @@ public:
     void menu(const QString& title) { menu_ = window_.menuBar()->addMenu(title); }
     void separator() { menu_->addSeparator(); }
     void submenu(QMenu* menu) { menu_->addMenu(menu); }
-    QAction* add(const QString& text, const Keys& keys, const QString& tip, std::function<void()> work)
+    /// Its id, by which the visitor's own shortcuts are kept, is made of the English words; who changes those keeps the
+    /// id by naming the action.
+    QAction* add(const Words& text, const Keys& keys, const QString& tip, std::function<void()> work)
+    {
+        return add(idOf(text.english), text, keys, tip, std::move(work));
+    }
+    QAction* add(const QString& id, const QString& text, const Keys& keys, const QString& tip,
+                 std::function<void()> work)
     {
         auto* action = new QAction(text, &window_);
+        action->setObjectName(id);
         action->setShortcuts(keys);
         action->setToolTip(tip);
         action->setStatusTip(tip);
@@ -55,7 +82,7 @@ public:
         take(action);
         return action;
     }
-    QAction* toggle(const QString& text, const Keys& keys, const QString& tip, std::function<void(bool)> work)
+    QAction* toggle(const Words& text, const Keys& keys, const QString& tip, std::function<void(bool)> work)
     {
         QAction* action = add(text, keys, tip, {});
         action->setCheckable(true);
@@ -84,9 +111,9 @@ private:
 
 namespace {
 
-QString tr(const char* text)
+Words tr(const char* text)
 {
-    return MainWindow::tr(text);
+    return {MainWindow::tr(text), text};
 }
 
 /// Lets the visitor choose a file to open.
@@ -172,9 +199,11 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("&Edit"));
     QAction* undo = window.history().stack().createUndoAction(&window, tr("&Undo"));
+    undo->setObjectName(QStringLiteral("undo"));
     undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
     make.take(undo);
     QAction* redo = window.history().stack().createRedoAction(&window, tr("&Redo"));
+    redo->setObjectName(QStringLiteral("redo"));
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     make.take(redo);
     make.separator();
@@ -190,6 +219,10 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
         [&window] { window.panel().vary(); });
     make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)},
              tr("Finds and runs any command by name."), [&window] { window.openPalette(); });
+    make.separator();
+    make.add(tr("Pre&ferences…"), {QKeySequence(Qt::CTRL | Qt::Key_Comma)},
+             tr("Theme, size of type, motion, mouse, what a picture may cost, keys, recent files."),
+             [&window] { window.preferences().openDialog(); });
 }
 
 void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
@@ -219,14 +252,14 @@ void WindowActions::addViewMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("&View"));
     panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
-                         tr("Leaves nothing but the picture. Tab does the same while the picture has the focus."),
-                         [&window](bool hidden) { window.hidePanels(hidden); });
+                         tr("Leaves nothing but the picture."), [&window](bool hidden) { window.hidePanels(hidden); });
     QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::Key_Tab)},
                              tr("Hides or shows everything but the picture."), [this] { panels->toggle(); });
     make.inViewport(bare);
     make.separator();
     for (QDockWidget* dock : window.docks().all()) {
         QAction* toggle = dock->toggleViewAction();
+        toggle->setObjectName(QStringLiteral("panel-") + dock->objectName());
         toggle->setToolTip(tr("Shows or hides this panel."));
         toggle->setStatusTip(toggle->toolTip());
         make.take(toggle);
@@ -239,7 +272,7 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
 {
     fullScreen = make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."),
                              [&window](bool on) { window.setFullScreen(on); });
-    make.submenu(themeMenu(&window));
+    make.submenu(themeMenu(&window, window.preferences().values()));
     make.submenu(
         languageMenu(&window, [&window](const QString& message) { window.say(MessageStrip::Mood::notice, message); }));
     make.separator();
@@ -282,8 +315,8 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
         const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
                               ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))}
                               : Keys{};
-        make.add(tr("Visit %1").arg(said(exhibit.title())), keys, said(exhibit.summary()),
-                 [&window, index = i] { window.visit(index); });
+        make.add(QStringLiteral("visit-") + text(exhibit.name()), tr("Visit %1").arg(said(exhibit.title())), keys,
+                 said(exhibit.summary()), [&window, index = i] { window.visit(index); });
     }
 }
 
@@ -293,8 +326,9 @@ void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
     Bookmarks& bookmarks = window.bookmarks();
     const auto key = [](int number) { return static_cast<Qt::Key>(Qt::Key_0 + number); };
     for (int number = 1; number <= Bookmarks::most; ++number) {
-        QAction* go = make.add({}, {QKeySequence(Qt::CTRL | key(number))}, tr("Glides to the view kept there."),
-                               [&bookmarks, number] { bookmarks.go(number); });
+        QAction* go =
+            make.add(QStringLiteral("go-to-bookmark-%1").arg(number), {}, {QKeySequence(Qt::CTRL | key(number))},
+                     tr("Glides to the view kept there."), [&bookmarks, number] { bookmarks.go(number); });
         const auto name = [go, &bookmarks, number] {
             const QString there = bookmarks.name(number);
             go->setText(there.isEmpty() ? tr("Go to bookmark %1 (empty)").arg(number)
@@ -305,7 +339,8 @@ void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
     }
     make.separator();
     for (int number = 1; number <= Bookmarks::most; ++number)
-        make.add(tr("Set bookmark %1").arg(number), {QKeySequence(Qt::CTRL | Qt::ALT | key(number))},
+        make.add(QStringLiteral("set-bookmark-%1").arg(number), tr("Set bookmark %1").arg(number),
+                 {QKeySequence(Qt::CTRL | Qt::ALT | key(number))},
                  tr("Keeps where you are, in place of what was kept there."),
                  [&bookmarks, number] { bookmarks.set(number); });
     make.separator();
