@@ -104,7 +104,7 @@ public:
     Toggle showBox =
         toggle("showBox", false, "Draw the edges of that mesh: amber when it holds the object, red when it clips.");
 
-    Group show = group("On show");
+    Group showing = group("On show");
     Choice<SdfShown> shownAs = choice("shownAs", SdfShown::field, {"field", "mesh"},
                                       "The field, marched ray by ray, or a mesh of the same object, rasterized.");
     Count tessellation =
