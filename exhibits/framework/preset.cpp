@@ -1,5 +1,6 @@
 #include "exhibits/framework/preset.h"
 
+#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset_migration.h"
 #include "exhibits/framework/preset_values.h"
@@ -82,6 +83,20 @@ ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const Pa
     return pending;
 }
 
+/// Takes what the table no longer has out of the file and, where it was switched on, says what shows the same now.
+void leaveOutGoneRows(Opened& file, const char* key, const Parameters& table, const std::string& prefix,
+                      std::map<std::string, const Json*>& left)
+{
+    for (const GoneRow& row : GoneRows::of(table)) {
+        const auto at = left.find(prefix + std::string(row.name));
+        if (at == left.end()) continue;
+        if (!row.became.empty() && *at->second != Json(false))
+            file.notes.push_back(at->first + " is no parameter any more: " + std::string(row.became));
+        file.root[key].erase(at->first);
+        left.erase(at);
+    }
+}
+
 /// Reads the rows of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
 ParameterValues readRows(Opened& file, const Parameters& table, const std::string& prefix,
                          std::map<std::string, const Json*>& left)
@@ -99,6 +114,7 @@ ParameterValues readRows(Opened& file, const Parameters& table, const std::strin
         values.setRow(i, valueFromJson(row, *at->second, file.place("values." + key), key, file.notes));
         left.erase(at);
     }
+    leaveOutGoneRows(file, "values", table, prefix, left);
     values.setPending(pendingRows(file, "values", values, prefix, left));
     return values;
 }
@@ -117,6 +133,7 @@ void readMotions(Opened& file, ParameterValues& values, const std::string& prefi
         file.root["motions"].erase(at->first);
         left.erase(at);
     }
+    leaveOutGoneRows(file, "motions", values.table(), prefix, left);
     values.setPendingMotions(pendingRows(file, "motions", values, prefix, left));
 }
 

@@ -1,9 +1,12 @@
 #include "ui/compare/compare_actions.h"
 
+#include "exhibits/museum/museum.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/kit/menu_text.h"
+#include "ui/kit/text.h"
 #include "ui/model/other_settings.h"
+#include "ui/model/workbench.h"
 
 #include <QAction>
 #include <QCursor>
@@ -46,6 +49,8 @@ constexpr std::array<ModeWords, 5> modeWords{
 CompareActions::CompareActions(CompareDesk& desk) : QObject(&desk), desk_(desk)
 {
     addSources();
+    all_ << nullptr;
+    addOffers();
     all_ << nullptr;
     addModes();
     all_ << nullptr;
@@ -107,6 +112,30 @@ void CompareActions::addSources()
     connect(sources_, &QMenu::aboutToShow, this, &CompareActions::fillSources);
 }
 
+void CompareActions::addOffers()
+{
+    const Museum& museum = desk_.workbench().museum();
+    for (std::size_t subject = 0; subject < museum.subjects().size(); ++subject)
+        for (const OfferedComparison& offered : offeredComparisons(museum.subject(subject))) {
+            QAction* action = add(
+                tr("Compare with: %1").arg(menuText(text(offered.title))), {},
+                tr("%1 B goes on following what is on show; drag the line between the two.").arg(text(offered.help)));
+            connect(action, &QAction::triggered, this,
+                    [this, subject, offered] { desk_.compareWith(subject, offered); });
+            offers_.emplace_back(subject, action);
+        }
+    refreshOffers();
+}
+
+void CompareActions::refreshOffers()
+{
+    const std::size_t chosen = desk_.workbench().chosen();
+    for (const auto& [subject, action] : offers_) {
+        action->setVisible(subject == chosen);
+        action->setEnabled(subject == chosen);
+    }
+}
+
 void CompareActions::addModes()
 {
     for (const ModeWords& words : modeWords) {
@@ -127,6 +156,8 @@ void CompareActions::fillSources()
     for (QMenu* menu : sources_->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly)) menu->deleteLater();
     sources_->clear();
     sources_->addAction(hold_);
+    for (const auto& [subject, action] : offers_)
+        if (action->isVisible()) sources_->addAction(action);
     QMenu* presets = sources_->addMenu(tr("&Preset"));
     for (const auto& [name, id] : desk_.presets())
         presets->addAction(menuText(name), this, [this, id = id] { desk_.holdFile(id); });

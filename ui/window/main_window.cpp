@@ -2,6 +2,7 @@
 
 #include "render/files/assets.h"
 #include "ui/charts/charts_dock.h"
+#include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/kit/idle_undo.h"
@@ -228,6 +229,7 @@ void MainWindow::choose(std::size_t exhibit)
     study().setSubject(exhibit);
     docks_->charts().setSubject(exhibit);
     docks_->setTreeSubject(exhibit);
+    comparison_->actions().refreshOffers();
     shelf_->refresh();
     if (keeper_) keeper_->noteLayout();
 }

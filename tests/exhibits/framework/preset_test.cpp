@@ -273,6 +273,35 @@ TEST(Preset, H106_NeverCrashesOnDamagedFiles)
     EXPECT_GT(accepted, 100);
 }
 
+TEST(Preset, IsReadWithoutRowsThatAreNoMoreAndSaysWhatShowsTheSameNow)
+{
+    const CrepuscularRaysTable rays;
+    const auto read = [&](const char* values) {
+        return parsePreset(std::string(R"({"format": "vitrine-preset", "version": 2, "exhibit": "crepuscular_rays",
+        "name": "Old", "values": )") +
+                               values + R"(, "motions": {"wipe": {"kind": "sine", "from": 0, "to": 1}}})",
+                           "old.json", "crepuscular_rays", rays);
+    };
+    const Preset wiped =
+        read(R"({"compare": true, "compareWith": "volume", "technique": "screen space", "wipe": 0.4})");
+    EXPECT_EQ(wiped.values[rays.technique], RayTechnique::screen) << "what was left of the wipe";
+    EXPECT_EQ(wiped.notes,
+              std::vector<std::string>{"compare is no parameter any more: Compare with other beams or none, "
+                                       "in the Compare menu."});
+    const Json written = Json::parse(presetText(wiped));
+    EXPECT_EQ(written["values"].dump(), R"({"technique":"screen space"})");
+    EXPECT_FALSE(written.contains("motions"));
+    EXPECT_TRUE(read(R"({"compare": false, "wipe": 0.4})").notes.empty()) << "nothing was compared";
+
+    const NamedValues initial{{"crepuscular_rays", rays.initial()}};
+    const Exhibition all = parseExhibition(
+        R"({"format": "vitrine-exhibition", "version": 1, "values": {"crepuscular_rays.compare": true}})", "all.json",
+        initial);
+    ASSERT_EQ(all.notes.size(), 1U);
+    EXPECT_EQ(all.notes[0].rfind("crepuscular_rays.compare is no parameter any more: ", 0), 0U) << all.notes[0];
+    EXPECT_EQ(exhibitionText(all).find("compare"), std::string::npos);
+}
+
 TEST(Preset, IsReadByTheNamesThatRowsHadAndWrittenByThoseTheyHave)
 {
     const CrepuscularRaysTable rays;
