@@ -7,8 +7,10 @@
 #include <QAbstractScrollArea>
 #include <QAbstractSpinBox>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMainWindow>
 #include <QScrollArea>
 #include <QTabBar>
 
@@ -20,14 +22,14 @@ inline QSize neededSize(const QWidget& widget)
     const int line = widget.fontMetrics().height();
     const bool mayElide = widget.sizePolicy().horizontalPolicy() == QSizePolicy::Ignored;
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
-        if (label->text().isEmpty()) return {};
+        if (label->text().isEmpty()) return {0, 0};
         // Names of rows are elided in the middle; the tooltip of the row has them whole.
         if (qobject_cast<const ui::RowLabel*>(label)) return {0, line};
         if (label->wordWrap()) return {0, label->heightForWidth(label->width())};
         return {mayElide ? 0 : label->sizeHint().width(), label->sizeHint().height()};
     }
     if (const auto* button = qobject_cast<const QAbstractButton*>(&widget)) {
-        if (button->text().isEmpty()) return {};
+        if (button->text().isEmpty()) return {0, 0};
         const int words = widget.fontMetrics().size(Qt::TextShowMnemonic, button->text()).width();
         return {mayElide ? 0 : words, line};
     }
@@ -41,7 +43,7 @@ inline QSize neededSize(const QWidget& widget)
         return {widget.fontMetrics().horizontalAdvance(spin->text()), line};
     if (qobject_cast<const QLineEdit*>(&widget)) return {0, line};
     if (const auto* tabs = qobject_cast<const QTabBar*>(&widget)) return {0, tabs->count() > 0 ? line : 0};
-    return {};
+    return {0, 0};
 }
 
 /// Whether the widget lies in a part that can be scrolled into sight.
@@ -51,13 +53,23 @@ inline bool scrolls(const QWidget& widget)
     return parent && parent->parentWidget() && qobject_cast<const QAbstractScrollArea*>(parent->parentWidget());
 }
 
+/// Whether the widget is in a panel that lies behind others of its stack, or in a stack's tabs while there is no stack:
+/// Qt keeps those beyond the window's edge.
+inline bool isStackedBehind(const QWidget& widget)
+{
+    for (const QWidget* part = &widget; part->parentWidget(); part = part->parentWidget())
+        if (qobject_cast<const QMainWindow*>(part->parentWidget()) && !part->isWindow())
+            return !part->parentWidget()->rect().intersects(part->geometry());
+    return false;
+}
+
 /// The labels, buttons and fields below `root` that are seen and not whole: smaller than their words, or beyond the
 /// edge of what they are in. One line each.
 inline QStringList cutOff(const QWidget& root)
 {
     QStringList all;
     for (const QWidget* widget : root.findChildren<QWidget*>()) {
-        if (!widget->isVisible() || widget->window() != root.window()) continue;
+        if (!widget->isVisible() || widget->window() != root.window() || isStackedBehind(*widget)) continue;
         const QSize needed = neededSize(*widget);
         if (needed.isNull()) continue;
         const auto* label = qobject_cast<const QLabel*>(widget);

@@ -13,7 +13,7 @@ namespace {
 
 using Spaces = QMap<QString, QVariantMap>;
 
-constexpr int patience = 5000;  // Milliseconds: a portal may have to be started first.
+constexpr int longestWait = 60000;  // Milliseconds: a portal may have to be started first, and nobody waits for it.
 
 const QString service = QStringLiteral("org.freedesktop.portal.Desktop");
 const QString path = QStringLiteral("/org/freedesktop/portal/desktop");
@@ -56,7 +56,7 @@ void DesktopPortal::ask(QDBusConnection bus)
                 SLOT(take(QString, QString, QDBusVariant)));
     QDBusMessage question = QDBusMessage::createMethodCall(service, path, interface, QStringLiteral("ReadAll"));
     question << QStringList{appearance, gnome};
-    auto* answer = new QDBusPendingCallWatcher(bus.asyncCall(question, patience), this);
+    auto* answer = new QDBusPendingCallWatcher(bus.asyncCall(question, longestWait), this);
     connect(answer, &QDBusPendingCallWatcher::finished, this, [this, answer] {
         answer->deleteLater();
         const QDBusPendingReply<Spaces> reply = *answer;

@@ -145,6 +145,14 @@ void QuietStyle::drawControl(ControlElement element, const QStyleOption* option,
 void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                                     const QWidget* widget) const
 {
+    const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+    if (button && (button->features & QStyleOptionToolButton::HasMenu) && widget &&
+        widget->property(hidesMenuArrow).toBool()) {
+        QStyleOptionToolButton plain = *button;
+        plain.features &= ~QStyleOptionToolButton::ToolButtonFeatures(QStyleOptionToolButton::HasMenu);
+        drawComplexControl(control, &plain, painter, widget);
+        return;
+    }
     // Fusion leaves the panel of a raised button out while the pointer is elsewhere, and the focus with it.
     constexpr State drawnAnyhow = State_MouseOver | State_Sunken | State_On;
     if (control == CC_ToolButton && (option->state & State_AutoRaise) && (option->state & State_HasFocus) &&

@@ -9,6 +9,10 @@ class QuietStyle final : public QProxyStyle {
     Q_OBJECT
 
 public:
+    /// Property of a tool button whose words say already that it has a menu. A style sheet would do as well, but
+    /// widgets with one keep their size of type when the application gets another.
+    static constexpr auto hidesMenuArrow = "hidesMenuArrow";
+
     QuietStyle();
 
     void drawPrimitive(PrimitiveElement, const QStyleOption*, QPainter*, const QWidget*) const override;

@@ -32,6 +32,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, KeyBindings& keys
     tabs_->addTab(new KeysPage(keys, this), tr("Keys"));
     addFilesPage();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter ends a number, nothing else.
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     buttons->setContentsMargins(8, 0, 8, 0);
     auto* layout = new QVBoxLayout(this);

@@ -1,6 +1,7 @@
 #include "ui/presets/preset_list.h"
 
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/quiet_style.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/kit/type_size.h"
 
@@ -98,7 +99,7 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
     more->setPopupMode(QToolButton::InstantPopup);
     more->setFocusPolicy(Qt::StrongFocus);
     growSize(*more, 28, 26);
-    more->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    more->setProperty(QuietStyle::hidesMenuArrow, true);
     auto* drop = new QMenu(more);
     drop->addActions(menu);
     more->setMenu(drop);

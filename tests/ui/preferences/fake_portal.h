@@ -21,6 +21,7 @@ public:
         daemon_.setProgram(QStringLiteral("dbus-daemon"));
         daemon_.setArguments({QStringLiteral("--session"), QStringLiteral("--nofork"), QStringLiteral("--nopidfile"),
                               QStringLiteral("--print-address=1")});
+        daemon_.setProcessChannelMode(QProcess::ForwardedErrorChannel);
         daemon_.start();
         if (daemon_.waitForStarted() && daemon_.waitForReadyRead())
             address_ = QString::fromUtf8(daemon_.readLine()).trimmed();

@@ -147,7 +147,8 @@ private slots:
         for (QAction* each : window_->actions()) QVERIFY2(!each->objectName().isEmpty(), qPrintable(each->text()));
         for (const char* id : {"open", "screenshot", "undo", "panel-ledger", "visit-sdf_morph", "set-bookmark-3",
                                "compare-wipe", "lesson-start"})
-            QVERIFY2(ids.contains(id), id);
+            QVERIFY2(ids.contains(id),
+                     qPrintable(QString("%1 is not among %2").arg(id, QStringList(ids.values()).join(" "))));
     }
 };
 
