@@ -58,8 +58,9 @@ TEST(OfferedComparison, HasTheValuesOfAButForItsRowsWhichDoNotMove)
 TEST(OfferedComparison, IsNoneWhereAnExhibitOffersNone)
 {
     for (const auto& exhibit : allExhibits())
-        if (offeredComparisons(*exhibit).empty())
+        if (offeredComparisons(*exhibit).empty()) {
             EXPECT_FAILURE((void)offeredComparison(*exhibit, "mesh"), "offers no comparisons");
+        }
 }
 
 }  // namespace
