@@ -1,8 +1,8 @@
 #include "app/picture_options.h"
 
 #include "app/apply_preset.h"
-#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/expression.h"
+#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/framework/value_text.h"

@@ -2,6 +2,7 @@
 
 #include "tests/ui/sample_tables.h"
 
+#include "exhibits/framework/offers_comparisons.h"
 #include "exhibits/hall/hall_model.h"
 #include "ui/viewport/render_thread.h"
 #include "ui/viewport/renderers.h"
@@ -15,7 +16,7 @@
 namespace vitrine::test {
 
 /// An exhibit with a table and nothing to draw, on the plinth in the middle of the hall.
-class PlainExhibit final : public Exhibit, public HasButton {
+class PlainExhibit final : public Exhibit, public HasButton, public OffersComparisons {
 public:
     [[nodiscard]] std::string_view name() const override { return "sdf_morph"; }
     [[nodiscard]] std::string_view title() const override { return "Torus to mug"; }
@@ -33,6 +34,10 @@ public:
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override
     {
         return {{0.6, 0.4, 3}, {0.2, 0, 0}, 0.9};
+    }
+    [[nodiscard]] std::vector<OfferedComparison> comparisons() const override
+    {
+        return {{"chalk", "Chalk & dust", "As rough as it gets.", {{"roughness", 0.8}}}};
     }
     [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
     [[nodiscard]] double nextChangeOf(const ExhibitState& state) const override
