@@ -17,8 +17,8 @@ using render::JsonDocument;
 
 constexpr std::string_view presetFormat = "vitrine-preset";
 constexpr std::string_view exhibitionFormat = "vitrine-exhibition";
-constexpr std::array<std::string_view, 8> knownKeys = {"format", "version", "app",     "exhibit",
-                                                       "name",   "values",  "motions", "camera"};
+constexpr std::array<std::string_view, 9> knownKeys = {"format", "version", "app",     "exhibit", "name",
+                                                       "tags",   "values",  "motions", "camera"};
 
 std::string textAt(const JsonDocument& document, const Json& root, const char* key, bool required)
 {
@@ -188,8 +188,8 @@ Json objectOf(const std::map<std::string, Json>& entries)
 }
 
 std::string writeFile(std::string_view format, const std::string& exhibit, const std::string& name,
-                      const std::map<std::string, Json>& values, const std::map<std::string, Json>& motions,
-                      const std::optional<Json>& camera, const Json& kept)
+                      const PresetTags& tags, const std::map<std::string, Json>& values,
+                      const std::map<std::string, Json>& motions, const std::optional<Json>& camera, const Json& kept)
 {
     Json root = Json::object();
     root["format"] = format;
@@ -197,6 +197,7 @@ std::string writeFile(std::string_view format, const std::string& exhibit, const
     root["app"] = VITRINE_VERSION;
     if (!exhibit.empty()) root["exhibit"] = exhibit;
     root["name"] = name;
+    if (!tags.empty()) root["tags"] = tags;
     root["values"] = objectOf(values);
     if (!motions.empty()) root["motions"] = objectOf(motions);
     if (camera) root["camera"] = *camera;
@@ -225,6 +226,7 @@ PresetHeader presetHeader(const JsonDocument& document)
     header.isExhibition = format == exhibitionFormat;
     header.exhibit = textAt(document, root, "exhibit", !header.isExhibition);
     header.name = textAt(document, root, "name", false);
+    header.tags = tagsIn(document, root);
     return header;
 }
 
@@ -245,7 +247,8 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
                   std::nullopt,
                   file.header.version,
                   {},
-                  {}};
+                  {},
+                  file.header.tags};
     readMotions(file, preset.values, {}, leftMotions);
     noteUnknown(file, "values.", left);
     noteUnknown(file, "motions.", leftMotions);
@@ -263,7 +266,7 @@ std::string presetText(const Preset& preset)
     writeMotions(preset.values, {}, motions);
     std::optional<Json> camera;
     if (preset.camera) camera = jsonFromCamera(*preset.camera, keptCamera(preset.kept));
-    return writeFile(presetFormat, preset.exhibit, preset.name, values, motions, camera, preset.kept);
+    return writeFile(presetFormat, preset.exhibit, preset.name, preset.tags, values, motions, camera, preset.kept);
 }
 
 Exhibition parseExhibition(std::string text, std::string fileName, const NamedValues& initial)
@@ -275,6 +278,7 @@ Exhibition parseExhibition(std::string text, std::string fileName, const NamedVa
     Exhibition exhibition;
     exhibition.name = file.header.name;
     exhibition.chosen = file.header.exhibit;
+    exhibition.tags = file.header.tags;
     for (const auto& [name, values] : initial) {
         exhibition.values.emplace_back(name, readRows(file, values.table(), name + ".", left));
         readMotions(file, exhibition.values.back().second, name + ".", leftMotions);
@@ -296,7 +300,7 @@ std::string exhibitionText(const Exhibition& exhibition)
         writeRows(ofExhibit, name + ".", values);
         writeMotions(ofExhibit, name + ".", motions);
     }
-    return writeFile(exhibitionFormat, exhibition.chosen, exhibition.name, values, motions,
+    return writeFile(exhibitionFormat, exhibition.chosen, exhibition.name, exhibition.tags, values, motions,
                      jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.kept);
 }
 

@@ -13,6 +13,12 @@ namespace {
 
 constexpr int twoLines = 34;  // Pixels for name and second line, of type of the usual size.
 
+QImage cut(const QImage& picture, const QSize& size)
+{
+    const QImage scaled = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    return scaled.copy(QRect(QPoint((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2), size));
+}
+
 }  // namespace
 
 QWidget* TileDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const
@@ -94,10 +100,12 @@ void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
 
 QPixmap thumbnailOf(const QImage& picture)
 {
-    const QSize size = TileDelegate::picture * 2;
-    const QImage scaled = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-    return QPixmap::fromImage(
-        scaled.copy(QRect(QPoint((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2), size)));
+    return QPixmap::fromImage(cut(picture, TileDelegate::picture * 2));
+}
+
+QImage previewOf(const QImage& picture)
+{
+    return cut(picture, TileDelegate::picture * 6);
 }
 
 }  // namespace vitrine::ui

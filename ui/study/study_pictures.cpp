@@ -50,7 +50,7 @@ StudyPictures::StudyPictures(QWidget* parent) : QWidget(parent)
     setAccessibleName(tr("Picture and reference"));
     setAccessibleDescription(tr("Left of the line the setting, right of it the reference; arrows move the line."));
     setToolTip(tr("Left of the line: the setting. Right of it: the reference. Beside it: where they differ.\nA double "
-                  "click gives the pictures all the room, or the chart its own again."));
+                  "click, or Enter, opens them large, to zoom into."));
 }
 
 void StudyPictures::show(const QImage& picture, const QImage& reference, const QImage& heat, const QString& full)

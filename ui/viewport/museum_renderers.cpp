@@ -1,5 +1,7 @@
 #include "ui/viewport/museum_renderers.h"
 
+#include "render/gl/machine_json.h"
+
 #include <cassert>
 
 namespace vitrine::ui {
@@ -139,6 +141,7 @@ StudyJob MuseumRenderers::makeStudy(const StudyRequest& request)
     StudyJob job;
     job.backend = renderer_->sibling();
     job.study = std::make_unique<Study>(museum_, *job.backend, request);
+    job.machine = render::gl::machineJson(context_->info());
     return job;
 }
 

@@ -3,6 +3,7 @@
 #include "exhibits/museum/museum.h"
 #include "exhibits/museum/picture.h"
 #include "exhibits/study/study.h"
+#include "render/files/strict_json.h"
 #include "render/gl/renderer.h"
 
 #include <QImage>
@@ -23,6 +24,7 @@ struct PictureJob {
 struct StudyJob {
     std::unique_ptr<render::RenderBackend> backend;
     std::unique_ptr<Study> study;
+    render::Json machine = render::Json::object();  ///< What measures, as files of studies have it.
 };
 
 /// A picture of a second look, as a screen shows it.

@@ -237,6 +237,8 @@ void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
     make.separator();
     presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)},
                            tr("Gives the selected preset another name."), [&shelf] { shelf.rename(); });
+    presetMenu << make.add(tr("&Tags of preset…"), {}, tr("Gives the selected preset words by which it is found."),
+                           [&shelf] { shelf.editTags(); });
     presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to one of your own."),
                            [&shelf] { shelf.duplicate(); });
     presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."),
