@@ -134,13 +134,14 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"compare", {"kit", "model", "viewport", "parameters", "presets"}},
     {"tree", {"kit", "model", "viewport", "parameters"}},
     {"study", {"kit", "model", "viewport"}},
+    {"gamepad", {"kit", "model", "viewport"}},
     {"lessons", {"kit", "model", "viewport", "parameters"}},
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},
     {"sprites", {"kit", "model", "viewport", "parameters"}},
     {"record", {"kit", "model", "viewport"}},
     {"window",
      {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "tree", "lessons", "study", "print",
-      "sprites", "record"}},
+      "sprites", "record", "gamepad"}},
 };
 
 /// The folder below the first one; empty where there is none.

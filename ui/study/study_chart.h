@@ -2,7 +2,7 @@
 
 #include "exhibits/study/study_result.h"
 
-#include <qcustomplot.h>
+#include "ui/kit/spoken_plot.h"
 
 #include <functional>
 #include <optional>
@@ -20,7 +20,7 @@ struct ChartPoint {
 
 /// Error over cost, both logarithmic: the front drawn through, what it dominates grayed, knee and present setting
 /// marked. An error of 0 stands on a line of its own at the foot, "exact".
-class StudyChart final : public QCustomPlot {
+class StudyChart final : public SpokenPlot {
     Q_OBJECT
 
 public:
@@ -41,17 +41,21 @@ public:
     [[nodiscard]] QByteArray svg(QSize size);
 
 signals:
-    void hovered(int point);  ///< Stays until another one is, or until a press beside all of them: -1.
+    void chosen(int point);   ///< By Enter, or a press of the left button on it.
+    void hovered(int point);  ///< By the pointer, or the arrows. Stays until another one is, or until a press beside
+                              ///< all of them: -1.
 
 protected:
     void mouseMoveEvent(QMouseEvent*) override;
     void mousePressEvent(QMouseEvent*) override;
     void resizeEvent(QResizeEvent*) override;
     void leaveEvent(QEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
     void changeEvent(QEvent*) override;
 
 private:
     void rebuild();
+    void say();
     void layOutFor(QSize);
     void scaleAxes();
     /// Those for which `holds` is true.

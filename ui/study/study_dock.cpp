@@ -164,10 +164,7 @@ void StudyDock::connectParts()
     connect(save_, &QToolButton::clicked, this, &StudyDock::save);
     connect(pictures_, &StudyPictures::enlargeAsked, this, [this] { chart_->setVisible(chart_->isHidden()); });
     connect(chart_, &StudyChart::hovered, this, [this](int point) { showPoint(point); });
-    connect(chart_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
-        if (const auto point = chart_->pointAt(event->position()); point && event->button() == Qt::LeftButton)
-            apply(*point);
-    });
+    connect(chart_, &StudyChart::chosen, this, [this](int point) { apply(static_cast<std::size_t>(point)); });
     const auto refreshWhileSeen = [this] {
         if (isVisible()) refresh();
     };
