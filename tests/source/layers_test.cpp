@@ -134,6 +134,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"compare", {"kit", "model", "viewport", "parameters", "presets"}},
     {"tree", {"kit", "model", "viewport", "parameters"}},
     {"study", {"kit", "model", "viewport"}},
+    {"gamepad", {"kit", "model", "viewport"}},
     {"lessons", {"kit", "model", "viewport", "parameters"}},
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},
     {"sprites", {"kit", "model", "viewport", "parameters"}},
@@ -141,7 +142,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"preferences", {"kit", "model", "viewport", "parameters"}},
     {"window",
      {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "tree", "lessons", "study", "print",
-      "sprites", "record", "preferences"}},
+      "sprites", "record", "preferences", "gamepad"}},
 };
 
 /// The folder below the first one; empty where there is none.

@@ -3,6 +3,7 @@
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
 #include "ui/parameters/shown_text.h"
+#include "ui/parameters/spoken_row.h"
 
 #include <QFocusEvent>
 #include <QKeyEvent>
@@ -44,6 +45,18 @@ void NumberField::showValue(double value)
     if (value == value_) return;
     value_ = value;
     if (!editing_) refresh();
+    tellNumber(*this);
+}
+
+std::optional<SpokenNumber> NumberField::spokenNumber() const
+{
+    return vitrine::ui::spokenNumber(row_, scale_, value_, row_.range.low, row_.range.high);
+}
+
+void NumberField::setSpokenNumber(double value)
+{
+    if (editing_) endEdit();
+    edit(storedNumber(row_, value), newGesture());
 }
 
 void NumberField::refresh()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/kit/spoken.h"
 #include "ui/model/history.h"
 #include "ui/parameters/number_drag.h"
 
@@ -11,7 +12,7 @@ namespace vitrine::ui {
 
 /// A number with its unit. Drag changes it, a click or a key types it (arithmetic and units too), arrows
 /// step; Shift is finer, Ctrl coarser. Enter accepts; Esc brings back the value before the edit.
-class NumberField final : public QLineEdit {
+class NumberField final : public QLineEdit, public Spoken {
     Q_OBJECT
 
 public:
@@ -27,6 +28,10 @@ public:
     void dragFrom(double x);
     void dragTo(double x, Qt::KeyboardModifiers);
     void dragEnd();
+
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::SpinBox; }
+    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
+    void setSpokenNumber(double) override;
 
 signals:
     void edited(double value, int gesture);

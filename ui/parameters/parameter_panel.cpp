@@ -200,18 +200,22 @@ void ParameterPanel::orderTabs()
     QWidget* before = elsewhere_;
     setTabOrder(filter_, onlyChanged_);
     setTabOrder(onlyChanged_, elsewhere_);
+    QList<QWidget*> stops;
+    qsizetype firstOfRow = 0;
     for (QWidget* child : content_->findChildren<QWidget*>()) {
+        if (qobject_cast<ParameterRow*>(child)) firstOfRow = stops.size();
         if (child->focusPolicy() == Qt::NoFocus || child->window() != window())
             continue;  // Choices have windows of their own.
-        setTabOrder(before, child);
-        before = child;
+        // The gauge stands before the controls.
+        stops.insert(qobject_cast<GaugeMark*>(child) ? firstOfRow : stops.size(), child);
+    }
+    for (QWidget* stop : std::as_const(stops)) {
+        setTabOrder(before, stop);
+        before = stop;
     }
 }
 
-namespace {
-
-/// Focuses the first control of a row that takes the focus; returns whether there is one.
-bool focusIn(const ParameterRow& row)
+bool ParameterPanel::focusIn(const ParameterRow& row)
 {
     for (QWidget* child : row.findChildren<QWidget*>())
         if ((child->focusPolicy() & Qt::TabFocus) && child->isEnabled() && child->isVisible()) {
@@ -220,8 +224,6 @@ bool focusIn(const ParameterRow& row)
         }
     return false;
 }
-
-}  // namespace
 
 void ParameterPanel::focusFirst()
 {

@@ -43,6 +43,10 @@ public:
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
     /// Shows only rows that are wanted; an empty function wants all.
     void setWanted(const std::function<bool(const ParameterInfo&)>&);
+    /// The focus goes to the next row that is shown (1), or the one before (-1); from elsewhere, to the first.
+    void stepRow(int step);
+    /// Changes the row with the focus, as its arrow keys do: more (1) or less (-1). `again`: still the same gesture.
+    void nudge(int step, bool again);
     [[nodiscard]] QString filterText() const;
     /// Another exhibit is on show: what was searched for belonged to the one before.
     void clearFilter();
@@ -117,6 +121,8 @@ private:
     void pasteAll(std::size_t row);
     /// Something about what was pasted, at the row where it was asked for.
     void tell(std::size_t row, const QString& words);
+    /// Focuses the first control of a row that takes the focus; returns whether there is one.
+    static bool focusIn(const ParameterRow&);
     [[nodiscard]] std::optional<std::size_t> rowAt(QObject*) const;
 
     History& history_;

@@ -3,6 +3,7 @@
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
 #include "ui/parameters/number_drag.h"
+#include "ui/parameters/spoken_row.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -40,6 +41,17 @@ void ValueSlider::showValue(double value)
     const QSignalBlocker quiet(this);
     setValue(static_cast<int>(std::lround(std::clamp(scale_.position(value), 0.0, 1.0) * ticks)));
     update();
+    tellNumber(*this);
+}
+
+std::optional<SpokenNumber> ValueSlider::spokenNumber() const
+{
+    return vitrine::ui::spokenNumber(row_, scale_, value_, row_.range.softLow, row_.range.softHigh);
+}
+
+void ValueSlider::setSpokenNumber(double value)
+{
+    edit(storedNumber(row_, value), newGesture());
 }
 
 double ValueSlider::positionAt(double x) const

@@ -58,6 +58,14 @@ void CrosstalkBars::showShares(std::vector<double> ownShare)
     update();
 }
 
+QString CrosstalkBars::spokenText() const
+{
+    QStringList views;
+    for (std::size_t i = 0; i < own_.size(); ++i)
+        views << tr("view %1: %2 %").arg(i + 1).arg(std::lround(100 * (1 - own_[i])));
+    return views.isEmpty() ? tr("There is no print yet.") : views.join(QStringLiteral(", "));
+}
+
 void CrosstalkBars::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);

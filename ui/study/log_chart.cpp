@@ -29,7 +29,7 @@ protected:
 
 }  // namespace
 
-LogChart::LogChart(QWidget* parent) : QCustomPlot(parent)
+LogChart::LogChart(QWidget* parent) : SpokenPlot(parent)
 {
     for (QCPAxis* axis : {xAxis, yAxis}) {
         axis->setScaleType(QCPAxis::stLogarithmic);
@@ -190,7 +190,7 @@ QByteArray LogChart::svg(QSize size)
 
 void LogChart::resizeEvent(QResizeEvent* event)
 {
-    QCustomPlot::resizeEvent(event);
+    SpokenPlot::resizeEvent(event);
     layOutFor(size());
 }
 
@@ -204,7 +204,7 @@ void LogChart::layOutFor(QSize size)
 
 void LogChart::changeEvent(QEvent* event)
 {
-    QCustomPlot::changeEvent(event);
+    SpokenPlot::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) applyColors();
 }
 

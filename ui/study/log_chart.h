@@ -1,6 +1,6 @@
 #pragma once
 
-#include <qcustomplot.h>
+#include "ui/kit/spoken_plot.h"
 
 #include <vector>
 
@@ -13,7 +13,7 @@ struct ChartSpan {
 };
 
 /// Error over cost, both logarithmic. An error of 0 stands on a line of its own at the foot, "exact".
-class LogChart : public QCustomPlot {
+class LogChart : public SpokenPlot {
     Q_OBJECT
 
 public:

@@ -25,7 +25,9 @@ StudyChart::StudyChart(QWidget* parent) : LogChart(parent)
 void StudyChart::setPoints(std::vector<ChartPoint> points)
 {
     points_ = std::move(points);
+    if (emphasized_ && *emphasized_ >= points_.size()) emphasized_.reset();
     rebuild();
+    say();
 }
 
 void StudyChart::rebuild()
@@ -179,11 +181,53 @@ void StudyChart::emphasize(std::optional<std::size_t> point)
     if (point == emphasized_) return;
     emphasized_ = point;
     rebuild();
+    say();
+}
+
+void StudyChart::say()
+{
+    const auto measured = byCost([](const ChartPoint& p) { return p.cost > 0; });
+    if (measured.empty()) return setSentences(tr("No point is measured yet"));
+    const auto number = [](double value) { return QString::number(value, 'g', 3); };
+    QStringList all{tr("%1 over %2, both logarithmic: %n points.", nullptr, static_cast<int>(measured.size()))
+                        .arg(yAxis->label(), xAxis->label())};
+    const auto add = [&](const ChartPoint& p, const QString& sentence) {
+        all << sentence.arg(p.text, number(p.error), number(p.cost));
+    };
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const ChartPoint& p = points_[i];
+        if (emphasized_ == i) add(p, tr("Chosen: %1, error %2, cost %3."));
+        if (p.present) add(p, tr("Present: %1, error %2, cost %3."));
+        if (p.knee) add(p, tr("The knee: %1, error %2, cost %3."));
+    }
+    all << tr("Arrows go from point to point, Enter applies one.");
+    setSentences(all.join(QLatin1Char(' ')));
+}
+
+void StudyChart::keyPressEvent(QKeyEvent* event)
+{
+    const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up    ? 1
+                     : event->key() == Qt::Key_Left || event->key() == Qt::Key_Down ? -1
+                                                                                    : 0;
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    const auto order = byCost([](const ChartPoint& p) { return p.cost > 0; });
+    if (order.empty() || (step == 0 && !enter)) return LogChart::keyPressEvent(event);
+    if (enter) {
+        if (emphasized_) emit chosen(static_cast<int>(*emphasized_));
+        return;
+    }
+    const auto at = emphasized_ ? std::find(order.begin(), order.end(), &points_[*emphasized_]) : order.end();
+    auto next = at - order.begin();
+    if (at == order.end())
+        next = step > 0 ? 0 : static_cast<std::ptrdiff_t>(order.size()) - 1;
+    else
+        next = std::clamp<std::ptrdiff_t>(next + step, 0, static_cast<std::ptrdiff_t>(order.size()) - 1);
+    emit hovered(static_cast<int>(order[static_cast<std::size_t>(next)] - points_.data()));
 }
 
 void StudyChart::mouseMoveEvent(QMouseEvent* event)
 {
-    QCustomPlot::mouseMoveEvent(event);
+    LogChart::mouseMoveEvent(event);
     const auto point = pointAt(event->position());
     const int now = point ? static_cast<int>(*point) : -1;
     if (now == hovered_) return;
@@ -195,13 +239,17 @@ void StudyChart::mouseMoveEvent(QMouseEvent* event)
 
 void StudyChart::mousePressEvent(QMouseEvent* event)
 {
-    QCustomPlot::mousePressEvent(event);
-    if (!pointAt(event->position())) emit hovered(-1);
+    LogChart::mousePressEvent(event);
+    const auto point = pointAt(event->position());
+    if (!point)
+        emit hovered(-1);
+    else if (event->button() == Qt::LeftButton)
+        emit chosen(static_cast<int>(*point));
 }
 
 void StudyChart::leaveEvent(QEvent* event)
 {
-    QCustomPlot::leaveEvent(event);
+    LogChart::leaveEvent(event);
     hovered_ = -1;
 }
 

@@ -2,6 +2,7 @@
 
 #include "exhibits/study/kept_study.h"
 #include "exhibits/study/study_result.h"
+
 #include "ui/study/log_chart.h"
 
 #include <functional>
@@ -32,15 +33,19 @@ public:
     void emphasize(std::optional<std::size_t> point);
 
 signals:
-    void hovered(int point);  ///< Stays until another one is, or until a press beside all of them: -1.
+    void chosen(int point);   ///< By Enter, or a press of the left button on it.
+    void hovered(int point);  ///< By the pointer, or the arrows. Stays until another one is, or until a press beside
+                              ///< all of them: -1.
 
 protected:
     void mouseMoveEvent(QMouseEvent*) override;
     void mousePressEvent(QMouseEvent*) override;
     void leaveEvent(QEvent*) override;
+    void keyPressEvent(QKeyEvent*) override;
 
 private:
     void rebuild() override;
+    void say();
     /// Those for which `holds` is true.
     [[nodiscard]] std::vector<const ChartPoint*> byCost(const std::function<bool(const ChartPoint&)>& holds) const;
     void addErrors(const QColor&, bool lined, double size, const std::function<bool(const ChartPoint&)>& holds);

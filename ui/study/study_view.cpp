@@ -88,10 +88,7 @@ void StudyView::connectParts()
     connect(view_, &QComboBox::currentIndexChanged, this, [this] { showPoint(shownPoint_); });
     connect(pictures_, &StudyPictures::enlargeAsked, this, &StudyView::enlarge);
     connect(chart_, &StudyChart::hovered, this, [this](int point) { showPoint(point); });
-    connect(chart_, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
-        if (const auto point = chart_->pointAt(event->position()); point && event->button() == Qt::LeftButton)
-            apply(*point);
-    });
+    connect(chart_, &StudyChart::chosen, this, [this](int point) { apply(static_cast<std::size_t>(point)); });
     const auto refreshWhileSeen = [this] {
         if (isVisible()) refresh();
     };

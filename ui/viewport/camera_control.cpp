@@ -10,6 +10,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double steepestSceneState = 1.5;  // Just short of straight up, where yaw loses its meaning.
 constexpr double longestStep = 0.1;         // Meters: shorter than any wall is thick.
+constexpr double longestAdvance = 0.5;      // Seconds: whoever waited longer does not go through all of it.
 constexpr double slowest = 0.004;           // Meters per second: below it the visitor stands.
 
 double shortestTurn(double from, double to)
@@ -58,12 +59,11 @@ void Walker::advance(double seconds, const WalkKeys& keys, const Walkable& walka
 {
     const glm::dvec3 ahead(std::sin(heading_.yaw), 0, -std::cos(heading_.yaw));
     const glm::dvec3 aside(-ahead.z, 0, ahead.x);
-    glm::dvec3 wanted =
-        ahead * static_cast<double>(keys.forward - keys.back) + aside * static_cast<double>(keys.right - keys.left);
+    glm::dvec3 wanted = ahead * (keys.forward - keys.back + keys.ahead) + aside * (keys.right - keys.left + keys.aside);
     const double length = glm::length(wanted);
-    if (length > 0) wanted *= (keys.run ? runningSpeed : walkingSpeed) / length;
+    wanted *= (keys.run ? runningSpeed : walkingSpeed) / std::max(length, 1.0);  // A stick walks slowly, too.
 
-    seconds = std::clamp(seconds, 0.0, 0.5);
+    seconds = std::clamp(seconds, 0.0, longestAdvance);
     const double fastest = std::max(glm::length(wanted), glm::length(velocity_));
     const int steps = std::max(1, static_cast<int>(std::ceil(fastest * seconds / longestStep)));
     for (int i = 0; i < steps; ++i) step(seconds / steps, wanted, walkable);
@@ -214,6 +214,9 @@ void CameraControl::zoom(double steps)
 bool CameraControl::advance(double seconds, const WalkKeys& keys)
 {
     const render::Camera before = camera();
+    const double turned = std::clamp(seconds, 0.0, longestAdvance);
+    if (keys.yaw != 0 || keys.pitch != 0) turn(keys.yaw * turned, keys.pitch * turned);
+    if (keys.nearer != 0) zoom(keys.nearer * turned);
     if (mode_ == Mode::orbit && keys.any()) walkOn();
     if (mode_ == Mode::glide) {
         glide_.advance(seconds);

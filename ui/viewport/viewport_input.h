@@ -38,7 +38,11 @@ public:
     /// point of the viewport.
     ViewportInput(QWidget& viewport, CameraControl& control, PointedAt pointedAt);
 
-    [[nodiscard]] const WalkKeys& keys() const { return keys_; }
+    /// Keys and sticks together.
+    [[nodiscard]] WalkKeys keys() const;
+    /// What a gamepad's sticks say until they say something else, wherever the focus is.
+    void setSticks(const WalkKeys&);
+    [[nodiscard]] const WalkKeys& sticks() const { return sticks_; }
     void setHandling(const Handling& handling) { handling_ = handling; }
     /// Something else may lie under a pointer that rests.
     void lookAgain();
@@ -54,6 +58,8 @@ signals:
     void walkOnAsked();
     void goBackAsked();
     void pressAsked();
+    /// What is in the middle of the picture is to be visited or pressed.
+    void actAsked();
 
 protected:
     bool eventFilter(QObject*, QEvent*) override;
@@ -68,6 +74,8 @@ private:
     bool releasePointer(const QMouseEvent&);
     bool turnWheel(const QWheelEvent&);
     bool setKey(int key, bool down);
+    bool setTurnKey(int key, bool down);
+    void zoom(double steps);
     void drag(const QMouseEvent&);
     void letGo();
     void hover();
@@ -77,7 +85,7 @@ private:
     CameraControl& control_;
     PointedAt pointedAt_;
     Overlay* name_;
-    WalkKeys keys_;
+    WalkKeys keys_, sticks_;
     Handling handling_;
     QTimer hoverTimer_;
     std::optional<QPointF> hoverPoint_;  // Where the pointer is while it is over the picture and no button is down.

@@ -96,7 +96,7 @@ bool CommandPalette::eventFilter(QObject* object, QEvent* event)
 ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : QDialog(window)
 {
     setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(tr("Keyboard and mouse"));
+    setWindowTitle(tr("Keyboard, mouse and gamepad"));
     auto* tree = new QTreeWidget(this);
     tree->setAccessibleName(tr("Shortcuts"));
     tree->setColumnCount(2);
@@ -113,16 +113,33 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     const auto line = [&](const QString& keys, const QString& what) { new QTreeWidgetItem(tree, {keys, what}); };
     heading(tr("In the museum"));
     line(tr("W A S D, arrows"), tr("Walk; Shift runs"));
-    line(tr("Drag"), tr("Look around, or around the exhibit"));
+    line(tr("Drag; Ctrl and arrows"), tr("Look around, or around the exhibit"));
     line(tr("Right drag"), tr("Look around with the pointer locked"));
     line(tr("Click"), tr("Visit an exhibit, press a button"));
-    line(tr("Wheel"), tr("Come nearer to the exhibit or step back"));
+    line(tr("Enter"), tr("The same with what is in the middle of the picture"));
+    line(tr("Wheel, + and −"), tr("Come nearer to the exhibit or step back"));
     line(QStringLiteral("E"), tr("Press the red button you look at, or that of the exhibit you visit"));
     line(QStringLiteral("Esc"), tr("Leave the exhibit and walk on"));
-    line(tr("Backspace"), tr("Back to where you stood before"));
+    line(tr("Backspace, Alt+Left"), tr("Back to where you stood before"));
+    line(tr("F6, Shift+F6"), tr("From the picture to the next panel, and on to the one before"));
+    heading(tr("In the tree"));
+    line(tr("Ctrl and arrows"), tr("Move the node: up, down, out of its parent, into the one above"));
+    heading(tr("With a gamepad"));
+    line(tr("Left stick"), tr("Walk; the right trigger, or pressing the stick, runs"));
+    line(tr("Right stick"), tr("Look around, or around the exhibit"));
+    line(tr("Triggers"), tr("Come nearer to the exhibit, or step back"));
+    line(QStringLiteral("A"), tr("Visit what is in the middle of the picture, or press its button"));
+    line(QStringLiteral("B"), tr("Leave the exhibit and walk on"));
+    line(QStringLiteral("X"), tr("Press the red button"));
+    line(QStringLiteral("Y"), tr("Back to where you stood before"));
+    line(tr("Cross up, down"), tr("Choose a parameter"));
+    line(tr("Cross left, right"), tr("Change it, as the arrows do"));
+    line(tr("Shoulders"), tr("Visit the exhibit before, or the next one"));
+    line(tr("Start"), tr("Stop and start the exhibits' clock"));
+    line(tr("In dialogs and menus"), tr("The cross moves, A presses, B closes"));
     heading(tr("While two settings are compared"));
     line(tr("B, held"), tr("B in place of A"));
-    line(tr("Drag the line"), tr("Move the wipe"));
+    line(tr("Drag the line; comma, period"), tr("Move the wipe"));
     heading(tr("In number fields"));
     line(tr("Drag the label or the number"), tr("Change it; Shift ten times finer, Ctrl ten times coarser"));
     line(tr("Click, or any digit"), tr("Type: 1/3, 2*pi, 30deg"));

@@ -5,10 +5,13 @@
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_desk.h"
+#include "ui/gamepad/gamepad_control.h"
+#include "ui/kit/context_key.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/language.h"
 #include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
+#include "ui/kit/tab_order.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/lessons/lesson_bar.h"
 #include "ui/lessons/lesson_desk.h"
@@ -79,6 +82,8 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     setAcceptDrops(true);
     resize(firstSize(screen()->availableSize()));
     new IdleUndo(this);
+    new ContextKey(this);
+    new TabOrder(this);
     buildMiddle();
     docks_ = new WindowDocks(*this, *this);
     shelf_ = new PresetShelf(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
@@ -97,6 +102,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     docks_->presets().setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
     connectParts();
     connectViewport();
+    addGamepad();
     new TableReader(*this, this);
     showShippedThumbnails();
     choose(hallIndex);
@@ -142,6 +148,24 @@ void MainWindow::addLessons()
     connect(lessons_, &LessonDesk::rowAsked, this, &MainWindow::showRow);
     connect(lessons_, &LessonDesk::opened, this, &addRecentFile);
     connect(files_, &FileOpener::lessonFound, lessons_, &LessonDesk::open);
+}
+
+void MainWindow::addGamepad()
+{
+    gamepad_ = new GamepadControl(*viewport_, this);
+    connect(gamepad_, &GamepadControl::failed, this,
+            [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    connect(gamepad_, &GamepadControl::pauseAsked, this, [this] { actions_->pause->trigger(); });
+    connect(gamepad_, &GamepadControl::exhibitAsked, this, [this](int step) {
+        const auto count = static_cast<int>(museum_.subjects().size());
+        visit(static_cast<std::size_t>((static_cast<int>(chosen_) + step + count) % count));
+    });
+    connect(gamepad_, &GamepadControl::rowAsked, this, [this](int step) {
+        hidePanels(false);
+        docks_->showParameters();
+        panel().stepRow(step);
+    });
+    connect(gamepad_, &GamepadControl::changeAsked, this, [this](int step, bool again) { panel().nudge(step, again); });
 }
 
 MainWindow::~MainWindow()

@@ -16,6 +16,7 @@ class CloseGuard;
 class CompareDesk;
 class ExportAgain;
 class FileOpener;
+class GamepadControl;
 class LessonDesk;
 class MessageStrip;
 class ParameterPanel;
@@ -60,6 +61,7 @@ public:
     [[nodiscard]] Bookmarks& bookmarks() const { return *bookmarks_; }
     [[nodiscard]] LessonDesk& lessons() const { return *lessons_; }
     [[nodiscard]] WindowPreferences& preferences() const { return *preferences_; }
+    [[nodiscard]] GamepadControl& gamepad() const { return *gamepad_; }
 
     /// Of a first window on a screen with this much room, its frame left out: as large as is useful, never larger.
     [[nodiscard]] static QSize firstSize(const QSize& room);
@@ -92,6 +94,7 @@ private:
     void connectParts();
     void connectViewport();
     void addLessons();
+    void addGamepad();
     void showRow(const QString& name);
     void showShippedThumbnails();
     void showTitle();
@@ -111,6 +114,7 @@ private:
     CompareDesk* comparison_ = nullptr;
     Bookmarks* bookmarks_ = nullptr;
     LessonDesk* lessons_ = nullptr;
+    GamepadControl* gamepad_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     ExportAgain* again_ = nullptr;

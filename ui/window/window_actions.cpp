@@ -16,6 +16,7 @@
 #include "ui/window/about_dialog.h"
 #include "ui/window/copies.h"
 #include "ui/window/file_opener.h"
+#include "ui/window/focus_areas.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/screenshot.h"
@@ -174,14 +175,14 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
     make.add(tr("Export picture a&gain"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_E)},
              tr("What is seen now, as the last picture was exported, under the next free name."),
              [&window] { window.exportAgain(); });
-    make.add(tr("&Record…"), {QKeySequence(Qt::SHIFT | Qt::Key_F12)},
+    make.add(tr("Recor&d…"), {QKeySequence(Qt::SHIFT | Qt::Key_F12)},
              tr("A film along bookmarks, round what you look at, or past all exhibits: a video, or frames."),
              [&window] { window.openRecordDialog(); });
-    make.add(tr("Export &lenticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
+    make.add(tr("Export le&nticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
              tr("Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to "
                 "calibrate it."),
              [&window] { window.openPrintDialog(); });
-    make.add(tr("Export sp&rites…"), {},
+    make.add(tr("Export spr&ites…"), {},
              tr("Draws an object from all sides, as large pixels: a sheet with one palette, normals and depth, for "
                 "games."),
              [&window] { window.openSpriteDialog(); })
@@ -266,6 +267,13 @@ void WindowActions::addViewMenu(Maker& make, MainWindow& window)
         toggle->setStatusTip(toggle->toolTip());
         make.take(toggle);
     }
+    make.separator();
+    make.add(tr("&Next panel"), {QKeySequence(Qt::Key_F6)},
+             tr("Gives the focus to the next part of the window: the picture, the panels, the clock."),
+             [&window] { focusNextArea(window, 1); });
+    make.add(tr("Pre&vious panel"), {QKeySequence(Qt::SHIFT | Qt::Key_F6)},
+             tr("Gives the focus to the part of the window before."), [&window] { focusNextArea(window, -1); });
+    make.submenu(panelMenu(window));
     make.separator();
     addScreenAndClock(make, window);
 }
@@ -368,7 +376,7 @@ void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
     make.add(tr("&How this works"), {QKeySequence(Qt::Key_F1)},
              tr("A page about the exhibit that you visit: its technique, figures, formulas, sources."),
              [&window] { window.openPage(window.chosen()); });
-    make.add(tr("&Keyboard and mouse"), {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_F1)},
+    make.add(tr("&Keyboard, mouse and gamepad"), {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_F1)},
              tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
     const QString manual = manualPath();
     QAction* read = make.add(tr("&Manual"), {},

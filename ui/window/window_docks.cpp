@@ -2,6 +2,7 @@
 
 #include "ui/charts/charts_dock.h"
 #include "ui/kit/language.h"
+#include "ui/kit/tab_order.h"
 #include "ui/kit/text.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -50,8 +51,9 @@ QDockWidget* WindowDocks::add(const QString& title, const char* name, QWidget* c
     auto* dock = new QDockWidget(title, &window_);
     dock->setObjectName(QLatin1String(name));
     dock->setAccessibleName(title);
+    dock->setTitleBarWidget(new DockTitle(dock));  // First: Tab goes on from it into the panel.
     dock->setWidget(content);
-    dock->setTitleBarWidget(new DockTitle(dock));
+    tabAsLaidOut(*content);
     window_.addDockWidget(area, dock);
     docks_ << dock;
     return dock;

@@ -7,6 +7,7 @@
 #include "ui/study/study_dock.h"
 #include "ui/study/study_pictures.h"
 
+#include <QAccessible>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -114,6 +115,39 @@ private slots:
         history_->stack().undo();
         QCOMPARE(valueNow("steps"), 8.0);
         QVERIFY(!dock_->chart().points()[other].present);
+    }
+
+    void arrowsChooseAPointEnterAppliesItAndTheChartSaysSo()
+    {
+        StudyChart& chart = dock_->chart();
+        const auto said = [&chart] {
+            return QAccessible::queryAccessibleInterface(&chart)->text(QAccessible::Description);
+        };
+        QCOMPARE(QAccessible::queryAccessibleInterface(&chart)->role(), QAccessible::Chart);
+        dock_->ask(1, row("steps"));
+        finish();
+        QVERIFY2(said().contains("Present: 8, error"), qPrintable(said()));
+        QVERIFY(!said().contains("Chosen"));
+        const auto cost = [&](double value) {
+            for (const ChartPoint& each : chart.points())
+                if (each.text.toDouble() == value) return each.cost;
+            return -1.0;
+        };
+        QTest::keyClick(&chart, Qt::Key_Right);
+        QVERIFY2(said().contains("Chosen: "), qPrintable(said()));
+        const QString cheapest = said();
+        QTest::keyClick(&chart, Qt::Key_Left);  // There is none below it.
+        QCOMPARE(said(), cheapest);
+        QTest::keyClick(&chart, Qt::Key_Return);
+        const double applied = valueNow("steps");
+        for (const ChartPoint& each : chart.points())
+            if (each.cost > 0) QVERIFY(cost(applied) <= each.cost);
+        QVERIFY(applied != 8.0);
+        QCOMPARE(history_->stack().count(), 1);
+        QTest::keyClick(&chart, Qt::Key_Right);
+        QTest::keyClick(&chart, Qt::Key_Return);
+        QVERIFY(cost(valueNow("steps")) >= cost(applied) && valueNow("steps") != applied);
+        QCOMPARE(history_->stack().count(), 2);
     }
 
     void cancellingLeavesTheSettingsAndTheUndoStackAsTheyWere()
