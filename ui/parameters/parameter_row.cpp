@@ -2,6 +2,7 @@
 
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
+#include "ui/parameters/row_marks.h"
 #include "ui/parameters/shown_text.h"
 
 #include <QGraphicsOpacityEffect>
@@ -18,15 +19,6 @@ namespace {
 
 constexpr float idleInk = 0.45F;  // Of a row that does not act.
 constexpr int markRoom = 14;      // Pixels for a mark beside a label.
-
-void paintPadlock(QPainter& painter, const QPointF& middle)
-{
-    painter.setPen(QPen(theme().dim, 1.3));
-    painter.drawArc(QRectF(middle.x() - 2.5, middle.y() - 6, 5, 7), 0, 180 * 16);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme().dim);
-    painter.drawRoundedRect(QRectF(middle.x() - 4, middle.y() - 2.5, 8, 6), 1, 1);
-}
 
 void paintWave(QPainter& painter, const QPointF& middle)
 {
@@ -210,7 +202,7 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
 
 void ParameterRow::reset()
 {
-    value_.set(info().initial, newGesture(), tr("Reset %1").arg(QString::fromStdString(label(info())).toLower()));
+    value_.reset(newGesture(), tr("Reset %1").arg(QString::fromStdString(label(info())).toLower()));
 }
 
 void ParameterRow::showValue(const Value& value)
