@@ -132,6 +132,7 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"presets", {"kit", "model", "viewport"}},
     {"charts", {"kit", "model"}},
     {"compare", {"kit", "model", "viewport", "parameters", "presets"}},
+    {"explore", {"kit", "model", "viewport", "parameters", "presets"}},
     {"tree", {"kit", "model", "viewport", "parameters"}},
     {"study", {"kit", "model", "viewport"}},
     {"lessons", {"kit", "model", "viewport", "parameters"}},
@@ -139,8 +140,8 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"sprites", {"kit", "model", "viewport", "parameters"}},
     {"record", {"kit", "model", "viewport"}},
     {"window",
-     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "tree", "lessons", "study", "print",
-      "sprites", "record"}},
+     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "explore", "tree", "lessons", "study",
+      "print", "sprites", "record"}},
 };
 
 /// The folder below the first one; empty where there is none.

@@ -4,6 +4,7 @@
 #include "ui/charts/charts_dock.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_desk.h"
+#include "ui/explore/explore_dock.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
@@ -77,6 +78,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     buildMiddle();
     docks_ = new WindowDocks(*this, *this);
     shelf_ = new PresetShelf(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
+    docks_->addExplore(*shelf_);
     files_ = new FileOpener(*this, *shelf_, this);
     guard_ = new CloseGuard(*this);
     again_ = new ExportAgain(*this, *this);
@@ -223,6 +225,7 @@ void MainWindow::choose(std::size_t exhibit)
     docks_->charts().setSubject(exhibit);
     docks_->setTreeSubject(exhibit);
     shelf_->refresh();
+    docks_->explore().follow();
     if (keeper_) keeper_->noteLayout();
 }
 
