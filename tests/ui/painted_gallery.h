@@ -185,6 +185,17 @@ public:
         return drawn;
     }
     void forgetOther() override { ++othersForgotten; }
+    [[nodiscard]] QImage drawSmall(const SceneState& sceneState, const FrameRequest&, const QSize& screen) override
+    {
+        strangers += std::this_thread::get_id() == thread ? 0 : 1;
+        ++smallDrawn;
+        if (beforeSmall) beforeSmall();
+        QImage image(screen, QImage::Format_RGBX8888);
+        const double red = sceneState.values[1][table().roughness];
+        image.fill(QColor::fromRgbF(static_cast<float>(red), 0.45F, 0.4F));
+        return image;
+    }
+    void forgetSmall() override { ++smallForgotten; }
     [[nodiscard]] render::Image shownPicture() override
     {
         ++pictureReads;
@@ -242,6 +253,8 @@ public:
     std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set while nothing is drawn.
     std::atomic<int> pictureReads = 0;
     std::atomic<int> othersForgotten = 0;
+    std::atomic<int> smallDrawn = 0, smallForgotten = 0;
+    std::function<void()> beforeSmall;          ///< Of each small picture; set while none is drawn.
     std::atomic<int> unfinishedFrames = 0;      ///< The next so many call for another one.
     std::atomic<bool> greenIsTheClock = false;  ///< A whole round of it in two seconds.
     std::vector<render::gl::ShaderProblem> shaderProblems;

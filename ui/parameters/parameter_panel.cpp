@@ -6,6 +6,7 @@
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
+#include "ui/parameters/group_edits.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
 #include "ui/parameters/shown_text.h"
@@ -169,6 +170,8 @@ void ParameterPanel::rebuild()
 void ParameterPanel::addSection(const ParameterInfo& first)
 {
     auto* section = new ParameterSection(said(first.group), content_);
+    connect(section, &ParameterSection::menuAsked, this,
+            [this, section](const QPoint& at) { openGroupMenu(section, at); });
     const QString key = name_ + QLatin1Char('/') + section->title();
     foldedAtFirst_.push_back(first.groupFolded);
     section->setFolded(folded_.contains(key) != first.groupFolded);
@@ -184,7 +187,7 @@ void ParameterPanel::addSection(const ParameterInfo& first)
 
 void ParameterPanel::addRow(std::size_t i)
 {
-    auto* row = new ParameterRow(ValueRef(history_, exhibit_, i), sections_.back());
+    auto* row = new ParameterRow(ValueRef(edits(), i), sections_.back());
     row->setGaugeShown(gauges_);
     sections_.back()->add(row);
     rows_.push_back(row);
@@ -363,6 +366,7 @@ QString ParameterPanel::keyOf(std::size_t row) const
 void ParameterPanel::showLocks()
 {
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->setLocked(isLocked(i));
+    showGroups();
 }
 
 QStringList ParameterPanel::lockedRows() const
@@ -376,6 +380,7 @@ void ParameterPanel::setLockedRows(const QStringList& rows)
 {
     locked_ = QSet<QString>(rows.begin(), rows.end());
     showLocks();
+    emit locksChanged();
 }
 
 void ParameterPanel::vary()

@@ -4,6 +4,7 @@
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
+#include "ui/parameters/row_marks.h"
 #include "ui/parameters/shown_text.h"
 
 #include <QGraphicsOpacityEffect>
@@ -25,15 +26,6 @@ float idleInk()
 }
 
 constexpr int markRoom = 14;  // Pixels for a mark beside a label.
-
-void paintPadlock(QPainter& painter, const QPointF& middle)
-{
-    painter.setPen(QPen(theme().dim, 1.3));
-    painter.drawArc(QRectF(middle.x() - 2.5, middle.y() - 6, 5, 7), 0, 180 * 16);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme().dim);
-    painter.drawRoundedRect(QRectF(middle.x() - 4, middle.y() - 2.5, 8, 6), 1, 1);
-}
 
 void paintWave(QPainter& painter, const QPointF& middle)
 {
@@ -217,7 +209,7 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
 
 void ParameterRow::reset()
 {
-    value_.set(info().initial, newGesture(), tr("Reset %1").arg(within(said(label(info())))));
+    value_.reset(newGesture(), tr("Reset %1").arg(within(said(label(info())))));
 }
 
 void ParameterRow::showValue(const Value& value)

@@ -76,6 +76,13 @@ public:
     /// A renderer for work of another kind, which may time every step; it ends on this thread, too. Null where there
     /// are no graphics.
     [[nodiscard]] virtual std::unique_ptr<render::RenderBackend> makeBackend(bool /*timesSteps*/) { return nullptr; }
+    /// The same sample of a small picture of any look, on a renderer of its own, which is kept until `forgetSmall`, as
+    /// a screen of this many pixels shows it.
+    [[nodiscard]] virtual QImage drawSmall(const SceneState&, const FrameRequest&, const QSize& /*screen*/)
+    {
+        return {};
+    }
+    virtual void forgetSmall() {}
 };
 
 }  // namespace vitrine::ui

@@ -5,6 +5,7 @@
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_desk.h"
+#include "ui/explore/explore_dock.h"
 #include "ui/gamepad/gamepad_control.h"
 #include "ui/kit/context_key.h"
 #include "ui/kit/idle_undo.h"
@@ -87,6 +88,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     buildMiddle();
     docks_ = new WindowDocks(*this, *this);
     shelf_ = new PresetShelf(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
+    docks_->addExplore(*shelf_);
     files_ = new FileOpener(*this, *shelf_, this);
     guard_ = new CloseGuard(*this);
     again_ = new ExportAgain(*this, *this);
@@ -255,6 +257,7 @@ void MainWindow::choose(std::size_t exhibit)
     docks_->setTreeSubject(exhibit);
     comparison_->actions().refreshOffers();
     shelf_->refresh();
+    docks_->explore().follow();
     if (keeper_) keeper_->noteLayout();
 }
 
