@@ -1,5 +1,7 @@
 #include "app/html_text.h"
 
+#include "render/files/strict_json.h"
+
 #include <charconv>
 #include <cmath>
 
