@@ -5,6 +5,7 @@
 #include "ui/explore/pad_control.h"
 #include "ui/explore/variation_grid.h"
 #include "ui/explore/variations.h"
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/model/workbench.h"
 #include "ui/parameters/value_slider.h"
@@ -150,7 +151,7 @@ void ExploreDock::addVariations(QVBoxLayout& all)
     auto* strength = new QLabel(tr("S&trength"), this);
     strength->setBuddy(strength_);
     strength_->setAccessibleName(tr("Strength"));
-    strength_->setToolTip(text(exploreRows().rows()[exploreRows().strength.row].help));
+    strength_->setToolTip(said(exploreRows().rows()[exploreRows().strength.row].help));
     strength_->showValue(variations_->strength());
     percent_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("100 %")));
     line->addWidget(number);

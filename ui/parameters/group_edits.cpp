@@ -59,7 +59,7 @@ void GroupEdits::hold(std::size_t row, const Value& value, Gesture gesture, cons
         values.setMotion(each, std::nullopt);  // Whoever sets it has taken it over.
         values.chooseFile(each, value);
     }
-    const QString name = QString::fromStdString(labelInGroup(values.rows()[row])).toLower();
+    const QString name = within(said(labelInGroup(values.rows()[row])));
     history_.change(words.isEmpty() ? tr("Change %1 of all together").arg(name) : words, next, gesture);
 }
 
@@ -128,3 +128,4 @@ bool GroupEdits::alike(std::string_view array, std::size_t a, std::size_t b) con
 }  // namespace vitrine::ui
 
 #include "moc_group_edits.cpp"
+#include "ui/kit/language.h"

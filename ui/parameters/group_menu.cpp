@@ -1,6 +1,7 @@
 // The menu of a group's heading: rows locked together, groups of one kind edited together and copied.
 #include "ui/parameters/parameter_panel.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/group_edits.h"
@@ -63,7 +64,7 @@ void ParameterPanel::addArrayTo(QMenu& menu, const ParameterInfo& first)
     }));
     for (const GroupEdits::Group& group : groups) {
         if (group.element == here) continue;
-        QAction* take = menu.addAction(menuText(tr("Copy from %1").arg(text(group.heading))), this,
+        QAction* take = menu.addAction(menuText(tr("Copy from %1").arg(said(group.heading))), this,
                                        [&edit, array, from = group.element, here] { edit.copy(array, from, here); });
         take->setEnabled(!edit.alike(array, group.element, here));
     }
