@@ -57,6 +57,7 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addCompareCommand(parser, chosen);
     vitrine::app::addCompareSettingsCommand(parser, chosen);
     vitrine::app::addStudyCommand(parser, chosen);
+    vitrine::app::addCompareStudiesCommand(parser, chosen);
     vitrine::app::addPrintCommand(parser, chosen);
     vitrine::app::addProofCommand(parser, chosen);
     vitrine::app::addMergeCommand(parser, chosen, runWords);

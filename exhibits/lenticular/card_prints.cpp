@@ -67,7 +67,7 @@ CardViews codesOf(const printing::ViewSet& set)
         for (int y = 0; y < out.height; ++y) {
             const std::uint16_t* row = set.row(k, y);
             for (int x = 0; x < view.width; ++x)
-                for (int c = 0; c < 3; ++c) view.codes.push_back(srgb8FromLinear16(row[4 * x + c]));
+                for (int c = 0; c < 3; ++c) view.codes.push_back(srgb8FromLinear16(row[3 * x + c]));
         }
         out.views.push_back(std::move(view));
     }

@@ -123,7 +123,7 @@ CrossTalk crossTalkOf(const ViewSet& views, const ViewMatrix& mixing, const View
             for (std::size_t c = 0; c < 3; ++c, count += static_cast<double>(n)) {
                 for (std::size_t k = 0; k < n; ++k) {
                     const int x = static_cast<int>((u + 0.5) / places * views.view(static_cast<int>(k)).width);
-                    plain[k] = views.row(static_cast<int>(k), y)[static_cast<std::size_t>(x) * 4 + c] / 65535.0;
+                    plain[k] = views.row(static_cast<int>(k), y)[static_cast<std::size_t>(x) * 3 + c] / 65535.0;
                 }
                 for (std::size_t k = 0; k < n; ++k) {
                     const double value = apply(compensated, plain, k);

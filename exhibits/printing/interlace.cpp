@@ -1,6 +1,5 @@
 #include "exhibits/printing/interlace.h"
 
-#include "exhibits/printing/interlace_kernels.h"
 #include "exhibits/printing/sheet.h"
 #include "exhibits/printing/taps.h"
 #include "render/failure.h"
@@ -16,7 +15,7 @@
 namespace vitrine::printing {
 namespace {
 
-constexpr double whole = 65536;  // Weight 1 of kernels::blendAndEncode.
+constexpr double whole = 65536;  // Weight 1 of the kernels' encode8 and encode16.
 
 /// Which rows of the views a printed row shows.
 struct RowBlend {
@@ -88,11 +87,11 @@ public:
         boxTaps(y * scaleY_, boxY_ * scaleY_, views_.height(), rows_);
         for (std::size_t r = 0; r < rows_.weights.size(); ++r) {
             const std::uint16_t* at =
-                views_.row(k, rows_.first + static_cast<int>(r)) + static_cast<std::size_t>(columns_.first) * 4;
+                views_.row(k, rows_.first + static_cast<int>(r)) + static_cast<std::size_t>(columns_.first) * 3;
             const float rowWeight = weight * rows_.weights[r];
             for (const float columnWeight : columns_.weights) {
                 for (std::size_t c = 0; c < 3; ++c) sum[c] += rowWeight * columnWeight * static_cast<float>(at[c]);
-                at += 4;
+                at += 3;
             }
         }
     }
@@ -124,109 +123,68 @@ void ditherRows(const Region& region, const std::uint16_t* from, std::uint8_t* t
     }
 }
 
-Interlacer::Interlacer(const PrintLayout& layout, const ViewSet& views)
-    : layout_(layout.withoutBorder()), borderX_(layout.borderX()), borderY_(layout.borderY()), views_(views)
+Interlacer::Interlacer(const PrintLayout& layout, const ViewSet& views, Instructions instructions)
+    : layout_(layout.withoutBorder()), borderX_(layout.borderX()), borderY_(layout.borderY()), views_(views),
+      kernels_(kernels::kernelsFor(instructions))
 {
     if (views.count() != layout.settings().views) {
         throw Failure(Blame::usage, "The print is laid out for " + std::to_string(layout.settings().views) +
                                         " views, and there are " + std::to_string(views.count()) + ".");
     }
     if (layout.settings().compensate) compensation_ = compensation(viewMixing(layout_));
-    if (layout_.vertical()) prepareVertical();
+    if (layout_.vertical()) plan_.emplace(layout_, views);
 }
 
 /// What one thread works with.
 struct Interlacer::Workplace {
-    std::vector<float> lenses{};       ///< Of a row: views one after the other, four floats a lens.
-    std::vector<float> compensated{};  ///< The same.
+    explicit Workplace(const LensPlan& plan, bool compensates)
+        : slots(plan.slotCount() * 3 + kernels::behindSlots), compensated(compensates ? slots.size() : 0)
+    {
+    }
+    std::vector<const std::uint16_t*> rows{};
+    std::vector<float> slots;        ///< Of a row.
+    std::vector<float> compensated;  ///< The same.
 };
-
-void Interlacer::prepareVertical()
-{
-    const std::int64_t width = layout_.width();
-    const auto printWidth = static_cast<double>(width);
-    // One lens more on each side than the raster touches: guards reach over the cusp.
-    const auto firstLens = static_cast<std::int64_t>(std::floor(layout_.lensAt(0, 0))) - 1;
-    const auto lastLens = static_cast<std::int64_t>(std::floor(layout_.lensAt(printWidth, 0))) + 1;
-    lensCount_ = static_cast<std::size_t>(lastLens - firstLens + 1);
-
-    BoxTaps box;
-    for (int k = 0; k < views_.count(); ++k) {
-        const int viewWidth = views_.view(k).width;
-        int alike = 0;
-        while (views_.view(alike).width != viewWidth) ++alike;
-        spanStart_.push_back(alike < k ? spanStart_[static_cast<std::size_t>(alike)] : spans_.size());
-        if (alike < k) continue;
-        const double scale = viewWidth / printWidth;
-        // All spans as long as the longest, with weights of 0, where the view is wide enough for that.
-        const double columns = scale / layout_.lensesPerPixelX();
-        const int longest = columns <= 1 ? 2 : 2 * ((static_cast<int>(std::ceil(columns)) + 2) / 2);
-        for (std::int64_t lens = firstLens; lens <= lastLens; ++lens) {
-            const double axis =
-                (static_cast<double>(lens) - layout_.settings().phase) / layout_.lensesPerPixelX() + printWidth / 2;
-            boxTaps(axis * scale, scale / layout_.lensesPerPixelX(), viewWidth, box);
-            if (viewWidth >= longest && static_cast<int>(box.weights.size()) <= longest) {
-                const int back = std::max(0, box.first + longest - viewWidth);
-                box.first -= back;
-                box.weights.insert(box.weights.begin(), static_cast<std::size_t>(back), 0.0F);
-                box.weights.resize(std::max(box.weights.size(), static_cast<std::size_t>(longest)), 0.0F);
-            }
-            if (box.weights.size() % 2 != 0) box.weights.push_back(0);
-            spans_.push_back(
-                {box.first, static_cast<int>(box.weights.size() / 2), static_cast<std::uint32_t>(weights_.size())});
-            for (const float weight : box.weights) weights_.insert(weights_.end(), 4, weight);
-        }
-    }
-    std::vector<Tap> taps;
-    columnStart_.push_back(0);
-    for (std::int64_t x = 0; x < width; ++x) {
-        const std::int64_t front = layout_.settings().mirror ? width - 1 - x : x;
-        tapsAt(layout_, static_cast<double>(front) + 0.5, 0, taps);
-        for (const Tap& tap : taps) {
-            const std::int64_t lens = std::clamp(tap.lens, firstLens, lastLens) - firstLens;
-            taps_.push_back({static_cast<std::uint32_t>(static_cast<std::size_t>(tap.view) * lensCount_ +
-                                                        static_cast<std::size_t>(lens)),
-                             static_cast<float>(tap.weight)});
-        }
-        columnStart_.push_back(static_cast<std::uint32_t>(taps_.size()));
-    }
-}
 
 void Interlacer::interlaceViewRow(int row, const Region& region, Workplace& place, std::uint16_t* out) const
 {
-    for (int k = 0; k < views_.count(); ++k) {
-        const std::size_t slot = static_cast<std::size_t>(k) * lensCount_;
-        kernels::filterLenses(views_.row(k, row), spans_.data() + spanStart_[static_cast<std::size_t>(k)], lensCount_,
-                              weights_.data(), place.lenses.data() + slot * 4);
-    }
+    const auto x0 = static_cast<std::size_t>(region.x0);
+    const auto x1 = static_cast<std::size_t>(region.x1);
+    const LensPlan::Lenses lenses = plan_->lensesOf(x0, x1);
+    place.rows.clear();
+    for (const int view : plan_->viewOfSlot) place.rows.push_back(views_.row(view, row));
+    place.rows.resize(place.rows.size() + 3, place.rows.back());
+    kernels_.filterLenses(*plan_, place.rows.data(), lenses, place.slots.data());
     views_.rowIsRead(row);
-    const float* lenses = place.lenses.data();
+    const float* slots = place.slots.data();
     if (!compensation_.weights.empty()) {
-        kernels::combineViews(lenses, compensation_.weights.data(), static_cast<std::size_t>(views_.count()),
-                              lensCount_, place.compensated.data());
-        lenses = place.compensated.data();
+        kernels::combineViews(*plan_, slots, compensation_.weights, lenses, place.compensated.data());
+        slots = place.compensated.data();
     }
-    kernels::mixColumns(lenses, taps_.data(), columnStart_.data() + region.x0,
-                        static_cast<std::size_t>(region.x1 - region.x0), out);
+    kernels_.mixColumns(*plan_, slots, x0, x1, out);
 }
 
 template <typename Code> void Interlacer::fillVertical(const Region& region, Code* out) const
 {
     const std::size_t samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
-    const std::size_t lensSamples = lensCount_ * static_cast<std::size_t>(views_.count()) * 4;
-    Workplace place{std::vector<float>(lensSamples),
-                    std::vector<float>(compensation_.weights.empty() ? 0 : lensSamples)};
+    const auto encode = [&](const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part) {
+        if constexpr (sizeof(Code) == 1)
+            kernels_.encode8(a, b, part, samples, out);
+        else
+            kernels_.encode16(a, b, part, samples, out);
+    };
+    Workplace place(*plan_, !compensation_.weights.empty());
     // The two rows of the views that were interlaced last; printed rows come in order, so two are enough.
-    std::array<std::vector<std::uint16_t>, 2> kept{std::vector<std::uint16_t>(samples + 4),
-                                                   std::vector<std::uint16_t>(samples + 4)};
+    const std::size_t room = samples + 2 * kernels::besideColumns;
+    std::array<std::vector<std::uint16_t>, 2> kept{std::vector<std::uint16_t>(room), std::vector<std::uint16_t>(room)};
     std::array<int, 2> keptRow{-1, -1};
     const auto interlaced = [&](int row) -> const std::uint16_t* {
         const auto slot = static_cast<std::size_t>(row % 2);
         if (keptRow.at(slot) != row) {
-            interlaceViewRow(row, region, place, kept.at(slot).data());
+            interlaceViewRow(row, region, place, kept.at(slot).data() + kernels::besideColumns);
             keptRow.at(slot) = row;
         }
-        return kept.at(slot).data();
+        return kept.at(slot).data() + kernels::besideColumns;
     };
     std::vector<float> sum;
     RowBlend before{-1, 0};
@@ -238,7 +196,7 @@ template <typename Code> void Interlacer::fillVertical(const Region& region, Cod
         } else if (rows.count <= 2 && rows.to == 0) {
             const std::uint16_t* a = interlaced(rows.first);
             const std::uint16_t* b = rows.count == 2 ? interlaced(rows.first + 1) : a;
-            kernels::blendAndEncode(a, b, rows.part, samples, out);
+            encode(a, b, rows.part);
         } else {
             sum.assign(samples, 0.5F);
             for (int r = rows.first; r < rows.first + rows.count; ++r) {
@@ -249,7 +207,7 @@ template <typename Code> void Interlacer::fillVertical(const Region& region, Cod
             }
             std::vector<std::uint16_t> mean(samples);
             for (std::size_t i = 0; i < samples; ++i) mean[i] = static_cast<std::uint16_t>(std::min(sum[i], 65535.0F));
-            kernels::blendAndEncode(mean.data(), mean.data(), 0, samples, out);
+            encode(mean.data(), mean.data(), 0);
         }
         before = rows.to == 0 ? rows : RowBlend{-1, 0};
     }
@@ -294,7 +252,10 @@ template <typename Code> void Interlacer::fillSlanted(const Region& region, Code
             }
             for (std::size_t c = 0; c < 3; ++c) pixel[c] = static_cast<std::uint16_t>(std::min(sum[c], 65535.0F));
         }
-        kernels::blendAndEncode(linear.data(), linear.data(), 0, samples, out);
+        if constexpr (sizeof(Code) == 1)
+            kernels_.encode8(linear.data(), linear.data(), 0, samples, out);
+        else
+            kernels_.encode16(linear.data(), linear.data(), 0, samples, out);
         if ((y - region.y0) % rowsBetween == rowsBetween - 1) views_.allIsRead();
     }
 }

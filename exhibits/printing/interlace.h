@@ -1,11 +1,13 @@
 #pragma once
 
 #include "exhibits/printing/crosstalk.h"
+#include "exhibits/printing/interlace_kernels.h"
+#include "exhibits/printing/lens_plan.h"
 #include "exhibits/printing/print_layout.h"
 #include "exhibits/printing/view_set.h"
 
 #include <cstdint>
-#include <vector>
+#include <optional>
 
 namespace vitrine::printing {
 
@@ -29,24 +31,13 @@ struct Region {
 /// have more rows than the print.
 class Interlacer {
 public:
-    /// Keeps a reference to the views. Throws Failure when layout and views disagree about the number of views.
-    Interlacer(const PrintLayout&, const ViewSet&);
+    /// Keeps a reference to the views. The bits are the same by any instructions, which the processor must have. Throws
+    /// Failure when layout and views disagree about the number of views.
+    Interlacer(const PrintLayout&, const ViewSet&, Instructions = bestInstructions());
 
     /// Fills `out` with RGB, row by row without padding. The region must lie on the raster.
     void fill(const Region&, std::uint8_t* out, int threads = 1) const;
     void fill(const Region&, std::uint16_t* out, int threads = 1) const;
-
-    struct ColumnTap {
-        std::uint32_t slot;  ///< view * lenses + lens.
-        float weight;
-    };
-    /// The columns of a view that a lens shows, two by two. From `weights_[first]` on stand the weight of the
-    /// first column four times, of the second four times, and so on.
-    struct LensSpan {
-        int column;
-        int pairs;
-        std::uint32_t first;
-    };
 
 private:
     template <typename Code> void fillThreaded(const Region&, Code* out, int threads) const;
@@ -54,7 +45,6 @@ private:
     template <typename Code> void fillInner(const Region&, Code* out) const;
     template <typename Code> void fillVertical(const Region&, Code* out) const;
     template <typename Code> void fillSlanted(const Region&, Code* out) const;
-    void prepareVertical();
     struct Workplace;
     void interlaceViewRow(int row, const Region&, Workplace&, std::uint16_t* out) const;
 
@@ -62,12 +52,8 @@ private:
     std::int64_t borderX_, borderY_;
     const ViewSet& views_;
     ViewMatrix compensation_;
-    std::size_t lensCount_ = 0;
-    std::vector<std::uint32_t> columnStart_;  ///< Into taps_, one more than there are columns.
-    std::vector<ColumnTap> taps_;
-    std::vector<LensSpan> spans_;         ///< Per lens, for every width that views have.
-    std::vector<std::size_t> spanStart_;  ///< Per view, into spans_.
-    std::vector<float> weights_;
+    std::optional<LensPlan> plan_;  ///< Of vertical lenses.
+    const kernels::Kernels& kernels_;
 };
 
 /// What is added to a code before it is rounded down, 0 to 1: an ordered pattern without visible period, even over

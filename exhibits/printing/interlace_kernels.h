@@ -1,30 +1,48 @@
 #pragma once
 
-#include "exhibits/printing/interlace.h"
+#include "exhibits/printing/lens_plan.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
+#include <vector>
 
-/// The inner loops of the interlacer. The first two are compiled for the plain instruction set and for AVX2; both
-/// give the same bits, since the order of operations is fixed and multiplications are not fused with additions.
-namespace vitrine::printing::kernels {
+/// The inner loops of the interlacer, for the plain instruction set and for newer ones. All give the same bits: the
+/// order of operations is fixed, and multiplications are not fused with additions.
+namespace vitrine::printing {
 
-/// lenses[slot] = the mean of `row` (four samples a pixel) over each span; four floats a lens.
-void filterLenses(const std::uint16_t* row, const Interlacer::LensSpan* spans, std::size_t count, const float* weights,
-                  float* lenses);
+enum class Instructions : std::uint8_t { plain, avx2, avx512 };
 
-/// Every lens of view i as the sum of that lens in all views k, weighted by `matrix` [i * views + k], held to 0 and
-/// 65535.
-void combineViews(const float* lenses, const double* matrix, std::size_t views, std::size_t lensCount, float* out);
+/// The newest ones that this processor has.
+[[nodiscard]] Instructions bestInstructions();
 
-/// out[3 x + c] = the weighted sum of lenses, rounded. Writes one sample beyond the last pixel.
-void mixColumns(const float* lenses, const Interlacer::ColumnTap* taps, const std::uint32_t* start, std::size_t columns,
-                std::uint16_t* out);
+namespace kernels {
 
-/// The sRGB codes of a + (b - a) part / 65536, for samples of linear light in 16 bits.
-void blendAndEncode(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count,
+/// Floats that an array of slots has behind its last one.
+constexpr std::size_t behindSlots = 64;
+/// Samples that `mixColumns` may write before the first and behind the last.
+constexpr std::size_t besideColumns = 16;
+
+/// What loops are made of; each entry is the same function for other instructions.
+struct Kernels {
+    /// slots = the mean of a view over each lens's span, for the lenses from `first` to `last`, the end excluded.
+    /// `rows` has one row for each slot of a lens, and three more that may be read.
+    void (*filterLenses)(const LensPlan&, const std::uint16_t* const* rows, LensPlan::Lenses, float* slots);
+    /// out[3 x + c] = the weighted sum of slots, rounded, for the columns from x0 to x1, the end excluded.
+    void (*mixColumns)(const LensPlan&, const float* slots, std::size_t x0, std::size_t x1, std::uint16_t* out);
+    /// The sRGB codes of a + (b - a) part / 65536, rounded towards a, for samples of linear light in 16 bits.
+    void (*encode8)(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count,
                     std::uint8_t* out);
-void blendAndEncode(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count,
-                    std::uint16_t* out);
+    void (*encode16)(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, std::size_t count,
+                     std::uint16_t* out);
+};
 
-}  // namespace vitrine::printing::kernels
+/// Of instructions that the processor must have.
+[[nodiscard]] const Kernels& kernelsFor(Instructions);
+
+/// Every slot of view i as the sum of that lens's slots of all views k, weighted by `matrix` [i * views + k], held to 0
+/// and 65535.
+void combineViews(const LensPlan&, const float* slots, const std::vector<double>& matrix, LensPlan::Lenses, float* out);
+
+}  // namespace kernels
+}  // namespace vitrine::printing

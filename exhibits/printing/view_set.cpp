@@ -48,8 +48,8 @@ void ViewSet::add(const render::Image& image)
         throw Failure(Blame::file, "A view is empty; choose another picture.");
     if (height_ == 0) height_ = image.height;
     const auto channels = static_cast<std::size_t>(image.channels);
-    const std::size_t rowSamples = static_cast<std::size_t>(image.width) * 4;
-    const std::size_t samples = rowSamples * static_cast<std::size_t>(height_) + 4;
+    const std::size_t rowSamples = static_cast<std::size_t>(image.width) * 3;
+    const std::size_t samples = rowSamples * static_cast<std::size_t>(height_) + behind;
     const bool onDisk = scratch_ || samples * 2 > memory_ / largestShare || samples * 2 > memory_ - used_;
     if (onDisk && !scratch_) {
         scratch_ = std::make_shared<render::ScratchFile>();
@@ -64,7 +64,7 @@ void ViewSet::add(const render::Image& image)
     for (int y = 0; y < height_; ++y) {
         resampledRow(image, y, height_, row);
         std::uint16_t* out = onDisk ? passing.data() : kept->data() + static_cast<std::size_t>(y) * rowSamples;
-        for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x, out += 4) {
+        for (std::size_t x = 0; x < static_cast<std::size_t>(image.width); ++x, out += 3) {
             const double* pixel = row.data() + x * channels;
             const double alpha = alphaAt < channels ? std::clamp(pixel[alphaAt], 0.0, 1.0) : 1.0;
             for (std::size_t c = 0; c < 3; ++c) out[c] = code(pixel[gray ? 0 : c] * alpha + (1 - alpha));
@@ -76,8 +76,8 @@ void ViewSet::add(const render::Image& image)
         views_.push_back({image.width, {kept, kept->data()}});
         return;
     }
-    const std::array<std::uint16_t, 4> behind{};
-    scratch_->append(behind.data(), sizeof behind);
+    const std::array<std::uint16_t, behind> unused{};
+    scratch_->append(unused.data(), sizeof unused);
     scratch_->align();
     const auto* mapped = static_cast<const std::uint16_t*>(scratch_->map(begin, samples * 2));
     views_.push_back(
@@ -87,7 +87,7 @@ void ViewSet::add(const render::Image& image)
 void ViewSet::rowIsRead(int y) const
 {
     for (std::size_t k = firstOnDisk_; k < views_.size(); ++k) {
-        const std::size_t row = static_cast<std::size_t>(views_[k].width) * 8;
+        const std::size_t row = static_cast<std::size_t>(views_[k].width) * 6;
         render::releasePages(views_[k].samples.get(), row * static_cast<std::size_t>(height_),
                              row * static_cast<std::size_t>(y), row);
     }
@@ -96,7 +96,7 @@ void ViewSet::rowIsRead(int y) const
 void ViewSet::allIsRead() const
 {
     for (std::size_t k = firstOnDisk_; k < views_.size(); ++k) {
-        const std::size_t all = static_cast<std::size_t>(views_[k].width) * 8 * static_cast<std::size_t>(height_);
+        const std::size_t all = static_cast<std::size_t>(views_[k].width) * 6 * static_cast<std::size_t>(height_);
         render::releasePages(views_[k].samples.get(), all, 0, all);
     }
 }

@@ -13,8 +13,8 @@
 
 namespace vitrine::printing {
 
-/// The views of a print, as the interlacer reads them: linear Rec. 709 in 16 bits, four samples a pixel (the
-/// fourth is unused), so that one pixel is one load. Row 0 at the top. All have the same height; widths differ.
+/// The views of a print, as the interlacer reads them: linear Rec. 709 in 16 bits, three samples a pixel. Row 0 at the
+/// top. All have the same height; widths differ.
 /// Views that do not fit into its share of memory lie in a scratch file and come into memory by rows.
 class ViewSet {
 public:
@@ -25,10 +25,12 @@ public:
     /// `memory`: bytes of samples that are kept in memory.
     explicit ViewSet(std::size_t memory = usualMemory) : memory_(memory) {}
 
+    static constexpr std::size_t behind = 16;  ///< Samples.
+
     struct View {
         int width = 0;
         std::shared_ptr<const std::uint16_t>
-            samples{};  ///< width * height * 4, and one unused pixel behind: columns are read two by two.
+            samples{};  ///< width * height * 3, and `behind` unused ones: columns are read several at once.
     };
 
     /// Adds a picture of linear light with 1 to 4 channels, over white where it is transparent. A picture of
@@ -42,7 +44,7 @@ public:
     [[nodiscard]] const std::uint16_t* row(int k, int y) const
     {
         const View& v = view(k);
-        return v.samples.get() + static_cast<std::size_t>(y) * static_cast<std::size_t>(v.width) * 4;
+        return v.samples.get() + static_cast<std::size_t>(y) * static_cast<std::size_t>(v.width) * 3;
     }
 
     /// Bytes of samples in the scratch file.

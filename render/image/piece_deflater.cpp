@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <stdexcept>
+#include <vector>
 
 namespace vitrine::render {
 namespace {
@@ -30,7 +31,7 @@ PieceDeflater::PieceDeflater() : state_(std::make_unique<State>())
 
 PieceDeflater::~PieceDeflater() = default;
 
-void PieceDeflater::append(std::span<const std::uint8_t> data, std::vector<std::uint8_t>& out)
+void PieceDeflater::append(std::span<const std::uint8_t> data, RawBytes& out)
 {
     assert(data.size() <= std::size_t{1} << 30U);
     isal_zstream& stream = state_->stream;

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "render/image/raw_bytes.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <vector>
 
 namespace vitrine::render {
 
@@ -20,7 +21,7 @@ public:
     PieceDeflater& operator=(const PieceDeflater&) = delete;
 
     /// Appends `data`, at most 2^30 bytes, as blocks of which none is the last, then an empty stored one.
-    void append(std::span<const std::uint8_t> data, std::vector<std::uint8_t>& out);
+    void append(std::span<const std::uint8_t> data, RawBytes& out);
 
 private:
     struct State;

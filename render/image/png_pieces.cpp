@@ -31,7 +31,7 @@ void putBigEndian(std::uint32_t value, std::uint8_t* at)
 }
 
 /// Room for a chunk's length and type at the end of `out`; returns where it begins.
-std::size_t openChunk(std::vector<std::uint8_t>& out)
+std::size_t openChunk(RawBytes& out)
 {
     const std::size_t begin = out.size();
     out.resize(begin + chunkHead);
@@ -39,7 +39,7 @@ std::size_t openChunk(std::vector<std::uint8_t>& out)
     return begin;
 }
 
-void closeChunk(std::vector<std::uint8_t>& out, std::size_t begin)
+void closeChunk(RawBytes& out, std::size_t begin)
 {
     const std::size_t size = out.size() - begin - chunkHead;
     putBigEndian(static_cast<std::uint32_t>(size), out.data() + begin);
@@ -53,7 +53,7 @@ void closeChunk(std::vector<std::uint8_t>& out, std::size_t begin)
 /// What one thread works with.
 struct PngPieces::Workplace {
     std::optional<PieceDeflater> deflater{};  ///< Made where a lack of memory can be said.
-    std::vector<std::uint8_t> filtered{};
+    RawBytes filtered{};
 };
 
 PngPieces::PngPieces(const Shape& shape, int threads, Put put)
@@ -194,7 +194,7 @@ std::string PngPieces::finish()
     if (pieceAt(submitted_).count > 0) submit();
     while (written_ < submitted_)
         if (std::string why = takeOldest(); !why.empty()) return why;
-    std::vector<std::uint8_t> end;
+    RawBytes end;
     const std::size_t begin = openChunk(end);
     end.insert(end.end(), lastBlock.begin(), lastBlock.end());
     end.resize(end.size() + 4);

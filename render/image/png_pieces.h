@@ -1,6 +1,7 @@
 #pragma once
 
 #include "render/image/png_filter.h"
+#include "render/image/raw_bytes.h"
 
 #include <condition_variable>
 #include <cstddef>
@@ -45,7 +46,7 @@ private:
     struct Piece {
         std::vector<std::uint8_t> rows{};  ///< The row above, then those of the piece.
         std::size_t count = 0;             ///< Of rows, the one above not counted.
-        std::vector<std::uint8_t> chunks{};
+        RawBytes chunks{};
         std::uint32_t adler = 1;  ///< Of the filtered rows.
         std::uint64_t filteredBytes = 0;
         std::string problem{};

@@ -23,7 +23,7 @@ has() {
 
 cmake --install "$build" --prefix "$root/usr" >"$root/log" || { cat "$root/log"; fail "cmake --install failed"; }
 share=$root/usr/share
-for file in bin/vitrine lib/vitrine/modules/libvitrine_oiio.so lib/vitrine/modules/libvitrine_video.so share/vitrine/presets/fur/cat.json \
+for file in bin/vitrine lib/vitrine/modules/libvitrine_oiio.so lib/vitrine/modules/libvitrine_video.so lib/vitrine/modules/libvitrine_gamepad.so share/vitrine/presets/fur/cat.json \
     share/applications/org.vitrine.Vitrine.desktop share/icons/hicolor/48x48/apps/org.vitrine.Vitrine.png share/man/man1/vitrine.1.gz; do
     [ -e "$root/usr/$file" ] || fail "$file was not installed"
 done

@@ -84,7 +84,7 @@ void plainLoop(const PrintLayout& layout, const ViewSet& views, std::vector<std:
                 const int width = views.view(tap.view).width;
                 const int column =
                     std::clamp(static_cast<int>(axis * width / static_cast<double>(layout.width())), 0, width - 1);
-                const std::uint16_t* pixel = views.row(tap.view, row) + static_cast<std::size_t>(column) * 4;
+                const std::uint16_t* pixel = views.row(tap.view, row) + static_cast<std::size_t>(column) * 3;
                 for (int c = 0; c < 3; ++c) sum[c] += tap.weight * pixel[c];
             }
             for (const double channel : sum) *at++ = render::srgb8FromLinear(static_cast<float>(channel / 65535));

@@ -7,6 +7,8 @@
 #include "ui/compare/morph_control.h"
 #include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
+#include "ui/kit/quiet_style.h"
+#include "ui/kit/type_size.h"
 #include "ui/model/other_settings.h"
 #include "ui/parameters/value_slider.h"
 
@@ -60,8 +62,10 @@ CompareBar::CompareBar(CompareDesk& desk, QWidget* parent)
     line->setContentsMargins(8, 3, 8, 3);
     line->setSpacing(2);
     CompareActions& actions = desk.actions();
-    for (std::size_t i = 0; i < compareModes.size(); ++i)
-        line->addWidget(button(actions.mode(compareModes[i]), tr(modeNames[i])));
+    for (std::size_t i = 0; i < compareModes.size(); ++i) {
+        buttons_.push_back(button(actions.mode(compareModes[i]), tr(modeNames[i])));
+        line->addWidget(buttons_.back());
+    }
     addGain();
     line->addWidget(gains_);
     line->addStretch(1);
@@ -69,7 +73,8 @@ CompareBar::CompareBar(CompareDesk& desk, QWidget* parent)
     line->addWidget(differ_);
     line->addWidget(morphs_);
     line->addWidget(source_);
-    line->addWidget(button(actions.swap(), QStringLiteral("⇄")));
+    buttons_.push_back(button(actions.swap(), QStringLiteral("⇄")));
+    line->addWidget(buttons_.back());
     line->addWidget(button(actions.letGo(), QStringLiteral("✕")));
     rows_->setAccessibleName(tr("Rows that differ"));
     connect(rows_, &QMenu::aboutToShow, this, &CompareBar::fillRows);
@@ -97,15 +102,16 @@ QToolButton* CompareBar::menuButton(QMenu* menu)
     made->setMenu(menu);
     made->setAutoRaise(true);
     made->setFocusPolicy(Qt::TabFocus);
-    made->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    made->setProperty(QuietStyle::hidesMenuArrow, true);
     return made;
 }
 
 void CompareBar::addGain()
 {
-    gain_->setFixedWidth(80);
+    growWidth(*gain_, 80);
     gain_->showValue(desk_.overlay().gain());
-    times_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("× 64")));
+    followType(*times_,
+               [this] { times_->setMinimumWidth(times_->fontMetrics().horizontalAdvance(QStringLiteral("× 64"))); });
     gains_->layout()->addWidget(gain_);
     gains_->layout()->addWidget(times_);
     connect(gain_, &ValueSlider::edited, this, [this](double gain) {
@@ -116,7 +122,7 @@ void CompareBar::addGain()
 
 void CompareBar::addMorph()
 {
-    morph_->setFixedWidth(96);
+    growWidth(*morph_, 96);
     morphs_->layout()->addWidget(new QLabel(tr("A"), morphs_));
     morphs_->layout()->addWidget(morph_);
     morphs_->layout()->addWidget(new QLabel(tr("B"), morphs_));
@@ -152,9 +158,11 @@ void CompareBar::refresh()
 void CompareBar::showWhatFits()
 {
     gains_->setVisible(isDifference(desk_.overlay().mode()));
-    differ_->show();
-    morphs_->show();
-    for (QWidget* part : {static_cast<QWidget*>(differ_), morphs_}) {
+    // Everything that may go is in the Compare menu, too; what ends the comparison stays.
+    std::vector<QWidget*> parts{differ_, morphs_, source_};
+    parts.insert(parts.end(), buttons_.rbegin(), buttons_.rend());
+    for (QWidget* part : parts) part->show();
+    for (QWidget* part : parts) {
         layout()->activate();
         if (layout()->minimumSize().width() <= width()) return;
         part->hide();

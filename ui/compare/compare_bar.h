@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QAction;
 class QLabel;
 class QMenu;
@@ -50,6 +52,7 @@ private:
     QWidget* morphs_;
     ValueSlider* morph_;
     QToolButton* source_;
+    std::vector<QWidget*> buttons_;  // Of the modes, and the one that swaps.
     bool banned_ = false;
 };
 

@@ -136,6 +136,17 @@ void CompareDesk::holdStep(int step, const QString& name)
     hold(workbench_.history().valuesAt(step), name);
 }
 
+void CompareDesk::compareWith(std::size_t subject, const OfferedComparison& offered)
+{
+    ++holds_;
+    other_->follow([subject, offered](const SceneState& a) { return otherSide(a, subject, offered); },
+                   text(offered.title));
+    if (overlay_->mode() == CompareMode::off) setMode(CompareMode::wipe);
+    if (differences().empty())
+        workbench_.say(MessageStrip::Mood::notice,
+                       tr("“%1” is on show already: both sides are the same.").arg(text(offered.title)));
+}
+
 void CompareDesk::chooseFile()
 {
     auto* dialog = new QFileDialog(window_, tr("Open as B"));

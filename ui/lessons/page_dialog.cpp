@@ -3,6 +3,7 @@
 #include "render/files/assets.h"
 #include "ui/kit/language.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 
 #include <QDesktopServices>
 #include <QDialogButtonBox>
@@ -59,7 +60,7 @@ PageDialog::PageDialog(QWidget* window) : QDialog(window), browser_(new QTextBro
     layout->addWidget(browser_, 1);
     layout->addWidget(buttons);
     buttons->setContentsMargins(8, 0, 8, 0);
-    resize(760, 760);
+    resize(QSize(grown(760, *this), 760).boundedTo(screen()->availableSize() - QSize(32, 96)));
     browser_->setFocus();
 }
 

@@ -2,6 +2,7 @@
 
 #include "ui/kit/language.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/shown_text.h"
@@ -79,9 +80,9 @@ ColorEditor::ColorEditor(const ValueRef& value, QWidget* parent)
     const QString name = said(label(row()));
     swatch_->setAccessibleName(tr("%1, choose a color").arg(name));
     swatch_->setToolTip(tr("Choose a color; the picture follows."));
-    swatch_->setMinimumSize(40, 22);
+    growMinimumSize(*swatch_, 40, 22);
     code_->setAccessibleName(name);
-    code_->setFixedSize(NumberField::usualWidth, 22);
+    growSize(*code_, NumberField::usualWidth, 22);
     code_->setAlignment(Qt::AlignRight);
     code_->setMaxLength(40);
     code_->setContextMenuPolicy(Qt::NoContextMenu);

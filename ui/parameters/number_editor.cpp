@@ -1,6 +1,7 @@
 #include "ui/parameters/number_editor.h"
 
 #include "ui/kit/language.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/value_slider.h"
 
@@ -14,7 +15,7 @@ NumberEditor::NumberEditor(const ValueRef& value, QWidget* parent)
     const QString name = said(label(row()));
     slider_->setAccessibleName(tr("%1, slider").arg(name));
     field_->setAccessibleName(name);
-    field_->setFixedWidth(NumberField::usualWidth);
+    growWidth(*field_, NumberField::usualWidth);
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -2,6 +2,7 @@
 
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
+#include "ui/kit/type_size.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -66,7 +67,7 @@ ChoiceEditor::ChoiceEditor(const ValueRef& value, QWidget* parent)
     for (const std::string_view name : row().choices) box_->addItem(said(name));
     box_->setAccessibleName(nameOf(row()));
     box_->setFocusPolicy(Qt::StrongFocus);
-    box_->setFixedHeight(22);
+    growHeight(*box_, 22);
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     rowLayout(this)->addWidget(box_, 1);
     connect(box_, &QComboBox::activated, this, [this](int index) { edit(static_cast<double>(index), newGesture()); });
@@ -94,12 +95,12 @@ FileEditor::FileEditor(const ValueRef& value, QWidget* parent)
 {
     path_->setAccessibleName(nameOf(row()));
     path_->setPlaceholderText(tr("none"));
-    path_->setFixedHeight(22);
+    growHeight(*path_, 22);
     path_->setTextMargins(2, 0, 2, 0);
     path_->setContextMenuPolicy(Qt::NoContextMenu);
     browse_->setText(QStringLiteral("…"));
     browse_->setAutoRaise(true);
-    browse_->setFixedSize(24, 22);
+    growSize(*browse_, 24, 22);
     browse_->setAccessibleName(tr("%1, choose a file").arg(nameOf(row())));
     browse_->setToolTip(tr("Choose a file. Dropping one here works too."));
     browse_->setFocusPolicy(Qt::StrongFocus);

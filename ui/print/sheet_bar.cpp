@@ -4,6 +4,7 @@
 #include "render/failure.h"
 #include "ui/kit/language.h"
 #include "ui/kit/name_dialog.h"
+#include "ui/kit/type_size.h"
 #include "ui/print/print_setup.h"
 
 #include <QComboBox>
@@ -52,7 +53,7 @@ SheetBar::SheetBar(PrintSetup& setup, QWidget* parent)
     remove_->setToolTip(tr("Deletes this sheet of your own from the list; the numbers below stay."));
     for (QToolButton* button : {save_, remove_}) {
         button->setFocusPolicy(Qt::StrongFocus);
-        button->setFixedHeight(26);
+        growHeight(*button, 26);
     }
     save_->setAccessibleName(tr("Save sheet"));
     remove_->setAccessibleName(tr("Delete sheet"));

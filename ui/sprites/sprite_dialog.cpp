@@ -7,6 +7,8 @@
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/language.h"
 #include "ui/kit/replace_question.h"
+#include "ui/kit/scroll_room.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/sprites/sprite_preview.h"
 
@@ -131,8 +133,9 @@ void SpriteDialog::build()
     left->setSpacing(0);
     left->addLayout(motion);
     left->addWidget(panel_, 1);
-    side->setFixedWidth(spritePanelWidth);
-    auto* right = new QVBoxLayout;
+    growWidth(*side, spritePanelWidth);
+    auto* content = new QWidget;
+    auto* right = new QVBoxLayout(content);
     right->setContentsMargins(8, 8, 16, 16);
     right->setSpacing(8);
     right->addWidget(preview_, 1);
@@ -141,7 +144,7 @@ void SpriteDialog::build()
     auto* sides = new QHBoxLayout;
     sides->setSpacing(8);
     sides->addWidget(side);
-    sides->addLayout(right, 1);
+    sides->addWidget(new ScrollRoom(content, this), 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

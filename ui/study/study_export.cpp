@@ -13,12 +13,11 @@
 namespace vitrine::ui {
 
 QByteArray studyFile(const QString& suffix, Subjects subjects, const StudyRequest& request, const StudyResult& result,
-                     StudyChart& chart)
+                     const render::Json& machine, StudyChart& chart)
 {
     if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(studyCsv(subjects, request, result));
     if (suffix == QLatin1String("json"))
-        return QByteArray::fromStdString(
-            render::writeJson(studyJson(subjects, request, result, render::Json::object())));
+        return QByteArray::fromStdString(render::writeJson(studyJson(subjects, request, result, machine)));
     const QSize size(960, 600);
     return suffix == QLatin1String("svg") ? chart.svg(size) : pngOf(chart.picture(size, 2));
 }

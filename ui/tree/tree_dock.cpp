@@ -2,6 +2,7 @@
 
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
+#include "ui/kit/type_size.h"
 #include "ui/tree/tree_editor.h"
 #include "ui/tree/tree_file.h"
 #include "ui/tree/tree_overlay.h"
@@ -42,7 +43,7 @@ TreeDock::TreeDock(TreeEditor& editor, TreeOverlay& overlay, TreeFile& file, QWi
     layout->setSpacing(0);
     layout->addWidget(bar());
     layout->addWidget(parts, 1);
-    setMinimumWidth(320);
+    followType(*this, [this] { setMinimumWidth(std::max(320, grown(260, *this))); });
     connect(view_, &QWidget::customContextMenuRequested, this, &TreeDock::openMenu);
     connect(&editor_, &TreeEditor::selectionChanged, this, &TreeDock::enable);
     connect(&editor_, &TreeEditor::treeChanged, this, &TreeDock::enable);
@@ -88,7 +89,7 @@ QWidget* TreeDock::bar()
         made->setToolTip(tip);
         made->setAccessibleName(text);
         made->setFocusPolicy(Qt::StrongFocus);
-        made->setFixedHeight(26);
+        growHeight(*made, 26);
         layout->addWidget(made);
         return made;
     };

@@ -2,6 +2,7 @@
 
 #include "exhibits/exhibits.h"
 #include "render/failure.h"
+#include "ui/kit/appearance.h"
 #include "ui/kit/language.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
@@ -11,7 +12,6 @@
 #include "ui/window/file_opener.h"
 #include "ui/window/first_picture.h"
 #include "ui/window/main_window.h"
-#include "ui/window/theme_choice.h"
 
 #include <QSurfaceFormat>
 
@@ -48,7 +48,7 @@ int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
         std::fprintf(stderr, "vitrine: %s\n", qPrintable(why));
         return static_cast<int>(Blame::openGl);
     }
-    chooseTheme(app, savedThemeChoice());
+    applyAppearance(app, Preferences::saved(), {});
     const Museum museum{allExhibits()};
     MuseumRenderers renderers(museum);
     MainWindow window(museum, renderers);

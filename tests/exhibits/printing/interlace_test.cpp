@@ -215,7 +215,7 @@ TEST(Lenticular, APlainLoopInDoubleGivesTheSamePrint)
                     const double part =
                         std::max(0.0, std::min<double>(to, i + 1) - std::max<double>(from, i)) / (to - from);
                     if (part <= 0) continue;
-                    const auto column = static_cast<std::size_t>(i) * 4;
+                    const auto column = static_cast<std::size_t>(i) * 3;
                     sum += weight * part *
                            ((1 - (at - top)) * views.row(k, top)[column] + (at - top) * views.row(k, top + 1)[column]);
                 }

@@ -132,11 +132,11 @@ TEST(LargeViews, LieOnDiskWhereTmpIsMemory)
 TEST(LargeViews, APrintOfThemTakesFewOfTheirRowsIntoMemory)
 {
     ViewSet views(0);
-    for (int k = 0; k < 6; ++k) views.add(render::Image(2000, 1000, 3, 0.1F * static_cast<float>(k)));
+    for (int k = 0; k < 8; ++k) views.add(render::Image(2000, 1000, 3, 0.1F * static_cast<float>(k)));
     ASSERT_GT(views.scratchBytes(), 90U << 20U);
     for (const double direction : {0.0, 10.0}) {
         const std::size_t before = residentFileBytes();
-        PrintSettings s = settingsFor(40, 600, 6, 300, 400);
+        PrintSettings s = settingsFor(40, 600, 8, 300, 400);
         s.direction = direction;
         (void)printOf(PrintLayout(s), views);
         EXPECT_LT(residentFileBytes(), before + (24U << 20U)) << direction;
@@ -144,7 +144,7 @@ TEST(LargeViews, APrintOfThemTakesFewOfTheirRowsIntoMemory)
     // What they would take.
     const std::size_t before = residentFileBytes();
     unsigned sum = 0;
-    for (int k = 0; k < 6; ++k)
+    for (int k = 0; k < 8; ++k)
         for (int y = 0; y < 1000; ++y) sum += views.row(k, y)[4000] & 1U;
     EXPECT_GT(residentFileBytes(), before + (60U << 20U)) << sum;
     views.allIsRead();

@@ -13,7 +13,7 @@
 namespace vitrine::render {
 namespace {
 
-using Bytes = std::vector<std::uint8_t>;
+using Bytes = RawBytes;
 
 /// What zlib makes of pieces that are put one after the other, with a last block behind them; fails the test where it
 /// does not take all.
