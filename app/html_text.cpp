@@ -1,5 +1,7 @@
 #include "app/html_text.h"
 
+#include "render/files/strict_json.h"
+
 #include <charconv>
 #include <cmath>
 
@@ -80,7 +82,7 @@ std::string pageNumber(double x, int digits)
     return std::string(text, std::to_chars(text, text + sizeof text, x, std::chars_format::general, digits).ptr);
 }
 
-std::string scriptJson(const Json& json)
+std::string scriptJson(const render::Json& json)
 {
     std::string text = json.dump();
     for (std::size_t at = text.find("</"); at != std::string::npos; at = text.find("</", at + 3))

@@ -37,9 +37,10 @@ Json initialTables()
 {
     const HallTable hall;
     Json all = Json::array();
-    all.push_back(exhibitJson("hall", hallTitle, hallSummary, hall));
+    all.push_back(exhibitJson("hall", hallTitle, hallSummary, hall, nullptr));
     for (const auto& exhibit : allExhibits())
-        all.push_back(exhibitJson(exhibit->name(), exhibit->title(), exhibit->summary(), exhibit->parameters()));
+        all.push_back(
+            exhibitJson(exhibit->name(), exhibit->title(), exhibit->summary(), exhibit->parameters(), exhibit.get()));
     return all;
 }
 

@@ -2,6 +2,7 @@
 #include "app/queue/shard.h"
 #include "render/failure.h"
 #include "render/measure/memory.h"
+#include "ui/kit/language.h"
 
 #include <CLI/CLI.hpp>
 
@@ -38,6 +39,12 @@ int parseAndRun(int argc, char** argv)
     CLI::App parser(about, "vitrine");
     parser.set_version_flag("--version", std::string("vitrine ") + VITRINE_VERSION);
     parser.set_help_flag("--help", "Print this help and exit");
+    parser
+        .add_option_function<std::string>(
+            "--language", [](const std::string& code) { vitrine::ui::speak(QString::fromStdString(code)); },
+            "The language of plaques in pictures, and of the window: en (in pictures, without this) or de")
+        ->check(CLI::IsMember({"en", "de"}))
+        ->type_name("CODE");
     parser.require_subcommand(0, 1);
     vitrine::app::Action chosen = [&] { return vitrine::app::openWindow(argc, argv, {}); };
     vitrine::app::addOpenCommand(parser, chosen, argc, argv);
@@ -50,6 +57,7 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addCompareCommand(parser, chosen);
     vitrine::app::addCompareSettingsCommand(parser, chosen);
     vitrine::app::addStudyCommand(parser, chosen);
+    vitrine::app::addCompareStudiesCommand(parser, chosen);
     vitrine::app::addPrintCommand(parser, chosen);
     vitrine::app::addProofCommand(parser, chosen);
     vitrine::app::addMergeCommand(parser, chosen, runWords);
@@ -78,12 +86,12 @@ int main(int argc, char** argv)
     try {
         return parseAndRun(argc, argv);
     } catch (const vitrine::Failure& failure) {
-        std::fprintf(stderr, "vitrine: %s\n", failure.what());
+        std::fprintf(stderr, "vitrine: %s\n", vitrine::ui::saidInLocale(failure.what()).c_str());
         return failure.exitCode();
     } catch (const std::bad_alloc&) {
-        std::fprintf(
-            stderr,
-            "vitrine: There was not enough memory for this; ask for a smaller size, or fewer samples or views.\n");
+        const std::string words = vitrine::ui::saidInLocale(
+            "There was not enough memory for this; ask for a smaller size, or fewer samples or views.");
+        std::fprintf(stderr, "vitrine: %s\n", words.c_str());
         return static_cast<int>(vitrine::Blame::usage);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "vitrine: %s\n", error.what());

@@ -2,6 +2,7 @@
 
 #include "app/apply_preset.h"
 #include "exhibits/framework/expression.h"
+#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/framework/value_text.h"
@@ -250,7 +251,12 @@ void readTables(const Museum& museum, SceneState& sceneState, std::vector<std::s
 std::size_t rowNamed(const Museum& museum, const SceneState& sceneState, const Assignment& assignment,
                      const std::string& option)
 {
-    const auto row = sceneState.values[assignment.owner].table().find(assignment.name);
+    const Parameters& table = sceneState.values[assignment.owner].table();
+    const auto row = table.find(assignment.name);
+    for (const GoneRow& gone : GoneRows::of(table))
+        if (!row && gone.name == assignment.name && !gone.became.empty())
+            throw Failure(Blame::usage, option + ' ' + assignment.name + ": this is no parameter any more. " +
+                                            std::string(gone.became));
     if (!row)
         throw Failure(Blame::usage, option + ' ' + assignment.name + ": " +
                                         std::string(museum.subject(assignment.owner).name()) +

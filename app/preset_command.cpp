@@ -16,6 +16,14 @@
 namespace vitrine::app {
 namespace {
 
+/// ", tags: night, water"; empty where there are none.
+std::string tagsText(const PresetTags& tags)
+{
+    std::string text;
+    for (const std::string& tag : tags) text += (text.empty() ? ", tags: " : ", ") + tag;
+    return text;
+}
+
 /// Checks one file; prints what it is and what reading it changes. Returns 0 when it can be loaded, the code
 /// of a failed check when its content is bad, and that of a failed read when it cannot be read at all.
 int check(const std::string& file, const NamedValues& tables)
@@ -37,8 +45,9 @@ int check(const std::string& file, const NamedValues& tables)
                                        "there is no exhibit \"" + header.exhibit + "\"; `vitrine list` names them");
             notes = parsePreset(document.text(), file, header.exhibit, table->second.table()).notes;
         }
-        std::printf("%s: good (%s \"%s\")\n", file.c_str(), header.isExhibition ? "exhibition" : header.exhibit.c_str(),
-                    header.name.c_str());
+        std::printf("%s: good (%s \"%s\"%s)\n", file.c_str(),
+                    header.isExhibition ? "exhibition" : header.exhibit.c_str(), header.name.c_str(),
+                    tagsText(header.tags).c_str());
         for (const std::string& note : notes) std::printf("  %s\n", note.c_str());
         return 0;
     } catch (const Failure& failure) {

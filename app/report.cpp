@@ -6,8 +6,6 @@
 #include "render/measure/memory.h"
 #include "render/plan/step_costs.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -115,15 +113,6 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
                     {"high", milliseconds.back()},
                     {"runs", timedRuns}}}};
     render::atomicWrite(file, render::writeJson(report));
-}
-
-Json machineJson(const render::gl::ContextInfo& gl)
-{
-    return Json{{"renderer", gl.renderer},
-                {"vendor", gl.vendor},
-                {"version", gl.version},
-                {"software", gl.software},
-                {"processors", sysconf(_SC_NPROCESSORS_ONLN)}};
 }
 
 }  // namespace vitrine::app

@@ -2,8 +2,8 @@
 
 #include "app/picture_options.h"
 #include "exhibits/museum/picture.h"
-#include "render/files/strict_json.h"
 #include "render/gl/context.h"
+#include "render/gl/machine_json.h"
 #include "render/gl/renderer.h"
 
 #include <string>
@@ -16,7 +16,6 @@ namespace vitrine::app {
 void writeReport(const std::string& file, const Museum&, render::gl::Renderer&, const render::gl::ContextInfo&,
                  const RequestedPicture&, const PictureMaker&);
 
-/// What drew and measured: renderer, vendor, version of OpenGL, whether it is software, processors.
-[[nodiscard]] render::Json machineJson(const render::gl::ContextInfo&);
+using render::gl::machineJson;
 
 }  // namespace vitrine::app

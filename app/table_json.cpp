@@ -1,5 +1,6 @@
 #include "app/table_json.h"
 
+#include "exhibits/compare/offered_comparison.h"
 #include "exhibits/framework/derive.h"
 #include "exhibits/framework/preset_values.h"
 
@@ -50,16 +51,32 @@ Json rowJson(const ParameterInfo& row, const Parameters& table)
                 {"actsWhen", when}};
 }
 
+/// What it offers to be compared with, and the rows in which that is another one.
+Json comparisonsJson(const Subject& subject, const Parameters& table)
+{
+    Json all = Json::array();
+    for (const OfferedComparison& offered : offeredComparisons(subject)) {
+        Json values = Json::object();
+        for (const auto& [name, value] : offered.rows)
+            if (const auto row = table.find(name)) values[std::string(name)] = jsonFromValue(table.rows()[*row], value);
+        all.push_back(
+            Json{{"name", offered.name}, {"title", offered.title}, {"help", offered.help}, {"values", values}});
+    }
+    return all;
+}
+
 }  // namespace
 
-Json exhibitJson(std::string_view name, std::string_view title, std::string_view summary, const Parameters& table)
+Json exhibitJson(std::string_view name, std::string_view title, std::string_view summary, const Parameters& table,
+                 const Subject* subject)
 {
     Json rows = Json::array();
     for (const ParameterInfo& row : table.rows()) rows.push_back(rowJson(row, table));
     return Json{{"name", std::string(name)},
                 {"title", std::string(title)},
                 {"summary", std::string(summary)},
-                {"parameters", rows}};
+                {"parameters", rows},
+                {"comparisons", subject ? comparisonsJson(*subject, table) : Json::array()}};
 }
 
 Json exhibitsJson(const Museum& museum, const SceneState& sceneState)
@@ -67,7 +84,8 @@ Json exhibitsJson(const Museum& museum, const SceneState& sceneState)
     Json all = Json::array();
     for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         const Subject& subject = museum.subject(i);
-        all.push_back(exhibitJson(subject.name(), subject.title(), subject.summary(), sceneState.values[i].table()));
+        all.push_back(
+            exhibitJson(subject.name(), subject.title(), subject.summary(), sceneState.values[i].table(), &subject));
     }
     return all;
 }

@@ -4,6 +4,7 @@
 #include "app/progress.h"
 #include "app/report.h"
 
+#include "exhibits/compare/offered_comparison.h"
 #include "exhibits/exhibits.h"
 #include "render/failure.h"
 #include "render/gl/context.h"
@@ -24,6 +25,7 @@ constexpr const char* initialSettings = "initial";
 
 struct SettingsOptions {
     std::array<std::string, 2> files;
+    std::string with;  ///< In place of the second file: a comparison that the exhibit offers.
     PictureOptions picture;
     int runs = 5;
     int gain = 8;
@@ -56,15 +58,55 @@ render::Camera sharedCamera(const Museum& museum, const std::array<RequestedPict
     return camera;
 }
 
-ComparisonRequest comparisonRequest(const Museum& museum, const SettingsOptions& options)
+RequestedPicture requestedSide(const Museum& museum, const PictureOptions& picture, const std::string& settings)
+{
+    PictureOptions one = picture;
+    one.preset = settings == initialSettings ? "" : settings;
+    RequestedPicture job = requestedPicture(museum, one);
+    for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    return job;
+}
+
+/// Whose presets are meant, and what: an exhibit's name in place of A means its initial values.
+void readSubject(const Museum& museum, SettingsOptions& options)
+{
+    if (options.with.empty() == options.files[1].empty())
+        throw Failure(Blame::usage, options.with.empty()
+                                        ? "compare-settings: name a second setting, or what A is compared --with."
+                                        : "compare-settings: give either a second setting or --with, not both.");
+    if (!museum.find(options.files[0])) return;
+    options.picture.subject = options.files[0];
+    options.files[0] = initialSettings;
+}
+
+/// The exhibit that was named, or the first in which the settings differ from the initial ones.
+std::size_t subjectOf(const Museum& museum, const RequestedPicture& job)
+{
+    if (job.subject != hallIndex) return job.subject;
+    for (const DifferingRow& row : differingRows(job.sceneState, museum.initialSceneState()))
+        if (row.subject != hallIndex) return row.subject;
+    throw Failure(Blame::usage, "--with: these settings change no exhibit; say with --exhibit which one is compared.");
+}
+
+/// Puts the offered comparison of the exhibit that A is about in place of B, and its title in place of B's file.
+void compareWith(const Museum& museum, SettingsOptions& options, std::array<RequestedPicture, 2>& jobs)
+{
+    const std::size_t subject = subjectOf(museum, jobs[0]);
+    const OfferedComparison offered = offeredComparison(museum.subject(subject), options.with);
+    jobs[1] = jobs[0];
+    jobs[1].sceneState = otherSide(jobs[0].sceneState, subject, offered);
+    options.files[1] = offered.title;
+}
+
+ComparisonRequest comparisonRequest(const Museum& museum, SettingsOptions& options)
 {
     std::array<RequestedPicture, 2> jobs;
-    for (std::size_t i = 0; i < 2; ++i) {
-        PictureOptions one = options.picture;
-        one.preset = options.files[i] == initialSettings ? "" : options.files[i];
-        jobs[i] = requestedPicture(museum, one);
-        for (const std::string& note : jobs[i].notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
-    }
+    readSubject(museum, options);
+    jobs[0] = requestedSide(museum, options.picture, options.files[0]);
+    if (options.with.empty())
+        jobs[1] = requestedSide(museum, options.picture, options.files[1]);
+    else
+        compareWith(museum, options, jobs);
     ComparisonRequest request;
     request.frame = jobs[0].request.frame;
     request.frame.camera = sharedCamera(museum, jobs, options.picture);
@@ -77,7 +119,7 @@ ComparisonRequest comparisonRequest(const Museum& museum, const SettingsOptions&
     return request;
 }
 
-int compareSettings(const SettingsOptions& options)
+int compareSettings(SettingsOptions options)
 {
     requireComparisonFolder(options.picture.out);
     const render::gl::HeadlessContext context;
@@ -118,8 +160,10 @@ void addCompareSettingsCommand(CLI::App& parser, Action& chosen)
     auto options = std::make_shared<SettingsOptions>();
     options->picture.subject = "hall";
     const std::string what = "A preset, an exhibition, a picture that carries one, or \"initial\"";
-    command->add_option("a", options->files[0], what)->required();
-    command->add_option("b", options->files[1], what)->required();
+    command->add_option("a", options->files[0], what + "; an exhibit's name for its initial values")->required();
+    command->add_option("b", options->files[1], what);
+    command->add_option("--with", options->with,
+                        "In place of b: what the exhibit of a offers to be compared with, as `list --json` names it");
     command->add_option("--out", options->picture.out, "The folder of the page")->required();
     command->add_option("--exhibit", options->picture.subject,
                         "Whose presets they are: shipped ones may then be given by their names");

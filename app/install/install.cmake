@@ -1,14 +1,14 @@
 # What `cmake --install` puts where, and the Debian package that `cpack` makes of it, of a build tree that is built.
-# The program finds its assets in share/vitrine and its two modules in lib/vitrine/modules from where it lies itself.
+# The program finds its assets in share/vitrine and its three modules in lib/vitrine/modules from where it lies itself.
 
 set(vitrine_generated ${PROJECT_BINARY_DIR}/app/install)
 set(vitrine_install ${PROJECT_SOURCE_DIR}/app/install)
 
 install(TARGETS vitrine RUNTIME DESTINATION bin)
-install(TARGETS vitrine_oiio vitrine_video LIBRARY DESTINATION lib/vitrine/modules)
+install(TARGETS vitrine_oiio vitrine_video vitrine_gamepad LIBRARY DESTINATION lib/vitrine/modules)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/assets/ DESTINATION share/vitrine
         PATTERN "*.py" EXCLUDE PATTERN "*.sh" EXCLUDE PATTERN "*.blend*" EXCLUDE PATTERN "__pycache__" EXCLUDE
-        PATTERN "pictures" EXCLUDE)
+        PATTERN "pictures" EXCLUDE PATTERN "translations" EXCLUDE)
 foreach(size 16 22 24 32 48 64 128 256 512)
     install(FILES ${PROJECT_SOURCE_DIR}/assets/icons/vitrine_${size}.png
             DESTINATION share/icons/hicolor/${size}x${size}/apps RENAME org.vitrine.Vitrine.png)
@@ -45,7 +45,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # Opened at run time, hence in no list of the linker: OpenGL, the driver for machines without a graphics card, SVG icons.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1, libgl1-mesa-dri, libegl-mesa0, libglx-mesa0, fonts-dejavu-core")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-wayland")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "qt6-wayland, qt6-translations-l10n")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_PACKAGE_DIRECTORY ${PROJECT_BINARY_DIR}/packages)

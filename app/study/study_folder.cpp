@@ -1,20 +1,16 @@
 #include "app/study/study_folder.h"
 
 #include "app/part_folder.h"
+#include "app/study/offscreen_charts.h"
 #include "app/study/study_page.h"
 #include "exhibits/study/study_text.h"
-#include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/image/image_io.h"
 #include "render/measure/distance.h"
 #include "ui/kit/picture_file.h"
-#include "ui/kit/theme.h"
 #include "ui/study/study_chart.h"
 
-#include <QApplication>
-
 #include <algorithm>
-#include <clocale>
 
 namespace vitrine::app {
 namespace {
@@ -75,21 +71,6 @@ std::vector<StudyPagePoint> writePictures(const fs::path& folder, Subjects subje
     return points;
 }
 
-/// Qt draws the chart without a display; there may be an application already.
-void ensureApplication()
-{
-    static int count = 1;
-    static char name[] = "vitrine";
-    static char* arguments[] = {name, nullptr};
-    if (QApplication::instance()) return;
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {
-    });  // What it says of a display concerns nobody here.
-    static QApplication application(count, arguments);
-    std::setlocale(LC_NUMERIC, "C");  // Qt brings the user's.
-    ui::applyTheme(application, ui::lightTheme());
-}
-
 }  // namespace
 
 void requireStudyFolder(const fs::path& folder)
@@ -106,7 +87,7 @@ void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& st
     const PartFolder part(folder);
     std::vector<StudyPagePoint> points = writePictures(part.path() / "pictures", subjects, study);
 
-    ensureApplication();
+    prepareOffscreenCharts();
     ui::StudyChart chart;
     chart.setTitles(
         QString::fromStdString(costTitle(result.costName) +
@@ -119,11 +100,7 @@ void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& st
         const QPointF at = chart.placeOf(i);
         points[i].place = {at.x(), at.y()};
     }
-    if (png.isEmpty())
-        throw Failure(
-            Blame::file,
-            folder.string() +
-                ": the chart could not be drawn; check that Qt's offscreen platform and a font are installed.");
+    requireChart(png, folder);
 
     const render::Json json = studyJson(subjects, request, result, machine);
     render::atomicWrite(part.path() / "study.json", render::writeJson(json));

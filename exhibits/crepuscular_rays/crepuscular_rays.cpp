@@ -117,6 +117,23 @@ std::vector<StudyView> CrepuscularRays::studyViews(const ParameterValues& values
             {"banner in the beam", {{3.3, -0.2, 8.5}, {0.6, 1.4, 0.5}, 0.8}, 0, values}};
 }
 
+std::vector<OfferedComparison> CrepuscularRays::comparisons() const
+{
+    const auto technique = [](RayTechnique t) { return std::pair<std::string_view, Value>("technique", double(t)); };
+    return {{"without",
+             "No beams",
+             "The hall in clear air: all else is what beams and dust make of it.",
+             {technique(RayTechnique::none)}},
+            {"screen",
+             "Gathered in screen space",
+             "Walk until the sun leaves the picture: these beams fade, because what is not seen cannot shine.",
+             {technique(RayTechnique::screen)}},
+            {"air",
+             "Marched through the air",
+             "Beams of the light itself, wherever one looks, with the shadows of what hangs in them.",
+             {technique(RayTechnique::volume)}}};
+}
+
 void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePlan& plan) const
 {
     RaysScene s = raysScene(table_, context, plan);

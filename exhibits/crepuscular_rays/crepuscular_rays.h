@@ -2,13 +2,18 @@
 
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/offers_comparisons.h"
 
 namespace vitrine {
 
 /// Sunbeams through the tall window, laid over the finished frame: smeared from the sky in screen space, or marched
 /// through the hall's air. Read the table, then this file's plan, then sun_in_picture.h (where the sun is) and
 /// screen_rays.cpp and air_beams.cpp (what is drawn).
-class CrepuscularRays final : public Exhibit, public HasButton, public OverFrame, public TurnsHangings {
+class CrepuscularRays final : public Exhibit,
+                              public HasButton,
+                              public OverFrame,
+                              public TurnsHangings,
+                              public OffersComparisons {
 public:
     using Table = CrepuscularRaysTable;
 
@@ -32,6 +37,8 @@ public:
     bool press(ParameterValues&) const override;
     void planOverFrame(const PlanContext&, render::FramePlan&) const override;
     [[nodiscard]] double turnOfHangings(const ParameterValues&, double time) const override;
+    /// With the other technique, and with the hall without beams.
+    [[nodiscard]] std::vector<OfferedComparison> comparisons() const override;
 
 private:
     Table table_;

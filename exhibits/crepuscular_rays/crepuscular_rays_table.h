@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/parameters.h"
 
 namespace vitrine {
@@ -19,25 +20,17 @@ struct CrepuscularRaysTable final : Parameters {
                "How the beams are made: smeared from the bright sky across the picture, or by marching the sun's "
                "shadows through dusty air.",
                quality(RayTechnique::volume));
-    Choice<RayTechnique> compareWith =
-        choice("compareWith", RayTechnique::none, {"none", "screen space", "volume", "both"},
-               "What is shown to the right of the wipe.", whenLater("compare", 1));
-    Toggle compare = toggle("compare", false,
-                            "Divide the picture by a wipe: the technique on the left, the comparison on the right.");
-    Real wipe = real("wipe", 0.5, none, {0, 1},
-                     "Where the comparison begins: 0 is the left edge of the picture, 1 the right.", when(compare));
+    GoneRows gone{*this,
+                  {{"compare", "Compare with other beams or none, in the Compare menu."}, {"compareWith"}, {"wipe"}}};
     Choice<RayView> view =
         choice("view", RayView::picture, {"picture", "mask", "light alone"},
                "The finished picture, the mask with its occluders black, or the added light without the hall.");
 
-    const Condition screenSpace = when(technique, {RayTechnique::screen, RayTechnique::both}) ||
-                                  when(compareWith, {RayTechnique::screen, RayTechnique::both}) ||
-                                  when(view, RayView::mask);
-    const Condition volume = (when(technique, {RayTechnique::volume, RayTechnique::both}) ||
-                              when(compareWith, {RayTechnique::volume, RayTechnique::both})) &&
-                             whenNot(view, RayView::mask);
-    const Condition anyBeams = (whenNot(technique, RayTechnique::none) || whenNot(compareWith, RayTechnique::none)) &&
-                               whenNot(view, RayView::mask);
+    const Condition screenSpace =
+        when(technique, {RayTechnique::screen, RayTechnique::both}) || when(view, RayView::mask);
+    const Condition volume =
+        when(technique, {RayTechnique::volume, RayTechnique::both}) && whenNot(view, RayView::mask);
+    const Condition anyBeams = whenNot(technique, RayTechnique::none) && whenNot(view, RayView::mask);
 
     Group rays = group("Screen space");
     Real weight =

@@ -99,10 +99,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     b.firstCell = glm::vec2(cells.first);
     b.maskScale = static_cast<float>(maskScale);
 
-    const bool compare = values[table.compare];
-    b.leftTechnique = static_cast<int>(values[table.technique]);
-    b.rightTechnique = static_cast<int>(compare ? values[table.compareWith] : values[table.technique]);
-    b.wipeColumn = compare ? static_cast<float>(std::round(values[table.wipe] * raster.size.x)) : 1e9F;
+    b.technique = static_cast<int>(values[table.technique]);
 
     const double height = s.maskSize.y;
     const double distance = glm::length(s.sun.pixel - 0.5 * glm::dvec2(s.maskSize)) / height;

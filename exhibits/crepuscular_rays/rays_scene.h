@@ -30,7 +30,7 @@ struct RaysScene {
 
     [[nodiscard]] bool uses(RayTechnique technique) const
     {
-        return ((block.leftTechnique | block.rightTechnique) & static_cast<int>(technique)) != 0;
+        return (block.technique & static_cast<int>(technique)) != 0;
     }
     /// Whether something is behind the dust everywhere: the hall, or a panorama. In the studio its box would be seen.
     [[nodiscard]] bool airHasEnd() const

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/parameters.h"
 #include "exhibits/framework/value_text.h"
+#include "render/text/translation.h"
 
 #include <algorithm>
 #include <cassert>
@@ -54,8 +55,8 @@ std::string alternatives(const ParameterInfo& row, const std::vector<double>& va
 {
     std::string text;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (i > 0) text += i + 1 == values.size() ? " or " : ", ";
-        text += formatValue(row, values[i]);
+        if (i > 0) text += i + 1 == values.size() ? translated(" or ") : ", ";
+        text += translated(formatValue(row, values[i]));
     }
     return text;
 }
@@ -68,7 +69,7 @@ std::string text(const Condition& condition, const Parameters& table, const Para
         std::string line;
         for (const Condition& part : condition.parts) {
             const std::string one = text(part, table, values);
-            if (!line.empty()) line += all ? " and " : " or ";
+            if (!line.empty()) line += translated(all ? " and " : " or ");
             line += all && part.test == Condition::Test::any ? "(" + one + ")" : one;
         }
         return line;
@@ -82,7 +83,9 @@ std::string text(const Condition& condition, const Parameters& table, const Para
         line += "is above " + formatValue(row, condition.values.front());
     else
         line += (condition.test == Condition::Test::differs ? "is not " : "is ") + alternatives(row, condition.values);
-    if (values && !acts(*values, index)) line += " (which acts when " + text(*row.actsWhen, table, values) + ")";
+    line = translated(line);
+    if (values && !acts(*values, index))
+        line += translated(" (which acts when " + text(*row.actsWhen, table, values) + ")");
     return line;
 }
 

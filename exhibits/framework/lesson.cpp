@@ -4,6 +4,7 @@
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/files/read_file.h"
+#include "render/text/translation.h"
 
 #include <algorithm>
 #include <array>
@@ -308,7 +309,7 @@ std::string withLabels(std::string_view text, std::string_view exhibit, const Na
         if (end == std::string_view::npos) break;
         const std::string_view name = text.substr(at + rowMark.size(), end - at - rowMark.size());
         const ParameterInfo* row = rowNamed(name, exhibit, tables);
-        ((result += text.substr(0, at)) += before) += row ? label(*row) : std::string(name);
+        ((result += text.substr(0, at)) += before) += row ? translated(label(*row)) : std::string(name);
         result += after;
         text.remove_prefix(end + 1);
     }
@@ -317,7 +318,10 @@ std::string withLabels(std::string_view text, std::string_view exhibit, const Na
 
 std::filesystem::path shippedLesson(std::string_view exhibit)
 {
-    return render::asset("lessons/" + std::string(exhibit) + ".md");
+    const std::string file = std::string(exhibit) + ".md";
+    std::error_code ignored;
+    std::filesystem::path own = render::asset("lessons/" + language() + '/' + file);
+    return std::filesystem::exists(own, ignored) ? own : render::asset("lessons/" + file);
 }
 
 }  // namespace vitrine

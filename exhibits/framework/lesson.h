@@ -79,7 +79,8 @@ struct Lesson {
 [[nodiscard]] std::string withLabels(std::string_view text, std::string_view exhibit, const NamedValues& tables,
                                      std::string_view before, std::string_view after);
 
-/// The lesson that comes with the program: assets/lessons/EXHIBIT.md. There need be none.
+/// The lesson that comes with the program: assets/lessons/LANGUAGE/EXHIBIT.md where there is one in the language of the
+/// program, else assets/lessons/EXHIBIT.md. There need be none.
 [[nodiscard]] std::filesystem::path shippedLesson(std::string_view exhibit);
 
 }  // namespace vitrine

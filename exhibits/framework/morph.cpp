@@ -3,16 +3,40 @@
 #include "render/image/oklab.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vitrine {
 namespace {
 
 constexpr double fullTurn = 2 * std::numbers::pi;
+constexpr int mostSteps = 200;  // Towards a mean on circle or sphere, of which a few do where the parts are near.
 
-double evenly(double a, double b, double t)
+template <typename T> struct Part {
+    T value;
+    double weight;
+};
+template <typename T> using Parts = std::vector<Part<T>>;
+
+template <typename T> Parts<T> partsOf(std::span<const Value> values, std::span<const double> weights)
 {
-    return (1 - t) * a + t * b;
+    Parts<T> parts;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (weights[i] > 0) parts.push_back({std::get<T>(values[i]), weights[i]});
+    return parts;
+}
+
+/// The first of those that weigh most.
+std::size_t heaviest(std::span<const double> weights)
+{
+    return static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
+}
+
+template <typename T> T mean(const Parts<T>& parts)
+{
+    T sum{0};
+    for (const auto& [value, weight] : parts) sum += weight * value;
+    return sum;
 }
 
 bool isTurn(const ParameterInfo& row)
@@ -21,10 +45,23 @@ bool isTurn(const ParameterInfo& row)
            std::abs(row.range.high - row.range.low - fullTurn) < 1e-9;
 }
 
-/// The shorter way round, within one turn from `low`.
-double turned(double a, double b, double t, double low)
+/// The mean on the circle, within one turn from `low`.
+double turned(const Parts<double>& parts, double low)
 {
-    const double angle = a + t * std::remainder(b - a, fullTurn);
+    double angle = parts[0].value;
+    if (parts.size() == 2) {
+        angle += parts[1].weight * std::remainder(parts[1].value - angle, fullTurn);
+    } else {
+        glm::dvec2 sum{0};
+        for (const auto& [value, weight] : parts) sum += weight * glm::dvec2(std::cos(value), std::sin(value));
+        if (glm::length(sum) > 1e-9) angle = std::atan2(sum.y, sum.x);
+        double off = 1;
+        for (int step = 0; step < mostSteps && std::abs(off) > 1e-14; ++step) {
+            off = 0;
+            for (const auto& [value, weight] : parts) off += weight * std::remainder(value - angle, fullTurn);
+            angle += off;
+        }
+    }
     return angle - fullTurn * std::floor((angle - low) / fullTurn);
 }
 
@@ -33,63 +70,178 @@ bool isWord(const ParameterInfo& row, double value)
     return row.word && row.word->value == value;
 }
 
-Value morphedNumber(const ParameterInfo& row, double a, double b, double t)
+/// Without words, if a number weighs most; nothing where a word does. The rest weighs 1 again.
+Parts<double> withoutWords(const ParameterInfo& row, const Parts<double>& parts)
 {
-    if (a != b && (isWord(row, a) || isWord(row, b))) return t < 0.5 ? a : b;
-    if (isTurn(row)) return turned(a, b, t, row.range.low);
-    const bool logarithmic = row.range.scale == Scale::logarithmic && a > 0 && b > 0;
-    const double x = logarithmic ? std::exp(evenly(std::log(a), std::log(b), t)) : evenly(a, b, t);
-    const double between = std::clamp(x, std::min(a, b), std::max(a, b));
+    const auto most =
+        std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; });
+    if (isWord(row, most->value)) return {};
+    Parts<double> rest;
+    double whole = 0;
+    for (const Part<double>& part : parts)
+        if (!isWord(row, part.value)) {
+            rest.push_back(part);
+            whole += part.weight;
+        }
+    for (Part<double>& part : rest) part.weight /= whole;
+    return rest;
+}
+
+double morphedNumber(const ParameterInfo& row, Parts<double> parts)
+{
+    const auto word = [&](const Part<double>& part) { return isWord(row, part.value); };
+    if (std::any_of(parts.begin(), parts.end(), word)) {
+        parts = withoutWords(row, parts);
+        if (parts.empty()) return row.word->value;
+    }
+    if (parts.size() == 1) return parts[0].value;
+    if (isTurn(row)) return turned(parts, row.range.low);
+    const auto [low, high] =
+        std::minmax_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.value < b.value; });
+    const double lowest = low->value, highest = high->value;
+    const bool logarithmic = row.range.scale == Scale::logarithmic && lowest > 0;
+    if (logarithmic)
+        for (Part<double>& part : parts) part.value = std::log(part.value);
+    const double between = std::clamp(logarithmic ? std::exp(mean(parts)) : mean(parts), lowest, highest);
     return row.kind == Kind::count ? std::round(between) : between;
 }
 
-glm::dvec3 alongGreatCircle(const glm::dvec3& a, const glm::dvec3& b, double t)
+/// What leads from `at` to `to` along the great circle, its length the angle between them; both of length 1.
+glm::dvec3 wayTo(const glm::dvec3& at, const glm::dvec3& to)
 {
-    const double angle = std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
-    if (angle < 1e-9) return glm::normalize(glm::mix(a, b, t));
-    glm::dvec3 aside = b - glm::dot(a, b) * a;
+    const double angle = std::atan2(glm::length(glm::cross(at, to)), glm::dot(at, to));
+    glm::dvec3 aside = to - glm::dot(at, to) * at;
+    if (angle < 1e-9) return aside;
     if (glm::length(aside) < 1e-9) {  // Opposite: any way is as short.
-        const glm::dvec3 axis = std::abs(a.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-        aside = axis - glm::dot(a, axis) * a;
+        const glm::dvec3 axis = std::abs(at.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+        aside = axis - glm::dot(at, axis) * at;
     }
-    return std::cos(t * angle) * a + std::sin(t * angle) * glm::normalize(aside);
+    return angle * glm::normalize(aside);
+}
+
+glm::dvec3 gone(const glm::dvec3& from, const glm::dvec3& way)
+{
+    const double angle = glm::length(way);
+    if (angle < 1e-9) return glm::normalize(from + way);
+    return std::cos(angle) * from + std::sin(angle) * (way / angle);
+}
+
+glm::dvec3 meanDirection(const Parts<glm::dvec3>& parts)
+{
+    if (parts.size() == 2) return gone(parts[0].value, parts[1].weight * wayTo(parts[0].value, parts[1].value));
+    const glm::dvec3 sum = mean(parts);
+    glm::dvec3 at = glm::length(sum) > 1e-9 ? glm::normalize(sum) : parts[0].value;
+    for (int step = 0; step < mostSteps; ++step) {
+        glm::dvec3 way{0};
+        for (const auto& [value, weight] : parts) way += weight * wayTo(at, value);
+        at = glm::normalize(gone(at, way));
+        if (glm::length(way) < 1e-13) break;
+    }
+    return at;
+}
+
+bool sameButForTheEnds(Motion a, const Motion& b)
+{
+    a.from = b.from;
+    a.to = b.to;
+    return a == b;
+}
+
+/// A setting that has a row, as row `row`.
+struct Owner {
+    const ParameterValues* values;
+    std::size_t row;
+};
+
+/// How a row moves that moves as `nearest` where the largest weight is.
+Motion morphedMotion(const ParameterInfo& info, const Motion& nearest, const std::vector<Owner>& owners,
+                     std::span<const double> weights)
+{
+    std::vector<Value> from, to;
+    for (const Owner& owner : owners) {
+        const Motion* motion = owner.values->motion(owner.row);
+        if (!motion || !sameButForTheEnds(*motion, nearest)) return nearest;
+        from.push_back(motion->from);
+        to.push_back(motion->to);
+    }
+    Motion result = nearest;
+    result.from = morphed(info, from, weights);
+    result.to = morphed(info, to, weights);
+    return result;
 }
 
 }  // namespace
 
-Value morphed(const ParameterInfo& row, const Value& a, const Value& b, double t)
+Value morphed(const ParameterInfo& row, std::span<const Value> values, std::span<const double> weights)
 {
-    if (t <= 0 || a == b) return a;
-    if (t >= 1) return b;
+    const Value& nearest = values[heaviest(weights)];
+    bool alike = true;
+    for (std::size_t i = 0; i < values.size(); ++i) alike = alike && (weights[i] <= 0 || values[i] == nearest);
+    if (alike) return nearest;
     switch (row.kind) {
     case Kind::real:
-    case Kind::count: return morphedNumber(row, std::get<double>(a), std::get<double>(b), t);
+    case Kind::count: return morphedNumber(row, partsOf<double>(values, weights));
     case Kind::color: {
-        const glm::dvec3 lab = glm::mix(render::oklabFromLinear(std::get<glm::dvec3>(a)),
-                                        render::oklabFromLinear(std::get<glm::dvec3>(b)), t);
-        return glm::clamp(render::linearFromOklab(lab), 0.0, 1.0);
+        Parts<glm::dvec3> parts = partsOf<glm::dvec3>(values, weights);
+        for (Part<glm::dvec3>& part : parts) part.value = render::oklabFromLinear(part.value);
+        return glm::clamp(render::linearFromOklab(mean(parts)), 0.0, 1.0);
     }
-    case Kind::direction: return alongGreatCircle(std::get<glm::dvec3>(a), std::get<glm::dvec3>(b), t);
+    case Kind::direction: return meanDirection(partsOf<glm::dvec3>(values, weights));
     case Kind::toggle:
     case Kind::choice:
     case Kind::file:
     case Kind::text: break;
     }
-    return t < 0.5 ? a : b;
+    return nearest;
+}
+
+Value morphed(const ParameterInfo& row, const Value& a, const Value& b, double t)
+{
+    if (t <= 0) return a;
+    if (t >= 1) return b;
+    // The first of equal weights counts: `b`, from the middle on.
+    const std::array<Value, 2> values{b, a};
+    return morphed(row, values, std::array{t, 1 - t});
+}
+
+ParameterValues morphed(std::span<const WeightedValues> settings)
+{
+    std::vector<double> weights;
+    for (const WeightedValues& each : settings) weights.push_back(each.weight);
+    const ParameterValues& nearest = *settings[heaviest(weights)].values;
+    ParameterValues result = nearest;
+    for (std::size_t i = 0; i < result.rows().size(); ++i) {
+        const ParameterInfo& row = result.rows()[i];
+        std::vector<Owner> owners;
+        std::vector<Value> values;
+        weights.clear();
+        double whole = 0;
+        bool missing = false;
+        for (const auto& [each, weight] : settings) {
+            if (weight <= 0) continue;
+            const std::optional<std::size_t> twin = each->table().find(row.name);
+            if (!twin || each->rows()[*twin].kind != row.kind) {
+                missing = true;
+                continue;
+            }
+            owners.push_back({each, *twin});
+            values.push_back(each->row(*twin));
+            weights.push_back(weight);
+            whole += weight;
+        }
+        if (missing)
+            for (double& weight : weights) weight /= whole;
+        if (const Motion* motion = nearest.motion(i)) result.setMotion(i, morphedMotion(row, *motion, owners, weights));
+        result.setRow(i, morphed(row, values, weights));
+    }
+    return result;
 }
 
 ParameterValues morphed(const ParameterValues& a, const ParameterValues& b, double t)
 {
     if (t <= 0) return a;
     if (t >= 1) return b;
-    ParameterValues result = t < 0.5 ? a : b;
-    for (std::size_t i = 0; i < result.rows().size(); ++i) {
-        const ParameterInfo& row = result.rows()[i];
-        const std::optional<std::size_t> inA = a.table().find(row.name), inB = b.table().find(row.name);
-        if (!inA || !inB || a.rows()[*inA].kind != b.rows()[*inB].kind) continue;
-        result.setRow(i, morphed(row, a.row(*inA), b.row(*inB), t));
-    }
-    return result;
+    return morphed(std::array{WeightedValues{&b, t}, WeightedValues{&a, 1 - t}});
 }
 
 }  // namespace vitrine

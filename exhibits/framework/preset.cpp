@@ -1,5 +1,6 @@
 #include "exhibits/framework/preset.h"
 
+#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset_migration.h"
 #include "exhibits/framework/preset_values.h"
@@ -16,8 +17,8 @@ using render::JsonDocument;
 
 constexpr std::string_view presetFormat = "vitrine-preset";
 constexpr std::string_view exhibitionFormat = "vitrine-exhibition";
-constexpr std::array<std::string_view, 8> knownKeys = {"format", "version", "app",     "exhibit",
-                                                       "name",   "values",  "motions", "camera"};
+constexpr std::array<std::string_view, 9> knownKeys = {"format", "version", "app",     "exhibit", "name",
+                                                       "tags",   "values",  "motions", "camera"};
 
 std::string textAt(const JsonDocument& document, const Json& root, const char* key, bool required)
 {
@@ -82,6 +83,20 @@ ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const Pa
     return pending;
 }
 
+/// Takes what the table no longer has out of the file and, where it was switched on, says what shows the same now.
+void leaveOutGoneRows(Opened& file, const char* key, const Parameters& table, const std::string& prefix,
+                      std::map<std::string, const Json*>& left)
+{
+    for (const GoneRow& row : GoneRows::of(table)) {
+        const auto at = left.find(prefix + std::string(row.name));
+        if (at == left.end()) continue;
+        if (!row.became.empty() && *at->second != Json(false))
+            file.notes.push_back(at->first + " is no parameter any more: " + std::string(row.became));
+        file.root[key].erase(at->first);
+        left.erase(at);
+    }
+}
+
 /// Reads the rows of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
 ParameterValues readRows(Opened& file, const Parameters& table, const std::string& prefix,
                          std::map<std::string, const Json*>& left)
@@ -99,6 +114,7 @@ ParameterValues readRows(Opened& file, const Parameters& table, const std::strin
         values.setRow(i, valueFromJson(row, *at->second, file.place("values." + key), key, file.notes));
         left.erase(at);
     }
+    leaveOutGoneRows(file, "values", table, prefix, left);
     values.setPending(pendingRows(file, "values", values, prefix, left));
     return values;
 }
@@ -117,6 +133,7 @@ void readMotions(Opened& file, ParameterValues& values, const std::string& prefi
         file.root["motions"].erase(at->first);
         left.erase(at);
     }
+    leaveOutGoneRows(file, "motions", values.table(), prefix, left);
     values.setPendingMotions(pendingRows(file, "motions", values, prefix, left));
 }
 
@@ -171,8 +188,8 @@ Json objectOf(const std::map<std::string, Json>& entries)
 }
 
 std::string writeFile(std::string_view format, const std::string& exhibit, const std::string& name,
-                      const std::map<std::string, Json>& values, const std::map<std::string, Json>& motions,
-                      const std::optional<Json>& camera, const Json& kept)
+                      const PresetTags& tags, const std::map<std::string, Json>& values,
+                      const std::map<std::string, Json>& motions, const std::optional<Json>& camera, const Json& kept)
 {
     Json root = Json::object();
     root["format"] = format;
@@ -180,6 +197,7 @@ std::string writeFile(std::string_view format, const std::string& exhibit, const
     root["app"] = VITRINE_VERSION;
     if (!exhibit.empty()) root["exhibit"] = exhibit;
     root["name"] = name;
+    if (!tags.empty()) root["tags"] = tags;
     root["values"] = objectOf(values);
     if (!motions.empty()) root["motions"] = objectOf(motions);
     if (camera) root["camera"] = *camera;
@@ -208,6 +226,7 @@ PresetHeader presetHeader(const JsonDocument& document)
     header.isExhibition = format == exhibitionFormat;
     header.exhibit = textAt(document, root, "exhibit", !header.isExhibition);
     header.name = textAt(document, root, "name", false);
+    header.tags = tagsIn(document, root);
     return header;
 }
 
@@ -228,7 +247,8 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
                   std::nullopt,
                   file.header.version,
                   {},
-                  {}};
+                  {},
+                  file.header.tags};
     readMotions(file, preset.values, {}, leftMotions);
     noteUnknown(file, "values.", left);
     noteUnknown(file, "motions.", leftMotions);
@@ -246,7 +266,7 @@ std::string presetText(const Preset& preset)
     writeMotions(preset.values, {}, motions);
     std::optional<Json> camera;
     if (preset.camera) camera = jsonFromCamera(*preset.camera, keptCamera(preset.kept));
-    return writeFile(presetFormat, preset.exhibit, preset.name, values, motions, camera, preset.kept);
+    return writeFile(presetFormat, preset.exhibit, preset.name, preset.tags, values, motions, camera, preset.kept);
 }
 
 Exhibition parseExhibition(std::string text, std::string fileName, const NamedValues& initial)
@@ -258,6 +278,7 @@ Exhibition parseExhibition(std::string text, std::string fileName, const NamedVa
     Exhibition exhibition;
     exhibition.name = file.header.name;
     exhibition.chosen = file.header.exhibit;
+    exhibition.tags = file.header.tags;
     for (const auto& [name, values] : initial) {
         exhibition.values.emplace_back(name, readRows(file, values.table(), name + ".", left));
         readMotions(file, exhibition.values.back().second, name + ".", leftMotions);
@@ -279,7 +300,7 @@ std::string exhibitionText(const Exhibition& exhibition)
         writeRows(ofExhibit, name + ".", values);
         writeMotions(ofExhibit, name + ".", motions);
     }
-    return writeFile(exhibitionFormat, exhibition.chosen, exhibition.name, values, motions,
+    return writeFile(exhibitionFormat, exhibition.chosen, exhibition.name, exhibition.tags, values, motions,
                      jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.kept);
 }
 

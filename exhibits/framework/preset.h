@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/preset_tags.h"
 #include "exhibits/framework/subject.h"
 #include "render/files/strict_json.h"
 #include "render/scene/camera.h"
@@ -37,7 +38,7 @@ inline constexpr render::JsonLimits presetLimits{
 ///
 /// `values` holds only what differs from the initial values, sorted by key, in SI. Where rows move, the version is 2
 /// and beside `values` stands "motions", by the same keys: {"morph": {"kind": "sine", "from": 0.1, ...}}, see
-/// `jsonFromMotion`.
+/// `jsonFromMotion`. Behind the name may stand tags: "tags": ["night", "water"], see `tagsIn`.
 struct Preset {
     std::string exhibit;
     std::string name;  ///< Any UTF-8 text without control characters.
@@ -47,6 +48,7 @@ struct Preset {
     int versionRead = presetVersion;             ///< Of the file it came from.
     render::Json kept = render::Json::object();  ///< The file as read and migrated: its unknown keys are written again.
     std::vector<std::string> notes;              ///< What reading changed or did not know, for people.
+    PresetTags tags = {};
 };
 
 /// Reads a preset. Keys that this program does not know, at the top, in `values` and in `camera`, are kept
@@ -75,6 +77,7 @@ struct Exhibition {
     render::Json kept = render::Json::object();
     std::vector<std::string> notes;
     std::string chosen = {};  ///< The exhibit whose parameters were on show; empty: not known.
+    PresetTags tags = {};
 };
 
 /// As `parsePreset`. `initial` names the exhibits and gives their tables; values not in the file get their
@@ -89,6 +92,7 @@ struct PresetHeader {
     std::string exhibit;  ///< Of an exhibition: the chosen one, or empty.
     std::string name;
     int version = presetVersion;
+    PresetTags tags = {};
 };
 [[nodiscard]] PresetHeader presetHeader(const render::JsonDocument&);
 

@@ -80,6 +80,7 @@ PresetEntry entryFor(const fs::path& path, bool shipped)
     try {
         const PresetHeader header = presetHeader(render::readJson(path, presetLimits));
         if (!header.name.empty()) entry.name = header.name;
+        entry.tags = header.tags;
     } catch (const Failure& failure) {
         entry.problem = failure.what();
     }
@@ -180,6 +181,12 @@ fs::path PresetStore::rename(const fs::path& path, std::string_view name) const
     fs::remove(path, error);
     moveThumbnail(path, to);
     return to;
+}
+
+void PresetStore::setTags(const fs::path& path, const PresetTags& tags) const
+{
+    refuseShipped(path);
+    render::atomicWrite(path, taggedPreset(render::readJson(path, presetLimits), tags));
 }
 
 fs::path PresetStore::copyAs(const std::string& text, const fs::path& from, const std::string& exhibit,

@@ -18,6 +18,7 @@ struct PresetEntry {
     bool shipped = false;                            ///< Part of the program: read-only.
     std::optional<std::filesystem::path> thumbnail;  ///< The picture beside it, if there is one.
     std::string problem;                             ///< Why it cannot be opened; empty when its header is good.
+    PresetTags tags = {};
 };
 
 /// What a file was when it was read, to notice that someone else has changed it.
@@ -76,6 +77,8 @@ public:
 
     /// Changes name, file name and picture; returns the new path.
     std::filesystem::path rename(const std::filesystem::path&, std::string_view name) const;
+    /// Changes the tags and nothing else.
+    void setTags(const std::filesystem::path&, const PresetTags&) const;
     /// A copy of the user's own, picture included, also of a shipped preset; returns its path.
     std::filesystem::path duplicate(const std::filesystem::path&, std::string_view name) const;
 

@@ -1,5 +1,7 @@
 #include "exhibits/framework/random_values.h"
 
+#include "exhibits/framework/morph.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -77,30 +79,52 @@ ParameterValues cheapestValues(const Parameters& table)
     return values;
 }
 
+namespace {
+
+/// Another value for a row that is varied, of so many random numbers each.
+Value anotherValue(const ParameterInfo& row, const Value& from, double t, const glm::dvec3& color,
+                   const glm::dvec3& direction)
+{
+    const Range& range = row.range;
+    switch (row.kind) {
+    case Kind::real:
+    case Kind::count: return between(range.softLow, range.softHigh, range.scale, t);
+    case Kind::toggle: return t < 0.5 ? 0.0 : 1.0;
+    case Kind::choice: return std::min(std::floor(t * static_cast<double>(row.choices.size())), range.high);
+    case Kind::color: return color;
+    case Kind::direction: return direction;
+    case Kind::file:
+    case Kind::text: break;
+    }
+    return from;
+}
+
+/// Whether there is nothing between the two.
+bool isSwitched(const ParameterInfo& row, const Value& a, const Value& b)
+{
+    if (row.kind == Kind::toggle || row.kind == Kind::choice) return true;
+    return row.word && (a == Value(row.word->value) || b == Value(row.word->value));
+}
+
+}  // namespace
+
 ParameterValues variation(const ParameterValues& from, std::uint64_t seed,
-                          const std::function<bool(std::size_t row)>& locked)
+                          const std::function<bool(std::size_t row)>& locked, double strength)
 {
     ParameterValues values = from;
-    RandomNumbers random(seed);
+    RandomNumbers random(seed), switches(seed + 0x9e3779b97f4a7c15U);
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
         const ParameterInfo& row = values.rows()[i];
         // Drawn for every row, so that a lock moves no other one.
         const double t = random.number(0, 1);
         const glm::dvec3 color = random.point(glm::dvec3(0), glm::dvec3(1)), direction = random.direction();
+        const bool switched = switches.chance(strength);
         if (row.isWritten() || row.qualityReference || locked(i)) continue;
-        const Range& range = row.range;
-        switch (row.kind) {
-        case Kind::real:
-        case Kind::count: values.setRow(i, between(range.softLow, range.softHigh, range.scale, t)); break;
-        case Kind::toggle: values.setRow(i, t < 0.5 ? 0.0 : 1.0); break;
-        case Kind::choice:
-            values.setRow(i, std::min(std::floor(t * static_cast<double>(row.choices.size())), range.high));
-            break;
-        case Kind::color: values.setRow(i, color); break;
-        case Kind::direction: values.setRow(i, direction); break;
-        case Kind::file:
-        case Kind::text: break;
-        }
+        const Value other = anotherValue(row, from.row(i), t, color, direction);
+        if (isSwitched(row, from.row(i), other))
+            values.setRow(i, switched ? other : from.row(i));
+        else
+            values.setRow(i, morphed(row, from.row(i), other, strength));
     }
     return values;
 }

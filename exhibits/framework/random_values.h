@@ -50,10 +50,11 @@ struct RandomReach {
 [[nodiscard]] ParameterValues cheapestValues(const Parameters&);
 
 /// Other values to explore from: numbers evenly over their comfortable ranges (by factors on a logarithmic scale, whole
-/// for counts), colors, directions, toggles and choices over all there are. What shows nothing else stays as in `from`:
-/// files, texts, and rows that trade accuracy for time; so does a row that `locked` (by its index) keeps. The same seed
-/// gives every other row the same value, whatever is locked.
+/// for counts), colors, directions, toggles and choices over all there are. `strength`, 0 to 1, says how far: the
+/// values are led so far towards those (`morphed`), and what has nothing between becomes them with that probability.
+/// What shows nothing else stays as in `from`: files, texts, and rows that trade accuracy for time; so does a row that
+/// `locked` (by its index) keeps. The same seed gives every other row the same value, whatever is locked.
 [[nodiscard]] ParameterValues variation(const ParameterValues& from, std::uint64_t seed,
-                                        const std::function<bool(std::size_t row)>& locked);
+                                        const std::function<bool(std::size_t row)>& locked, double strength = 1);
 
 }  // namespace vitrine

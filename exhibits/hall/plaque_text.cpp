@@ -4,6 +4,7 @@
 #include "render/files/assets.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
+#include "render/text/translation.h"
 
 #include <algorithm>
 
@@ -164,13 +165,14 @@ std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const ExhibitSlo
     const std::string label = number == 10 ? "" : std::to_string(number);
     mesh->bounds = {{-plateWidth / 2, -plateHeight / 2, -0.01}, {plateWidth / 2, plateHeight / 2, 0.01}};
     mesh->name = "plaque " + (label.empty() ? "free" : label);
-    const std::string title = slot ? slot->title : number == 10 ? "Your own object" : "In preparation";
-    const std::string summary = slot           ? slot->summary
-                                : number == 10 ? "Drop a glTF file on the window and it stands here."
-                                               : "This place waits for an exhibit.";
+    const std::string title = translated(slot ? slot->title : number == 10 ? "Your own object" : "In preparation");
+    const std::string summary = translated(slot           ? slot->summary
+                                           : number == 10 ? "Drop a glTF file on the window and it stands here."
+                                                          : "This place waits for an exhibit.");
     std::vector<Paragraph> paragraphs{{decodeUtf8(title), titleSize, decodeUtf8(label)},
                                       {decodeUtf8(summary), bodySize, {}}};
-    if (slot && !slot->tryThis.empty()) paragraphs.push_back({decodeUtf8("Try: " + slot->tryThis), bodySize, {}});
+    if (slot && !slot->tryThis.empty())
+        paragraphs.push_back({decodeUtf8(translated("Try: " + slot->tryThis)), bodySize, {}});
     // As large as the plate has room for.
     double scale = mostScale;
     while (scale > 1 && lay(paragraphs, scale, nullptr) < -plateHeight / 2 + plateMargin) scale -= 0.02;

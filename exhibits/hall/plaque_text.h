@@ -21,7 +21,8 @@ public:
     };
 
     /// Reads assets/fonts and sets the text of every place that has a plaque: its number, title, one line
-    /// and what to try; "In preparation" where no slot stands. Throws Failure (Blame::file).
+    /// and what to try; "In preparation" where no slot stands. In the language of the program. Throws Failure
+    /// (Blame::file).
     PlaqueText(const HallModel&, const std::vector<ExhibitSlot>&);
 
     [[nodiscard]] const std::vector<Plaque>& plaques() const { return plaques_; }

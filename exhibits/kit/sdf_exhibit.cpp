@@ -13,7 +13,7 @@ namespace vitrine {
 namespace {
 
 struct PreparedSdf final : PreparedPart {
-    std::optional<render::Asset<render::Mesh>> mesh;  ///< That it is compared with.
+    std::optional<render::Asset<render::Mesh>> mesh;  ///< That is shown in its place.
     std::shared_ptr<const PreparedPart> body;         ///< Of the exhibit's own; may be null.
 };
 
@@ -62,7 +62,7 @@ std::shared_ptr<const PreparedPart> SdfExhibit::prepare(const PrepareContext& co
         part->unreadable = part->body->unreadable;
         part->filesId = part->body->filesId;
     }
-    if (context.seen && context.values[rows().compareMesh]) {
+    if (context.seen && context.values[rows().shownAs] == SdfShown::mesh) {
         const SdfBody now = body(context.values, context.time);
         const int cells = now.values[rows().tessellation];
         const std::string kind = std::string(name()) + ".mesh";
@@ -103,6 +103,23 @@ render::Camera SdfExhibit::bestView(const ParameterValues& values) const
 double SdfExhibit::nextChange(const ParameterValues&, double) const
 {
     return std::numeric_limits<double>::infinity();
+}
+
+std::vector<OfferedComparison> SdfExhibit::comparisons() const
+{
+    const auto number = [](auto value) { return static_cast<double>(value); };
+    return {{"mesh",
+             "The rasterized mesh",
+             "Its outline is nearly good, its reflections break at every edge: “Tessellation” says how many there are.",
+             {{"shownAs", number(SdfShown::mesh)}}},
+            {"field",
+             "The marched field",
+             "The object itself, ray by ray, beside what stands in its place.",
+             {{"shownAs", number(SdfShown::field)}, {"heatMap", number(SdfHeatMap::none)}}},
+            {"cost",
+             "What each ray costs",
+             "Field evaluations of every pixel, black to white: “Heat scale” says how many are white.",
+             {{"shownAs", number(SdfShown::field)}, {"heatMap", number(SdfHeatMap::evaluations)}}}};
 }
 
 SdfScene SdfExhibit::sceneOf(const PlanContext& context, const SdfBody& now) const

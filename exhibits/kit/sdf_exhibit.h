@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/offers_comparisons.h"
 #include "exhibits/kit/sdf_rows.h"
 
 #include <functional>
@@ -30,9 +31,9 @@ struct SdfBody {
     /// `parameters` of its shaders: the table's values, with what is animated as it is at this moment.
     ParameterValues values;
     render::Box box;  ///< The smallest known one that holds it; own space.
-    /// The same field as its shaders', at float64: for the comparison mesh and for what a visitor points at.
+    /// The same field as its shaders', at float64: for the mesh and for what a visitor points at.
     std::function<double(const glm::dvec3&)> distance;
-    /// Another text for every other field (`derive::keyOf`): the comparison mesh is kept by it.
+    /// Another text for every other field (`derive::keyOf`): the mesh is kept by it.
     std::string shape;
     /// A uniform block of its own (`render::std140Bytes`), at BLOCK_EXHIBIT; empty where `parameters` tells all.
     render::Bytes block = {};
@@ -50,9 +51,9 @@ struct SdfBody {
 struct SdfScene;
 
 /// An exhibit that is a signed distance field: it supplies the field (`SdfShaders`, `body`), a table with SdfRows, and
-/// a material. Sphere tracing with its cone pre-pass, its shadow, the bounding mesh and its overlay, the comparison
-/// with a mesh by a wipe, and heat maps are here.
-class SdfExhibit : public Exhibit, public CastsGlassShadow {
+/// a material. Sphere tracing with its cone pre-pass, its shadow, the bounding mesh and its overlay, a
+/// rasterized mesh in its place, and heat maps are here.
+class SdfExhibit : public Exhibit, public CastsGlassShadow, public OffersComparisons {
 public:
     [[nodiscard]] render::Box bounds(const ParameterValues&) const final;
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const final;
@@ -64,6 +65,8 @@ public:
     void planShadow(const PlanContext&, render::FramePlan&) const final;
     [[nodiscard]] bool castsGlassShadow(const ParameterValues& values) const final { return isGlass(values); }
     void plan(const PlanContext&, render::FramePlan&) const final;
+    /// Field and mesh with each other, and the picture with what it costs.
+    [[nodiscard]] std::vector<OfferedComparison> comparisons() const override;
 
     /// As it is `time` seconds after the exhibit's clock started.
     [[nodiscard]] virtual SdfBody body(const ParameterValues&, double time) const = 0;

@@ -173,17 +173,18 @@ struct SdfPlanner {
         plan.add(std::move(made));
     }
 
-    void mesh(const render::Asset<render::Mesh>* found) const
+    /// Returns whether it is on show.
+    [[nodiscard]] bool mesh(const render::Asset<render::Mesh>* found) const
     {
-        if (!values[table.compareMesh]) {
-            plan.skip(named("mesh"), "the comparison is switched off");
-            return;
+        if (values[table.shownAs] != SdfShown::mesh) {
+            plan.skip(named("mesh"), "the field is on show");
+            return false;
         }
         if (!found || !found->value) {
             plan.warn(named("mesh"), found ? found->failure : "no mesh was made");
-            return;
+            return false;
         }
-        Pass made = pass("mesh", "compared with the marched object", "kit/sdf/mesh.vert", "kit/sdf/mesh.frag");
+        Pass made = pass("mesh", "on show in place of the field", "kit/sdf/mesh.vert", "kit/sdf/mesh.frag");
         drawSurface(made, {.normal = scene.context.channels.normal});
         scene.context.lighting.bindLighting(made);
         made.draws = {draw(found->value)};
@@ -191,6 +192,7 @@ struct SdfPlanner {
         made.depthOnly->shader.defines.emplace_back("DEPTH_ONLY");
         if (scene.body.sources) made.depthOnly->shader.slot += " depth";
         plan.add(std::move(made));
+        return true;
     }
 
     /// The twelve edges of the box, as thin bars.
@@ -274,10 +276,14 @@ void planSdfShadow(const SdfScene& scene, render::FramePlan& plan)
 void planSdf(const SdfScene& scene, const render::Asset<render::Mesh>* mesh, render::FramePlan& plan)
 {
     const SdfPlanner planner{scene, plan};
-    planner.mesh(mesh);
-    planner.cone();
-    planner.march();
-    planner.count();
+    if (planner.mesh(mesh)) {
+        for (const char* step : {"cone", "march", "count"})
+            plan.skip(planner.named(step), "a mesh is on show in place of the field");
+    } else {
+        planner.cone();
+        planner.march();
+        planner.count();
+    }
     planner.overlay();
 }
 

@@ -32,8 +32,8 @@ struct SdfScene {
 [[nodiscard]] std::string shadowDefine(const SdfScene&);
 /// The sun's own rays find the body, and write where they did: its shadow has its true outline.
 void planSdfShadow(const SdfScene&, render::FramePlan&);
-/// March and cone pre-pass, counts, comparison and overlay, or why not. `mesh` is what the body is compared with; it
-/// may be null where nothing is compared.
+/// March and cone pre-pass, counts, mesh and overlay, or why not. `mesh` is shown in place of the march where the
+/// values ask for it; it may be null where they do not. Where it could not be made, the body is marched.
 void planSdf(const SdfScene&, const render::Asset<render::Mesh>* mesh, render::FramePlan&);
 
 }  // namespace vitrine

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/parameters.h"
 
 #include <optional>
@@ -10,6 +11,7 @@ enum class SdfMaterial : int { opaque, glass };
 enum class SdfRelaxation : int { none, fixed, automatic };
 enum class SdfNormal : int { forward, tetrahedron, central };
 enum class SdfShadow : int { none, hard, classic, improved, signedDistance, area };
+enum class SdfShown : int { field, mesh };
 enum class SdfHeatMap : int { none, steps, evaluations, normals, distance };
 
 // Rows of every exhibit that is a distance field. A table takes them by inheriting them after its own:
@@ -25,8 +27,9 @@ struct SdfMaterialRows : virtual Parameters {
     Color baseColor =
         color("baseColor", {0.95, 0.93, 0.88}, "Of the glaze, the metal, or (per 10 cm of depth) the glass.");
     Real roughness = real("roughness", 0.06, none, {0, 1}, "0 is a mirror, 1 is chalk.");
-    Real metalness = real("metalness", 1.0, none, {0, 1}, "0 is a glaze over a colored body, 1 is bare metal.",
-                          when(material, SdfMaterial::opaque) || whenLater("compareMesh", 1));
+    Real metalness =
+        real("metalness", 1.0, none, {0, 1}, "0 is a glaze over a colored body, 1 is bare metal.",
+             when(material, SdfMaterial::opaque) || whenLater("shownAs", static_cast<double>(SdfShown::mesh)));
     Real specular =
         real("specular", 0.5, none, {0, 1}, "Reflectance of what is not metal: 0.5 is the 4 % of most glazes.",
              whenNot(metalness, 1) || when(material, SdfMaterial::glass));
@@ -36,21 +39,23 @@ struct SdfMaterialRows : virtual Parameters {
 
 /// How the body is marched, shaded and looked into.
 struct SdfRows : virtual Parameters {
-    /// `initialBounces`: few for what is rough, whose mirror images of itself nobody would see. `occludedToo`: when
-    /// ambient occlusion acts on glass as well, in a light of the exhibit's own.
-    explicit SdfRows(int initialBounces = 2, std::optional<Condition> occludedToo = {})
-        : initialBounces_(initialBounces), occludedToo_(std::move(occludedToo))
+    /// `initialBounces`: few for what is rough, whose mirror images of itself nobody would see. `litBesides`: when a
+    /// light of the exhibit's own shines on it and what is around it: then ambient occlusion acts on glass as well, and
+    /// it and the body's shadow on what surrounds it.
+    explicit SdfRows(int initialBounces = 2, std::optional<Condition> litBesides = {})
+        : initialBounces_(initialBounces), litBesides_(std::move(litBesides))
     {
     }
 
 private:
     int initialBounces_;
-    std::optional<Condition> occludedToo_;
+    std::optional<Condition> litBesides_;
 
 public:
     Group reflections = group("Material");
     Count bounces = count("bounces", initialBounces_, {0, 4},
-                          "How often a reflected ray may meet the object again before it sees the hall.", quality(4));
+                          "How often a reflected ray may meet the object again before it sees the hall.", quality(4),
+                          whenFollowed());
     Toggle ambientOcclusion =
         toggle("ambientOcclusion", true,
                "Darken what the object hides from the hall's light: five evaluations a pixel.", whenOccluded());
@@ -59,7 +64,7 @@ public:
     Choice<SdfShadow> shadowMethod = choice(
         "shadowMethod", SdfShadow::signedDistance, {"none", "hard", "classic", "improved", "signed", "area"},
         "How the object shades itself from the sun: one ray, three kinds of estimate from one ray, or many rays.",
-        quality(SdfShadow::area));
+        quality(SdfShadow::area), whenShaded());
     Count shadowRays = count("shadowRays", 16, {1, 256, logarithmic}, "Rays over the sun's disk, for the area method.",
                              quality(256), when(shadowMethod, SdfShadow::area));
     Real sunWidth =
@@ -82,15 +87,15 @@ public:
                                  exactAt(1), when(relaxation, SdfRelaxation::fixed));
     Toggle conePrepass =
         toggle("conePrepass", true, "First march one cone for every 8 × 8 pixels, and start their rays where it ended.",
-               exactAt(0));
+               exactAt(0), whenMarched());
     Choice<SdfNormal> normalMethod =
         choice("normalMethod", SdfNormal::central, {"forward", "tetrahedron", "central"},
                "Differences that give the normal: 4, 4 or 6 evaluations; the first two lean across creases.",
-               quality(SdfNormal::central));
+               quality(SdfNormal::central), whenFollowed());
     Real normalStep =
         real("normalStep", 0.0003, meter, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02),
              "Step of those differences near the eye: too small drowns in rounding, too large rounds creases.",
-             quality(0.0003));
+             quality(0.0003), whenFollowed());
 
     Group bounds = group("Bounding box");
     Real boxSize =
@@ -99,30 +104,40 @@ public:
     Toggle showBox =
         toggle("showBox", false, "Draw the edges of that mesh: amber when it holds the object, red when it clips.");
 
-    Group comparison = group("Comparison");
-    Toggle compareMesh =
-        toggle("compareMesh", false, "Show a rasterized mesh of the same object to the right of the wipe.");
-    Real wipe = real("wipe", 0.5, none, {0, 1},
-                     "Where the mesh begins: 0 is the left edge of the picture, 1 the right.", when(compareMesh));
+    Group showing = group("On show");
+    Choice<SdfShown> shownAs = choice("shownAs", SdfShown::field, {"field", "mesh"},
+                                      "The field, marched ray by ray, or a mesh of the same object, rasterized.");
     Count tessellation =
         count("tessellation", 24, {4, 256, logarithmic},
               "Cells of the mesh along the longest side of the box: few show facets in the reflections.", quality(256),
-              when(compareMesh));
+              when(shownAs, SdfShown::mesh));
     Choice<SdfHeatMap> heatMap =
         choice("heatMap", SdfHeatMap::none, {"none", "steps", "evaluations", "normals", "distance"},
-               "Color the object by what it cost, or by what was found.");
+               "Color the object by what it cost, or by what was found.", whenMarched());
     Real heatScale =
         real("heatScale", 64, none, Range{1, 4096, logarithmic}.soft(4, 512), "The count that is shown white.",
              when(heatMap, {SdfHeatMap::steps, SdfHeatMap::evaluations}));
 
 private:
-    /// Nothing where the table has no glass: always.
-    [[nodiscard]] std::optional<Condition> whenOccluded() const
+    GoneRows gone_{*this, {{"compareMesh", "Compare with “The rasterized mesh”, in the Compare menu."}, {"wipe"}}};
+
+    /// While its rays are marched for the picture.
+    [[nodiscard]] static Condition whenMarched() { return whenLater("shownAs", static_cast<double>(SdfShown::field)); }
+    /// Also while a light of its own shades what is around it.
+    [[nodiscard]] Condition whenShaded() const { return litBesides_ ? *litBesides_ || whenMarched() : whenMarched(); }
+    /// Also while rays of the sun are followed through it, for what glass leaves of them.
+    [[nodiscard]] Condition whenFollowed() const
     {
-        if (!find("material")) return {};
+        return find("material") ? whenMarched() || whenLater("material", static_cast<double>(SdfMaterial::glass))
+                                : whenMarched();
+    }
+    [[nodiscard]] Condition whenOccluded() const
+    {
+        if (!find("material")) return whenMarched();
         Condition occluded = whenLater("material", static_cast<double>(SdfMaterial::opaque)) ||
                              whenLater("heatMap", static_cast<double>(SdfHeatMap::evaluations));
-        return occludedToo_ ? *occludedToo_ || std::move(occluded) : std::move(occluded);
+        Condition marched = whenMarched() && std::move(occluded);
+        return litBesides_ ? *litBesides_ || std::move(marched) : std::move(marched);
     }
 };
 

@@ -53,7 +53,7 @@ void main()
     return;
 #endif
     float depth = depthAt(pixel);
-    int technique = pixel.x < rays.wipeColumn ? rays.leftTechnique : rays.rightTechnique;
+    int technique = rays.technique;
     over = vec4(0.0);
     if ((technique & 1) != 0) over.rgb += screenRays(depth);
 #ifdef HAZE

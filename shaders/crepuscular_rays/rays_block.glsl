@@ -31,9 +31,7 @@ BLOCK_STRUCT(BeamBlock, BEAM_FIELDS)
     FIELD(float, cellSize)         /* pixels along a cell of a coarser image */ \
     FIELD(vec2, firstCell)         /* of the tile, on the grid of the whole picture */ \
     FIELD(float, maskScale)        /* mask pixels per picture pixel */ \
-    FIELD(float, wipeColumn)       /* first pixel to the right of the wipe */ \
-    FIELD(int, leftTechnique)      /* bits: 1 screen space, 2 volume */ \
-    FIELD(int, rightTechnique) \
+    FIELD(int, technique)          /* bits: 1 screen space, 2 volume */ \
     FIELD(float, threshold)        /* of the sky's brightness in the finished picture; 0: none */ \
     FIELD(float, lightAngle)       /* sky this far from the sun does not shine, radians */ \
     FIELD(bool, skyColors)         /* the mask has the sky's colors, else it is white */ \

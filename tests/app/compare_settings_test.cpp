@@ -106,6 +106,52 @@ TEST_F(CompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
     EXPECT_FALSE(std::filesystem::exists(out_ + "/pictures/old.png"));
 }
 
+TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
+{
+    const auto with = [&](const std::string& a, const std::vector<std::string>& more) {
+        std::vector<std::string> words{"compare-settings", a,   "--out",  out_, "--size", "48x27",
+                                       "--samples",        "1", "--runs", "1"};
+        words.insert(words.end(), more.begin(), more.end());
+        return test::vitrine(words);
+    };
+    const auto rowsThatDiffer = [&] {
+        const render::Json json = render::readJson(out_ + "/comparison.json").root();
+        std::map<std::string, render::Json> rows;
+        for (const render::Json& row : json["rows"]) rows[row["name"]] = row;
+        return rows;
+    };
+    // An exhibit by its name: its initial values.
+    const Ended field = with("sdf_morph", {"--with", "mesh"});
+    ASSERT_EQ(field.code, 0) << field.err;
+    auto rows = rowsThatDiffer();
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows["shownAs"]["b"], "mesh");
+    EXPECT_NE(text("index.html").find("The rasterized mesh"), std::string::npos);
+    const render::Image marched = picture("a.png"), mesh = picture("b.png");
+    // Settings of an exhibit: whose they are is what they change.
+    const Ended changed = with(preset("mesh.json", R"({"shownAs": "mesh"})"), {"--with", "field"});
+    ASSERT_EQ(changed.code, 0) << changed.err;
+    rows = rowsThatDiffer();
+    ASSERT_EQ(rows.size(), 1U);
+    EXPECT_EQ(rows["shownAs"]["a"], "mesh");
+    EXPECT_EQ(render::colorDifference(picture("a.png"), mesh).rmse, 0) << "A there is B here";
+    EXPECT_EQ(render::colorDifference(picture("b.png"), marched).rmse, 0);
+    // And a shipped preset by its name.
+    const Ended shipped = with("gathered-in-screen-space", {"--exhibit", "crepuscular_rays", "--with", "air"});
+    ASSERT_EQ(shipped.code, 0) << shipped.err;
+    EXPECT_EQ(rowsThatDiffer()["technique"]["b"], "volume");
+
+    const auto refused = [&](const Ended& ended, const std::vector<std::string>& parts) {
+        EXPECT_EQ(ended.code, 2) << ended.err;
+        test::expectOneSentence(ended, parts);
+    };
+    refused(with("sdf_morph", {"--with", "soup"}), {"soup", "mesh, field, cost"});
+    refused(with("fur", {"--with", "mesh"}), {"fur", "offers no comparisons"});
+    refused(with("initial", {"--with", "mesh"}), {"--exhibit"});
+    refused(with("sdf_morph", {}), {"--with"});
+    refused(with("sdf_morph", {"initial", "--with", "mesh"}), {"not both"});
+}
+
 TEST_F(CompareSettings, WhatCannotBeReadLeavesWhatIsThere)
 {
     const std::string good = preset("good.json", "{}"), bad = preset("bad.json", R"({"morph": "soup"})");

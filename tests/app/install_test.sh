@@ -23,7 +23,8 @@ has() {
 
 cmake --install "$build" --prefix "$root/usr" >"$root/log" || { cat "$root/log"; fail "cmake --install failed"; }
 share=$root/usr/share
-for file in bin/vitrine lib/vitrine/modules/libvitrine_oiio.so lib/vitrine/modules/libvitrine_video.so share/vitrine/presets/fur/cat.json \
+for file in bin/vitrine lib/vitrine/modules/libvitrine_oiio.so lib/vitrine/modules/libvitrine_video.so lib/vitrine/modules/libvitrine_gamepad.so share/vitrine/presets/fur/cat.json \
+    share/vitrine/lessons/fur.md share/vitrine/lessons/de/fur.md share/vitrine/pages/de/fur.html share/vitrine/pages/figures/fur-march.png \
     share/applications/org.vitrine.Vitrine.desktop share/icons/hicolor/48x48/apps/org.vitrine.Vitrine.png share/man/man1/vitrine.1.gz; do
     [ -e "$root/usr/$file" ] || fail "$file was not installed"
 done
@@ -36,6 +37,18 @@ mv "$root/usr" "$root/elsewhere"
 [ -s "$root/picture.tif" ] || fail "the installed program drew nothing"
 "$root/elsewhere/bin/vitrine" doctor | grep -q "$root/elsewhere/share/vitrine" || fail "it has its assets from somewhere else"
 mv "$root/elsewhere" "$root/usr"
+
+
+# What the desktop shows is said in German, too.
+for key in 'GenericName[de]=' 'Comment[de]=' 'Keywords[de]='; do
+    grep -qF "$key" "$share/applications/org.vitrine.Vitrine.desktop" || fail "the desktop file lacks $key"
+done
+translated() {  # translated FILE TAG: as many of these elements in German as without a language.
+    english=$(grep -c "<$2>" "$1") && german=$(grep -c "<$2 xml:lang=\"de\">" "$1") && [ "$english" = "$german" ] ||
+        fail "$1: not every <$2> has its German"
+}
+for tag in summary developer_name p li; do translated "$share/metainfo/org.vitrine.Vitrine.metainfo.xml" "$tag"; done
+translated "$share/mime/packages/org.vitrine.Vitrine.xml" comment
 
 if has desktop-file-validate; then
     desktop-file-validate "$share/applications/org.vitrine.Vitrine.desktop" || fail "the desktop file is wrong"

@@ -37,9 +37,14 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
     const Json all = render::parseJson(ended.out, "list").root();
     ASSERT_TRUE(all.is_array());
     const std::set<std::string> kinds{"real", "count", "toggle", "choice", "color", "direction", "file", "text"};
-    int rows = 0, qualities = 0, conditions = 0;
+    int rows = 0, qualities = 0, conditions = 0, offers = 0;
     for (const Json& exhibit : all) {
-        EXPECT_EQ(keysOf(exhibit), (std::set<std::string>{"name", "title", "summary", "parameters"}));
+        EXPECT_EQ(keysOf(exhibit), (std::set<std::string>{"name", "title", "summary", "parameters", "comparisons"}));
+        for (const Json& offered : exhibit["comparisons"]) {
+            ++offers;
+            EXPECT_EQ(keysOf(offered), (std::set<std::string>{"name", "title", "help", "values"}));
+            EXPECT_FALSE(offered["values"].empty()) << offered["name"];
+        }
         for (const Json& row : exhibit["parameters"]) {
             ++rows;
             EXPECT_EQ(keysOf(row),
@@ -71,6 +76,7 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
             }
         }
     }
+    EXPECT_GE(offers, 9);
     EXPECT_GT(rows, 40);
     EXPECT_GT(qualities, 5);
     EXPECT_GT(conditions, 50);

@@ -21,8 +21,8 @@ TEST(Usage, HelpNeedsNeitherDisplayNorOpenGl)
     const Ended help = test::vitrine({"--help"}, noGl);
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
-    for (const char* command : {"list", "render", "record", "study", "compare", "compare-settings", "preset", "scene",
-                                "sprite", "serve", "doctor"})
+    for (const char* command : {"list", "render", "record", "study", "compare-studies", "compare", "compare-settings",
+                                "preset", "scene", "sprite", "serve", "doctor"})
         EXPECT_NE(help.out.find(command), std::string::npos) << command;
     EXPECT_NE(help.out.find("Exit codes"), std::string::npos);
     const Ended render = test::vitrine({"render", "--help"}, noGl);

@@ -50,13 +50,12 @@ TEST_F(Ball, ShowsTheCircleOfItsSphereToAPixel)
     }
 }
 
-TEST_F(Ball, IsTheSameBehindTheWipeAsAMesh)
+TEST_F(Ball, IsTheSameAsAMesh)
 {
     BallShot shot;
     shot.values().set(ballTable().hitTolerance, 0.02);  // Or rays end on the outline's half pixel.
     const Picture marched = shot.take();
-    shot.values().set(ballTable().compareMesh, true);
-    shot.values().set(ballTable().wipe, 0.0);
+    shot.values().set(ballTable().shownAs, SdfShown::mesh);
     shot.values().set(ballTable().tessellation, 64);
     const Picture mesh = shot.take();
     int different = 0;

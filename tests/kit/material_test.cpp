@@ -48,8 +48,7 @@ TEST_F(PaintedBallTest, HasTheColorOfEachPointWhetherMarchedOrAMesh)
     for (const bool mesh : {false, true}) {
         BallShot shot(*museum, "painted_ball");
         const PaintedBallTable table;
-        shot.values().set(table.compareMesh, mesh);
-        shot.values().set(table.wipe, 0.0);
+        shot.values().set(table.shownAs, mesh ? SdfShown::mesh : SdfShown::field);
         const Picture p = shot.take();
         int red = 0, green = 0;
         p.each([&](int x, int y) {
@@ -70,8 +69,11 @@ TEST(PaintedBallOnPaper, NeedsNoRowsOfAMaterial)
 {
     const PaintedBallTable table;
     EXPECT_FALSE(table.find("baseColor"));
-    EXPECT_FALSE(table.rows()[table.ambientOcclusion.row].actsWhen) << "there is no glass to except";
-    EXPECT_TRUE(test::ballTable().rows()[test::ballTable().ambientOcclusion.row].actsWhen);
+    const auto asked = [](const Parameters& of, std::size_t row) { return rowsOf(of.rows()[row].actsWhen.value()); };
+    using Names = std::vector<std::string_view>;
+    EXPECT_EQ(asked(table, table.ambientOcclusion.row), Names{"shownAs"}) << "there is no glass to except";
+    EXPECT_EQ(asked(test::ballTable(), test::ballTable().ambientOcclusion.row),
+              (Names{"shownAs", "material", "heatMap"}));
 }
 
 }  // namespace

@@ -132,15 +132,18 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"presets", {"kit", "model", "viewport"}},
     {"charts", {"kit", "model"}},
     {"compare", {"kit", "model", "viewport", "parameters", "presets"}},
+    {"explore", {"kit", "model", "viewport", "parameters", "presets"}},
     {"tree", {"kit", "model", "viewport", "parameters"}},
     {"study", {"kit", "model", "viewport"}},
+    {"gamepad", {"kit", "model", "viewport"}},
     {"lessons", {"kit", "model", "viewport", "parameters"}},
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},
     {"sprites", {"kit", "model", "viewport", "parameters"}},
     {"record", {"kit", "model", "viewport"}},
+    {"preferences", {"kit", "model", "viewport", "parameters"}},
     {"window",
-     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "tree", "lessons", "study", "print",
-      "sprites", "record"}},
+     {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "explore", "tree", "lessons", "study",
+      "print", "sprites", "record", "preferences", "gamepad"}},
 };
 
 /// The folder below the first one; empty where there is none.

@@ -207,7 +207,7 @@ TEST(Tables, EveryRowIsReadByItsOwnExhibit)
     // A row of one exhibit is not read because another one reads its own of the same name.
     EXPECT_TRUE(isRead(readersOf("sdf_morph"), "refractiveIndex"));
     EXPECT_FALSE(isRead(readersOf("fur"), "refractiveIndex"));
-    EXPECT_FALSE(isRead(readersOf("hall"), "wipe"));
+    EXPECT_FALSE(isRead(readersOf("hall"), "tessellation"));
 }
 
 /// The table whose fields a shader may use; null: none.

@@ -2,6 +2,7 @@
 
 #include "tests/ui/sample_tables.h"
 
+#include "exhibits/framework/offers_comparisons.h"
 #include "exhibits/hall/hall_model.h"
 #include "ui/viewport/render_thread.h"
 #include "ui/viewport/renderers.h"
@@ -15,7 +16,7 @@
 namespace vitrine::test {
 
 /// An exhibit with a table and nothing to draw, on the plinth in the middle of the hall.
-class PlainExhibit final : public Exhibit, public HasButton {
+class PlainExhibit final : public Exhibit, public HasButton, public OffersComparisons {
 public:
     [[nodiscard]] std::string_view name() const override { return "sdf_morph"; }
     [[nodiscard]] std::string_view title() const override { return "Torus to mug"; }
@@ -33,6 +34,10 @@ public:
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override
     {
         return {{0.6, 0.4, 3}, {0.2, 0, 0}, 0.9};
+    }
+    [[nodiscard]] std::vector<OfferedComparison> comparisons() const override
+    {
+        return {{"chalk", "Chalk & dust", "As rough as it gets.", {{"roughness", 0.8}}}};
     }
     [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
     [[nodiscard]] double nextChangeOf(const ExhibitState& state) const override
@@ -180,6 +185,17 @@ public:
         return drawn;
     }
     void forgetOther() override { ++othersForgotten; }
+    [[nodiscard]] QImage drawSmall(const SceneState& sceneState, const FrameRequest&, const QSize& screen) override
+    {
+        strangers += std::this_thread::get_id() == thread ? 0 : 1;
+        ++smallDrawn;
+        if (beforeSmall) beforeSmall();
+        QImage image(screen, QImage::Format_RGBX8888);
+        const double red = sceneState.values[1][table().roughness];
+        image.fill(QColor::fromRgbF(static_cast<float>(red), 0.45F, 0.4F));
+        return image;
+    }
+    void forgetSmall() override { ++smallForgotten; }
     [[nodiscard]] render::Image shownPicture() override
     {
         ++pictureReads;
@@ -237,6 +253,8 @@ public:
     std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set while nothing is drawn.
     std::atomic<int> pictureReads = 0;
     std::atomic<int> othersForgotten = 0;
+    std::atomic<int> smallDrawn = 0, smallForgotten = 0;
+    std::function<void()> beforeSmall;          ///< Of each small picture; set while none is drawn.
     std::atomic<int> unfinishedFrames = 0;      ///< The next so many call for another one.
     std::atomic<bool> greenIsTheClock = false;  ///< A whole round of it in two seconds.
     std::vector<render::gl::ShaderProblem> shaderProblems;

@@ -2,7 +2,9 @@
 
 #include "exhibits/framework/capabilities.h"
 #include "exhibits/museum/museum.h"
+#include "ui/kit/language.h"
 #include "ui/kit/progress_job.h"
+#include "ui/kit/spoken_plot.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/model/history.h"
@@ -79,17 +81,38 @@ void setRanges(QCustomPlot& plot, const Chart& chart)
     plot.yAxis->setRange(y);
 }
 
+/// "Title over x; y from 0 to 3. …": what the curves show, for those who hear it.
+QString sentences(const Chart& chart)
+{
+    QStringList all{ChartsDock::tr("%1 over %2.").arg(text(chart.yTitle), text(chart.xTitle))};
+    for (const ChartCurve& curve : chart.curves) {
+        const std::size_t count = std::min(curve.x.size(), curve.y.size());
+        if (count == 0) continue;
+        const auto end = curve.y.begin() + static_cast<std::ptrdiff_t>(count);
+        const auto [least, most] = std::minmax_element(curve.y.begin(), end);
+        const auto number = [](double value) { return QString::number(value, 'g', 3); };
+        const auto place = [&](auto which) {
+            return number(curve.x[static_cast<std::size_t>(which - curve.y.begin())]);
+        };
+        all << ChartsDock::tr("%1: from %2 at %3 to %4 at %5.")
+                   .arg(curve.name.empty() ? ChartsDock::tr("The curve") : text(curve.name), number(*least),
+                        place(least), number(*most), place(most));
+    }
+    return all.join(QLatin1Char(' '));
+}
+
 void fill(QCustomPlot& plot, const Chart& chart)
 {
+    static_cast<SpokenPlot&>(plot).setSentences(sentences(chart));
     plot.clearGraphs();
-    plot.setAccessibleName(text(chart.title));
-    plot.xAxis->setLabel(text(chart.title + ": " + chart.xTitle));
-    plot.yAxis->setLabel(text(chart.yTitle));
+    plot.setAccessibleName(said(chart.title));
+    plot.xAxis->setLabel(tr("%1: %2").arg(said(chart.title), said(chart.xTitle)));
+    plot.yAxis->setLabel(said(chart.yTitle));
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) scale(*axis, chart.logarithmic);
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {
         const ChartCurve& curve = chart.curves[i];
         QCPGraph* graph = plot.addGraph();
-        graph->setName(text(curve.name));
+        graph->setName(said(curve.name));
         graph->setPen(penOf(i));
         QVector<double> x, y;
         for (std::size_t k = 0; k < curve.x.size() && k < curve.y.size(); ++k) {
@@ -186,7 +209,7 @@ void ChartsDock::draw()
         plots_.pop_back();
     }
     while (plots_.size() < charts_.size()) {
-        auto* plot = new QCustomPlot(this);
+        auto* plot = new SpokenPlot(this);
         plot->setMinimumSize(180, 120);
         putLegendAbove(*plot);
         plots_.push_back(plot);

@@ -1,9 +1,12 @@
 #include "ui/compare/compare_actions.h"
 
+#include "exhibits/museum/museum.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/kit/menu_text.h"
+#include "ui/kit/text.h"
 #include "ui/model/other_settings.h"
+#include "ui/model/workbench.h"
 
 #include <QAction>
 #include <QCursor>
@@ -19,23 +22,26 @@ constexpr int mostSteps = 20;  ///< Undo steps in the menu, the last ones.
 
 struct ModeWords {
     CompareMode mode;
+    const char* id;
     const char* text;
     const char* tip;
 };
 
 constexpr std::array<ModeWords, 5> modeWords{
-    {{CompareMode::wipe, QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "&Wipe"),
+    {{CompareMode::wipe, "compare-wipe", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "&Wipe"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
                         "A left of a line, B right of it; drag the line. Without a B, what is on show becomes B.")},
-     {CompareMode::sideBySide, QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Side by &side"),
+     {CompareMode::sideBySide, "compare-side-by-side",
+      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Side by &side"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "The whole pictures of A and B beside each other.")},
-     {CompareMode::flicker, QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "&Flicker"),
+     {CompareMode::flicker, "compare-flicker", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "&Flicker"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
                         "A, with B kept ready: it is there at once while you hold the key B in the picture.")},
-     {CompareMode::flip, QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "FLI&P"),
+     {CompareMode::flip, "compare-flip", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "FLI&P"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
                         "Where an eye that flips between A and B sees a difference: black none, white a large one.")},
-     {CompareMode::signedDifference, QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Signed &difference"),
+     {CompareMode::signedDifference, "compare-signed-difference",
+      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Signed &difference"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Gray where both are equal, brighter or darker where B is.")}}};
 
 }  // namespace
@@ -44,12 +50,15 @@ CompareActions::CompareActions(CompareDesk& desk) : QObject(&desk), desk_(desk)
 {
     addSources();
     all_ << nullptr;
+    addOffers();
+    all_ << nullptr;
     addModes();
     all_ << nullptr;
     swap_ = add(tr("Sw&ap A and B"), {}, tr("B is shown and can be edited, and what is on show becomes B."));
     takeAll_ = add(tr("Copy all fro&m B"), {}, tr("What is on show becomes as B is; one undo brings it back."));
     giveAll_ = add(tr("Copy all &to B"), {}, tr("B becomes as what is on show; one undo brings it back."));
     letGo_ = add(tr("&End the comparison"), {}, tr("Lets go of B and shows A alone."));
+    nameAll();
     connect(swap_, &QAction::triggered, this, [this] { desk_.other().swap(); });
     connect(takeAll_, &QAction::triggered, this, [this] { desk_.other().takeAll(); });
     connect(giveAll_, &QAction::triggered, this, [this] { desk_.other().giveAll(); });
@@ -61,11 +70,25 @@ QAction* CompareActions::add(const QString& text, const QKeySequence& key, const
 {
     auto* action = new QAction(text, this);
     action->setShortcut(key);
-    const QString whole = key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText));
-    action->setToolTip(whole);
-    action->setStatusTip(whole);
+    action->setStatusTip(tip);
+    const auto showKey = [action, tip] {
+        const QKeySequence now = action->shortcut();
+        action->setToolTip(now.isEmpty() ? tip : tr("%1 (%2)").arg(tip, now.toString(QKeySequence::NativeText)));
+    };
+    showKey();
+    connect(action, &QAction::changed, this, showKey);  // The visitor may give it another one.
     all_ << action;
     return action;
+}
+
+void CompareActions::nameAll()
+{
+    for (const auto& [action, id] :
+         {std::pair(hold_, "hold"), std::pair(preset_, "preset"), std::pair(file_, "file"), std::pair(step_, "step"),
+          std::pair(otherAlone_, "other-alone"), std::pair(swap_, "swap"), std::pair(takeAll_, "take-all"),
+          std::pair(giveAll_, "give-all"), std::pair(letGo_, "end")})
+        action->setObjectName(QStringLiteral("compare-") + QLatin1String(id));
+    for (const ModeWords& words : modeWords) mode(words.mode).setObjectName(QLatin1String(words.id));
 }
 
 void CompareActions::addSources()
@@ -89,6 +112,30 @@ void CompareActions::addSources()
     connect(sources_, &QMenu::aboutToShow, this, &CompareActions::fillSources);
 }
 
+void CompareActions::addOffers()
+{
+    const Museum& museum = desk_.workbench().museum();
+    for (std::size_t subject = 0; subject < museum.subjects().size(); ++subject)
+        for (const OfferedComparison& offered : offeredComparisons(museum.subject(subject))) {
+            QAction* action = add(
+                tr("Compare with: %1").arg(menuText(text(offered.title))), {},
+                tr("%1 B goes on following what is on show; drag the line between the two.").arg(text(offered.help)));
+            connect(action, &QAction::triggered, this,
+                    [this, subject, offered] { desk_.compareWith(subject, offered); });
+            offers_.emplace_back(subject, action);
+        }
+    refreshOffers();
+}
+
+void CompareActions::refreshOffers()
+{
+    const std::size_t chosen = desk_.workbench().chosen();
+    for (const auto& [subject, action] : offers_) {
+        action->setVisible(subject == chosen);
+        action->setEnabled(subject == chosen);
+    }
+}
+
 void CompareActions::addModes()
 {
     for (const ModeWords& words : modeWords) {
@@ -109,6 +156,8 @@ void CompareActions::fillSources()
     for (QMenu* menu : sources_->findChildren<QMenu*>(QString(), Qt::FindDirectChildrenOnly)) menu->deleteLater();
     sources_->clear();
     sources_->addAction(hold_);
+    for (const auto& [subject, action] : offers_)
+        if (action->isVisible()) sources_->addAction(action);
     QMenu* presets = sources_->addMenu(tr("&Preset"));
     for (const auto& [name, id] : desk_.presets())
         presets->addAction(menuText(name), this, [this, id = id] { desk_.holdFile(id); });

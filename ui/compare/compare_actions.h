@@ -6,6 +6,8 @@
 #include <QObject>
 
 #include <array>
+#include <utility>
+#include <vector>
 
 class QAction;
 class QMenu;
@@ -36,10 +38,15 @@ public:
 
     /// Shows what is held and how it is shown.
     void refresh();
+    /// Lists what the visited subject offers to be compared with.
+    void refreshOffers();
 
 private:
     QAction* add(const QString& text, const QKeySequence&, const QString& tip);
+    /// Gives each an id, by which the visitor's own shortcuts are kept.
+    void nameAll();
     void addSources();
+    void addOffers();
     void addModes();
     void fillSources();
 
@@ -49,7 +56,8 @@ private:
     QAction* preset_ = nullptr;
     QAction* file_ = nullptr;
     QAction* step_ = nullptr;
-    std::array<QAction*, 6> modes_{};  // By mode; that of `off` is null.
+    std::vector<std::pair<std::size_t, QAction*>> offers_;  // With the subject that offers it.
+    std::array<QAction*, 6> modes_{};                       // By mode; that of `off` is null.
     QAction* otherAlone_ = nullptr;
     QAction* swap_ = nullptr;
     QAction* takeAll_ = nullptr;

@@ -5,7 +5,10 @@
 #include "ui/compare/compare_overlay.h"
 #include "ui/compare/compare_rows.h"
 #include "ui/compare/morph_control.h"
+#include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
+#include "ui/kit/quiet_style.h"
+#include "ui/kit/type_size.h"
 #include "ui/model/other_settings.h"
 #include "ui/parameters/value_slider.h"
 
@@ -32,7 +35,7 @@ ValueSlider* sliderOver(std::uint16_t row, const QString& name, QWidget* parent)
     const ParameterInfo& info = compareRows().rows()[row];
     auto* slider = new ValueSlider(info, parent);
     slider->setAccessibleName(name);
-    slider->setToolTip(QString::fromStdString(std::string(info.help)));
+    slider->setToolTip(said(info.help));
     return slider;
 }
 
@@ -59,8 +62,10 @@ CompareBar::CompareBar(CompareDesk& desk, QWidget* parent)
     line->setContentsMargins(8, 3, 8, 3);
     line->setSpacing(2);
     CompareActions& actions = desk.actions();
-    for (std::size_t i = 0; i < compareModes.size(); ++i)
-        line->addWidget(button(actions.mode(compareModes[i]), tr(modeNames[i])));
+    for (std::size_t i = 0; i < compareModes.size(); ++i) {
+        buttons_.push_back(button(actions.mode(compareModes[i]), tr(modeNames[i])));
+        line->addWidget(buttons_.back());
+    }
     addGain();
     line->addWidget(gains_);
     line->addStretch(1);
@@ -68,7 +73,8 @@ CompareBar::CompareBar(CompareDesk& desk, QWidget* parent)
     line->addWidget(differ_);
     line->addWidget(morphs_);
     line->addWidget(source_);
-    line->addWidget(button(actions.swap(), QStringLiteral("⇄")));
+    buttons_.push_back(button(actions.swap(), QStringLiteral("⇄")));
+    line->addWidget(buttons_.back());
     line->addWidget(button(actions.letGo(), QStringLiteral("✕")));
     rows_->setAccessibleName(tr("Rows that differ"));
     connect(rows_, &QMenu::aboutToShow, this, &CompareBar::fillRows);
@@ -96,15 +102,16 @@ QToolButton* CompareBar::menuButton(QMenu* menu)
     made->setMenu(menu);
     made->setAutoRaise(true);
     made->setFocusPolicy(Qt::TabFocus);
-    made->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    made->setProperty(QuietStyle::hidesMenuArrow, true);
     return made;
 }
 
 void CompareBar::addGain()
 {
-    gain_->setFixedWidth(80);
+    growWidth(*gain_, 80);
     gain_->showValue(desk_.overlay().gain());
-    times_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("× 64")));
+    followType(*times_,
+               [this] { times_->setMinimumWidth(times_->fontMetrics().horizontalAdvance(QStringLiteral("× 64"))); });
     gains_->layout()->addWidget(gain_);
     gains_->layout()->addWidget(times_);
     connect(gain_, &ValueSlider::edited, this, [this](double gain) {
@@ -115,7 +122,7 @@ void CompareBar::addGain()
 
 void CompareBar::addMorph()
 {
-    morph_->setFixedWidth(96);
+    growWidth(*morph_, 96);
     morphs_->layout()->addWidget(new QLabel(tr("A"), morphs_));
     morphs_->layout()->addWidget(morph_);
     morphs_->layout()->addWidget(new QLabel(tr("B"), morphs_));
@@ -148,12 +155,32 @@ void CompareBar::refresh()
     showWhatFits();
 }
 
+std::vector<QWidget*> CompareBar::whatMayGo() const
+{
+    // It is in the Compare menu, too; what ends the comparison stays.
+    std::vector<QWidget*> parts{differ_, morphs_, source_};
+    parts.insert(parts.end(), buttons_.rbegin(), buttons_.rend());
+    return parts;
+}
+
+bool CompareBar::event(QEvent* event)
+{
+    const bool done = QWidget::event(event);
+    // Words or their type became wider.
+    if (event->type() == QEvent::LayoutRequest && isVisible() && layout()->minimumSize().width() > width()) {
+        const std::vector<QWidget*> parts = whatMayGo();
+        if (std::any_of(parts.begin(), parts.end(), [](const QWidget* part) { return !part->isHidden(); }))
+            showWhatFits();
+    }
+    return done;
+}
+
 void CompareBar::showWhatFits()
 {
     gains_->setVisible(isDifference(desk_.overlay().mode()));
-    differ_->show();
-    morphs_->show();
-    for (QWidget* part : {static_cast<QWidget*>(differ_), morphs_}) {
+    const std::vector<QWidget*> parts = whatMayGo();
+    for (QWidget* part : parts) part->show();
+    for (QWidget* part : parts) {
         layout()->activate();
         if (layout()->minimumSize().width() <= width()) return;
         part->hide();

@@ -2,6 +2,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 class QAction;
 class QLabel;
 class QMenu;
@@ -32,6 +34,7 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent*) override;
+    bool event(QEvent*) override;
 
 private:
     QToolButton* button(QAction&, const QString& words);
@@ -39,6 +42,8 @@ private:
     void addGain();
     void addMorph();
     void fillRows();
+    /// Widgets that give way where the bar is narrow, the first one first.
+    [[nodiscard]] std::vector<QWidget*> whatMayGo() const;
     void showWhatFits();
 
     CompareDesk& desk_;
@@ -50,6 +55,7 @@ private:
     QWidget* morphs_;
     ValueSlider* morph_;
     QToolButton* source_;
+    std::vector<QWidget*> buttons_;  // Of the modes, and the one that swaps.
     bool banned_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/compare/other_picture.h"
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/model/other_settings.h"
 #include "ui/model/workbench.h"
@@ -91,7 +92,7 @@ void CompareDesk::hold(const SceneState& sceneState, const QString& name)
             return [this, read, name, number] {
                 if (number != holds_) return;
                 for (const std::string& why : read.unreadable)
-                    workbench_.say(MessageStrip::Mood::problem, tr("B: %1").arg(QString::fromStdString(why)));
+                    workbench_.say(MessageStrip::Mood::problem, tr("B: %1").arg(said(why)));
                 if (name.isNull())
                     other_->readAgain(read.sceneState);
                 else
@@ -133,6 +134,17 @@ void CompareDesk::holdFile(const QString& path)
 void CompareDesk::holdStep(int step, const QString& name)
 {
     hold(workbench_.history().valuesAt(step), name);
+}
+
+void CompareDesk::compareWith(std::size_t subject, const OfferedComparison& offered)
+{
+    ++holds_;
+    other_->follow([subject, offered](const SceneState& a) { return otherSide(a, subject, offered); },
+                   text(offered.title));
+    if (overlay_->mode() == CompareMode::off) setMode(CompareMode::wipe);
+    if (differences().empty())
+        workbench_.say(MessageStrip::Mood::notice,
+                       tr("“%1” is on show already: both sides are the same.").arg(text(offered.title)));
 }
 
 void CompareDesk::chooseFile()
@@ -177,8 +189,8 @@ std::vector<RowDifference> CompareDesk::differences() const
         };
         all.push_back({row.subject, row.name,
                        tr("%1: %2: %3 | %4")
-                           .arg(text(workbench_.museum().subject(row.subject).title()),
-                                QString::fromStdString(label(row.info)), value(row.a), value(row.b))});
+                           .arg(said(workbench_.museum().subject(row.subject).title()), said(label(row.info)),
+                                value(row.a), value(row.b))});
     }
     return all;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/compare/offered_comparison.h"
 #include "exhibits/museum/scene_state.h"
 #include "render/plan/render_backend.h"
 #include "ui/compare/compare_mode.h"
@@ -57,11 +58,14 @@ public:
     /// The preset, exhibition or picture of this path.
     void holdFile(const QString& path);
     void holdStep(int step, const QString& name);
+    /// B is from now on what is on show, but for the rows that this subject offers to be compared in.
+    void compareWith(std::size_t subject, const OfferedComparison&);
     void chooseFile();
     void letGo();
     [[nodiscard]] std::vector<std::pair<QString, QString>> presets() const;
     [[nodiscard]] const QUndoStack& steps() const;
     [[nodiscard]] History& history() const;
+    [[nodiscard]] Workbench& workbench() const { return workbench_; }
     /// The rows in which A and B differ; none while there is no B.
     [[nodiscard]] std::vector<RowDifference> differences() const;
 

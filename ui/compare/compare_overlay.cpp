@@ -20,6 +20,7 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double grabWipeWithin = 7;  ///< Pixels.
+constexpr double wipeStep = 0.02;     ///< Of the width, by a key.
 constexpr int gap = 4;                ///< Pixels between two pictures side by side.
 const QColor veil(0x20, 0x1e, 0x1c);  ///< Around pictures, as the viewport before its first one.
 
@@ -77,6 +78,38 @@ void CompareOverlay::setWipe(double share)
 {
     wipe_ = std::clamp(share, 0.0, 1.0);
     update();
+    tellNumber(*this);
+}
+
+bool CompareOverlay::showsWipe() const
+{
+    return isVisible() && mode_ == CompareMode::wipe && !otherAlone();
+}
+
+QAccessible::Role CompareOverlay::spokenRole() const
+{
+    return showsWipe() ? QAccessible::Slider : QAccessible::Graphic;
+}
+
+std::optional<SpokenNumber> CompareOverlay::spokenNumber() const
+{
+    if (!showsWipe()) return std::nullopt;
+    return SpokenNumber{100 * wipe_, 0, 100, 100 * wipeStep, tr("A up to %1 %").arg(std::lround(100 * wipe_))};
+}
+
+QString CompareOverlay::spokenText() const
+{
+    if (otherAlone()) return otherText();
+    switch (mode_) {
+    case CompareMode::wipe:
+        return tr("A left of the line, at %1 %; right of it %2.").arg(std::lround(100 * wipe_)).arg(otherText());
+    case CompareMode::sideBySide: return tr("A on the left; on the right %1.").arg(otherText());
+    case CompareMode::flicker: return tr("A; hold the key B to see B");
+    case CompareMode::flip: return tr("FLIP of A and B × %1").arg(gain());
+    case CompareMode::signedDifference: return tr("(B − A) × %1").arg(gain());
+    case CompareMode::off: break;
+    }
+    return {};
 }
 
 void CompareOverlay::renew()
@@ -190,7 +223,7 @@ void CompareOverlay::paintEvent(QPaintEvent*)
 
 bool CompareOverlay::dragWipe(const QMouseEvent& event)
 {
-    const bool shown = isVisible() && mode_ == CompareMode::wipe && !otherAlone();
+    const bool shown = showsWipe();
     if (!shown) dragging_ = false;
     const bool near = shown && std::abs(event.position().x() - wipe_ * width()) <= grabWipeWithin;
     switch (event.type()) {
@@ -253,6 +286,19 @@ bool CompareOverlay::holdKey(QEvent* event)
     return true;
 }
 
+bool CompareOverlay::moveWipe(QEvent* event)
+{
+    const auto& key = *static_cast<QKeyEvent*>(event);
+    const int step = key.key() == Qt::Key_Comma ? -1 : key.key() == Qt::Key_Period ? 1 : 0;
+    if (step == 0 || !showsWipe() || event->type() == QEvent::KeyRelease) return false;
+    if (key.modifiers() & ~Qt::KeypadModifier) return false;
+    if (event->type() == QEvent::ShortcutOverride)
+        event->accept();
+    else
+        setWipe(wipe_ + step * wipeStep);
+    return true;
+}
+
 void CompareOverlay::hold(bool down)
 {
     if (std::exchange(held_, down) == down) return;
@@ -267,7 +313,7 @@ bool CompareOverlay::eventFilter(QObject* watched, QEvent* event)
     case QEvent::Resize: setGeometry(viewport_.rect()); break;
     case QEvent::ShortcutOverride:
     case QEvent::KeyPress:
-    case QEvent::KeyRelease: return holdKey(event);
+    case QEvent::KeyRelease: return holdKey(event) || moveWipe(event);
     case QEvent::FocusOut: hold(false); break;
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonRelease:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/compare/compare_mode.h"
+#include "ui/kit/spoken.h"
 
 #include <QImage>
 #include <QWidget>
@@ -16,9 +17,9 @@ class OtherSettings;
 class ProgressJob;
 class Viewport;
 
-/// Lies over the viewport and shows B's picture beside A's, or where they differ. The line of the wipe is dragged; side
-/// by side, the pointer works in either picture as in the whole one.
-class CompareOverlay final : public QWidget {
+/// Lies over the viewport and shows B's picture beside A's, or where they differ. The line of the wipe is dragged, or
+/// moved by comma and period; side by side, the pointer works in either picture as in the whole one.
+class CompareOverlay final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -36,6 +37,11 @@ public:
     /// Where the line of the wipe is, 0 (left) to 1.
     [[nodiscard]] double wipe() const { return wipe_; }
     void setWipe(double share);
+    [[nodiscard]] QAccessible::Role spokenRole() const override;
+    [[nodiscard]] QString spokenText() const override;
+    /// Where the line is, in percent; none where there is no line.
+    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
+    void setSpokenNumber(double percent) override { setWipe(percent / 100); }
     /// The difference on show; null: none, or not there yet.
     [[nodiscard]] const QImage& difference() const { return difference_; }
 
@@ -62,6 +68,9 @@ private:
     /// picture: this filter is to be the last one installed.
     bool passOn(const QMouseEvent&);
     bool holdKey(QEvent*);
+    /// Comma and period move the line.
+    bool moveWipe(QEvent*);
+    [[nodiscard]] bool showsWipe() const;
     /// Whether the key of B is down.
     void hold(bool down);
 

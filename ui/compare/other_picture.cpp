@@ -3,6 +3,7 @@
 #include "ui/model/other_settings.h"
 #include "ui/viewport/viewport.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace vitrine::ui {
@@ -107,7 +108,7 @@ void OtherPicture::order()
                                                          (wanted.scale * quality.resolutionScale))),
                                    glm::ivec2(1));
     request.sample = 0;
-    request.samples = wanted.rests ? quality.supersamples : 1;
+    request.samples = wanted.rests ? std::min(quality.supersamples, viewport_.schedule().mostSamples()) : 1;
     // Frames may have been left out since its last one, and it is not drawn again.
     request.cut = request.finished = true;
     request.rests = false;  // Whether A's values rest says nothing of B.

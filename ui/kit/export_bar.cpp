@@ -2,6 +2,7 @@
 
 #include "ui/kit/replace_question.h"
 #include "ui/kit/time_left.h"
+#include "ui/kit/type_size.h"
 
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -34,10 +35,9 @@ ExportBar::ExportBar(Words words, QWidget* parent)
     buttons_->addWidget(status_, 1);
     stop_ = makeButton(tr("Close"));
     go_ = makeButton(tr("Export"));
-    for (QPushButton* button : {stop_, go_}) {
-        button->setMinimumWidth(112);
-        buttons_->addWidget(button);
-    }
+    for (QPushButton* button : {stop_, go_}) buttons_->addWidget(button);
+    growMinimumWidth(*stop_, 112);
+    growMinimumWidth(*go_, 112);
     layOut();
     connect(path_, &QLineEdit::textChanged, this, &ExportBar::pathChanged);
     connect(browse_, &QToolButton::clicked, this, &ExportBar::browse);
@@ -50,7 +50,7 @@ QPushButton* ExportBar::makeButton(const QString& text)
     auto* button = new QPushButton(text, this);
     button->setAutoDefault(false);  // Enter in a number field ends the number, nothing else.
     button->setAccessibleName(text);
-    button->setMinimumWidth(button->sizeHint().width() + 16);
+    followType(*button, [button] { button->setMinimumWidth(button->sizeHint().width() + 16); });
     return button;
 }
 

@@ -1,6 +1,7 @@
 #include "ui/kit/message_of.h"
 
 #include "render/failure.h"
+#include "ui/kit/language.h"
 
 #include <QCoreApplication>
 
@@ -11,7 +12,7 @@ namespace vitrine::ui {
 QString messageOf(const std::exception& thrown)
 {
     const auto tr = [](const char* text) { return QCoreApplication::translate("MessageOf", text); };
-    const QString words = QString::fromUtf8(thrown.what());
+    const QString words = said(thrown.what());
     if (dynamic_cast<const Failure*>(&thrown)) return words;
     if (dynamic_cast<const std::bad_alloc*>(&thrown))
         return tr("There was not enough memory for this, and nothing was changed. Choose a smaller size, or close "

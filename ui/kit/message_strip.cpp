@@ -1,7 +1,10 @@
 #include "ui/kit/message_strip.h"
 
+#include "ui/kit/appearance.h"
 #include "ui/kit/show_in_folder.h"
+#include "ui/kit/spoken.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -22,8 +25,12 @@ namespace {
 
 constexpr int highest = 132;  // Pixels: a few messages; more of them scroll.
 
-class Line final : public QWidget {
+class Line final : public QWidget, public Spoken {
 public:
+    [[nodiscard]] QAccessible::Role spokenRole() const override
+    {
+        return mood_ == MessageStrip::Mood::problem ? QAccessible::AlertMessage : QAccessible::Notification;
+    }
     Line(MessageStrip::Mood mood, const QString& text, QWidget* parent)
         : QWidget(parent), mood_(mood), words_(new QLabel(text, this))
     {
@@ -31,6 +38,7 @@ public:
         words_->setWordWrap(true);
         words_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         words_->setAccessibleName(MessageStrip::tr("Message"));
+        setAccessibleName(text);
         auto* copy = button(MessageStrip::tr("Copy"), MessageStrip::tr("Copy this message"));
         folder_ = button(MessageStrip::tr("Show in folder"), MessageStrip::tr("Show the file in its folder"));
         auto* dismiss = button(QStringLiteral("✕"), MessageStrip::tr("Dismiss this message"));
@@ -54,6 +62,7 @@ public:
     void repeat(const QString& several, const QString& what)
     {
         words_->setText(several.arg(++count_).arg(what));
+        setAccessibleName(words_->text());
         goAfter(life_.interval());
     }
     [[nodiscard]] const QString& kind() const { return kind_; }
@@ -74,6 +83,7 @@ private:
             life_.start();
             return;
         }
+        if (reducedMotion()) return deleteLater();
         auto* veil = new QGraphicsOpacityEffect(this);
         setGraphicsEffect(veil);
         auto* fading = new QPropertyAnimation(veil, "opacity", this);
@@ -157,6 +167,7 @@ void MessageStrip::say(Mood mood, const QString& text, const QString& several, c
     }
     line->setFile(file);
     fit();
+    announce(*line, line->text());
     QTimer::singleShot(0, this, &MessageStrip::fit);  // Once the width is known, wrapped lines know their height.
 }
 
@@ -204,7 +215,7 @@ void MessageStrip::fit()
     const int wide = under_ ? under_->width() : width();
     const int wanted =
         list_->hasHeightForWidth() ? list_->heightForWidth(std::max(200, wide)) : list_->sizeHint().height();
-    setFixedHeight(std::min(highest, wanted));
+    setFixedHeight(std::min(grown(highest, *this), wanted));
     if (!under_) return;
     setGeometry(under_->x(), under_->y(), wide, height());
     raise();

@@ -1,6 +1,8 @@
 #include "ui/kit/quiet_style.h"
 
+#include "ui/kit/appearance.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 
 #include <QPainter>
 #include <QStyleFactory>
@@ -14,7 +16,8 @@ namespace {
 QColor veil(float part)
 {
     QColor color = theme().text;
-    color.setAlphaF(part);
+    // What is faint on purpose is less so for those who need contrast.
+    color.setAlphaF(theme().highContrast ? std::min(1.0F, 2 * part) : part);
     return color;
 }
 
@@ -28,7 +31,8 @@ void drawField(QPainter* painter, const QRect& rect, QStyle::State state, bool a
     const bool pressed = state & (QStyle::State_Sunken | QStyle::State_On);
     painter->setBrush(veil(pressed ? 0.16F : hovered ? 0.1F : 0.055F));
     const bool focused = state & QStyle::State_HasFocus;
-    painter->setPen(focused || accented ? QPen(theme().accent) : QPen(enabled ? theme().outline : veil(0.2F)));
+    const double width = focused && theme().highContrast ? 2 : 1;
+    painter->setPen(focused || accented ? QPen(theme().accent, width) : QPen(enabled ? theme().outline : veil(0.2F)));
     painter->drawRoundedRect(QRectF(rect).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
     painter->restore();
 }
@@ -141,6 +145,14 @@ void QuietStyle::drawControl(ControlElement element, const QStyleOption* option,
 void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
                                     const QWidget* widget) const
 {
+    const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+    if (button && (button->features & QStyleOptionToolButton::HasMenu) && widget &&
+        widget->property(hidesMenuArrow).toBool()) {
+        QStyleOptionToolButton plain = *button;
+        plain.features &= ~QStyleOptionToolButton::ToolButtonFeatures(QStyleOptionToolButton::HasMenu);
+        drawComplexControl(control, &plain, painter, widget);
+        return;
+    }
     // Fusion leaves the panel of a raised button out while the pointer is elsewhere, and the focus with it.
     constexpr State drawnAnyhow = State_MouseOver | State_Sunken | State_On;
     if (control == CC_ToolButton && (option->state & State_AutoRaise) && (option->state & State_HasFocus) &&
@@ -180,13 +192,20 @@ int QuietStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     switch (metric) {
     case PM_ScrollBarExtent: return 10;
     case PM_IndicatorWidth:
-    case PM_IndicatorHeight: return 15;
+    case PM_IndicatorHeight: return widget ? grown(15, *widget) : 15;
     case PM_DockWidgetSeparatorExtent: return 4;
     case PM_ToolTipLabelFrameWidth: return 7;
     case PM_ButtonShiftHorizontal:
     case PM_ButtonShiftVertical: return 0;
     default: return QProxyStyle::pixelMetric(metric, option, widget);
     }
+}
+
+int QuietStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                          QStyleHintReturn* returned) const
+{
+    if (hint == SH_Widget_Animation_Duration && reducedMotion()) return 0;
+    return QProxyStyle::styleHint(hint, option, widget, returned);
 }
 
 QSize QuietStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,

@@ -9,11 +9,17 @@ class QuietStyle final : public QProxyStyle {
     Q_OBJECT
 
 public:
+    /// Property of a tool button whose words say already that it has a menu. A style sheet would do as well, but
+    /// widgets with one keep their size of type when the application gets another.
+    static constexpr auto hidesMenuArrow = "hidesMenuArrow";
+
     QuietStyle();
 
     void drawPrimitive(PrimitiveElement, const QStyleOption*, QPainter*, const QWidget*) const override;
     void drawControl(ControlElement, const QStyleOption*, QPainter*, const QWidget*) const override;
     void drawComplexControl(ComplexControl, const QStyleOptionComplex*, QPainter*, const QWidget*) const override;
+    int styleHint(StyleHint, const QStyleOption* = nullptr, const QWidget* = nullptr,
+                  QStyleHintReturn* = nullptr) const override;
     [[nodiscard]] int pixelMetric(PixelMetric, const QStyleOption*, const QWidget*) const override;
     [[nodiscard]] QSize sizeFromContents(ContentsType, const QStyleOption*, const QSize&,
                                          const QWidget*) const override;

@@ -5,6 +5,9 @@
 #include <QApplication>
 #include <QPalette>
 
+#include <algorithm>
+#include <cmath>
+
 namespace vitrine::ui {
 namespace {
 
@@ -12,6 +15,14 @@ Theme& current()
 {
     static Theme active = darkTheme();
     return active;
+}
+
+/// Of light that sRGB encodes, relative to white.
+double luminance(const QColor& color)
+{
+    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    const QColor rgb = color.toRgb();
+    return 0.2126 * linear(rgb.redF()) + 0.7152 * linear(rgb.greenF()) + 0.0722 * linear(rgb.blueF());
 }
 
 }  // namespace
@@ -24,6 +35,19 @@ Theme darkTheme()
 Theme lightTheme()
 {
     return {false, "#f1efeb", "#fbfaf8", "#2a2825", "#6d685f", "#9a5f14", "#a83a22", "#4a6b33", "#8f897e"};
+}
+
+Theme highContrastTheme(bool dark)
+{
+    if (dark)
+        return {true, "#000000", "#0d0d0c", "#ffffff", "#dcd8d0", "#ffc266", "#ffab98", "#b9e095", "#bdb8b0", true};
+    return {false, "#ffffff", "#ffffff", "#000000", "#3a3733", "#6b3d00", "#8a1500", "#234a0c", "#57534d", true};
+}
+
+double contrastOf(const QColor& a, const QColor& b)
+{
+    const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
+    return (lighter + 0.05) / (darker + 0.05);
 }
 
 const Theme& theme()
@@ -57,7 +81,7 @@ void applyTheme(QApplication& app, const Theme& chosen)
     for (const auto role : {QPalette::WindowText, QPalette::Text})
         palette.setColor(QPalette::Disabled, role, chosen.dim);
     QColor off = chosen.text;  // A button that cannot be pressed must not read like one that can.
-    off.setAlphaF(0.35F);
+    off.setAlphaF(chosen.highContrast ? 0.6F : 0.35F);
     palette.setColor(QPalette::Disabled, QPalette::ButtonText, off);
     app.setPalette(palette);
 }

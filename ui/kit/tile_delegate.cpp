@@ -1,11 +1,25 @@
 #include "ui/kit/tile_delegate.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 
 #include <QLineEdit>
 #include <QPainter>
 
+#include <algorithm>
+
 namespace vitrine::ui {
+namespace {
+
+constexpr int twoLines = 34;  // Pixels for name and second line, of type of the usual size.
+
+QImage cut(const QImage& picture, const QSize& size)
+{
+    const QImage scaled = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
+    return scaled.copy(QRect(QPoint((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2), size));
+}
+
+}  // namespace
 
 QWidget* TileDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem& option, const QModelIndex& index) const
 {
@@ -26,9 +40,10 @@ void TileDelegate::updateEditorGeometry(QWidget* editor, const QStyleOptionViewI
     editor->setGeometry(option.rect.adjusted(left, 3, -4, -3));
 }
 
-QSize TileDelegate::sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const
+QSize TileDelegate::sizeHint(const QStyleOptionViewItem& option, const QModelIndex&) const
 {
-    return {160, picture.height() + 12};
+    const QFontMetrics metrics(option.font);
+    return {grown(160, metrics), std::max(picture.height(), grown(twoLines, metrics)) + 12};
 }
 
 void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const
@@ -85,10 +100,12 @@ void TileDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, 
 
 QPixmap thumbnailOf(const QImage& picture)
 {
-    const QSize size = TileDelegate::picture * 2;
-    const QImage scaled = picture.scaled(size, Qt::KeepAspectRatioByExpanding, Qt::SmoothTransformation);
-    return QPixmap::fromImage(
-        scaled.copy(QRect(QPoint((scaled.width() - size.width()) / 2, (scaled.height() - size.height()) / 2), size)));
+    return QPixmap::fromImage(cut(picture, TileDelegate::picture * 2));
+}
+
+QImage previewOf(const QImage& picture)
+{
+    return cut(picture, TileDelegate::picture * 6);
 }
 
 }  // namespace vitrine::ui

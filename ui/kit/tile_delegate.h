@@ -24,5 +24,7 @@ public:
 
 /// A picture cut to the shape of the lists' pictures, twice as large for fine screens.
 [[nodiscard]] QPixmap thumbnailOf(const QImage&);
+/// The same, six times as large: to be kept, for lists and for looking at it closely.
+[[nodiscard]] QImage previewOf(const QImage&);
 
 }  // namespace vitrine::ui

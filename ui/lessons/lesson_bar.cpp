@@ -1,6 +1,7 @@
 #include "ui/lessons/lesson_bar.h"
 
 #include "exhibits/framework/lesson.h"
+#include "ui/kit/menu_text.h"
 #include "ui/kit/theme.h"
 #include "ui/lessons/lesson_desk.h"
 
@@ -69,8 +70,9 @@ QToolButton* LessonBar::button(QAction& action, const QString& words)
     made->setAutoRaise(true);
     made->setFocusPolicy(Qt::TabFocus);
     made->setText(words);
-    made->setToolTip(action.toolTip() +
-                     QStringLiteral(" (%1)").arg(action.shortcut().toString(QKeySequence::NativeText)));
+    const auto showKey = [made, &action] { made->setToolTip(tipWithKey(action)); };
+    showKey();
+    connect(&action, &QAction::changed, made, showKey);
     made->setAccessibleName(action.text().remove(QLatin1Char('&')));
     made->setEnabled(action.isEnabled());
     connect(&action, &QAction::enabledChanged, made, &QToolButton::setEnabled);

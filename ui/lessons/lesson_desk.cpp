@@ -2,6 +2,7 @@
 
 #include "exhibits/museum/museum.h"
 #include "render/plan/render_backend.h"
+#include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/text.h"
 #include "ui/lessons/lesson_bar.h"
@@ -78,9 +79,10 @@ LessonDesk::LessonDesk(Workbench& window, QObject* parent) : QObject(parent), wi
     show();
 }
 
-QAction* LessonDesk::add(const QString& text, const QList<QKeySequence>& keys, const QString& tip)
+QAction* LessonDesk::add(const QString& id, const QString& text, const QList<QKeySequence>& keys, const QString& tip)
 {
     auto* action = new QAction(text, this);
+    action->setObjectName(QStringLiteral("lesson-") + id);
     action->setShortcuts(keys);
     action->setToolTip(tip);
     action->setStatusTip(tip);
@@ -90,25 +92,29 @@ QAction* LessonDesk::add(const QString& text, const QList<QKeySequence>& keys, c
 
 void LessonDesk::addActions()
 {
-    connect(add(tr("&Start the lesson"), {QKeySequence(Qt::CTRL | Qt::Key_L)},
+    connect(add(QStringLiteral("start"), tr("&Start the lesson"), {QKeySequence(Qt::CTRL | Qt::Key_L)},
                 tr("Walks you through the exhibit that you visit, step by step.")),
             &QAction::triggered, this, [this] {
                 if (window_.chosen() != hallIndex) return start(window_.chosen());
                 window_.say(MessageStrip::Mood::notice, tr("Visit an exhibit first: lessons are about one of them."));
             });
-    connect(add(tr("&Open lesson…"), {}, tr("A lesson of your own, as Markdown; the manual says how to write one.")),
+    connect(add(QStringLiteral("open"), tr("&Open lesson…"), {},
+                tr("A lesson of your own, as Markdown; the manual says how to write one.")),
             &QAction::triggered, this, &LessonDesk::askForFile);
     actions_ << nullptr;
-    back_ = add(tr("Step &back"), {QKeySequence(Qt::CTRL | Qt::Key_PageUp)}, tr("The lesson's step before this one."));
+    back_ = add(QStringLiteral("back"), tr("Step &back"), {QKeySequence(Qt::CTRL | Qt::Key_PageUp)},
+                tr("The lesson's step before this one."));
     connect(back_, &QAction::triggered, this, &LessonDesk::back);
-    next_ = add(tr("&Next step"), {QKeySequence(Qt::CTRL | Qt::Key_PageDown)}, tr("The lesson's next step."));
+    next_ = add(QStringLiteral("next"), tr("&Next step"), {QKeySequence(Qt::CTRL | Qt::Key_PageDown)},
+                tr("The lesson's next step."));
     connect(next_, &QAction::triggered, this, &LessonDesk::next);
-    leave_ = add(tr("&Leave the lesson"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)},
+    leave_ = add(QStringLiteral("leave"), tr("&Leave the lesson"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)},
                  tr("Brings back what was open before the lesson."));
     connect(leave_, &QAction::triggered, this, &LessonDesk::leave);
     actions_ << nullptr;
     for (const auto& [i, exhibit] : window_.museum().exhibits()) {
-        QAction* action = add(tr("Lesson: %1").arg(text(exhibit.title())), {}, text(exhibit.summary()));
+        QAction* action =
+            add(text(exhibit.name()), tr("Lesson: %1").arg(said(exhibit.title())), {}, said(exhibit.summary()));
         std::error_code ignored;
         action->setEnabled(std::filesystem::exists(shippedLesson(exhibit.name()), ignored));
         connect(action, &QAction::triggered, this, [this, index = i] { start(index); });

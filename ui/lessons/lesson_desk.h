@@ -79,7 +79,7 @@ private:
     };
 
     void addActions();
-    QAction* add(const QString& text, const QList<QKeySequence>&, const QString& tip);
+    QAction* add(const QString& id, const QString& text, const QList<QKeySequence>&, const QString& tip);
     void load(const QString& path);
     void askForFile();
     void goTo(const Place&, const QString& step);

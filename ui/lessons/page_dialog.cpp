@@ -1,7 +1,9 @@
 #include "ui/lessons/page_dialog.h"
 
 #include "render/files/assets.h"
+#include "ui/kit/language.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 
 #include <QDesktopServices>
 #include <QDialogButtonBox>
@@ -58,13 +60,15 @@ PageDialog::PageDialog(QWidget* window) : QDialog(window), browser_(new QTextBro
     layout->addWidget(browser_, 1);
     layout->addWidget(buttons);
     buttons->setContentsMargins(8, 0, 8, 0);
-    resize(760, 760);
+    resize(QSize(grown(760, *this), 760).boundedTo(screen()->availableSize() - QSize(32, 96)));
     browser_->setFocus();
 }
 
 void PageDialog::showPage(const QString& name)
 {
-    browser_->setSource(QUrl::fromLocalFile(pageFolder() + QLatin1Char('/') + name + QStringLiteral(".html")));
+    const QString file = QLatin1Char('/') + name + QStringLiteral(".html");
+    const QString own = pageFolder() + QLatin1Char('/') + spokenLanguage() + file;
+    browser_->setSource(QUrl::fromLocalFile(QFileInfo::exists(own) ? own : pageFolder() + file));
 }
 
 void PageDialog::follow(const QUrl& link)

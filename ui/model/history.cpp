@@ -1,5 +1,6 @@
 #include "ui/model/history.h"
 
+#include "ui/kit/language.h"
 #include "ui/model/scene_state_change.h"
 
 #include <QUndoCommand>
@@ -106,7 +107,7 @@ void History::set(std::size_t exhibit, std::size_t row, const Value& value, Gest
         after.values[exhibit].chooseFile(row, *legal);
         change = SceneStateChange(sceneState_, after);
     }
-    const QString step = text.isEmpty() ? tr("Change %1").arg(QString::fromStdString(label(info)).toLower()) : text;
+    const QString step = text.isEmpty() ? tr("Change %1").arg(within(said(label(info)))) : text;
     stack_.push(new SceneStateStep(*this, step, std::move(change), sceneState_.camera, gesture, Camera::stays));
 }
 

@@ -4,7 +4,11 @@
 
 namespace vitrine::ui {
 
-OtherSettings::OtherSettings(History& history, QObject* parent) : QObject(parent), history_(history) {}
+OtherSettings::OtherSettings(History& history, QObject* parent) : QObject(parent), history_(history)
+{
+    connect(&history, &History::changed, this, &OtherSettings::catchUp);
+    connect(&history, &History::replaced, this, &OtherSettings::catchUp);
+}
 
 QString OtherSettings::name() const
 {
@@ -16,6 +20,16 @@ void OtherSettings::show(const Held& held)
     sceneState_ = held.sceneState;
     name_ = held.name;
     edited_ = held.edited;
+    following_ = held.following;
+    emit changed();
+}
+
+void OtherSettings::catchUp()
+{
+    if (!following_) return;
+    SceneState now = following_(history_.sceneState());
+    if (now.values == sceneState_->values) return;  // B has no camera of its own.
+    sceneState_ = std::move(now);
     emit changed();
 }
 
@@ -24,9 +38,15 @@ void OtherSettings::hold(const SceneState& sceneState, const QString& name)
     show({sceneState, name, false});
 }
 
+void OtherSettings::follow(Following following, const QString& name)
+{
+    SceneState now = following(history_.sceneState());
+    show({std::move(now), name, false, std::move(following)});
+}
+
 void OtherSettings::readAgain(const SceneState& sceneState)
 {
-    show({sceneState, name_, edited_});
+    show({sceneState, name_, edited_, following_});
 }
 
 void OtherSettings::letGo()
@@ -36,7 +56,7 @@ void OtherSettings::letGo()
 
 void OtherSettings::record(const QString& text, const SceneState& a, const Held& b)
 {
-    const Held before{sceneState_, name_, edited_};
+    const Held before{sceneState_, name_, edited_, following_};
     history_.record(
         text, a, [this, b] { show(b); }, [this, before] { show(before); });
 }

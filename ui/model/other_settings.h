@@ -4,6 +4,7 @@
 
 #include <QString>
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -25,6 +26,11 @@ public:
     [[nodiscard]] QString name() const;
 
     void hold(const SceneState&, const QString& name);
+    /// What B makes of A.
+    using Following = std::function<SceneState(const SceneState& a)>;
+    /// B goes on being that of whatever A is, until it is edited itself.
+    void follow(Following, const QString& name);
+    [[nodiscard]] bool follows() const { return static_cast<bool>(following_); }
     /// The same settings, of files that are others now. Only while held.
     void readAgain(const SceneState&);
     void letGo();
@@ -46,15 +52,18 @@ private:
         std::optional<SceneState> sceneState;
         QString name;
         bool edited = false;
+        Following following = {};
     };
     /// One step: A shows `a`, and B is `b`.
     void record(const QString& text, const SceneState& a, const Held& b);
     void show(const Held&);
+    void catchUp();
 
     History& history_;
     std::optional<SceneState> sceneState_;
     QString name_;
     bool edited_ = false;
+    Following following_;
 };
 
 }  // namespace vitrine::ui

@@ -11,6 +11,11 @@ public:
     [[nodiscard]] virtual const ParameterValues& heldValues() const = 0;
     /// As `History::set`.
     virtual void hold(std::size_t row, const Value&, Gesture, const QString& text) = 0;
+    /// Back to the initial value.
+    virtual void reset(std::size_t row, Gesture gesture, const QString& text)
+    {
+        hold(row, heldValues().rows()[row].initial, gesture, text);
+    }
 };
 
 /// One value of the look on show, as a control reads and sets it. The history or the holder must outlive it.
@@ -30,6 +35,14 @@ public:
             holder_->hold(row_, value, gesture, text);
         else
             history_->set(exhibit_, row_, value, gesture, text);
+    }
+    /// Back to the initial value.
+    void reset(Gesture gesture, const QString& text) const
+    {
+        if (holder_)
+            holder_->reset(row_, gesture, text);
+        else
+            history_->set(exhibit_, row_, info().initial, gesture, text);
     }
 
 private:

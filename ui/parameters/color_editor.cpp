@@ -1,6 +1,8 @@
 #include "ui/parameters/color_editor.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/shown_text.h"
@@ -75,12 +77,12 @@ glm::dvec3 linear(const QColor& color)
 ColorEditor::ColorEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), swatch_(new Swatch(this)), code_(new QLineEdit(this))
 {
-    const QString name = QString::fromStdString(label(row()));
+    const QString name = said(label(row()));
     swatch_->setAccessibleName(tr("%1, choose a color").arg(name));
     swatch_->setToolTip(tr("Choose a color; the picture follows."));
-    swatch_->setMinimumSize(40, 22);
+    growMinimumSize(*swatch_, 40, 22);
     code_->setAccessibleName(name);
-    code_->setFixedSize(NumberField::usualWidth, 22);
+    growSize(*code_, NumberField::usualWidth, 22);
     code_->setAlignment(Qt::AlignRight);
     code_->setMaxLength(40);
     code_->setContextMenuPolicy(Qt::NoContextMenu);
@@ -134,7 +136,7 @@ void ColorEditor::typed()
 
 void ColorEditor::choose()
 {
-    auto* dialog = new ColorDialog(QString::fromStdString(label(row())), encoded(value_), window());
+    auto* dialog = new ColorDialog(said(label(row())), encoded(value_), window());
     // All that is tried in one visit to the dialog is one undo step; Cancel takes it back.
     const Gesture gesture = newGesture();
     const glm::dvec3 before = value_;

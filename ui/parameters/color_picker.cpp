@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine::ui {
 namespace {
@@ -37,6 +38,14 @@ QColor ColorField::color() const
     return ofHsv(hue_, saturation_, value_).toRgb();
 }
 
+QString ColorField::spokenText() const
+{
+    return tr("Hue %1 degrees, saturation %2 %, brightness %3 %.")
+        .arg(std::lround(hue_ * 360))
+        .arg(std::lround(saturation_ * 100))
+        .arg(std::lround(value_ * 100));
+}
+
 QRectF ColorField::field() const
 {
     return QRectF(rim, rim, width() - 2 * rim, height() - 2 * rim - gap - barHeight);
@@ -63,6 +72,7 @@ void ColorField::set(double hue, double saturation, double value)
     saturation_ = std::clamp(saturation, 0.0, 1.0);
     value_ = std::clamp(value, 0.0, 1.0);
     update();
+    tellText(*this);
     emit picked(color());
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/kit/quiet_dialog.h"
+#include "ui/kit/spoken.h"
 
 #include <QWidget>
 
@@ -8,7 +9,7 @@ namespace vitrine::ui {
 
 /// Saturation to the right and value upward in a field, hue in a bar below it. Arrows move in the field, with Ctrl in
 /// the bar.
-class ColorField final : public QWidget {
+class ColorField final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -18,6 +19,9 @@ public:
     /// Where in the widget these are, 0 to 1.
     [[nodiscard]] QPointF placeOf(double saturation, double value) const;
     [[nodiscard]] QPointF placeOfHue(double hue) const;
+
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::ColorChooser; }
+    [[nodiscard]] QString spokenText() const override;
 
 signals:
     void picked(const QColor&);

@@ -1,5 +1,6 @@
 #include "ui/parameters/direction_editor.h"
 
+#include "ui/kit/language.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/shown_text.h"
 #include "ui/viewport/camera_control.h"
@@ -32,7 +33,7 @@ const ParameterInfo& angle(std::size_t i)
 DirectionEditor::DirectionEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), azimuth_(new NumberField(angle(0), this)), elevation_(new NumberField(angle(1), this))
 {
-    const QString name = QString::fromStdString(label(row()));
+    const QString name = said(label(row()));
     azimuth_->setAccessibleName(tr("%1, azimuth").arg(name));
     elevation_->setAccessibleName(tr("%1, elevation").arg(name));
     azimuth_->setToolTip(tooltipText(angle(0)));

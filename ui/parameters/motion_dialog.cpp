@@ -1,6 +1,8 @@
 #include "ui/parameters/motion_dialog.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_row.h"
 
 #include <QLabel>
@@ -160,13 +162,15 @@ private:
     std::size_t row_;
 };
 
-MotionDialog::MotionDialog(History& history, std::size_t exhibit, std::size_t row, QWidget* parent)
-    : QuietDialog(tr("Animate %1").arg(QString::fromStdString(label(history.sceneState().values[exhibit].rows()[row]))),
+MotionDialog::MotionDialog(History& history, std::size_t exhibit, const std::vector<std::size_t>& rows, QWidget* parent)
+    : QuietDialog(tr("Animate %1").arg(said(label(history.sceneState().values[exhibit].rows()[rows.front()]))),
                   tr("Done"), parent),
-      history_(history), exhibit_(exhibit), name_(history.sceneState().values[exhibit].rows()[row].name),
+      history_(history), exhibit_(exhibit), name_(history.sceneState().values[exhibit].rows()[rows.front()].name),
       before_(history.sceneState()), numbers_(std::make_unique<Numbers>(*this))
 {
     const ParameterValues& values = history.sceneState().values[exhibit];
+    const std::size_t row = rows.front();
+    for (std::size_t i = 1; i < rows.size(); ++i) others_.emplace_back(values.rows()[rows[i]].name);
     const ParameterInfo& info = values.rows()[row];
     from_ = std::make_unique<End>(*this, &Motion::from, values, row);
     to_ = std::make_unique<End>(*this, &Motion::to, values, row);
@@ -192,7 +196,7 @@ void MotionDialog::addEnd(End& end, const QString& name)
     line->setContentsMargins(16, 0, 22, 0);
     line->setSpacing(4);
     auto* words = new QLabel(name, this);
-    words->setFixedWidth(ParameterRow::narrowestLabel);
+    growWidth(*words, ParameterRow::narrowestLabel);
     end.editor = makeEditor(end.ref(), this);
     end.editor->setAccessibleName(name);
     for (QWidget* child : end.editor->findChildren<QWidget*>())
@@ -232,7 +236,9 @@ void MotionDialog::change(const Motion& motion)
     ParameterValues& values = next.values[exhibit_];
     const std::optional<std::size_t> row = values.table().find(name_);
     if (!row || !values.setMotion(*row, motion)) return;
-    history_.change(tr("Animate %1").arg(QString::fromStdString(label(values.rows()[*row])).toLower()), next, gesture_);
+    for (const std::string& other : others_)
+        if (const auto twin = values.table().find(other)) values.setMotion(*twin, motion);
+    history_.change(tr("Animate %1").arg(within(said(label(values.rows()[*row])))), next, gesture_);
 }
 
 void MotionDialog::refresh()
@@ -256,14 +262,17 @@ void MotionDialog::reject()
     disconnect(&history_, nullptr, this, nullptr);
     SceneState next = history_.sceneState();
     ParameterValues& values = next.values[exhibit_];
-    const std::optional<std::size_t> now = values.table().find(name_);
-    const std::optional<std::size_t> then = before_.values[exhibit_].table().find(name_);
-    if (now && then) {
+    const auto takeBack = [&](const std::string& name) {
+        const std::optional<std::size_t> now = values.table().find(name);
+        const std::optional<std::size_t> then = before_.values[exhibit_].table().find(name);
+        if (!now || !then) return;
         const Motion* motion = before_.values[exhibit_].motion(*then);
         values.setMotion(*now, motion ? std::optional(*motion) : std::nullopt);
-        history_.change(tr("Animate %1").arg(QString::fromStdString(label(values.rows()[*now])).toLower()), next,
-                        gesture_);
-    }
+    };
+    takeBack(name_);
+    for (const std::string& other : others_) takeBack(other);
+    if (const auto row = values.table().find(name_))
+        history_.change(tr("Animate %1").arg(within(said(label(values.rows()[*row])))), next, gesture_);
     QuietDialog::reject();
 }
 

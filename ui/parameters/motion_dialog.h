@@ -4,6 +4,7 @@
 #include "ui/model/value_ref.h"
 
 #include <string>
+#include <vector>
 
 namespace vitrine::ui {
 
@@ -16,8 +17,9 @@ class MotionDialog final : public QuietDialog {
     Q_OBJECT
 
 public:
-    /// Lets the row move where it stood still. The history must outlive it.
-    MotionDialog(History&, std::size_t exhibit, std::size_t row, QWidget* parent);
+    /// Lets the first of these rows move where it stood still; the others, which are edited together with it, move as
+    /// it does from the first change on. The history must outlive it.
+    MotionDialog(History&, std::size_t exhibit, const std::vector<std::size_t>& rows, QWidget* parent);
     ~MotionDialog() override;
 
     /// What a motion has by this name ("period"); null where its kind does not go by it, or it is none.
@@ -39,7 +41,8 @@ private:
 
     History& history_;
     std::size_t exhibit_;
-    std::string name_;  ///< Of the row: a file may give the table others meanwhile.
+    std::string name_;                 ///< Of the row: a file may give the table others meanwhile.
+    std::vector<std::string> others_;  ///< That move with it.
     Gesture gesture_ = newGesture();
     SceneState before_;
     std::unique_ptr<Numbers> numbers_;

@@ -1,5 +1,7 @@
 #include "ui/parameters/number_editor.h"
 
+#include "ui/kit/language.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/value_slider.h"
 
@@ -10,10 +12,10 @@ namespace vitrine::ui {
 NumberEditor::NumberEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), slider_(new ValueSlider(row(), this)), field_(new NumberField(row(), this))
 {
-    const QString name = QString::fromStdString(label(row()));
+    const QString name = said(label(row()));
     slider_->setAccessibleName(tr("%1, slider").arg(name));
     field_->setAccessibleName(name);
-    field_->setFixedWidth(NumberField::usualWidth);
+    growWidth(*field_, NumberField::usualWidth);
 
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

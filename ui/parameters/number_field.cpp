@@ -1,7 +1,9 @@
 #include "ui/parameters/number_field.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/shown_text.h"
+#include "ui/parameters/spoken_row.h"
 
 #include <QFocusEvent>
 #include <QKeyEvent>
@@ -20,7 +22,7 @@ NumberField::NumberField(const ParameterInfo& row, QWidget* parent)
     setTextMargins(2, 0, 2, 0);
     setFocusPolicy(Qt::StrongFocus);
     setContextMenuPolicy(Qt::NoContextMenu);  // The row's menu, so that reset is always there.
-    setFixedHeight(22);
+    growHeight(*this, 22);
     setAttribute(Qt::WA_Hover);
     endEdit();
     QPalette clear = palette();
@@ -28,11 +30,33 @@ NumberField::NumberField(const ParameterInfo& row, QWidget* parent)
     setPalette(clear);
 }
 
+QSize NumberField::sizeHint() const
+{
+    return {grown(80, *this), grown(22, *this)};
+}
+
+QSize NumberField::minimumSizeHint() const
+{
+    return {grown(56, *this), grown(22, *this)};
+}
+
 void NumberField::showValue(double value)
 {
     if (value == value_) return;
     value_ = value;
     if (!editing_) refresh();
+    tellNumber(*this);
+}
+
+std::optional<SpokenNumber> NumberField::spokenNumber() const
+{
+    return vitrine::ui::spokenNumber(row_, scale_, value_, row_.range.low, row_.range.high);
+}
+
+void NumberField::setSpokenNumber(double value)
+{
+    if (editing_) endEdit();
+    edit(storedNumber(row_, value), newGesture());
 }
 
 void NumberField::refresh()

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/kit/spoken.h"
 #include "ui/model/history.h"
 #include "ui/parameters/number_drag.h"
 
@@ -11,11 +12,11 @@ namespace vitrine::ui {
 
 /// A number with its unit. Drag changes it, a click or a key types it (arithmetic and units too), arrows
 /// step; Shift is finer, Ctrl coarser. Enter accepts; Esc brings back the value before the edit.
-class NumberField final : public QLineEdit {
+class NumberField final : public QLineEdit, public Spoken {
     Q_OBJECT
 
 public:
-    static constexpr int usualWidth = 70;
+    static constexpr int usualWidth = 70;  ///< Pixels beside type of the usual size.
 
     NumberField(const ParameterInfo& row, QWidget* parent);
 
@@ -27,6 +28,10 @@ public:
     void dragFrom(double x);
     void dragTo(double x, Qt::KeyboardModifiers);
     void dragEnd();
+
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::SpinBox; }
+    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
+    void setSpokenNumber(double) override;
 
 signals:
     void edited(double value, int gesture);
@@ -41,8 +46,8 @@ protected:
     void focusInEvent(QFocusEvent*) override;
     void focusOutEvent(QFocusEvent*) override;
     void changeEvent(QEvent*) override;
-    [[nodiscard]] QSize sizeHint() const override { return {80, 22}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {56, 22}; }
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 private:
     void beginEdit();

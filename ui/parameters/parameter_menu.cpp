@@ -1,9 +1,12 @@
 // The menu of a row: values copied and pasted, rows that move, that are copied from and to B, that are locked.
+#include "ui/kit/language.h"
 #include "ui/parameters/parameter_panel.h"
 
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
+#include "ui/kit/type_size.h"
 #include "ui/model/other_settings.h"
+#include "ui/parameters/group_edits.h"
 #include "ui/parameters/motion_dialog.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/shown_text.h"
@@ -18,7 +21,7 @@ namespace {
 
 QString rowLabel(const ParameterInfo& row)
 {
-    return QString::fromStdString(label(row));
+    return said(label(row));
 }
 
 }  // namespace
@@ -50,10 +53,10 @@ void ParameterPanel::addMotionTo(QMenu& menu, std::size_t row)
     menu.addSeparator();
     const std::string_view why = whyUnmoved(info);
     QAction* animate = menu.addAction(tr("Animate…"), this, [this, row] {
-        (new MotionDialog(history_, exhibit_, row, this))->openOver(*rows_[row]);
+        (new MotionDialog(history_, exhibit_, edits().rowsWith(row), this))->openOver(*rows_[row]);
     });
     animate->setEnabled(why.empty());
-    animate->setToolTip(text(why));
+    animate->setToolTip(said(why));
     menu.setToolTipsVisible(true);
     const Motion* motion = values().motion(row);
     if (!motion) return;
@@ -71,21 +74,13 @@ void ParameterPanel::addMotionTo(QMenu& menu, std::size_t row)
 void ParameterPanel::setMotion(std::size_t row, const QString& words, const std::optional<Motion>& motion,
                                const Value& base)
 {
-    SceneState next = history_.sceneState();
-    next.values[exhibit_].setMotion(row, motion);
-    next.values[exhibit_].setRow(row, base);
-    history_.change(words, next);
+    edits().setMotion(row, words, motion, base);
 }
 
 void ParameterPanel::addLocksTo(QMenu& menu, std::size_t row)
 {
-    std::vector<std::size_t> group;
-    bool all = true;
-    for (std::size_t i = 0; i < values().rows().size(); ++i)
-        if (values().rows()[i].group == values().rows()[row].group) {
-            group.push_back(i);
-            all = all && isLocked(i);
-        }
+    const std::vector<std::size_t> group = rowsOf(sectionOf_[row]);
+    const bool all = allLocked(group);
     menu.addSeparator();
     menu.addAction(isLocked(row) ? tr("Unlock") : tr("Lock against varying"), this,
                    [this, row] { lock({row}, !isLocked(row)); });
@@ -102,6 +97,7 @@ void ParameterPanel::lock(const std::vector<std::size_t>& rows, bool locked)
             locked_.remove(keyOf(row));
     }
     showLocks();
+    emit locksChanged();
 }
 
 void ParameterPanel::addOtherTo(QMenu& menu, std::size_t row)
@@ -129,8 +125,7 @@ void ParameterPanel::paste(std::size_t row)
     QString problem;
     const std::optional<Value> value =
         typedValue(values().rows()[row], QApplication::clipboard()->text().trimmed(), &problem);
-    if (value)
-        history_.set(exhibit_, row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
+    if (value) edits().hold(row, *value, newGesture(), tr("Paste %1").arg(rowLabel(values().rows()[row]).toLower()));
     if (!problem.isEmpty()) tell(row, problem);
 }
 
@@ -148,7 +143,7 @@ void ParameterPanel::pasteAll(std::size_t row)
 
 void ParameterPanel::tell(std::size_t row, const QString& words)
 {
-    QToolTip::showText(rows_[row]->mapToGlobal(QPoint(16, ParameterRow::rowHeight)), words, rows_[row]);
+    QToolTip::showText(rows_[row]->mapToGlobal(QPoint(16, rows_[row]->height())), words, rows_[row]);
 }
 
 void ParameterPanel::copyAll() const

@@ -2,8 +2,11 @@
 
 #include "exhibits/framework/random_values.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
+#include "ui/parameters/group_edits.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
 #include "ui/parameters/shown_text.h"
@@ -27,24 +30,24 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     filter_->setPlaceholderText(tr("Find a parameter"));
     filter_->setAccessibleName(tr("Find a parameter"));
     filter_->setToolTip(
-        tr("Shows only parameters whose name, group, help or choices contain these words (Ctrl+F). Enter goes to the "
-           "first, Esc clears, Esc again leaves."));
+        tr("Shows only parameters whose name, group, help or choices contain these words. Enter goes to the first, "
+           "Esc clears, Esc again leaves."));
     filter_->setProperty(IdleUndo::searches, true);
     filter_->setClearButtonEnabled(true);
-    filter_->setFixedHeight(26);
+    growHeight(*filter_, 26);
     filter_->setTextMargins(4, 0, 4, 0);
     filter_->installEventFilter(this);
     onlyChanged_->setText(tr("Changed"));
     onlyChanged_->setAccessibleName(tr("Only changed"));
     onlyChanged_->setToolTip(tr("Shows only parameters whose value is not the initial one."));
     onlyChanged_->setCheckable(true);
-    onlyChanged_->setFixedHeight(26);
+    growHeight(*onlyChanged_, 26);
     onlyChanged_->setFocusPolicy(Qt::StrongFocus);
     elsewhere_->setAccessibleName(tr("Matches in the other tab"));
     elsewhere_->setToolTip(tr("Goes to the tab that has these parameters."));
     elsewhere_->setFocusPolicy(Qt::StrongFocus);
     elsewhere_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-    elsewhere_->setFixedHeight(26);
+    growHeight(*elsewhere_, 26);
     elsewhere_->hide();
     connect(elsewhere_, &QToolButton::clicked, this, &ParameterPanel::elsewhereAsked);
     nothing_->setTextFormat(Qt::PlainText);
@@ -69,7 +72,7 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     layout->addWidget(elsewhere_);
     layout->addWidget(nothing_);
     layout->addWidget(scroll_, 1);
-    setMinimumWidth(320);
+    followType(*this, [this] { setMinimumWidth(std::max(320, grown(296, *this))); });
 
     connect(filter_, &QLineEdit::textChanged, this, [this] {
         applyFilter();
@@ -123,7 +126,7 @@ void ParameterPanel::showValue(std::size_t row)
 {
     const ParameterInfo& info = values().rows()[row];
     const Motion* motion = values().motion(row);
-    rows_[row]->setMotion(motion ? QString::fromStdString(describe(info, *motion)) : QString());
+    rows_[row]->setMotion(motion ? said(describe(info, *motion)) : QString());
     rows_[row]->showValue(motion ? valueOf(info, *motion, moment_) : values().row(row));
 }
 
@@ -166,7 +169,9 @@ void ParameterPanel::rebuild()
 
 void ParameterPanel::addSection(const ParameterInfo& first)
 {
-    auto* section = new ParameterSection(text(first.group), content_);
+    auto* section = new ParameterSection(said(first.group), content_);
+    connect(section, &ParameterSection::menuAsked, this,
+            [this, section](const QPoint& at) { openGroupMenu(section, at); });
     const QString key = name_ + QLatin1Char('/') + section->title();
     foldedAtFirst_.push_back(first.groupFolded);
     section->setFolded(folded_.contains(key) != first.groupFolded);
@@ -182,7 +187,7 @@ void ParameterPanel::addSection(const ParameterInfo& first)
 
 void ParameterPanel::addRow(std::size_t i)
 {
-    auto* row = new ParameterRow(ValueRef(history_, exhibit_, i), sections_.back());
+    auto* row = new ParameterRow(ValueRef(edits(), i), sections_.back());
     row->setGaugeShown(gauges_);
     sections_.back()->add(row);
     rows_.push_back(row);
@@ -198,18 +203,22 @@ void ParameterPanel::orderTabs()
     QWidget* before = elsewhere_;
     setTabOrder(filter_, onlyChanged_);
     setTabOrder(onlyChanged_, elsewhere_);
+    QList<QWidget*> stops;
+    qsizetype firstOfRow = 0;
     for (QWidget* child : content_->findChildren<QWidget*>()) {
+        if (qobject_cast<ParameterRow*>(child)) firstOfRow = stops.size();
         if (child->focusPolicy() == Qt::NoFocus || child->window() != window())
             continue;  // Choices have windows of their own.
-        setTabOrder(before, child);
-        before = child;
+        // The gauge stands before the controls.
+        stops.insert(qobject_cast<GaugeMark*>(child) ? firstOfRow : stops.size(), child);
+    }
+    for (QWidget* stop : std::as_const(stops)) {
+        setTabOrder(before, stop);
+        before = stop;
     }
 }
 
-namespace {
-
-/// Focuses the first control of a row that takes the focus; returns whether there is one.
-bool focusIn(const ParameterRow& row)
+bool ParameterPanel::focusIn(const ParameterRow& row)
 {
     for (QWidget* child : row.findChildren<QWidget*>())
         if ((child->focusPolicy() & Qt::TabFocus) && child->isEnabled() && child->isVisible()) {
@@ -218,8 +227,6 @@ bool focusIn(const ParameterRow& row)
         }
     return false;
 }
-
-}  // namespace
 
 void ParameterPanel::focusFirst()
 {
@@ -359,6 +366,7 @@ QString ParameterPanel::keyOf(std::size_t row) const
 void ParameterPanel::showLocks()
 {
     for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->setLocked(isLocked(i));
+    showGroups();
 }
 
 QStringList ParameterPanel::lockedRows() const
@@ -372,6 +380,7 @@ void ParameterPanel::setLockedRows(const QStringList& rows)
 {
     locked_ = QSet<QString>(rows.begin(), rows.end());
     showLocks();
+    emit locksChanged();
 }
 
 void ParameterPanel::vary()

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -21,6 +22,7 @@ class QVBoxLayout;
 
 namespace vitrine::ui {
 
+class GroupEdits;
 class OtherSettings;
 class ParameterRow;
 class ParameterSection;
@@ -43,6 +45,10 @@ public:
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
     /// Shows only rows that are wanted; an empty function wants all.
     void setWanted(const std::function<bool(const ParameterInfo&)>&);
+    /// The focus goes to the next row that is shown (1), or the one before (-1); from elsewhere, to the first.
+    void stepRow(int step);
+    /// Changes the row with the focus, as its arrow keys do: more (1) or less (-1). `again`: still the same gesture.
+    void nudge(int step, bool again);
     [[nodiscard]] QString filterText() const;
     /// Another exhibit is on show: what was searched for belonged to the one before.
     void clearFilter();
@@ -64,6 +70,8 @@ public:
     /// Rows that keep their values when the others are varied, "exhibit/row": kept with the window's layout.
     [[nodiscard]] QStringList lockedRows() const;
     void setLockedRows(const QStringList&);
+    /// Of the table on show.
+    [[nodiscard]] bool isLocked(std::size_t row) const { return locked_.contains(keyOf(row)); }
     /// Gives all rows of the exhibit that are not locked other values, by the next seed (`variation`). One undo step.
     void vary();
 
@@ -76,6 +84,8 @@ public slots:
 signals:
     /// The gauge of a quality parameter: what does its accuracy cost?
     void accuracyAsked(std::size_t row);
+    /// Which rows keep their values when the others are varied.
+    void locksChanged();
     /// The words of the filter changed.
     void filtered();
     void elsewhereAsked();
@@ -99,6 +109,15 @@ private:
     [[nodiscard]] std::string focusedRow() const;
     void focusRow(std::string_view name);
     void openMenu(std::size_t row, const QPoint& at);
+    void openGroupMenu(ParameterSection*, const QPoint& at);
+    /// Entries of a group that is one of several of its kind.
+    void addArrayTo(QMenu&, const ParameterInfo& first);
+    [[nodiscard]] std::vector<std::size_t> rowsOf(const ParameterSection*) const;
+    [[nodiscard]] bool allLocked(const std::vector<std::size_t>& rows) const;
+    /// The marks of headings: locked, edited together with others.
+    void showGroups();
+    /// Of the exhibit on show: what its rows edit through.
+    [[nodiscard]] GroupEdits& edits();
     /// Entries that copy the row from and to B, while there is one.
     void addOtherTo(QMenu&, std::size_t row);
     /// Entries that let the row move, hold it and stop it.
@@ -108,7 +127,6 @@ private:
     /// Entries that lock the row and its group.
     void addLocksTo(QMenu&, std::size_t row);
     [[nodiscard]] QString keyOf(std::size_t row) const;
-    [[nodiscard]] bool isLocked(std::size_t row) const { return locked_.contains(keyOf(row)); }
     void lock(const std::vector<std::size_t>& rows, bool locked);
     void showLocks();
     void copy(std::size_t row) const;
@@ -117,6 +135,8 @@ private:
     void pasteAll(std::size_t row);
     /// Something about what was pasted, at the row where it was asked for.
     void tell(std::size_t row, const QString& words);
+    /// Focuses the first control of a row that takes the focus; returns whether there is one.
+    static bool focusIn(const ParameterRow&);
     [[nodiscard]] std::optional<std::size_t> rowAt(QObject*) const;
 
     History& history_;
@@ -138,7 +158,8 @@ private:
     OtherSettings* other_ = nullptr;
     QSet<QString> locked_;
     MotionMoment moment_;
-    std::uint64_t seed_ = 0;  // Of the last variation.
+    std::uint64_t seed_ = 0;                    // Of the last variation.
+    std::map<std::size_t, GroupEdits*> edits_;  // By exhibit, each made when first shown.
 };
 
 }  // namespace vitrine::ui

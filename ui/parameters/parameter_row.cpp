@@ -1,7 +1,10 @@
 #include "ui/parameters/parameter_row.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
+#include "ui/parameters/row_marks.h"
 #include "ui/parameters/shown_text.h"
 
 #include <QGraphicsOpacityEffect>
@@ -16,17 +19,13 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr float idleInk = 0.45F;  // Of a row that does not act.
-constexpr int markRoom = 14;      // Pixels for a mark beside a label.
-
-void paintPadlock(QPainter& painter, const QPointF& middle)
+/// Of a row that does not act.
+float idleInk()
 {
-    painter.setPen(QPen(theme().dim, 1.3));
-    painter.drawArc(QRectF(middle.x() - 2.5, middle.y() - 6, 5, 7), 0, 180 * 16);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(theme().dim);
-    painter.drawRoundedRect(QRectF(middle.x() - 4, middle.y() - 2.5, 8, 6), 1, 1);
+    return theme().highContrast ? 0.75F : 0.45F;
 }
+
+constexpr int markRoom = 14;  // Pixels for a mark beside a label.
 
 void paintWave(QPainter& painter, const QPointF& middle)
 {
@@ -51,7 +50,7 @@ void RowLabel::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     QColor ink = isEnabled() ? theme().text : theme().dim;
-    if (dim_) ink.setAlphaF(idleInk);
+    if (dim_) ink.setAlphaF(idleInk());
     painter.setPen(ink);
     const int marks = (locked_ ? 1 : 0) + (moving_ ? 1 : 0);
     const QRect room = rect().adjusted(0, 0, -marks * markRoom, 0);
@@ -106,7 +105,7 @@ void RowLabel::mouseReleaseEvent(QMouseEvent*)
 
 ResetDot::ResetDot(QWidget* parent) : QAbstractButton(parent)
 {
-    setFixedSize(18, 22);
+    growSize(*this, 18, 22);
     setAttribute(Qt::WA_Hover);
     setEnabled(false);
     setFocusPolicy(Qt::NoFocus);
@@ -151,7 +150,7 @@ void ResetDot::paintEvent(QPaintEvent*)
 
 GaugeMark::GaugeMark(QWidget* parent) : QAbstractButton(parent)
 {
-    setFixedSize(16, 22);
+    growSize(*this, 16, 22);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
     setAttribute(Qt::WA_Hover);
@@ -169,12 +168,12 @@ void GaugeMark::paintEvent(QPaintEvent*)
 
 ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
     : QWidget(parent), value_(value), editor_(makeEditor(value, this)),
-      label_(new RowLabel(QString::fromStdString(labelInGroup(value.info())), editor_, this)),
-      naming_(new QWidget(this)), dot_(new ResetDot(this))
+      label_(new RowLabel(said(labelInGroup(value.info())), editor_, this)), naming_(new QWidget(this)),
+      dot_(new ResetDot(this))
 {
     const ParameterInfo& row = info();
-    const QString name = QString::fromStdString(label(row));
-    setFixedHeight(rowHeight);
+    const QString name = said(label(row));
+    growHeight(*this, rowHeight);
     setToolTip(tooltipText(row));
     setAttribute(Qt::WA_Hover);
     setFocusPolicy(Qt::NoFocus);
@@ -199,7 +198,7 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
     naming->addWidget(label_, 1);
     if (gauge_) naming->addWidget(gauge_);
     naming_->setLayout(naming);
-    naming_->setFixedWidth(narrowestLabel);
+    followType(*this, [this] { alignEditors(); });
     layout->addWidget(naming_);
     layout->addWidget(editor_, 1);
     layout->addWidget(dot_);
@@ -210,7 +209,7 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
 
 void ParameterRow::reset()
 {
-    value_.set(info().initial, newGesture(), tr("Reset %1").arg(QString::fromStdString(label(info())).toLower()));
+    value_.reset(newGesture(), tr("Reset %1").arg(within(said(label(info())))));
 }
 
 void ParameterRow::showValue(const Value& value)
@@ -228,7 +227,7 @@ void ParameterRow::setIdle(const QString& when)
     QGraphicsOpacityEffect* gray = nullptr;
     if (idle()) {
         gray = new QGraphicsOpacityEffect(editor_);
-        gray->setOpacity(idleInk);
+        gray->setOpacity(idleInk());
     }
     editor_->setGraphicsEffect(gray);
     describe();
@@ -255,15 +254,20 @@ void ParameterRow::describe()
 void ParameterRow::resizeEvent(QResizeEvent* event)
 {
     QWidget::resizeEvent(event);
+    alignEditors();
+}
+
+void ParameterRow::alignEditors()
+{
     // Of a wider panel, labels take their share; all rows are as wide, so that all editors begin at the same place.
-    naming_->setFixedWidth(std::clamp(width() * 36 / 100, narrowestLabel, widestLabel));
+    naming_->setFixedWidth(std::clamp(width() * 36 / 100, grown(narrowestLabel, *this), grown(widestLabel, *this)));
 }
 
 bool ParameterRow::matches(const ParameterInfo& row, const QString& words)
 {
-    QString all = QString::fromStdString(label(row)) + QLatin1Char(' ') + text(row.name) + QLatin1Char(' ') +
-                  text(row.group) + QLatin1Char(' ') + text(row.help);
-    for (const std::string_view choice : row.choices) all += QLatin1Char(' ') + text(choice);
+    QString all = said(label(row)) + QLatin1Char(' ') + text(row.name) + QLatin1Char(' ') + said(row.group) +
+                  QLatin1Char(' ') + said(row.help);
+    for (const std::string_view choice : row.choices) all += QLatin1Char(' ') + said(choice);
     for (const QString& word : words.split(QLatin1Char(' '), Qt::SkipEmptyParts))
         if (!all.contains(word, Qt::CaseInsensitive)) return false;
     return true;

@@ -59,11 +59,12 @@ protected:
     void paintEvent(QPaintEvent*) override;
 };
 
-/// One row of the panel, 26 pixels: label, editor, reset dot.
+/// One row of the panel: label, editor, reset dot.
 class ParameterRow final : public QWidget {
     Q_OBJECT
 
 public:
+    // Pixels beside type of the usual size.
     static constexpr int rowHeight = 26;
     static constexpr int narrowestLabel = 112, widestLabel = 240;
 
@@ -105,6 +106,7 @@ private:
     QWidget* naming_;
     ResetDot* dot_;
     void describe();
+    void alignEditors();
 
     QString idleUntil_, motion_;
     GaugeMark* gauge_ = nullptr;

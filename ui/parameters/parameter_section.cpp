@@ -1,8 +1,11 @@
 #include "ui/parameters/parameter_section.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_row.h"
+#include "ui/parameters/row_marks.h"
 
+#include <QContextMenuEvent>
 #include <QPainter>
 #include <QVBoxLayout>
 
@@ -16,10 +19,58 @@ SectionHeading::SectionHeading(const QString& title, QWidget* parent) : QAbstrac
     setAccessibleName(title);
     setCheckable(true);
     setChecked(true);
-    setFixedHeight(28);
+    growHeight(*this, 28);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_Hover);
-    setToolTip(tr("Fold or unfold %1").arg(title));
+    describe();
+}
+
+void SectionHeading::setLocked(bool locked)
+{
+    if (locked_ == locked) return;
+    locked_ = locked;
+    describe();
+}
+
+void SectionHeading::setTogether(int groups)
+{
+    if (together_ == groups) return;
+    together_ = groups;
+    describe();
+}
+
+void SectionHeading::describe()
+{
+    QStringList now;
+    if (locked_) now << tr("All its rows are locked against varying.");
+    if (together_ > 0) now << tr("Edited together: a change here changes all %n groups.", nullptr, together_);
+    setAccessibleDescription(now.join(QLatin1Char(' ')));
+    now << tr("Fold or unfold %1; a right click, or the dots at its end, offers more.").arg(text());
+    setToolTip(now.join(QStringLiteral("\n\n")));
+    update();
+}
+
+QRect SectionHeading::menuPlace() const
+{
+    return {width() - 46, 0, 26, height()};
+}
+
+bool SectionHeading::hitButton(const QPoint& at) const
+{
+    return QAbstractButton::hitButton(at) && !menuPlace().contains(at);
+}
+
+void SectionHeading::mousePressEvent(QMouseEvent* event)
+{
+    QAbstractButton::mousePressEvent(event);
+    if (event->button() == Qt::LeftButton && menuPlace().contains(event->pos()))
+        emit menuAsked(mapToGlobal(menuPlace().bottomLeft()));
+}
+
+void SectionHeading::contextMenuEvent(QContextMenuEvent* event)
+{
+    emit menuAsked(event->reason() == QContextMenuEvent::Mouse ? event->globalPos()
+                                                               : mapToGlobal(QPoint(22, height())));
 }
 
 void SectionHeading::setMarked(bool marked)
@@ -47,8 +98,30 @@ void SectionHeading::paintEvent(QPaintEvent*)
     QFont font = painter.font();
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
-    painter.setPen(hasFocus() || underMouse() ? colors.text : colors.dim);
-    painter.drawText(rect().adjusted(22, 1, -24, 0), Qt::AlignLeft | Qt::AlignVCenter, text());
+    const bool active = hasFocus() || underMouse();
+    painter.setPen(active ? colors.text : colors.dim);
+    const QRect room = rect().adjusted(22, 1, -50, 0);
+    const QString words = painter.fontMetrics().elidedText(text(), Qt::ElideRight, room.width());
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter, words);
+    int right = room.left() + painter.fontMetrics().horizontalAdvance(words) + 10;
+    if (locked_) {
+        paintPadlock(painter, {right + 4.0, height() / 2.0 + 2});
+        right += 16;
+    }
+    if (together_ > 0) {
+        font.setWeight(QFont::Normal);
+        painter.setFont(font);
+        painter.setPen(colors.accent);
+        const QRect rest(right, room.top(), room.right() - right, room.height());
+        painter.drawText(
+            rest, Qt::AlignLeft | Qt::AlignVCenter,
+            painter.fontMetrics().elidedText(tr("all %n together", nullptr, together_), Qt::ElideRight, rest.width()));
+    }
+    if (active) {
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(colors.text);
+        for (const int x : {-5, 0, 5}) painter.drawEllipse(QPointF(menuPlace().center()) + QPointF(x, 1), 1.4, 1.4);
+    }
     if (marked_) {
         painter.setPen(Qt::NoPen);
         painter.setBrush(colors.accent);
@@ -64,6 +137,7 @@ ParameterSection::ParameterSection(const QString& title, QWidget* parent) : QWid
     if (title.isEmpty()) return;
     heading_ = new SectionHeading(title, this);
     layout->addWidget(heading_);
+    connect(heading_, &SectionHeading::menuAsked, this, &ParameterSection::menuAsked);
     connect(heading_, &QAbstractButton::clicked, this, [this](bool open) {
         layOut();
         emit foldedByVisitor(!open);
@@ -103,6 +177,24 @@ void ParameterSection::refresh()
     const bool changed =
         std::any_of(rows_.begin(), rows_.end(), [](const ParameterRow* row) { return row->differs(); });
     if (heading_) heading_->setMarked(changed && folded());
+}
+
+void ParameterSection::setLocked(bool locked)
+{
+    if (heading_) heading_->setLocked(locked);
+}
+
+void ParameterSection::setTogether(int groups)
+{
+    if (heading_) heading_->setTogether(groups);
+    together_ = groups > 0;
+    update();
+}
+
+void ParameterSection::paintEvent(QPaintEvent*)
+{
+    if (!together_) return;
+    QPainter(this).fillRect(QRect(0, 1, 3, height() - 1), theme().accent);
 }
 
 void ParameterSection::layOut()

@@ -1,6 +1,8 @@
 #include "ui/parameters/pick_editors.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
+#include "ui/kit/type_size.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -26,7 +28,7 @@ QHBoxLayout* rowLayout(QWidget* parent)
 
 QString nameOf(const ParameterInfo& row)
 {
-    return QString::fromStdString(label(row));
+    return said(label(row));
 }
 
 /// What the row's own files end in, and everything.
@@ -62,10 +64,10 @@ void ToggleEditor::showValue(const Value& value)
 ChoiceEditor::ChoiceEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), box_(new QComboBox(this))
 {
-    for (const std::string_view name : row().choices) box_->addItem(text(name));
+    for (const std::string_view name : row().choices) box_->addItem(said(name));
     box_->setAccessibleName(nameOf(row()));
     box_->setFocusPolicy(Qt::StrongFocus);
-    box_->setFixedHeight(22);
+    growHeight(*box_, 22);
     box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     rowLayout(this)->addWidget(box_, 1);
     connect(box_, &QComboBox::activated, this, [this](int index) { edit(static_cast<double>(index), newGesture()); });
@@ -93,12 +95,12 @@ FileEditor::FileEditor(const ValueRef& value, QWidget* parent)
 {
     path_->setAccessibleName(nameOf(row()));
     path_->setPlaceholderText(tr("none"));
-    path_->setFixedHeight(22);
+    growHeight(*path_, 22);
     path_->setTextMargins(2, 0, 2, 0);
     path_->setContextMenuPolicy(Qt::NoContextMenu);
     browse_->setText(QStringLiteral("…"));
     browse_->setAutoRaise(true);
-    browse_->setFixedSize(24, 22);
+    growSize(*browse_, 24, 22);
     browse_->setAccessibleName(tr("%1, choose a file").arg(nameOf(row())));
     browse_->setToolTip(tr("Choose a file. Dropping one here works too."));
     browse_->setFocusPolicy(Qt::StrongFocus);

@@ -4,10 +4,12 @@
 #include "exhibits/framework/value_text.h"
 #include "render/failure.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/color_editor.h"
 
 #include <QColor>
+#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 
@@ -17,6 +19,11 @@
 
 namespace vitrine::ui {
 namespace {
+
+QString tr(const char* words)
+{
+    return QCoreApplication::translate("ShownText", words);
+}
 
 /// At most `digits` significant digits, without trailing zeros; never a thousand-digit number.
 QString shortNumber(double x, int digits)
@@ -79,15 +86,15 @@ QString whatItTakes(const ParameterInfo& row)
 {
     switch (row.kind) {
     case Kind::real:
-    case Kind::count: return QStringLiteral("A number is, from %1.").arg(legalRangeText(row));
-    case Kind::toggle: return QStringLiteral("On and off are.");
+    case Kind::count: return tr("A number is, from %1.").arg(legalRangeText(row));
+    case Kind::toggle: return tr("On and off are.");
     case Kind::choice: {
         QStringList names;
-        for (const std::string_view name : row.choices) names << text(name);
-        return QStringLiteral("These are: %1.").arg(names.join(QStringLiteral(", ")));
+        for (const std::string_view name : row.choices) names << said(name);
+        return tr("These are: %1.").arg(names.join(QStringLiteral(", ")));
     }
-    case Kind::color: return QStringLiteral("#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.");
-    case Kind::direction: return QStringLiteral("Three numbers are: x, y, z.");
+    case Kind::color: return tr("#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.");
+    case Kind::direction: return tr("Three numbers are: x, y, z.");
     case Kind::file:
     case Kind::text: return {};
     }
@@ -104,21 +111,21 @@ QString three(const glm::dvec3& v)
 QString shownText(const ParameterInfo& row, const Value& value)
 {
     if (const auto* x = std::get_if<double>(&value); x && row.word && *x == row.word->value)
-        return text(row.word->text);
+        return said(row.word->text);
     switch (row.kind) {
     case Kind::real:
         if (row.unit == Unit::hour) return clockText(std::get<double>(value));
         return withUnit(number(std::get<double>(value), row.unit), row.unit);
     case Kind::count: return withUnit(QString::number(std::llround(std::get<double>(value))), row.unit);
-    case Kind::toggle: return std::get<double>(value) != 0 ? QStringLiteral("on") : QStringLiteral("off");
-    case Kind::choice: return text(row.choices[static_cast<std::size_t>(std::get<double>(value))]);
+    case Kind::toggle: return std::get<double>(value) != 0 ? tr("on") : tr("off");
+    case Kind::choice: return said(row.choices[static_cast<std::size_t>(std::get<double>(value))]);
     case Kind::color:
     case Kind::direction: return three(std::get<glm::dvec3>(value));
     case Kind::file: {
         const std::string& path = std::get<std::string>(value);
-        return path.empty() ? QStringLiteral("none") : text(path);
+        return path.empty() ? tr("none") : text(path);
     }
-    case Kind::text: return std::get<std::string>(value).empty() ? QStringLiteral("none") : QStringLiteral("a text");
+    case Kind::text: return std::get<std::string>(value).empty() ? tr("none") : tr("a text");
     }
     return {};
 }
@@ -126,29 +133,27 @@ QString shownText(const ParameterInfo& row, const Value& value)
 QString legalRangeText(const ParameterInfo& row)
 {
     if (!row.isNumeric()) return {};
-    return QStringLiteral("%1 to %2")
-        .arg(number(row.range.low, row.unit), withUnit(number(row.range.high, row.unit), row.unit));
+    return tr("%1 to %2").arg(number(row.range.low, row.unit), withUnit(number(row.range.high, row.unit), row.unit));
 }
 
 QString tooltipText(const ParameterInfo& row)
 {
-    QStringList lines{QString::fromStdString(label(row)), QString(), text(row.help), QString()};
+    QStringList lines{said(label(row)), QString(), said(row.help), QString()};
     if (row.isNumeric()) {
-        lines << QStringLiteral("Allowed: %1").arg(legalRangeText(row));
+        lines << tr("Allowed: %1").arg(legalRangeText(row));
         if (row.range.softLow != row.range.low || row.range.softHigh != row.range.high)
             lines.last() +=
-                QStringLiteral("; the slider spans %1 to %2")
+                tr("; the slider spans %1 to %2")
                     .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
     }
     if (row.word)
-        lines << QStringLiteral("%1 reads “%2”, and may be typed so.")
-                     .arg(exactText(row, row.word->value), text(row.word->text));
-    lines << QStringLiteral("Initial value: %1").arg(shownText(row, row.initial));
-    lines << QStringLiteral("In presets: %1").arg(text(row.name));
+        lines << tr("%1 reads “%2”, and may be typed so.").arg(exactText(row, row.word->value), said(row.word->text));
+    lines << tr("Initial value: %1").arg(shownText(row, row.initial));
+    lines << tr("In presets: %1").arg(text(row.name));
     if (row.isNumeric())
         lines << QString()
-              << QStringLiteral("Drag the label or the number; click to type, 2*pi or 30deg too.\nShift is ten times "
-                                "finer, Ctrl ten times coarser.");
+              << tr("Drag the label or the number; click to type, 2*pi or 30deg too.\nShift is ten times "
+                    "finer, Ctrl ten times coarser.");
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -163,14 +168,13 @@ std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, 
     const std::optional<Value> legal = meant ? nearestLegal(row, *meant) : std::nullopt;
     if (!legal) {
         if (problem)
-            *problem = QStringLiteral("\"%1\" is no value for “%2”. %3")
-                           .arg(typed.left(80), QString::fromStdString(label(row)), whatItTakes(row))
-                           .trimmed();
+            *problem =
+                tr("\"%1\" is no value for “%2”. %3").arg(typed.left(80), said(label(row)), whatItTakes(row)).trimmed();
         return std::nullopt;
     }
     const bool brought = row.isNumeric() && std::get<double>(*legal) != std::get<double>(*meant);
     if (problem && brought)
-        *problem = QStringLiteral("Allowed: %1; brought to %2.").arg(legalRangeText(row), shownText(row, *legal));
+        *problem = tr("Allowed: %1; brought to %2.").arg(legalRangeText(row), shownText(row, *legal));
     return legal;
 }
 
@@ -186,11 +190,11 @@ std::optional<ParameterValues> allFromJson(const Parameters& table, const QStrin
     try {
         const Preset read = parsePreset(json.toStdString(), "the clipboard", exhibit.toStdString(), table);
         QStringList notes;
-        for (const std::string& note : read.notes) notes << QString::fromStdString(note);
+        for (const std::string& note : read.notes) notes << said(note);
         if (problem) *problem = notes.join(QLatin1Char('\n'));
         return read.values;
     } catch (const Failure& failure) {
-        if (problem) *problem = QString::fromUtf8(failure.what());
+        if (problem) *problem = said(failure.what());
         return std::nullopt;
     }
 }

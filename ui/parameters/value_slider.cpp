@@ -1,7 +1,9 @@
 #include "ui/parameters/value_slider.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/number_drag.h"
+#include "ui/parameters/spoken_row.h"
 
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -27,6 +29,11 @@ ValueSlider::ValueSlider(const ParameterInfo& row, QWidget* parent)
     setMouseTracking(false);
 }
 
+QSize ValueSlider::sizeHint() const
+{
+    return {96, grown(20, *this)};
+}
+
 void ValueSlider::showValue(double value)
 {
     if (value == value_) return;
@@ -34,6 +41,17 @@ void ValueSlider::showValue(double value)
     const QSignalBlocker quiet(this);
     setValue(static_cast<int>(std::lround(std::clamp(scale_.position(value), 0.0, 1.0) * ticks)));
     update();
+    tellNumber(*this);
+}
+
+std::optional<SpokenNumber> ValueSlider::spokenNumber() const
+{
+    return vitrine::ui::spokenNumber(row_, scale_, value_, row_.range.softLow, row_.range.softHigh);
+}
+
+void ValueSlider::setSpokenNumber(double value)
+{
+    edit(storedNumber(row_, value), newGesture());
 }
 
 double ValueSlider::positionAt(double x) const
@@ -64,6 +82,7 @@ void ValueSlider::paintEvent(QPaintEvent*)
 
     QColor track = colors.text;
     track.setAlphaF(colors.dark ? 0.16F : 0.2F);
+    if (colors.highContrast) track = colors.outline;
     painter.setPen(Qt::NoPen);
     painter.setBrush(track);
     painter.drawRoundedRect(QRectF(margin, middle - 1.5, width() - 2 * margin, 3), 1.5, 1.5);

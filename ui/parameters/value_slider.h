@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/kit/spoken.h"
 #include "ui/model/history.h"
 #include "ui/parameters/slider_scale.h"
 
@@ -10,7 +11,7 @@
 namespace vitrine::ui {
 
 /// A thin horizontal slider over a row's comfortable range. A press jumps there; Shift drags finer; arrows step.
-class ValueSlider final : public QSlider {
+class ValueSlider final : public QSlider, public Spoken {
     Q_OBJECT
 
 public:
@@ -18,6 +19,10 @@ public:
 
     /// Not painted again where it shows that value already: the one under the pointer, when its own edit comes back.
     void showValue(double value);
+
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
+    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
+    void setSpokenNumber(double) override;
 
 signals:
     void edited(double value, int gesture);
@@ -29,7 +34,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent*) override;
     void keyPressEvent(QKeyEvent*) override;
     void wheelEvent(QWheelEvent*) override;
-    [[nodiscard]] QSize sizeHint() const override { return {96, 20}; }
+    [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return {40, 20}; }
 
 private:

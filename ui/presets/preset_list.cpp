@@ -1,7 +1,11 @@
 #include "ui/presets/preset_list.h"
 
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/quiet_style.h"
 #include "ui/kit/tile_delegate.h"
+#include "ui/kit/type_size.h"
+#include "ui/presets/preset_preview.h"
+#include "ui/presets/tag_chips.h"
 
 #include <QAction>
 #include <QHBoxLayout>
@@ -17,31 +21,39 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int fewPresets = 5;  // These are seen at once.
+constexpr int sideBySideUpTo = 140;  // Percent of the usual type.
+constexpr int fewPresets = 5;        // These are seen at once.
 constexpr int idRole = Qt::UserRole;
 constexpr int ownLine = TileDelegate::mark + 1;  // The second line of a preset as it was loaded.
+constexpr int tagsRole = ownLine + 1;
+constexpr int mostChips = 12;  // The others are found by words.
 
 }  // namespace
 
 PresetList::PresetList(QWidget* parent)
-    : QWidget(parent), finder_(new QWidget(this)), words_(new QLineEdit(finder_)), list_(new QListWidget(this)),
-      nothing_(new QLabel(this)), buttons_(new QWidget(this))
+    : QWidget(parent), finder_(new QWidget(this)), words_(new QLineEdit(finder_)), chips_(new TagChips(finder_)),
+      list_(new QListWidget(this)), preview_(new PresetPreview(*list_, idRole)), nothing_(new QLabel(this)),
+      buttons_(new QWidget(this))
 {
     words_->setPlaceholderText(tr("Find a preset"));
     words_->setAccessibleName(tr("Find a preset"));
     words_->setToolTip(
-        tr("Shows only presets whose name contains these words, or is “yours”. Enter loads the first, Esc "
-           "clears."));
+        tr("Shows only presets whose name or tags contain these words, or which are “yours”. Enter loads the first, "
+           "Esc clears."));
     words_->setProperty(IdleUndo::searches, true);
     words_->setClearButtonEnabled(true);
-    words_->setFixedHeight(26);
+    growHeight(*words_, 26);
     words_->setTextMargins(4, 0, 4, 0);
     words_->installEventFilter(this);
-    auto* finder = new QHBoxLayout(finder_);
+    auto* finder = new QVBoxLayout(finder_);
     finder->setContentsMargins(8, 8, 8, 8);
+    finder->setSpacing(6);
     finder->addWidget(words_);
+    finder->addWidget(chips_);
     finder_->hide();
-    nothing_->setText(tr("No preset has these words."));
+    connect(chips_, &TagChips::changed, this, &PresetList::filter);
+    connect(preview_, &PresetPreview::asked, this, &PresetList::factsAsked);
+    nothing_->setText(tr("No preset has these words and tags."));
     nothing_->setAlignment(Qt::AlignCenter);
     nothing_->hide();
     connect(words_, &QLineEdit::textChanged, this, &PresetList::filter);
@@ -85,22 +97,27 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
         button->setDefaultAction(action);
         button->setAccessibleName(action->text().remove(QLatin1Char('&')));
         button->setFocusPolicy(Qt::StrongFocus);
-        button->setFixedHeight(26);
+        growHeight(*button, 26);
         row->addWidget(button, 1);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     }
     auto* more = new QToolButton(buttons_);
     more->setText(QStringLiteral("⋯"));
     more->setAccessibleName(tr("More for presets"));
-    more->setToolTip(tr("Rename, duplicate, delete, import, export"));
+    more->setToolTip(tr("Rename, tags, duplicate, delete, import, export"));
     more->setPopupMode(QToolButton::InstantPopup);
     more->setFocusPolicy(Qt::StrongFocus);
-    more->setFixedSize(28, 26);
-    more->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    growSize(*more, 28, 26);
+    more->setProperty(QuietStyle::hidesMenuArrow, true);
     auto* drop = new QMenu(more);
     drop->addActions(menu);
     more->setMenu(drop);
     row->addWidget(more);
+    // Side by side, large words would leave the picture little room.
+    followType(*buttons_, [this, row] {
+        const bool large = grown(100, *buttons_) > sideBySideUpTo;
+        row->setDirection(large ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    });
 }
 
 void PresetList::fill(const std::vector<PresetLine>& entries)
@@ -111,35 +128,56 @@ void PresetList::fill(const std::vector<PresetLine>& entries)
     // The visitor's own first.
     std::vector<PresetLine> sorted = entries;
     std::stable_partition(sorted.begin(), sorted.end(), [](const PresetLine& entry) { return !entry.shipped; });
-    for (const PresetLine& entry : sorted) {
-        auto* item = new QListWidgetItem(entry.name, list_);
-        item->setData(idRole, entry.id);
-        item->setData(ownLine, entry.shipped ? QString() : tr("Yours"));
-        item->setData(TileDelegate::secondLine, item->data(ownLine));
-        if (entry.shipped) item->setToolTip(tr("Comes with the exhibit: can be duplicated, not changed."));
-        if (!entry.thumbnail.isNull()) item->setIcon(QIcon(entry.thumbnail));
-        if (!entry.problem.isEmpty()) {
-            item->setData(ownLine, tr("Cannot be opened"));
-            item->setData(TileDelegate::secondLine, item->data(ownLine));
-            item->setToolTip(entry.problem);
-        }
-        if (!entry.shipped) item->setFlags(item->flags() | Qt::ItemIsEditable);
-    }
+    for (const PresetLine& entry : sorted) list_->addItem(itemFor(entry));
     finder_->setVisible(list_->count() > fewPresets);
     if (finder_->isHidden()) words_->clear();
+    chips_->setTags(finder_->isHidden() ? QStringList() : tagsInUse(), mostChips);
     filter();
     setCurrent(before);
 }
 
+QListWidgetItem* PresetList::itemFor(const PresetLine& entry)
+{
+    auto* item = new QListWidgetItem(entry.name);
+    item->setData(idRole, entry.id);
+    item->setData(tagsRole, entry.tags);
+    item->setData(ownLine,
+                  entry.problem.isEmpty() ? (entry.shipped ? QString() : tr("Yours")) : tr("Cannot be opened"));
+    item->setData(TileDelegate::secondLine, item->data(ownLine));
+    if (!entry.thumbnail.isNull()) item->setIcon(QIcon(entry.thumbnail));
+    if (!entry.shipped) item->setFlags(item->flags() | Qt::ItemIsEditable);
+    QStringList spoken{entry.name, item->data(ownLine).toString()};
+    if (!entry.tags.isEmpty()) spoken << tr("Tags: %1").arg(entry.tags.join(QStringLiteral(", ")));
+    spoken.removeAll(QString());
+    item->setData(Qt::AccessibleTextRole, spoken.join(QStringLiteral(". ")));
+    return item;
+}
+
+void PresetList::showPreview(const PresetFacts& facts)
+{
+    preview_->show(facts);
+}
+
+QStringList PresetList::tagsInUse() const
+{
+    QStringList uses;
+    for (int i = 0; i < list_->count(); ++i) uses << list_->item(i)->data(tagsRole).toStringList();
+    return uses;
+}
+
 void PresetList::filter()
 {
+    const QStringList pressed = chips_->pressed();
     const QStringList words = words_->text().split(QLatin1Char(' '), Qt::SkipEmptyParts);
     bool any = list_->count() == 0;
     for (int i = 0; i < list_->count(); ++i) {
         QListWidgetItem* item = list_->item(i);
-        const QString text = item->text() + QLatin1Char(' ') + item->data(ownLine).toString();
-        const bool has = std::all_of(words.begin(), words.end(),
-                                     [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); });
+        const QStringList tags = item->data(tagsRole).toStringList();
+        const QString text = (QStringList{item->text(), item->data(ownLine).toString()} + tags).join(QLatin1Char(' '));
+        const bool has =
+            std::all_of(words.begin(), words.end(),
+                        [&](const QString& word) { return text.contains(word, Qt::CaseInsensitive); }) &&
+            std::all_of(pressed.begin(), pressed.end(), [&](const QString& tag) { return tags.contains(tag); });
         item->setHidden(!has);
         any = any || has;
     }

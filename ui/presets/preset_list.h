@@ -12,6 +12,10 @@ class QLineEdit;
 
 namespace vitrine::ui {
 
+class PresetPreview;
+class TagChips;
+struct PresetFacts;
+
 /// One line of the list. `id` is whatever its owner finds it by.
 struct PresetLine {
     QString id;
@@ -19,10 +23,11 @@ struct PresetLine {
     bool shipped = false;  ///< Came with the program: can be loaded and duplicated, not changed.
     QString problem;       ///< Why it cannot be opened; empty when it can.
     QPixmap thumbnail;
+    QStringList tags;
 };
 
 /// The presets of one exhibit, by picture and name, the visitor's own first. Where there are more than a few, words
-/// find some of them. Asks for everything; does nothing itself.
+/// and tags find some of them. A large preview shows what a line does not. Asks for everything; does nothing itself.
 class PresetList final : public QWidget {
     Q_OBJECT
 
@@ -37,22 +42,30 @@ public:
     void setActions(QAction* save, QAction* saveAs, const QList<QAction*>& menu);
     /// Lets the visitor type a new name in place.
     void startRename(const QString& id);
+    /// The answer to `factsAsked`.
+    void showPreview(const PresetFacts&);
+    /// One entry per use, of all presets in the list.
+    [[nodiscard]] QStringList tagsInUse() const;
 
 signals:
     void loadAsked(const QString& id);
+    void factsAsked(const QString& id);
     void renamed(const QString& id, const QString& name);
 
 protected:
     bool eventFilter(QObject*, QEvent*) override;
 
 private:
-    /// Shows those that have all words that were typed.
+    /// Shows those that have all words that were typed, and all tags that are pressed.
     void filter();
+    [[nodiscard]] QListWidgetItem* itemFor(const PresetLine&);
     [[nodiscard]] QListWidgetItem* itemOf(const QString& id) const;
 
     QWidget* finder_;
     QLineEdit* words_;
+    TagChips* chips_;
     QListWidget* list_;
+    PresetPreview* preview_;
     QLabel* nothing_;
     QWidget* buttons_;
     QList<QAction*> menu_;

@@ -4,57 +4,31 @@
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
+#include "ui/kit/language.h"
 #include "ui/kit/name_dialog.h"
 #include "ui/kit/picture_file.h"
 #include "ui/kit/text.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
+#include "ui/presets/preset_facts.h"
+#include "ui/presets/preset_files.h"
 #include "ui/presets/preset_list.h"
 #include "ui/presets/scene_text.h"
+#include "ui/presets/tags_dialog.h"
 #include "ui/viewport/viewport.h"
 
-#include <QFileDialog>
 #include <QUndoStack>
 
 #include <algorithm>
 
 namespace vitrine::ui {
-namespace {
-
-std::filesystem::path pathOf(const QString& id)
-{
-    return id.toStdString();
-}
-
-QString idOf(const std::filesystem::path& path)
-{
-    return QString::fromStdString(path.string());
-}
-
-QString words(const std::string& s)
-{
-    return QString::fromStdString(s);
-}
-
-QFileDialog* fileDialog(QWidget* window, const QString& title, QFileDialog::AcceptMode mode, const QString& filter)
-{
-    auto* dialog = new QFileDialog(window, title);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(mode);
-    dialog->setFileMode(mode == QFileDialog::AcceptOpen ? QFileDialog::ExistingFile : QFileDialog::AnyFile);
-    dialog->setNameFilter(filter);
-    if (mode == QFileDialog::AcceptSave) dialog->setDefaultSuffix(QStringLiteral("vitrine-preset.json"));
-    return dialog;
-}
-
-}  // namespace
-
 PresetShelf::PresetShelf(Workbench& window, PresetList& list, PresetStore store)
     : QObject(&list), window_(window), list_(list), store_(std::move(store)), uses_(window.history().stack())
 {
     connect(&list, &PresetList::loadAsked, this, &PresetShelf::load);
     connect(&list, &PresetList::renamed, this, &PresetShelf::renameTo);
+    connect(&list, &PresetList::factsAsked, this, &PresetShelf::showFacts);
     connect(&window.history().stack(), &QUndoStack::indexChanged, this, [this] {
         uses_.prune();
         mark();
@@ -78,7 +52,7 @@ void PresetShelf::trySafely(const std::function<void()>& work)
     try {
         work();
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        window_.say(MessageStrip::Mood::problem, said(failure.what()));
     }
 }
 
@@ -95,7 +69,8 @@ void PresetShelf::refresh()
     trySafely([this] {
         std::vector<PresetLine> lines;
         for (const PresetEntry& entry : store_.list(exhibitName())) {
-            PresetLine line{idOf(entry.path), words(entry.name), entry.shipped, words(entry.problem), {}};
+            PresetLine line{idOf(entry.path), words(entry.name), entry.shipped, words(entry.problem), {}, {}};
+            for (const std::string& tag : entry.tags) line.tags << words(tag);
             if (entry.thumbnail) line.thumbnail.load(idOf(*entry.thumbnail));
             lines.push_back(std::move(line));
         }
@@ -210,7 +185,7 @@ void PresetShelf::save()
 void PresetShelf::saveAs()
 {
     const Subject& subject = window_.museum().subject(window_.shown());
-    const QString title = text(subject.title());
+    const QString title = said(subject.title());
     const StoredPreset* used = inUse();
     auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(used ? words(used->preset.name) : title),
                                list_.window());
@@ -241,7 +216,7 @@ void PresetShelf::saveUnder(const QString& name)
 void PresetShelf::keepThumbnail(const std::filesystem::path& preset)
 {
     const QImage& picture = window_.viewport().shown();
-    if (!picture.isNull()) saveThumbnail(idOf(PresetStore::thumbnailPath(preset)), thumbnailOf(picture).toImage());
+    if (!picture.isNull()) saveThumbnail(idOf(PresetStore::thumbnailPath(preset)), previewOf(picture));
 }
 
 void PresetShelf::keepMissingThumbnail()
@@ -275,6 +250,50 @@ void PresetShelf::renameTo(const QString& id, const QString& name)
     });
     // The list is in the middle of an edit.
     QMetaObject::invokeMethod(this, &PresetShelf::refresh, Qt::QueuedConnection);
+}
+
+void PresetShelf::editTags()
+{
+    const QString id = list_.selected();
+    if (id.isEmpty()) return;
+    trySafely([&] {
+        const StoredPreset stored = store_.load(pathOf(id), exhibitName(), table());
+        if (stored.shipped) {
+            window_.say(
+                MessageStrip::Mood::notice,
+                tr("%1 comes with the exhibit. Duplicate it, and tag the copy.").arg(words(stored.preset.name)));
+            return;
+        }
+        QStringList tags;
+        for (const std::string& tag : stored.preset.tags) tags << words(tag);
+        auto* ask = new TagsDialog(words(stored.preset.name), tags, list_.tagsInUse(), list_.window());
+        connect(ask, &TagsDialog::given, this,
+                [this, id, before = stored.preset.tags, exhibit = window_.shown()](const QStringList& given) {
+                    PresetTags after;
+                    for (const QString& tag : given) after.push_back(tag.toStdString());
+                    if (after == before) return;
+                    window_.history().record(
+                        tr("Tag a preset"), [this, id, after, exhibit] { setTags(id, after, exhibit); },
+                        [this, id, before, exhibit] { setTags(id, before, exhibit); });
+                });
+        ask->openOver(list_);
+    });
+}
+
+void PresetShelf::setTags(const QString& id, const PresetTags& tags, std::size_t exhibit)
+{
+    trySafely([&] {
+        store_.setTags(pathOf(id), tags);
+        const Subject& subject = window_.museum().subject(exhibit);
+        // What is in use knows the file as it is now.
+        uses_.renamed(pathOf(id), store_.load(pathOf(id), subject.name(), subject.parameters()));
+    });
+    refresh();
+}
+
+void PresetShelf::showFacts(const QString& id)
+{
+    list_.showPreview(presetFacts(store_, pathOf(id), exhibitName(), table()));
 }
 
 void PresetShelf::duplicate()
@@ -319,7 +338,7 @@ void PresetShelf::importFile()
             std::filesystem::path copy = store_.importFile(path.toStdString(), exhibitName(), table());
             // A picture shows itself what is in it; the others get theirs once what they look like is on the screen.
             if (const QImage picture(path); !picture.isNull())
-                saveThumbnail(idOf(PresetStore::thumbnailPath(copy)), thumbnailOf(picture).toImage());
+                saveThumbnail(idOf(PresetStore::thumbnailPath(copy)), previewOf(picture));
             const QString name = QString::fromStdString(store_.load(copy, exhibitName(), table()).preset.name);
             if (const QString unique = freeName(name, copy); unique != name)
                 copy = store_.rename(copy, unique.toStdString());

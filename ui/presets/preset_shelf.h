@@ -61,6 +61,8 @@ public:
     /// A name that is taken gets a number: no two presets of an exhibit have one name.
     void saveUnder(const QString& name);
     void rename();
+    /// Asks for the tags of one of the visitor's own.
+    void editTags();
     void duplicate();
     void remove();
     void importFile();
@@ -84,6 +86,8 @@ private:
     void keepThumbnail(const std::filesystem::path& preset);
     void trySafely(const std::function<void()>& work);
     void renameTo(const QString& id, const QString& name);
+    void setTags(const QString& id, const PresetTags&, std::size_t exhibit);
+    void showFacts(const QString& id);
     [[nodiscard]] std::string exhibitName() const;
     [[nodiscard]] const Parameters& table() const;
     [[nodiscard]] Preset presetOnShow(const QString& name) const;

@@ -54,6 +54,7 @@ void EyesPreview::look(double angle, double angleAlong)
 {
     angle_ = std::clamp(angle, -steepest, steepest);
     angleAlong_ = std::clamp(angleAlong, -steepest, steepest);
+    tellNumber(*this);
     fetch(true);
     settle_.start();
 }
@@ -90,6 +91,32 @@ void EyesPreview::fetch(bool coarse)
     });
 }
 
+QString EyesPreview::standpoint() const
+{
+    const auto side = [](double angle, const QString& positive, const QString& negative) {
+        const QString size = QString::number(std::abs(angle / degree), 'f', 1) + QChar(0xb0);
+        return std::abs(angle) < 0.05 * degree ? size : size + QLatin1Char(' ') + (angle > 0 ? positive : negative);
+    };
+    const QString from = std::isinf(distance_) ? tr("far away") : tr("%1 cm").arg(distance_ / 10, 0, 'g', 4);
+    return tr("%1, %2, from %3")
+        .arg(side(angle_, tr("right"), tr("left")), side(angleAlong_, tr("above"), tr("below")), from);
+}
+
+QString EyesPreview::spokenText() const
+{
+    return preview_ ? QString() : tr("Nothing to look at yet");
+}
+
+std::optional<SpokenNumber> EyesPreview::spokenNumber() const
+{
+    return SpokenNumber{angle_ / degree, -steepest / degree, steepest / degree, 1, standpoint()};
+}
+
+void EyesPreview::setSpokenNumber(double degrees)
+{
+    look(degrees * degree, angleAlong_);
+}
+
 void EyesPreview::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
@@ -110,18 +137,10 @@ void EyesPreview::paintEvent(QPaintEvent*)
             painter.drawText(half(eye).adjusted(8, 8, -8, -8), Qt::AlignCenter | Qt::TextWordWrap,
                              preview_ ? tr("Looking") : tr("Nothing to look at yet"));
     } else {
-        const auto side = [](double angle, const QString& positive, const QString& negative) {
-            const QString size = QString::number(std::abs(angle / degree), 'f', 1) + QChar(0xb0);
-            return std::abs(angle) < 0.05 * degree ? size : size + QLatin1Char(' ') + (angle > 0 ? positive : negative);
-        };
         painter.drawText(below.adjusted(0, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, tr("Left eye"));
         painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter, tr("Right eye"));
         painter.setPen(theme().text);
-        const QString from = std::isinf(distance_) ? tr("far away") : tr("%1 cm").arg(distance_ / 10, 0, 'g', 4);
-        painter.drawText(
-            below, Qt::AlignCenter,
-            tr("%1, %2, from %3")
-                .arg(side(angle_, tr("right"), tr("left")), side(angleAlong_, tr("above"), tr("below")), from));
+        painter.drawText(below, Qt::AlignCenter, standpoint());
     }
     if (hasFocus()) {
         painter.setPen(theme().accent);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/printing/print_preview.h"
+#include "ui/kit/spoken.h"
 #include "ui/print/newest_job.h"
 
 #include <QImage>
@@ -13,7 +14,7 @@ namespace vitrine::ui {
 
 /// The card as the left and the right eye see it, 65 mm apart at the viewing distance. Dragging to the side
 /// turns it, dragging up and down tilts it; the arrows do the same by degrees, Home looks straight on.
-class EyesPreview final : public QWidget {
+class EyesPreview final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -30,6 +31,12 @@ public:
     /// Of the last pictures made.
     [[nodiscard]] double shownAngle() const { return shownAngle_; }
 
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
+    [[nodiscard]] QString spokenText() const override;
+    /// From where it is looked at, in degrees to the right.
+    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
+    void setSpokenNumber(double degrees) override;
+
 protected:
     void paintEvent(QPaintEvent*) override;
     void resizeEvent(QResizeEvent*) override;
@@ -44,6 +51,8 @@ protected:
 private:
     void fetch(bool coarse);
     [[nodiscard]] QRectF half(int eye) const;
+    /// "2.0° right, 0.0°, from 40 cm".
+    [[nodiscard]] QString standpoint() const;
 
     std::shared_ptr<const printing::PrintPreview> preview_;
     NewestJob job_;

@@ -5,7 +5,10 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/language.h"
 #include "ui/kit/replace_question.h"
+#include "ui/kit/scroll_room.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/print/eyes_preview.h"
 #include "ui/print/print_export_bar.h"
@@ -95,24 +98,25 @@ QWidget* PrintDialog::buildLeft(bool canShow)
     left->addWidget(panel_, 1);
     auto* side = new QWidget(this);
     side->setLayout(left);
-    side->setFixedWidth(panelWidth);
+    growWidth(*side, panelWidth);
     return side;
 }
 
-QLayout* PrintDialog::buildRight()
+QWidget* PrintDialog::buildRight()
 {
     strips_ = new StripPreview(this);
     eyes_ = new EyesPreview(this);
     numbers_ = new PrintNumbersView(this);
     export_ = new PrintExportBar(this);
-    auto* right = new QVBoxLayout;
+    auto* content = new QWidget;
+    auto* right = new QVBoxLayout(content);
     right->setContentsMargins(8, 8, 16, 16);
     right->setSpacing(8);
     right->addWidget(strips_, 4);
     right->addWidget(eyes_, 5);
     right->addWidget(numbers_);
     right->addWidget(export_);
-    return right;
+    return new ScrollRoom(content, this);
 }
 
 void PrintDialog::build(bool canShow)
@@ -122,7 +126,7 @@ void PrintDialog::build(bool canShow)
     sides->setContentsMargins(0, 0, 0, 0);
     sides->setSpacing(8);
     sides->addWidget(buildLeft(canShow));
-    sides->addLayout(buildRight(), 1);
+    sides->addWidget(buildRight(), 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -224,7 +228,7 @@ bool PrintDialog::trySaying(const std::function<void()>& work)
         work();
         return true;
     } catch (const std::exception& failure) {
-        say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        say(MessageStrip::Mood::problem, said(failure.what()));
         return false;
     }
 }

@@ -67,7 +67,7 @@ protected:
 private:
     void build(bool canShow);
     [[nodiscard]] QWidget* buildLeft(bool canShow);
-    [[nodiscard]] QLayout* buildRight();
+    [[nodiscard]] QWidget* buildRight();
     void buildUndo();
     void connectSetup();
     void connectViews();

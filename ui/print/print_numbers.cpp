@@ -1,6 +1,8 @@
 #include "ui/print/print_numbers.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 
 #include <QGridLayout>
 #include <QLabel>
@@ -54,6 +56,14 @@ void CrosstalkBars::showShares(std::vector<double> ownShare)
 {
     own_ = std::move(ownShare);
     update();
+}
+
+QString CrosstalkBars::spokenText() const
+{
+    QStringList views;
+    for (std::size_t i = 0; i < own_.size(); ++i)
+        views << tr("view %1: %2 %").arg(i + 1).arg(std::lround(100 * (1 - own_[i])));
+    return views.isEmpty() ? tr("There is no print yet.") : views.join(QStringLiteral(", "));
 }
 
 void CrosstalkBars::paintEvent(QPaintEvent*)
@@ -140,7 +150,7 @@ QLayout* PrintNumbersView::buildMessages()
     messages_->setWordWrap(true);
     messages_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     messages_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    messages_->setMinimumHeight(2 * messages_->fontMetrics().height() + 4);
+    followType(*messages_, [this] { messages_->setMinimumHeight(2 * messages_->fontMetrics().height() + 4); });
     messages_->setAccessibleName(tr("Warnings"));
     fit_ = new QPushButton(tr("Fit depth"), this);
     fit_->setAutoDefault(false);
@@ -209,10 +219,10 @@ void PrintNumbersView::showPlan(const printing::PrintPlan& plan, const std::opti
     bars_->showShares(plan.numbers.ownShare);
     const bool possible = plan.layout.has_value();
     QStringList lines;
-    if (!possible) lines << QString::fromStdString(plan.refusal);
-    for (const std::string& warning : plan.warnings) lines << QString::fromStdString(warning);
+    if (!possible) lines << said(plan.refusal);
+    for (const std::string& warning : plan.warnings) lines << said(warning);
     if (possible && depth)
-        for (const std::string& warning : depth->warnings) lines << QString::fromStdString(warning);
+        for (const std::string& warning : depth->warnings) lines << said(warning);
     fitting_ = depth ? depth->strengthThatHolds : 1;
     fit_->setVisible(possible && depth &&
                      (depth->scene.nearest < depth->held.nearest || depth->scene.farthest > depth->held.farthest));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/printing/print_plan.h"
+#include "ui/kit/spoken.h"
 
 #include <QWidget>
 
@@ -14,12 +15,15 @@ class QPushButton;
 namespace vitrine::ui {
 
 /// A bar for every view: how much of what it shows at its own angle comes from other views.
-class CrosstalkBars final : public QWidget {
+class CrosstalkBars final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
     explicit CrosstalkBars(QWidget* parent);
     void showShares(std::vector<double> ownShare);
+
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
+    [[nodiscard]] QString spokenText() const override;
 
 protected:
     void paintEvent(QPaintEvent*) override;

@@ -95,7 +95,7 @@ QStringList PrintSetup::load(const std::string& text, const std::string& fileNam
     for (const std::string& file : settings.sources) loaded.files << QString::fromStdString(file);
     change(tr("Load settings"), std::move(loaded));
     QStringList notes;
-    for (const std::string& note : settings.notes) notes << QString::fromStdString(note);
+    for (const std::string& note : settings.notes) notes << said(note);
     return notes;
 }
 
@@ -127,3 +127,4 @@ std::vector<std::string> textsOf(const QStringList& files)
 }  // namespace vitrine::ui
 
 #include "moc_print_setup.cpp"
+#include "ui/kit/language.h"

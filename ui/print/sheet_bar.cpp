@@ -2,7 +2,9 @@
 
 #include "exhibits/printing/optics.h"
 #include "render/failure.h"
+#include "ui/kit/language.h"
 #include "ui/kit/name_dialog.h"
+#include "ui/kit/type_size.h"
 #include "ui/print/print_setup.h"
 
 #include <QComboBox>
@@ -51,7 +53,7 @@ SheetBar::SheetBar(PrintSetup& setup, QWidget* parent)
     remove_->setToolTip(tr("Deletes this sheet of your own from the list; the numbers below stay."));
     for (QToolButton* button : {save_, remove_}) {
         button->setFocusPolicy(Qt::StrongFocus);
-        button->setFixedHeight(26);
+        growHeight(*button, 26);
     }
     save_->setAccessibleName(tr("Save sheet"));
     remove_->setAccessibleName(tr("Delete sheet"));
@@ -80,7 +82,7 @@ void SheetBar::change(const std::function<void()>& work)
     try {
         work();
     } catch (const std::exception& failure) {
-        emit failed(QString::fromUtf8(failure.what()));
+        emit failed(said(failure.what()));
     }
     showSheets();
 }
@@ -128,7 +130,7 @@ void SheetBar::showSheets()
     count_ = sheets.size();
     list_->setCurrentIndex(static_cast<int>(index));
     remove_->setEnabled(at != sheets.end() && index >= printing::knownSheets().size());
-    if (!problem.empty()) emit failed(QString::fromStdString(problem));
+    if (!problem.empty()) emit failed(said(problem));
 }
 
 QString SheetBar::current() const

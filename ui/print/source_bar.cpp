@@ -1,5 +1,7 @@
 #include "ui/print/source_bar.h"
 
+#include "ui/kit/type_size.h"
+
 #include <QComboBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -28,7 +30,7 @@ SourceBar::SourceBar(bool canShow, QWidget* parent)
     for (QPushButton* button : {render_, folder_, files_}) {
         button->setAutoDefault(false);
         button->setAccessibleName(button->text());
-        button->setMinimumWidth(button->sizeHint().width() + 16);
+        followType(*button, [button] { button->setMinimumWidth(button->sizeHint().width() + 16); });
     }
     said_->setTextFormat(Qt::PlainText);
     said_->setWordWrap(true);

@@ -58,6 +58,27 @@ void StripPreview::setZoom(double zoom)
 {
     zoom_ = std::clamp(zoom, leastZoom, mostZoom);
     fetch();
+    tellNumber(*this);
+}
+
+QString StripPreview::scaleText() const
+{
+    return zoom_ >= 1 ? tr("1 dot : %1 px").arg(zoom_, 0, 'g', 3) : tr("%1 dots : 1 px").arg(1 / zoom_, 0, 'g', 3);
+}
+
+QString StripPreview::spokenText() const
+{
+    if (!preview_) return tr("Nothing to print yet");
+    return tr("%1 × %2 dots, seen around the one at %3, %4.")
+        .arg(preview_->width())
+        .arg(preview_->height())
+        .arg(std::llround(middle_.x()))
+        .arg(std::llround(middle_.y()));
+}
+
+std::optional<SpokenNumber> StripPreview::spokenNumber() const
+{
+    return SpokenNumber{zoom_, leastZoom, mostZoom, 0.25 * zoom_, scaleText()};
 }
 
 QPointF StripPreview::toScreen(double x, double y) const
@@ -107,8 +128,7 @@ void StripPreview::paintEvent(QPaintEvent*)
         painter.drawImage(QRectF(toScreen(imageRegion_.left(), imageRegion_.top()), imageRegion_.size() * zoom_),
                           image_);
         paintLenses(painter);
-        const QString scale =
-            zoom_ >= 1 ? tr("1 dot : %1 px").arg(zoom_, 0, 'g', 3) : tr("%1 dots : 1 px").arg(1 / zoom_, 0, 'g', 3);
+        const QString scale = scaleText();
         const QRect box = painter.fontMetrics().boundingRect(scale).adjusted(-8, -4, 8, 4);
         QColor veil = theme().window;
         veil.setAlphaF(0.8F);

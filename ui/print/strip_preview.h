@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/printing/print_preview.h"
+#include "ui/kit/spoken.h"
 #include "ui/print/newest_job.h"
 
 #include <QImage>
@@ -10,7 +11,7 @@ namespace vitrine::ui {
 
 /// The printed raster, large enough to see its strips, with the lenses' edges drawn over it. The wheel zooms
 /// about the pointer, dragging moves; + and -, the arrows and Home do the same from the keyboard.
-class StripPreview final : public QWidget {
+class StripPreview final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -22,6 +23,12 @@ public:
     void setZoom(double);
     /// Of what is on the screen; null until it is made.
     [[nodiscard]] const QImage& image() const { return image_; }
+
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
+    [[nodiscard]] QString spokenText() const override;
+    /// The zoom.
+    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
+    void setSpokenNumber(double zoom) override { setZoom(zoom); }
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -36,6 +43,8 @@ protected:
 
 private:
     void zoomAbout(const QPointF& place, double factor);
+    /// "1 dot : 2 px".
+    [[nodiscard]] QString scaleText() const;
     void moveBy(const QPointF& screen);
     void clampView();
     void fetch();

@@ -63,8 +63,9 @@ void Bookmarks::go(int number)
     if (const std::optional<Bookmark>& there = place(number))
         window_.viewport().goTo(there->camera);
     else
-        window_.say(MessageStrip::Mood::notice,
-                    tr("There is no bookmark %1 yet: Ctrl+Alt+%1 makes one of where you are.").arg(number));
+        window_.say(
+            MessageStrip::Mood::notice,
+            tr("There is no bookmark %1 yet: Bookmarks > Set bookmark %1 makes one of where you are.").arg(number));
 }
 
 void Bookmarks::forgetAll()

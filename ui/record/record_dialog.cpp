@@ -6,6 +6,8 @@
 #include "ui/kit/export_bar.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/replace_question.h"
+#include "ui/kit/scroll_room.h"
+#include "ui/kit/type_size.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/record/bookmarks.h"
@@ -118,7 +120,7 @@ void RecordDialog::build()
     samples_->setToolTip(tr("Samples per pixel: edges are stairs at 1, smooth at 16."));
     about_->setTextFormat(Qt::PlainText);
     about_->setWordWrap(true);
-    about_->setMinimumHeight(2 * about_->fontMetrics().height());
+    followType(*about_, [this] { about_->setMinimumHeight(2 * about_->fontMetrics().height()); });
 }
 
 void RecordDialog::layOut()
@@ -142,7 +144,8 @@ void RecordDialog::layOut()
     form->addRow(tr("Motion blur"), shutter_);
     form->addRow(about_);
     form->addRow(export_);
-    setMinimumWidth(480);
+    growMinimumWidth(*this, 480);
+    scrollWhenTight(*this);
 }
 
 void RecordDialog::recall()
@@ -204,8 +207,9 @@ void RecordDialog::showPossible()
         input->setEnabled(!busy);
     angle_->setEnabled(!busy && way() == Way::round);
     if (!busy)
-        about_->setText(lacks ? tr("Set two bookmarks at least: Ctrl+Alt+1 where you stand, then Ctrl+Alt+2 elsewhere.")
-                              : QString());
+        about_->setText(
+            lacks ? tr("Set two bookmarks at least: one where you stand, then another elsewhere (Bookmarks menu).")
+                  : QString());
     export_->showPossible(busy, !lacks);
 }
 

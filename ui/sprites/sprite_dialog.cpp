@@ -5,7 +5,10 @@
 #include "render/image/srgb.h"
 #include "ui/kit/export_bar.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/language.h"
 #include "ui/kit/replace_question.h"
+#include "ui/kit/scroll_room.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/sprites/sprite_preview.h"
 
@@ -130,8 +133,9 @@ void SpriteDialog::build()
     left->setSpacing(0);
     left->addLayout(motion);
     left->addWidget(panel_, 1);
-    side->setFixedWidth(spritePanelWidth);
-    auto* right = new QVBoxLayout;
+    growWidth(*side, spritePanelWidth);
+    auto* content = new QWidget;
+    auto* right = new QVBoxLayout(content);
     right->setContentsMargins(8, 8, 16, 16);
     right->setSpacing(8);
     right->addWidget(preview_, 1);
@@ -140,7 +144,7 @@ void SpriteDialog::build()
     auto* sides = new QHBoxLayout;
     sides->setSpacing(8);
     sides->addWidget(side);
-    sides->addLayout(right, 1);
+    sides->addWidget(new ScrollRoom(content, this), 1);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -252,8 +256,7 @@ void SpriteDialog::readObject()
 void SpriteDialog::takeObject(const std::shared_ptr<const SpriteSubject>& subject)
 {
     subject_ = subject;
-    for (const std::string& warning : subject->warnings())
-        messages_->say(MessageStrip::Mood::notice, QString::fromStdString(warning));
+    for (const std::string& warning : subject->warnings()) messages_->say(MessageStrip::Mood::notice, said(warning));
     const std::vector<std::string> names = subject->animations();
     if (std::find(names.begin(), names.end(), setup_.animation()) == names.end())
         setup_.setAnimation(names.empty() ? "" : names.front());
@@ -291,7 +294,7 @@ void SpriteDialog::lookAgain()
     const std::string why = whyNot();
     if (!subject_ || !why.empty()) {
         preview_->setShown(nullptr);
-        numbers_->setText(QString::fromStdString(why));
+        numbers_->setText(said(why));
         return;
     }
     draft_.start(look_, subject_, spriteRequest(draftOf(setup_.values()), setup_.animation()));

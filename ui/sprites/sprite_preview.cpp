@@ -38,6 +38,16 @@ void SpritePreview::setShown(std::shared_ptr<const Shown> shown)
     update();
 }
 
+QString SpritePreview::spokenText() const
+{
+    if (!shown_) return tr("Nothing is drawn yet.");
+    return tr("%1 directions of %2 frames, each %3 × %4 pixels.")
+        .arg(static_cast<int>(shown_->cells.size()) / std::max(shown_->frames, 1))
+        .arg(shown_->frames)
+        .arg(shown_->frame.width())
+        .arg(shown_->frame.height());
+}
+
 void SpritePreview::next()
 {
     cell_ = (cell_ + 1) % static_cast<int>(shown_->cells.size());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/sprites/sprite_sheet.h"
+#include "ui/kit/spoken.h"
 
 #include <QElapsedTimer>
 #include <QImage>
@@ -15,7 +16,7 @@ namespace vitrine::ui {
 
 /// What a sheet shows, in motion: every direction for one round of its frames, large pixels. Its own clock stops while
 /// it cannot be seen.
-class SpritePreview final : public QWidget {
+class SpritePreview final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -36,6 +37,8 @@ public:
     [[nodiscard]] const Shown* shown() const { return shown_.get(); }
     /// Of all cells, the one that is shown.
     [[nodiscard]] int cell() const { return cell_; }
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Animation; }
+    [[nodiscard]] QString spokenText() const override;
     [[nodiscard]] QSize sizeHint() const override { return {480, 480}; }
 
 protected:

@@ -1,13 +1,11 @@
 #include "ui/study/study_chart.h"
 
 #include "exhibits/study/study_text.h"
+#include "ui/kit/language.h"
 #include "ui/kit/theme.h"
-
-#include <QSvgGenerator>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 namespace vitrine::ui {
@@ -15,124 +13,32 @@ namespace {
 
 constexpr double fingerWidth = 18;  // Pixels around a point that count as on it.
 
-/// Ticks at 1, 2 and 5 of each decade, at 1 alone over many, and evenly spaced within less than one.
-class DecadeTicker final : public QCPAxisTicker {
-protected:
-    int getSubTickCount(double) override { return 0; }
-    QVector<double> createTickVector(double step, const QCPRange& range) override
-    {
-        const double decades = std::log10(range.upper / range.lower);
-        if (!(decades > 0.8)) return QCPAxisTicker::createTickVector(step, range);
-        QVector<double> ticks;
-        for (double decade = std::pow(10, std::floor(std::log10(range.lower))); decade <= range.upper; decade *= 10)
-            for (const double m : {1.0, 2.0, 5.0})
-                if (m == 1 || decades < 4) ticks.append(m * decade);
-        return ticks;
-    }
-};
-
 }  // namespace
 
-StudyChart::StudyChart(QWidget* parent) : QCustomPlot(parent)
+StudyChart::StudyChart(QWidget* parent) : LogChart(parent)
 {
     setMouseTracking(true);
     setAccessibleName(tr("Error over cost"));
-    for (QCPAxis* axis : {xAxis, yAxis}) {
-        axis->setScaleType(QCPAxis::stLogarithmic);
-        axis->setNumberFormat(QStringLiteral("gb"));
-        axis->setNumberPrecision(6);
-        axis->grid()->setSubGridVisible(false);
-        axis->setTicker(QSharedPointer<QCPAxisTicker>(new DecadeTicker));
-    }
-    setMinimumSize(320, 190);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     applyColors();
-}
-
-void StudyChart::setTitles(const QString& cost, const QString& error)
-{
-    xAxis->setLabel(cost);
-    yAxis->setLabel(error);
 }
 
 void StudyChart::setPoints(std::vector<ChartPoint> points)
 {
     points_ = std::move(points);
+    if (emphasized_ && *emphasized_ >= points_.size()) emphasized_.reset();
     rebuild();
-}
-
-void StudyChart::applyColors()
-{
-    const Theme& t = theme();
-    setBackground(t.base);
-    QColor faint = t.dim;
-    faint.setAlphaF(0.25F);
-    for (QCPAxis* axis : {xAxis, yAxis}) {
-        for (const auto set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
-            (axis->*set)(QPen(t.dim));
-        axis->setTickLabelColor(t.text);
-        axis->setLabelColor(t.text);
-        axis->grid()->setPen(QPen(faint, 0));
-    }
-    rebuild();
-}
-
-double StudyChart::shownError(double error) const
-{
-    return error > 0 ? error : floor_;
-}
-
-void StudyChart::scaleAxes()
-{
-    double lowX = std::numeric_limits<double>::infinity();
-    double highX = 0;
-    double lowY = lowX;
-    double highY = 0;
-    anyExact_ = false;
-    for (const ChartPoint& p : points_) {
-        if (p.cost > 0) {
-            lowX = std::min(lowX, p.costLow > 0 ? p.costLow : p.cost);
-            highX = std::max({highX, p.cost, p.costHigh});
-        }
-        if (p.error > 0) {
-            lowY = std::min({lowY, p.error, p.errorLow > 0 ? p.errorLow : p.error});
-            highY = std::max({highY, p.error, p.errorHigh});
-        } else {
-            anyExact_ = true;
-        }
-    }
-    if (!(highX > 0)) lowX = highX = 1;
-    if (!(highY > 0)) lowY = highY = 1e-3;
-    const double marginX = std::max(std::pow(highX / lowX, 0.09), 1.06);
-    const double marginY = std::max(std::pow(highY / lowY, 0.14), 1.15);
-    floor_ = lowY / (marginY * marginY);  // Room between it and the lowest error.
-    xAxis->setRange(lowX / marginX, highX * marginX * std::pow(highX / lowX, 0.05));
-    yAxis->setRange(anyExact_ ? floor_ / std::pow(marginY, 1.5) : lowY / marginY, highY * marginY);
+    say();
 }
 
 void StudyChart::rebuild()
 {
-    clearPlottables();
-    clearItems();
-    scaleAxes();
+    if (!begin({points_.begin(), points_.end()})) return;
     const Theme& t = theme();
-    // Without a point there is no scale to show.
-    const bool empty = std::none_of(points_.begin(), points_.end(), [](const ChartPoint& p) { return p.cost > 0; });
-    for (QCPAxis* axis : {xAxis, yAxis}) axis->setVisible(!empty);
-    if (empty) {
-        auto* nothing = new QCPItemText(this);
-        nothing->setText(tr("No point is measured yet"));
-        nothing->setColor(t.dim);
-        nothing->position->setType(QCPItemPosition::ptAxisRectRatio);
-        nothing->position->setCoords(0.5, 0.5);
-        replot(QCustomPlot::rpQueuedReplot);
-        return;
-    }
     QColor gray = t.dim;
     gray.setAlphaF(0.55F);
     addErrors(gray, false, 6, [](const ChartPoint& p) { return !p.onFront; });
     addErrors(t.accent, true, 7, [](const ChartPoint& p) { return p.onFront; });
-    addTimes();
+    addTimes({points_.begin(), points_.end()}, t.dim);
     addMarks();
     replot(QCustomPlot::rpQueuedReplot);
 }
@@ -146,15 +52,6 @@ std::vector<const ChartPoint*> StudyChart::byCost(const std::function<bool(const
     return shown;
 }
 
-QCPErrorBars* StudyChart::addBars(QCPGraph* graph, const QColor& color)
-{
-    auto* bars = new QCPErrorBars(xAxis, yAxis);
-    bars->setDataPlottable(graph);
-    bars->setPen(QPen(color, 1));
-    bars->setWhiskerWidth(5);
-    return bars;
-}
-
 void StudyChart::addErrors(const QColor& color, bool lined, double size,
                            const std::function<bool(const ChartPoint&)>& holds)
 {
@@ -165,20 +62,7 @@ void StudyChart::addErrors(const QColor& color, bool lined, double size,
     graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, QPen(color), QBrush(color), size));
     for (const ChartPoint* p : byCost(holds)) {
         graph->addData(p->cost, shownError(p->error));
-        const bool exact = !(p->error > 0);
-        bars->addData(exact ? 0 : p->error - std::max(p->errorLow, floor_), exact ? 0 : p->errorHigh - p->error);
-    }
-}
-
-void StudyChart::addTimes()
-{
-    QCPGraph* times = addGraph();
-    times->setLineStyle(QCPGraph::lsNone);
-    QCPErrorBars* bars = addBars(times, theme().dim);
-    bars->setErrorType(QCPErrorBars::etKeyError);
-    for (const ChartPoint* p : byCost([](const ChartPoint& point) { return point.costHigh > point.costLow; })) {
-        times->addData(p->cost, shownError(p->error));
-        bars->addData(p->cost - p->costLow, p->costHigh - p->cost);
+        addErrorBar(bars, *p);
     }
 }
 
@@ -203,7 +87,7 @@ void StudyChart::addMarks()
         if ((!isMarked(i) && crowded) || sharesLabel(i, labels)) continue;
         addLabel(i, labels);
     }
-    if (anyExact_) markExact();
+    markExact();
 }
 
 bool StudyChart::isMarked(std::size_t i) const
@@ -224,11 +108,6 @@ void StudyChart::addRings(std::size_t i)
     if (p.present) ring(t.text, 15, QCPScatterStyle::ssDiamond);
     if (p.knee) ring(t.good, 15, QCPScatterStyle::ssCircle);
     if (emphasized_ == i) ring(t.accent, 20, QCPScatterStyle::ssCircle);
-}
-
-QFont StudyChart::labelFont() const
-{
-    return {font().family(), 8};
 }
 
 bool StudyChart::sharesLabel(std::size_t i, std::vector<Label>& labels) const
@@ -276,22 +155,6 @@ void StudyChart::addLabel(std::size_t i, std::vector<Label>& labels)
     labels.push_back({i, label, place});
 }
 
-void StudyChart::markExact()
-{
-    const Theme& t = theme();
-    auto* line = new QCPItemStraightLine(this);
-    line->setPen(QPen(t.dim, 1, Qt::DotLine));
-    line->point1->setCoords(xAxis->range().lower, floor_);
-    line->point2->setCoords(xAxis->range().upper, floor_);
-    auto* label = new QCPItemText(this);
-    label->setText(tr("exact"));
-    label->setColor(t.dim);
-    label->setFont(QFont(font().family(), 8));
-    label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
-    label->position->setCoords(xAxis->range().lower, floor_);
-    label->setPadding(QMargins(6, 3, 0, 0));
-}
-
 QPointF StudyChart::placeOf(std::size_t point) const
 {
     const ChartPoint& p = points_.at(point);
@@ -318,37 +181,53 @@ void StudyChart::emphasize(std::optional<std::size_t> point)
     if (point == emphasized_) return;
     emphasized_ = point;
     rebuild();
+    say();
 }
 
-QImage StudyChart::picture(QSize size, double scale)
+void StudyChart::say()
 {
-    layOutFor(size);
-    return toPixmap(size.width(), size.height(), scale).toImage();
+    const auto measured = byCost([](const ChartPoint& p) { return p.cost > 0; });
+    if (measured.empty()) return setSentences(tr("No point is measured yet"));
+    const auto number = [](double value) { return QString::number(value, 'g', 3); };
+    QStringList all{tr("%1 over %2, both logarithmic: %n points.", nullptr, static_cast<int>(measured.size()))
+                        .arg(yAxis->label(), xAxis->label())};
+    const auto add = [&](const ChartPoint& p, const QString& sentence) {
+        all << sentence.arg(p.text, number(p.error), number(p.cost));
+    };
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        const ChartPoint& p = points_[i];
+        if (emphasized_ == i) add(p, tr("Chosen: %1, error %2, cost %3."));
+        if (p.present) add(p, tr("Present: %1, error %2, cost %3."));
+        if (p.knee) add(p, tr("The knee: %1, error %2, cost %3."));
+    }
+    all << tr("Arrows go from point to point, Enter applies one.");
+    setSentences(all.join(QLatin1Char(' ')));
 }
 
-QByteArray StudyChart::svg(QSize size)
+void StudyChart::keyPressEvent(QKeyEvent* event)
 {
-    layOutFor(size);
-    QByteArray bytes;
-    QBuffer buffer(&bytes);
-    QSvgGenerator generator;
-    generator.setOutputDevice(&buffer);
-    generator.setSize(size);
-    generator.setViewBox(QRect(QPoint(0, 0), size));
-    generator.setTitle(yAxis->label());
-    QCPPainter painter;
-    painter.begin(&generator);
-    painter.setMode(QCPPainter::pmVectorized);
-    painter.setMode(QCPPainter::pmNoCaching);
-    toPainter(&painter, size.width(), size.height());
-    painter.end();
-    // A name that browsers know, too.
-    return bytes.replace("font-family=\"Sans Serif\"", "font-family=\"sans-serif\"");
+    const int step = event->key() == Qt::Key_Right || event->key() == Qt::Key_Up    ? 1
+                     : event->key() == Qt::Key_Left || event->key() == Qt::Key_Down ? -1
+                                                                                    : 0;
+    const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    const auto order = byCost([](const ChartPoint& p) { return p.cost > 0; });
+    if (order.empty() || (step == 0 && !enter)) return LogChart::keyPressEvent(event);
+    if (enter) {
+        if (emphasized_) emit chosen(static_cast<int>(*emphasized_));
+        return;
+    }
+    const auto at = emphasized_ ? std::find(order.begin(), order.end(), &points_[*emphasized_]) : order.end();
+    auto next = at - order.begin();
+    if (at == order.end())
+        next = step > 0 ? 0 : static_cast<std::ptrdiff_t>(order.size()) - 1;
+    else
+        next = std::clamp<std::ptrdiff_t>(next + step, 0, static_cast<std::ptrdiff_t>(order.size()) - 1);
+    emit hovered(static_cast<int>(order[static_cast<std::size_t>(next)] - points_.data()));
 }
 
 void StudyChart::mouseMoveEvent(QMouseEvent* event)
 {
-    QCustomPlot::mouseMoveEvent(event);
+    LogChart::mouseMoveEvent(event);
     const auto point = pointAt(event->position());
     const int now = point ? static_cast<int>(*point) : -1;
     if (now == hovered_) return;
@@ -360,34 +239,18 @@ void StudyChart::mouseMoveEvent(QMouseEvent* event)
 
 void StudyChart::mousePressEvent(QMouseEvent* event)
 {
-    QCustomPlot::mousePressEvent(event);
-    if (!pointAt(event->position())) emit hovered(-1);
-}
-
-void StudyChart::resizeEvent(QResizeEvent* event)
-{
-    QCustomPlot::resizeEvent(event);
-    layOutFor(size());
-}
-
-/// Which labels have room is known once the axes are laid out for that size.
-void StudyChart::layOutFor(QSize size)
-{
-    setViewport(QRect(QPoint(0, 0), size));
-    replot(QCustomPlot::rpImmediateRefresh);
-    rebuild();
+    LogChart::mousePressEvent(event);
+    const auto point = pointAt(event->position());
+    if (!point)
+        emit hovered(-1);
+    else if (event->button() == Qt::LeftButton)
+        emit chosen(static_cast<int>(*point));
 }
 
 void StudyChart::leaveEvent(QEvent* event)
 {
-    QCustomPlot::leaveEvent(event);
+    LogChart::leaveEvent(event);
     hovered_ = -1;
-}
-
-void StudyChart::changeEvent(QEvent* event)
-{
-    QCustomPlot::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) applyColors();
 }
 
 std::vector<ChartPoint> chartPoints(Subjects subjects, const StudyRequest& request, const StudyResult& result)
@@ -410,7 +273,7 @@ std::vector<ChartPoint> chartPoints(Subjects subjects, const StudyRequest& reque
         const std::string text = request.axes.size() == 1 ? axisValueText(request.sceneState, request.axes[0],
                                                                           request.axes[0].values[p.setting[0]])
                                                           : pointText(subjects, request, p);
-        c.text = QString::fromStdString(request.axes.size() > 2 ? std::string() : text);
+        c.text = said(request.axes.size() > 2 ? std::string() : text);
         c.dominated = p.dominated;
         c.onFront = std::find(result.front.begin(), result.front.end(), i) != result.front.end();
         c.knee = result.knee == i;
@@ -418,6 +281,34 @@ std::vector<ChartPoint> chartPoints(Subjects subjects, const StudyRequest& reque
         points.push_back(std::move(c));
     }
     return points;
+}
+
+std::vector<ChartPoint> chartPoints(const KeptStudy& study)
+{
+    std::vector<ChartPoint> points;
+    for (std::size_t i = 0; i < study.points.size(); ++i) {
+        const KeptPoint& p = study.points[i];
+        ChartPoint c;
+        if (p.measured()) c.cost = c.costLow = c.costHigh = p.cost;
+        if (p.measured() && study.cost == "ms" && p.time) {
+            c.costLow = p.time->interval.low;
+            c.costHigh = p.time->interval.high;
+        }
+        c.error = std::isfinite(p.error) ? p.error : 0;
+        c.errorLow = std::min(p.lowestError, c.error);
+        c.errorHigh = std::isfinite(p.worstError) ? std::max(p.worstError, c.error) : c.error;
+        if (study.parameters.size() <= 2) c.text = said(study.pointText(i));
+        c.onFront = std::find(study.front.begin(), study.front.end(), i) != study.front.end();
+        c.dominated = !c.onFront;
+        c.knee = study.knee == i;
+        points.push_back(std::move(c));
+    }
+    return points;
+}
+
+QString studyCostTitle(const std::string& costName)
+{
+    return said(costTitle(costName.empty() ? "ms" : costName));
 }
 
 }  // namespace vitrine::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/study/study_store.h"
 #include "ui/model/history.h"
 #include "ui/viewport/render_thread.h"
 
@@ -20,32 +21,38 @@ class QToolButton;
 
 namespace vitrine::ui {
 
+class KeptStudies;
 class StudyChart;
-class StudyPictures;
+class StudyView;
 
 /// What accuracy costs: measures a parameter of the chosen exhibit, or all of them together, on the render thread,
-/// shows every point as it is measured, and applies the one that is clicked or searched for.
+/// shows every point as it is measured, and applies the one that is clicked or searched for. What was measured is kept.
 class StudyDock final : public QWidget {
     Q_OBJECT
 
 public:
     /// Museum, renderers and history must outlive it; the thread must, or `stop` is called before it ends.
-    StudyDock(const Museum&, Renderers&, History&, RenderThread&, QWidget* parent = nullptr);
+    StudyDock(const Museum&, Renderers&, History&, RenderThread&, StudyStore = StudyStore::standard(),
+              QWidget* parent = nullptr);
     ~StudyDock() override;
 
     /// Whose parameters are offered; what is shown stays until the next study.
     void setSubject(std::size_t exhibit);
     /// Measures one parameter at once: a row of the exhibit's table.
     void ask(std::size_t exhibit, std::size_t row);
-    /// Ends the study that runs; what it measured stays to be seen.
+    /// Ends the study that runs; what it measured stays to be seen, and is kept where that is three settings or more.
     void stop();
     [[nodiscard]] bool running() const { return isRunning_; }
-    /// What is shown: of the study that runs as soon as it has a point, until then of the one before.
-    [[nodiscard]] const StudyResult& result() const { return result_; }
+    /// Of the study that runs as soon as it has a point, until then of the one before.
+    [[nodiscard]] const StudyResult& result() const;
     /// Everything shown that was measured, as a file: .csv, .json (with `machine` beside it), or the chart as .png or
     /// .svg.
     [[nodiscard]] QByteArray exported(const QString& suffix) const;
-    [[nodiscard]] StudyChart& chart() const { return *chart_; }
+    [[nodiscard]] StudyChart& chart() const;
+    [[nodiscard]] StudyView& view() const { return *shown_; }
+    [[nodiscard]] KeptStudies& kept() const { return *kept_; }
+    /// Shows or hides the list of those that were kept.
+    void showKeptList(bool);
 
     /// Side of the pictures that it measures with, and how often each is timed.
     void setEffort(glm::ivec2 size, int runs);
@@ -54,14 +61,11 @@ signals:
     void failed(const QString& why);
     void finished();
 
-protected:
-    void showEvent(QShowEvent*) override;
-
 private:
     void setTexts();
     [[nodiscard]] QLayout* measuring();
     [[nodiscard]] QLayout* choosing();
-    [[nodiscard]] QWidget* chartAndPictures();
+    [[nodiscard]] QWidget* studies();
     void connectParts();
     void measure();
     void find(bool byError);
@@ -71,22 +75,18 @@ private:
         StudyResult result;
         double progress = 0;
         std::string doing;
+        render::Json machine = {};
     };
     /// On the render thread: one step, and now and then what has come of it.
     struct Work;
     static bool step(Work&, const RenderThread::Tell&, const std::function<void(std::shared_ptr<News>)>& take);
     void take(News);
     void end(const QString& failure);
-    void refresh();
-    void showPoint(int point);
-    void apply(std::size_t point);
     void showIdle();
+    void keepMeasured();
     void save();
     void suggestTime();
     [[nodiscard]] StudyRequest requestFor(std::vector<StudyAxis>) const;
-    /// The row of an axis of what is shown, in the table that its exhibit has now: a file may have given it others.
-    [[nodiscard]] std::optional<std::size_t> rowNow(const StudyAxis&) const;
-    [[nodiscard]] std::optional<std::size_t> presentPoint() const;
 
     const Museum& museum_;
     Renderers& renderers_;
@@ -94,30 +94,25 @@ private:
     RenderThread& thread_;
     RenderThread::Task task_;
     bool isRunning_ = false;
-    StudyRequest request_;  ///< Of what is shown.
     StudyRequest running_;  ///< Of the study that runs.
     bool showsRunning_ = false;
-    StudyResult result_;                       ///< Of what is shown.
     std::shared_ptr<const Parameters> table_;  ///< Whose rows can be chosen; null: none yet.
     std::size_t subject_ = 0;
     glm::ivec2 size_{320, 180};
     int runs_ = 5;
     QElapsedTimer elapsed_;
-    int shownPoint_ = -1;
 
     QComboBox* parameter_;
-    QComboBox* view_;
     QPushButton* go_;
     QToolButton* copy_;
     QToolButton* save_;
+    QToolButton* list_;
     QProgressBar* progress_;
     QLabel* doing_;
-    QLabel* words_;
-    QLabel* caption_;
     QLineEdit* error_;
     QLineEdit* milliseconds_;
-    StudyChart* chart_;
-    StudyPictures* pictures_;
+    StudyView* shown_;
+    KeptStudies* kept_;
 };
 
 }  // namespace vitrine::ui

@@ -3,6 +3,7 @@
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
+#include "ui/kit/language.h"
 #include "ui/kit/picture_file.h"
 #include "ui/study/study_chart.h"
 
@@ -12,12 +13,11 @@
 namespace vitrine::ui {
 
 QByteArray studyFile(const QString& suffix, Subjects subjects, const StudyRequest& request, const StudyResult& result,
-                     StudyChart& chart)
+                     const render::Json& machine, StudyChart& chart)
 {
     if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(studyCsv(subjects, request, result));
     if (suffix == QLatin1String("json"))
-        return QByteArray::fromStdString(
-            render::writeJson(studyJson(subjects, request, result, render::Json::object())));
+        return QByteArray::fromStdString(render::writeJson(studyJson(subjects, request, result, machine)));
     const QSize size(960, 600);
     return suffix == QLatin1String("svg") ? chart.svg(size) : pngOf(chart.picture(size, 2));
 }
@@ -35,7 +35,7 @@ QString askAndSaveStudy(QWidget* parent, const std::function<QByteArray(const QS
         render::atomicWrite(path.toStdString(), contentOf(suffix).toStdString());
         return {};
     } catch (const Failure& failure) {
-        return QString::fromUtf8(failure.what());
+        return said(failure.what());
     }
 }
 

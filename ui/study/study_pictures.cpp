@@ -9,6 +9,7 @@
 #include <QPainter>
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine::ui {
 
@@ -27,6 +28,7 @@ QImage screenImage(const render::Image& picture)
 
 namespace {
 
+constexpr double wipeStep = 0.05;
 constexpr double scaleHeight =
     20;  ///< Pixels below the heat map: its colors from 0 to the largest error, with numbers.
 
@@ -50,7 +52,7 @@ StudyPictures::StudyPictures(QWidget* parent) : QWidget(parent)
     setAccessibleName(tr("Picture and reference"));
     setAccessibleDescription(tr("Left of the line the setting, right of it the reference; arrows move the line."));
     setToolTip(tr("Left of the line: the setting. Right of it: the reference. Beside it: where they differ.\nA double "
-                  "click gives the pictures all the room, or the chart its own again."));
+                  "click, or Enter, opens them large, to zoom into."));
 }
 
 void StudyPictures::show(const QImage& picture, const QImage& reference, const QImage& heat, const QString& full)
@@ -66,6 +68,17 @@ void StudyPictures::setWipe(double share)
 {
     wipe_ = std::clamp(share, 0.0, 1.0);
     update();
+    tellNumber(*this);
+}
+
+QString StudyPictures::spokenText() const
+{
+    return picture_.isNull() ? tr("Nothing is measured yet.") : QString();
+}
+
+std::optional<SpokenNumber> StudyPictures::spokenNumber() const
+{
+    return SpokenNumber{wipe_ * 100, 0, 100, wipeStep * 100, tr("%1 % the setting").arg(std::lround(wipe_ * 100))};
 }
 
 QRectF StudyPictures::placeOf(int index) const
@@ -82,8 +95,17 @@ QRectF StudyPictures::placeOf(int index) const
 void StudyPictures::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
-    if (picture_.isNull()) return;
     const QRectF at = placeOf(0);
+    paintPictures(painter, at);
+    if (!hasFocus()) return;
+    painter.setPen(QPen(theme().accent, 1));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(at.adjusted(0, 0, -1, -1));
+}
+
+void StudyPictures::paintPictures(QPainter& painter, const QRectF& at)
+{
+    if (picture_.isNull()) return;
     painter.drawImage(at, picture_);
     const double edge = at.left() + wipe_ * at.width();
     if (!reference_.isNull()) {
@@ -107,10 +129,6 @@ void StudyPictures::paintEvent(QPaintEvent*)
         painter.drawText(below, Qt::AlignRight | Qt::AlignVCenter,
                          painter.fontMetrics().elidedText(full_, Qt::ElideRight, static_cast<int>(most)));
     }
-    if (hasFocus()) {
-        painter.setPen(QPen(theme().accent, 1));
-        painter.drawRect(at.adjusted(0, 0, -1, -1));
-    }
 }
 
 void StudyPictures::mouseMoveEvent(QMouseEvent* event)
@@ -127,9 +145,9 @@ void StudyPictures::mouseDoubleClickEvent(QMouseEvent*)
 void StudyPictures::keyPressEvent(QKeyEvent* event)
 {
     if (event->key() == Qt::Key_Left)
-        setWipe(wipe_ - 0.05);
+        setWipe(wipe_ - wipeStep);
     else if (event->key() == Qt::Key_Right)
-        setWipe(wipe_ + 0.05);
+        setWipe(wipe_ + wipeStep);
     else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter)
         emit enlargeAsked();
     else

@@ -1,9 +1,12 @@
 #pragma once
 
 #include "render/image/image.h"
+#include "ui/kit/spoken.h"
 
 #include <QImage>
 #include <QWidget>
+
+class QPainter;
 
 namespace vitrine::ui {
 
@@ -11,7 +14,7 @@ namespace vitrine::ui {
 [[nodiscard]] QImage screenImage(const render::Image&);
 
 /// A setting's picture against its reference, with a wipe that follows the pointer, and where they differ beside it.
-class StudyPictures final : public QWidget {
+class StudyPictures final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -21,6 +24,12 @@ public:
     void show(const QImage& picture, const QImage& reference, const QImage& heat, const QString& full = {});
     [[nodiscard]] double wipe() const { return wipe_; }
     void setWipe(double share);  ///< 0: all reference, 1: all setting.
+
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
+    [[nodiscard]] QString spokenText() const override;
+    /// Where the line is, in percent.
+    [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
+    void setSpokenNumber(double percent) override { setWipe(percent / 100); }
 
 signals:
     void enlargeAsked();  ///< By a double click, or Enter.
@@ -34,6 +43,7 @@ protected:
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 110}; }
 
 private:
+    void paintPictures(QPainter&, const QRectF& at);
     [[nodiscard]] QRectF placeOf(int index) const;  ///< 0: picture, 1: heat map.
 
     QImage picture_, reference_, heat_;

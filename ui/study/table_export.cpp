@@ -4,6 +4,7 @@
 #include "exhibits/museum/museum.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
+#include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/text.h"
 #include "ui/kit/time_left.h"
@@ -30,11 +31,11 @@ void TableExport::ask(Workbench& window, QWidget* parent)
     const auto* source = capability<MeasuresTable>(subject);
     if (!source) {
         window.say(MessageStrip::Mood::notice,
-                   tr("%1 has no table of its own; the Study panel measures its rows.").arg(text(subject.title())));
+                   tr("%1 has no table of its own; the Study panel measures its rows.").arg(said(subject.title())));
         return;
     }
     auto* dialog =
-        new QFileDialog(parent, text(source->tableTitle()), QStringLiteral("methods.csv"), tr("CSV (*.csv)"));
+        new QFileDialog(parent, said(source->tableTitle()), QStringLiteral("methods.csv"), tr("CSV (*.csv)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setDefaultSuffix(QStringLiteral("csv"));
@@ -45,7 +46,7 @@ void TableExport::ask(Workbench& window, QWidget* parent)
 
 TableExport::TableExport(Workbench& window, const MeasuresTable& source, QString path, QWidget* parent)
     : QObject(parent), window_(window), path_(std::move(path)),
-      shown_(new QProgressDialog(text(source.tableTitle()), tr("Cancel"), 0, 1000, parent))
+      shown_(new QProgressDialog(said(source.tableTitle()), tr("Cancel"), 0, 1000, parent))
 {
     shown_->setWindowTitle(QStringLiteral("Vitrine"));
     shown_->setMinimumDuration(0);

@@ -1,6 +1,8 @@
 #include "ui/tree/tree_dock.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
+#include "ui/kit/type_size.h"
 #include "ui/tree/tree_editor.h"
 #include "ui/tree/tree_file.h"
 #include "ui/tree/tree_overlay.h"
@@ -41,7 +43,7 @@ TreeDock::TreeDock(TreeEditor& editor, TreeOverlay& overlay, TreeFile& file, QWi
     layout->setSpacing(0);
     layout->addWidget(bar());
     layout->addWidget(parts, 1);
-    setMinimumWidth(320);
+    followType(*this, [this] { setMinimumWidth(std::max(320, grown(296, *this))); });
     connect(view_, &QWidget::customContextMenuRequested, this, &TreeDock::openMenu);
     connect(&editor_, &TreeEditor::selectionChanged, this, &TreeDock::enable);
     connect(&editor_, &TreeEditor::treeChanged, this, &TreeDock::enable);
@@ -87,7 +89,7 @@ QWidget* TreeDock::bar()
         made->setToolTip(tip);
         made->setAccessibleName(text);
         made->setFocusPolicy(Qt::StrongFocus);
-        made->setFixedHeight(26);
+        growHeight(*made, 26);
         layout->addWidget(made);
         return made;
     };
@@ -174,7 +176,7 @@ void TreeDock::offerKinds(QMenu* menu, What what, bool shapes, bool operations)
             for (const TreeKind& kind : editor_.tree().kinds) {
                 if (kind.operation != operation) continue;
                 QAction* action = menu->addAction(text(kind.name));
-                action->setToolTip(text(kind.help));
+                action->setToolTip(said(kind.help));
                 connect(action, &QAction::triggered, this,
                         [this, what, word = std::string(kind.name)] { apply(what, word); });
             }

@@ -3,6 +3,7 @@
 #include "exhibits/framework/capabilities.h"
 #include "exhibits/museum/museum.h"
 #include "render/failure.h"
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/model/workbench.h"
 
@@ -89,7 +90,7 @@ bool TreeEditor::apply(const TreeEdit& edit, const QString& text)
         select(made.node);
         return true;
     } catch (const Failure& failure) {
-        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        window_.say(MessageStrip::Mood::problem, said(failure.what()));
         return false;
     }
 }
@@ -103,7 +104,7 @@ void TreeEditor::setRow(std::size_t row, const Value& value, Gesture gesture, co
         beginDocument();
         change(next, gesture, text);
     } catch (const Failure& failure) {
-        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        window_.say(MessageStrip::Mood::problem, said(failure.what()));
         emit valuesChanged();
     }
 }
@@ -117,7 +118,7 @@ void TreeEditor::setPlace(const TreePlace& from, const TreePlace& to, Gesture ge
         beginDocument();
         change(next, gesture, text);
     } catch (const Failure& failure) {
-        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        window_.say(MessageStrip::Mood::problem, said(failure.what()));
     }
 }
 

@@ -5,6 +5,7 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
+#include "ui/kit/language.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/tree/tree_editor.h"
@@ -123,7 +124,7 @@ bool TreeFile::saveTo(const QString& path)
     try {
         render::atomicWrite(file, text);
     } catch (const Failure& failure) {
-        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        window_.say(MessageStrip::Mood::problem, said(failure.what()));
         return false;
     }
     SceneState after = window_.history().sceneState();

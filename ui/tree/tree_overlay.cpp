@@ -33,6 +33,7 @@ TreeOverlay::TreeOverlay(const Museum& museum, TreeEditor& editor, Viewport& vie
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setAttribute(Qt::WA_NoSystemBackground);
     setFocusPolicy(Qt::NoFocus);
+    setAccessibleName(tr("Handles of the selected shape"));
     setGeometry(viewport.rect());
     viewport.installEventFilter(this);
     soon_.setSingleShot(true);

@@ -72,9 +72,10 @@ void TreeView::rebuild()
         }
         item->setData(0, Qt::UserRole, QString::fromStdString(node.id));
         item->setText(0, text(Tree::title(node)));
-        item->setText(1, node.name.empty() ? QString() : QString::fromStdString(node.kind));
+        item->setText(1, node.name.empty() ? QString() : text(node.kind));
         item->setCheckState(0, node.hidden ? Qt::Unchecked : Qt::Checked);
-        item->setToolTip(0, tr("The check mark shows or hides it. Drag to reorder, F2 renames."));
+        item->setToolTip(
+            0, tr("The check mark shows or hides it. Drag it, or press Ctrl and the arrows, to reorder; F2 renames."));
         Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsEditable | Qt::ItemIsUserCheckable;
         if (node.movable) flags |= Qt::ItemIsDragEnabled;
         if (node.takesChildren) flags |= Qt::ItemIsDropEnabled;
@@ -142,6 +143,7 @@ void TreeView::keyPressEvent(QKeyEvent* event)
         editor_.select({});
         return;
     }
+    if (event->modifiers() == Qt::ControlModifier && moveByKey(event->key())) return;
     QTreeWidget::keyPressEvent(event);
 }
 
@@ -165,10 +167,36 @@ void TreeView::dropEvent(QDropEvent* event)
     const QTreeWidgetItem* dragged = currentItem();
     QTreeWidgetItem* target = itemAt(event->position().toPoint());
     if (!dragged || !target || event->source() != this) return;
-    const int side = dropIndicatorPosition() == OnItem ? 0 : dropIndicatorPosition() == AboveItem ? -1 : 1;
-    const TreeEdit edit = moveOf(*dragged, *target, side);
+    startMove(*dragged, *target, dropIndicatorPosition() == OnItem ? 0 : dropIndicatorPosition() == AboveItem ? -1 : 1);
+}
+
+bool TreeView::moveByKey(int key)
+{
+    const QTreeWidgetItem* item = currentItem();
+    QTreeWidgetItem* parent = item ? item->parent() : nullptr;
+    if (!parent || !(item->flags() & Qt::ItemIsDragEnabled)) return false;
+    const int at = parent->indexOfChild(const_cast<QTreeWidgetItem*>(item));
+    QTreeWidgetItem* above = parent->child(at - 1);
+    QTreeWidgetItem* below = parent->child(at + 1);
+    const bool takes = above && (above->flags() & Qt::ItemIsDropEnabled);
+    if (key == Qt::Key_Up && above)
+        startMove(*item, *above, -1);
+    else if (key == Qt::Key_Down && below)
+        startMove(*item, *below, 1);
+    else if (key == Qt::Key_Left && parent->parent())
+        startMove(*item, *parent, 1);
+    else if (key == Qt::Key_Right && takes)
+        startMove(*item, *above, 0);
+    else
+        return false;
+    return true;
+}
+
+void TreeView::startMove(const QTreeWidgetItem& moved, QTreeWidgetItem& target, int side)
+{
+    const TreeEdit edit = moveOf(moved, target, side);
     if (edit.parent.empty()) return;
-    const QString title = dragged->text(0);
+    const QString title = moved.text(0);
     QMetaObject::invokeMethod(
         this, [this, edit, title] { editor_.apply(edit, tr("Move %1").arg(title)); }, Qt::QueuedConnection);
 }

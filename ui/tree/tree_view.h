@@ -33,6 +33,10 @@ private:
     void rebuild();
     void showSelection();
     void takeEdit(QTreeWidgetItem*, int column);
+    /// Ctrl with the arrows: up and down among its siblings, out of its parent, into the one above. False: it cannot go
+    /// there.
+    bool moveByKey(int key);
+    void startMove(const QTreeWidgetItem& moved, QTreeWidgetItem& target, int side);
 
     TreeEditor& editor_;
     bool filling_ = false;

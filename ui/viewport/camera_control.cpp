@@ -10,6 +10,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double steepestSceneState = 1.5;  // Just short of straight up, where yaw loses its meaning.
 constexpr double longestStep = 0.1;         // Meters: shorter than any wall is thick.
+constexpr double longestAdvance = 0.5;      // Seconds: whoever waited longer does not go through all of it.
 constexpr double slowest = 0.004;           // Meters per second: below it the visitor stands.
 
 double shortestTurn(double from, double to)
@@ -58,12 +59,11 @@ void Walker::advance(double seconds, const WalkKeys& keys, const Walkable& walka
 {
     const glm::dvec3 ahead(std::sin(heading_.yaw), 0, -std::cos(heading_.yaw));
     const glm::dvec3 aside(-ahead.z, 0, ahead.x);
-    glm::dvec3 wanted =
-        ahead * static_cast<double>(keys.forward - keys.back) + aside * static_cast<double>(keys.right - keys.left);
+    glm::dvec3 wanted = ahead * (keys.forward - keys.back + keys.ahead) + aside * (keys.right - keys.left + keys.aside);
     const double length = glm::length(wanted);
-    if (length > 0) wanted *= (keys.run ? runningSpeed : walkingSpeed) / length;
+    wanted *= (keys.run ? runningSpeed : walkingSpeed) / std::max(length, 1.0);  // A stick walks slowly, too.
 
-    seconds = std::clamp(seconds, 0.0, 0.5);
+    seconds = std::clamp(seconds, 0.0, longestAdvance);
     const double fastest = std::max(glm::length(wanted), glm::length(velocity_));
     const int steps = std::max(1, static_cast<int>(std::ceil(fastest * seconds / longestStep)));
     for (int i = 0; i < steps; ++i) step(seconds / steps, wanted, walkable);
@@ -161,10 +161,25 @@ void CameraControl::jumpTo(const render::Camera& camera)
 void CameraControl::glideTo(const Standpoint& there)
 {
     if (mode_ == Mode::walk) beforeVisit_ = walker_.camera();
-    glide_.start(camera(), there.camera);
     walker_.stop();
+    startGlide(camera(), there);
+}
+
+void CameraControl::startGlide(const render::Camera& from, const Standpoint& there)
+{
+    glide_.start(from, there.camera);
     afterGlide_ = there.mode;
     mode_ = Mode::glide;
+    if (cuts_) arrive();
+}
+
+void CameraControl::arrive()
+{
+    mode_ = afterGlide_;
+    if (mode_ == Mode::orbit)
+        orbit_.start(glide_.end());
+    else
+        walker_.place(glide_.end());
 }
 
 CameraControl::Standpoint CameraControl::standpoint() const
@@ -181,9 +196,7 @@ void CameraControl::walkOn()
     standing.eye.y = Walker::eyeHeight;
     if (walkable_ && glm::distance(walkable_(standing.eye, standing.eye), standing.eye) > 1e-6)
         standing.eye = beforeVisit_.eye;
-    glide_.start(now, standing);
-    afterGlide_ = Mode::walk;
-    mode_ = Mode::glide;
+    startGlide(now, {standing, Mode::walk});
 }
 
 void CameraControl::turn(double yaw, double pitch)
@@ -201,16 +214,13 @@ void CameraControl::zoom(double steps)
 bool CameraControl::advance(double seconds, const WalkKeys& keys)
 {
     const render::Camera before = camera();
+    const double turned = std::clamp(seconds, 0.0, longestAdvance);
+    if (keys.yaw != 0 || keys.pitch != 0) turn(keys.yaw * turned, keys.pitch * turned);
+    if (keys.nearer != 0) zoom(keys.nearer * turned);
     if (mode_ == Mode::orbit && keys.any()) walkOn();
     if (mode_ == Mode::glide) {
         glide_.advance(seconds);
-        if (glide_.finished()) {
-            mode_ = afterGlide_;
-            if (mode_ == Mode::orbit)
-                orbit_.start(glide_.end());
-            else
-                walker_.place(glide_.end());
-        }
+        if (glide_.finished()) arrive();
     } else if (mode_ == Mode::walk) {
         walker_.advance(seconds, keys, walkable_);
     }

@@ -10,11 +10,18 @@ namespace vitrine::ui {
 /// exhibits allow, sliding along them. Eye positions in the world, meters.
 using Walkable = std::function<glm::dvec3(const glm::dvec3& from, const glm::dvec3& to)>;
 
-/// The keys that are held down.
+/// What the visitor holds down or pushes.
 struct WalkKeys {
     bool forward = false, back = false, left = false, right = false, run = false;
+    /// Of a stick, added to the keys: parts of the full speed, forward and to the right.
+    double ahead = 0, aside = 0;
+    double yaw = 0, pitch = 0;  ///< Radians per second by which the head is turned.
+    double nearer = 0;          ///< Steps of `Orbit::zoom` per second.
 
-    [[nodiscard]] bool any() const { return forward || back || left || right; }
+    /// Something walks.
+    [[nodiscard]] bool any() const { return forward || back || left || right || ahead != 0 || aside != 0; }
+    /// Something walks, or turns the head, or goes nearer.
+    [[nodiscard]] bool moves() const { return any() || yaw != 0 || pitch != 0 || nearer != 0; }
 };
 
 /// A look direction as two angles, radians. Yaw 0 looks along -z and grows to the right; pitch grows upward.
@@ -107,6 +114,9 @@ public:
         Mode mode = Mode::walk;  ///< Never `glide`.
     };
 
+    /// While on, nothing glides: the camera is at once where it would have glided to.
+    void setCutting(bool cuts) { cuts_ = cuts; }
+    [[nodiscard]] bool cuts() const { return cuts_; }
     void setWalkable(Walkable walkable) { walkable_ = std::move(walkable); }
     /// At once: walking where a visitor can stand, else orbiting the camera's target.
     void jumpTo(const render::Camera&);
@@ -120,7 +130,7 @@ public:
     /// Radians. Walking: looks around. Orbiting: moves around. Gliding: nothing.
     void turn(double yaw, double pitch);
     void zoom(double steps);
-    /// Keys while orbiting walk on. Returns whether the camera changed.
+    /// Keys for walking while orbiting walk on. Returns whether the camera changed.
     bool advance(double seconds, const WalkKeys&);
 
     [[nodiscard]] render::Camera camera() const;
@@ -129,7 +139,11 @@ public:
     [[nodiscard]] bool moving() const { return mode_ == Mode::glide || walker_.moving(); }
 
 private:
+    void startGlide(const render::Camera& from, const Standpoint& there);
+    void arrive();
+
     Walkable walkable_;
+    bool cuts_ = false;
     Walker walker_;
     Orbit orbit_;
     Glide glide_;

@@ -18,6 +18,25 @@ constexpr int asSmoothAsMotion = 4;
 
 }  // namespace
 
+void DrawSchedule::setSamples(int samples)
+{
+    wantedSamples_ = samples;
+    samples_ = std::min(wantedSamples_, mostSamples_);
+}
+
+void DrawSchedule::setLimits(int mostSamples, double leastScale)
+{
+    mostSamples_ = std::max(mostSamples, 1);
+    leastScale_ = leastScale;
+    setSamples(wantedSamples_);
+    while (level_ > 0 && scales[level_] < leastScale_) --level_;
+}
+
+bool DrawSchedule::canBeCoarser() const
+{
+    return level_ + 1 < scales.size() && scales[level_ + 1] >= leastScale_;
+}
+
 void DrawSchedule::changed(double now)
 {
     cameraOnly_ = false;
@@ -122,7 +141,7 @@ void DrawSchedule::adapt(const DrawOrder& order, double seconds)
     const double perPixelShare = seconds / (order.scale * order.scale);
     const auto predicted = [&](std::size_t level) { return perPixelShare * scales[level] * scales[level]; };
     if (order.scale == scales[level_] && seconds > late * targetTime) {
-        while (level_ + 1 < scales.size() && predicted(level_) > targetTime) ++level_;
+        while (canBeCoarser() && predicted(level_) > targetTime) ++level_;
         fastFrames_ = 0;
     } else if (level_ > 0 && predicted(level_ - 1) < room * targetTime) {
         if (++fastFrames_ < framesBeforeFiner) return;
@@ -131,6 +150,13 @@ void DrawSchedule::adapt(const DrawOrder& order, double seconds)
     } else {
         fastFrames_ = 0;
     }
+}
+
+std::string DrawSchedule::limit() const
+{
+    if (!limited()) return {};
+    return "; the hall says " + std::to_string(wantedSamples_) + ", the preferences no more than " +
+           std::to_string(samples_);
 }
 
 std::string DrawSchedule::reason() const
@@ -142,11 +168,11 @@ std::string DrawSchedule::reason() const
     }
     if (refined_ < samples_) {
         std::snprintf(text, sizeof text, "still: refining %d of %d", refined_, samples_);
-        return text;
+        return text + limit();
     }
     std::snprintf(text, sizeof text, "still: refined %d of %d, nothing to draw, because nothing changes", refined_,
                   samples_);
-    return text;
+    return text + limit();
 }
 
 }  // namespace vitrine::ui

@@ -31,8 +31,15 @@ public:
     static constexpr double settleTime = 0.2;    ///< Seconds without a change after which the picture is still.
 
     /// Supersamples of a picture at rest; at least 1.
-    void setSamples(int samples) { samples_ = samples; }
+    void setSamples(int samples);
     [[nodiscard]] int samples() const { return samples_; }
+
+    /// What the visitor can wait for: no more supersamples than that, whatever is asked for, and while something moves
+    /// never coarser than this part of full resolution, which may make it slower.
+    void setLimits(int mostSamples, double leastScale);
+    /// Fewer supersamples are drawn than are asked for.
+    [[nodiscard]] bool limited() const { return samples_ < wantedSamples_; }
+    [[nodiscard]] int mostSamples() const { return mostSamples_; }
 
     /// How many there are. The first picture shows none, the next ones one more each, until that is quick.
     void setExhibits(int count) { exhibits_ = count; }
@@ -70,9 +77,12 @@ public:
     [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples_; }
     /// For the status line: what the last picture was drawn as, and why.
     [[nodiscard]] std::string reason() const;
+    /// For the same line: that the preferences allow fewer supersamples than are asked for; empty when they do not.
+    [[nodiscard]] std::string limit() const;
 
 private:
     void open(double seconds);
+    [[nodiscard]] bool canBeCoarser() const;
     void adapt(const DrawOrder&, double seconds);
 
     bool dirty_ = true;
@@ -82,7 +92,9 @@ private:
     std::optional<DrawOrder> underway_;
     bool outdated_ = false;  // Something changed since it was begun.
     bool moving_ = false;
-    int samples_ = 16;
+    int samples_ = 16, wantedSamples_ = 16;
+    int mostSamples_ = std::numeric_limits<int>::max();
+    double leastScale_ = 0;
     int history_ = 1;
     bool cameraOnly_ = false;  // Nothing else changed since the last picture that shows things as they are.
     int leastToShow_ = 0;      // Supersamples that are better than what is on the screen.

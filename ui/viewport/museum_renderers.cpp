@@ -1,5 +1,7 @@
 #include "ui/viewport/museum_renderers.h"
 
+#include "render/gl/machine_json.h"
+
 #include <cassert>
 
 namespace vitrine::ui {
@@ -37,6 +39,7 @@ void MuseumRenderers::open()
 void MuseumRenderers::close()
 {
     other_.reset();
+    small_.reset();
     regions_.reset();
     renderer_.reset();
     if (debugLog_ && !debugLog_->errors().empty()) qWarning("OpenGL: %s", debugLog_->errors().c_str());
@@ -67,6 +70,13 @@ OtherDrawn MuseumRenderers::drawOther(const SceneState& sceneState, const FrameR
     drawn.report = other_->draw(museum_.plan(museum_.prepare(sceneState, request), request, other_->persistentState()));
     drawn.image = screenImageOf(*other_, screen);
     return drawn;
+}
+
+QImage MuseumRenderers::drawSmall(const SceneState& sceneState, const FrameRequest& request, const QSize& screen)
+{
+    if (!small_) small_ = renderer_->sibling();
+    (void)small_->draw(museum_.plan(museum_.prepare(sceneState, request), request, small_->persistentState()));
+    return screenImageOf(*small_, screen);
 }
 
 QImage MuseumRenderers::drawRegion(const SceneState& sceneState, const FrameRequest& request,
@@ -139,6 +149,7 @@ StudyJob MuseumRenderers::makeStudy(const StudyRequest& request)
     StudyJob job;
     job.backend = renderer_->sibling();
     job.study = std::make_unique<Study>(museum_, *job.backend, request);
+    job.machine = render::gl::machineJson(context_->info());
     return job;
 }
 

@@ -18,6 +18,8 @@ public:
                                     const Unwanted&) override;
     [[nodiscard]] OtherDrawn drawOther(const SceneState&, const FrameRequest&, const QSize& screen) override;
     void forgetOther() override { other_.reset(); }
+    [[nodiscard]] QImage drawSmall(const SceneState&, const FrameRequest&, const QSize& screen) override;
+    void forgetSmall() override { small_.reset(); }
     [[nodiscard]] render::Image shownPicture() override;
     void buildBetter(const SceneState&, const FrameRequest&) override;
     void timeSteps(bool on) override;
@@ -38,6 +40,7 @@ private:
     std::unique_ptr<render::gl::Renderer> renderer_;
     std::unique_ptr<render::gl::Renderer> regions_;  ///< Draws what moves in a picture that stands still.
     std::unique_ptr<render::gl::Renderer> other_;    ///< Draws the second look.
+    std::unique_ptr<render::gl::Renderer> small_;    ///< Draws small pictures.
     bool timeSteps_ = false;
 };
 

@@ -11,7 +11,6 @@ Overlay::Overlay(Place place, QWidget* viewport) : QLabel(viewport), place_(plac
     setTextFormat(Qt::PlainText);
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setContentsMargins(12, 6, 12, 6);
-    setWordWrap(place == Place::topLeft);
     QPalette colors = palette();
     colors.setColor(QPalette::WindowText, QColor(0xee, 0xea, 0xe2));
     setPalette(colors);
@@ -30,8 +29,11 @@ void Overlay::place()
 {
     if (text().isEmpty()) return;
     const QSize room = parentWidget()->size();
+    const int widest = std::max(80, std::min(720, room.width() - 32));
+    const QMargins around = contentsMargins();
+    const int inOneLine = fontMetrics().size(0, text()).width() + around.left() + around.right();
+    setWordWrap(place_ == Place::topLeft || inOneLine > widest);
     if (wordWrap()) {
-        const int widest = std::max(80, std::min(720, room.width() - 32));
         resize(widest, heightForWidth(widest));
     } else {
         adjustSize();

@@ -3,6 +3,7 @@
 #include "exhibits/museum/museum.h"
 #include "exhibits/museum/picture.h"
 #include "exhibits/study/study.h"
+#include "render/files/strict_json.h"
 #include "render/gl/renderer.h"
 
 #include <QImage>
@@ -23,6 +24,7 @@ struct PictureJob {
 struct StudyJob {
     std::unique_ptr<render::RenderBackend> backend;
     std::unique_ptr<Study> study;
+    render::Json machine = render::Json::object();  ///< What measures, as files of studies have it.
 };
 
 /// A picture of a second look, as a screen shows it.
@@ -74,6 +76,13 @@ public:
     /// A renderer for work of another kind, which may time every step; it ends on this thread, too. Null where there
     /// are no graphics.
     [[nodiscard]] virtual std::unique_ptr<render::RenderBackend> makeBackend(bool /*timesSteps*/) { return nullptr; }
+    /// The same sample of a small picture of any look, on a renderer of its own, which is kept until `forgetSmall`, as
+    /// a screen of this many pixels shows it.
+    [[nodiscard]] virtual QImage drawSmall(const SceneState&, const FrameRequest&, const QSize& /*screen*/)
+    {
+        return {};
+    }
+    virtual void forgetSmall() {}
 };
 
 }  // namespace vitrine::ui

@@ -2,6 +2,7 @@
 
 #include "exhibits/museum/named_files.h"
 #include "render/failure.h"
+#include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
 #include "ui/viewport/overlay.h"
 #include "ui/viewport/reading_notice.h"
@@ -49,7 +50,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     setMouseTracking(true);
     setMinimumSize(160, 90);
     setAccessibleName(tr("Museum"));
-    setAccessibleDescription(tr("The picture. W A S D walk, dragging looks around, a click visits an exhibit."));
+    setAccessibleDescription(tr("The picture. W A S D walk, Ctrl and the arrows look around, Enter visits."));
     steady_.start();
     pressedAt_.assign(museum.subjects().size(), never);
     schedule_.setExhibits(static_cast<int>(museum.subjects().size()) - 1);  // But for the hall.
@@ -68,6 +69,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     connect(input_.get(), &ViewportInput::walkOnAsked, this, &Viewport::walkOn);
     connect(input_.get(), &ViewportInput::goBackAsked, this, &Viewport::goBack);
     connect(input_.get(), &ViewportInput::pressAsked, this, &Viewport::press);
+    connect(input_.get(), &ViewportInput::actAsked, this, &Viewport::act);
     fileWatch_.setInterval(lookAtFilesEvery);
     connect(&fileWatch_, &QTimer::timeout, this, [this] {
         if (stateOfFiles(museum_.subjects(), history_.sceneState()) == filesDrawn_) return;
@@ -278,7 +280,7 @@ void Viewport::scheduleNext()
 {
     if (drawing_) return;  // Its arrival goes on.
     const double wait = schedule_.wait(now());
-    const bool walking = input_->keys().any() && hasFocus();
+    const bool walking = input_->sticks().moves() || (input_->keys().moves() && hasFocus());
     if (wait <= 0 || walking || control_.moving()) {
         timer_.start(canBeSeen() ? 0 : hiddenWait);
         return;
@@ -289,7 +291,7 @@ void Viewport::scheduleNext()
     if (std::isfinite(soonest)) timer_.start(static_cast<int>(std::ceil(std::clamp(soonest, 0.0, 3600.0) * 1000)));
 }
 
-const Prepared& Viewport::prepared()
+const Prepared& Viewport::prepared() const
 {
     const Prepared& now = prepared_.of(history_.sceneState(), sceneStateNumber_, request(time_));
     if (!now.pending.empty()) reading_->start();
@@ -298,7 +300,7 @@ const Prepared& Viewport::prepared()
 
 std::optional<PictureRegion> Viewport::smallRegion()
 {
-    if (input_->keys().any() || control_.moving() || runEverything_ || wholePictures_ ||
+    if (input_->keys().moves() || control_.moving() || runEverything_ || wholePictures_ ||
         pictureQuality(history_.sceneState().hall()).resolutionScale != 1)
         return std::nullopt;
     const FrameRequest wanted = request(time_);
@@ -316,7 +318,10 @@ void Viewport::advanceClock(double at)
     lastTick_ = at;
     const CameraControl::Mode modeBefore = control_.mode();
     if (control_.advance(seconds, input_->keys())) cameraChanged();
-    if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) emit walkedOn();
+    if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) {
+        cut_ = cut_ || control_.cuts();
+        emit walkedOn();
+    }
 
     double change = paused_ ? INFINITY : museum_.nextChange(prepared(), request(time_));
     // What is still to be read or made is there with the next picture: it is asked for once.
@@ -325,7 +330,7 @@ void Viewport::advanceClock(double at)
     awaited_ = pending;
     const bool animated = change <= 0;
     changeAt_ = time_ + change;
-    clockRuns_ = std::isfinite(change) || input_->keys().any() || control_.moving();
+    clockRuns_ = std::isfinite(change) || input_->keys().moves() || control_.moving();
     region_ = std::isfinite(change) ? smallRegion() : std::nullopt;
     if (region_) {
         // The picture around it stands still and is refined; what moves is drawn by itself.
@@ -343,7 +348,7 @@ void Viewport::advanceClock(double at)
         passTime(since);
         if (change <= since) schedule_.changed(at);
     }
-    schedule_.setMoving(animated || input_->keys().any() || control_.moving(), at);
+    schedule_.setMoving(animated || input_->keys().moves() || control_.moving(), at);
 }
 
 void Viewport::tick()
@@ -377,13 +382,6 @@ void Viewport::buildBetter()
     });
 }
 
-void Viewport::takeQuality()
-{
-    const PictureQuality quality = pictureQuality(history_.sceneState().hall());
-    schedule_.setSamples(quality.supersamples);
-    schedule_.setHistory(quality.historyFrames);
-}
-
 void Viewport::sceneStateChanged()
 {
     ++sceneStateNumber_;
@@ -404,7 +402,7 @@ void Viewport::cameraChanged()
         schedule_.cameraMoved(now());
     if (!timer_.isActive()) timer_.start(0);
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? museum_.lookedAt(prepared()) : std::nullopt;
-    label_->say(lookedAt_ ? QString::fromStdString(lookedAt_->text) : QString());
+    label_->say(lookedAt_ ? said(lookedAt_->text) : QString());
     input_->lookAgain();
     emit looked();
 }
@@ -413,10 +411,11 @@ QString Viewport::reason() const
 {
     if (region_ && schedule_.still())
         return tr("still: refined %1 of %1; what moves is drawn by itself, %2 × %3 pixels")
-            .arg(schedule_.samples())
-            .arg(region_->size.x)
-            .arg(region_->size.y);
-    return QString::fromStdString(schedule_.reason());
+                   .arg(schedule_.samples())
+                   .arg(region_->size.x)
+                   .arg(region_->size.y) +
+               said(schedule_.limit());
+    return said(schedule_.reason());
 }
 
 bool Viewport::pictureFinished() const
@@ -488,11 +487,6 @@ void Viewport::reloadShaders()
 void Viewport::showProblems(const std::vector<render::gl::ShaderProblem>& problems)
 {
     problems_->say(shaderProblemsText(problems));
-}
-
-void Viewport::showHint(const QString& text)
-{
-    hint_->say(text);
 }
 
 }  // namespace vitrine::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ui/kit/spoken.h"
 #include "ui/model/history.h"
 #include "ui/viewport/camera_control.h"
 #include "ui/viewport/draw_schedule.h"
@@ -19,11 +20,12 @@ namespace vitrine::ui {
 
 class Overlay;
 class ReadingNotice;
+struct Handling;
 class ViewportInput;
 
 /// The picture, and the visitor in it. It shows the last picture that the render thread finished and draws none itself;
 /// pictures are asked for on demand only, one at a time.
-class Viewport final : public QOpenGLWidget {
+class Viewport final : public QOpenGLWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -47,7 +49,19 @@ public:
     /// Leaves the exhibit.
     void walkOn();
     [[nodiscard]] CameraControl::Mode mode() const { return control_.mode(); }
+    /// What a gamepad's sticks say until they say something else.
+    void setSticks(const WalkKeys&);
+    [[nodiscard]] const WalkKeys& sticks() const;
+    /// Presses the button that the visitor looks at, or visits what is in the middle of the picture.
+    void act();
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Graphic; }
+    [[nodiscard]] QString spokenText() const override;
 
+    void setHandling(const Handling&);
+    /// See `DrawSchedule::setLimits`.
+    void setLimits(int mostSamples, double leastScale);
+    /// While on, the camera cuts to where it would glide otherwise.
+    void setReducedMotion(bool on) { control_.setCutting(on); }
     void setPaused(bool);
     [[nodiscard]] bool paused() const { return paused_; }
     static constexpr double latestTime = 86400;  ///< Seconds.
@@ -141,10 +155,12 @@ private:
     void takeRegion(const DrawnPicture&);
     void layRegionOver();
     /// What is to be seen at this moment, for questions to the museum: prepared once, however many are asked.
-    [[nodiscard]] const Prepared& prepared();
+    [[nodiscard]] const Prepared& prepared() const;
     /// What moves by itself moves in this part of a picture that can stand still around it.
     [[nodiscard]] std::optional<PictureRegion> smallRegion();
     void cameraChanged();
+    /// The same after a glide began, or a cut was made in its place.
+    void leftFor();
     void showProblems(const std::vector<render::gl::ShaderProblem>&);
     void watchFiles();
     /// What rests is drawn faster from now on, once that can be.
@@ -154,7 +170,7 @@ private:
     void pressButton(std::size_t exhibit);
     void remember();
     /// What lies under a point of the widget.
-    [[nodiscard]] std::optional<Pointed> pointedAt(const QPointF&);
+    [[nodiscard]] std::optional<Pointed> pointedAt(const QPointF&) const;
 
     const Museum& museum_;
     Renderers& renderers_;
@@ -187,7 +203,7 @@ private:
     long long drawnState_ = 0;        // Of the picture that is being drawn.
     long long picturesDrawn_ = 0;
 
-    PreparedLook prepared_;
+    mutable PreparedLook prepared_;  // What was asked last is kept.
 
     // What moves while the rest of the picture stands still.
     std::optional<PictureRegion> region_;

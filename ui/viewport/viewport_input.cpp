@@ -1,5 +1,6 @@
 #include "ui/viewport/viewport_input.h"
 
+#include "ui/kit/language.h"
 #include "ui/viewport/overlay.h"
 
 #include <QApplication>
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double radiansPerPixel = 0.0035;      // Looking around: half a turn in 900 pixels.
 constexpr double orbitRadiansPerPixel = 0.008;  // Around an exhibit: half a turn in 400 pixels.
+constexpr double radiansPerSecond = 1.2;        // By keys, in both.
 constexpr int hoverDelay = 30;                  // Milliseconds after which a resting pointer is told what is under it.
 
 bool isPlain(const QKeyEvent& event)
@@ -80,13 +82,61 @@ bool ViewportInput::setKey(int key, bool down)
     }
 }
 
+bool ViewportInput::setTurnKey(int key, bool down)
+{
+    const double rate = down ? radiansPerSecond : 0;
+    switch (key) {
+    case Qt::Key_Up: keys_.pitch = rate; return true;
+    case Qt::Key_Down: keys_.pitch = -rate; return true;
+    case Qt::Key_Left: keys_.yaw = -rate; return true;
+    case Qt::Key_Right: keys_.yaw = rate; return true;
+    default: return false;
+    }
+}
+
+WalkKeys ViewportInput::keys() const
+{
+    WalkKeys all = keys_;
+    all.run = keys_.run || sticks_.run;
+    all.ahead = sticks_.ahead;
+    all.aside = sticks_.aside;
+    all.yaw += sticks_.yaw;
+    all.pitch += sticks_.pitch;
+    all.nearer = sticks_.nearer;
+    return all;
+}
+
+void ViewportInput::setSticks(const WalkKeys& sticks)
+{
+    sticks_ = sticks;
+    if (!sticks.moves()) return;
+    // Who has no pointer points with the middle of the picture.
+    if (button_ == Qt::NoButton) hoverPoint_ = viewport_.rect().center();
+    emit walking();
+}
+
 bool ViewportInput::pressKey(const QKeyEvent& event)
 {
     if (event.key() == Qt::Key_Escape) {
         emit walkOnAsked();
         return true;
     }
+    if (event.modifiers() == Qt::ControlModifier && setTurnKey(event.key(), true)) {
+        if (!hoverPoint_) hoverPoint_ = viewport_.rect().center();
+        if (!event.isAutoRepeat()) emit walking();
+        return true;
+    }
     if (!isPlain(event)) return false;
+    switch (event.key()) {
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (!event.isAutoRepeat()) emit actAsked();
+        return true;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal: zoom(1); return true;
+    case Qt::Key_Minus: zoom(-1); return true;
+    default: break;
+    }
     if (event.key() == Qt::Key_Backspace) {
         emit goBackAsked();
         return true;
@@ -102,7 +152,9 @@ bool ViewportInput::pressKey(const QKeyEvent& event)
 
 bool ViewportInput::releaseKey(const QKeyEvent& event)
 {
-    return !event.isAutoRepeat() && setKey(event.key(), false);
+    if (event.isAutoRepeat()) return false;
+    const bool turned = setTurnKey(event.key(), false);
+    return setKey(event.key(), false) || turned;
 }
 
 bool ViewportInput::pressPointer(const QMouseEvent& event)
@@ -136,8 +188,9 @@ void ViewportInput::drag(const QMouseEvent& event)
         if (button_ == Qt::RightButton) viewport_.setCursor(Qt::BlankCursor);
     }
     if (moved.isNull()) return;
-    const double rate = control_.mode() == CameraControl::Mode::orbit ? orbitRadiansPerPixel : radiansPerPixel;
-    control_.turn(moved.x() * rate, -moved.y() * rate);
+    const double rate =
+        (control_.mode() == CameraControl::Mode::orbit ? orbitRadiansPerPixel : radiansPerPixel) * handling_.look;
+    control_.turn(moved.x() * rate, (handling_.inverted ? moved.y() : -moved.y()) * rate);
     lastPoint_ = event.position();
     if (button_ == Qt::RightButton) {
         QCursor::setPos(viewport_.mapToGlobal(pressPoint_).toPoint());
@@ -160,9 +213,15 @@ bool ViewportInput::releasePointer(const QMouseEvent& event)
 bool ViewportInput::turnWheel(const QWheelEvent& event)
 {
     if (control_.mode() != CameraControl::Mode::orbit) return false;
-    control_.zoom(event.angleDelta().y() / 120.0);
-    emit turned();
+    zoom(event.angleDelta().y() / 120.0 * handling_.wheel);
     return true;
+}
+
+void ViewportInput::zoom(double steps)
+{
+    if (control_.mode() != CameraControl::Mode::orbit) return;
+    control_.zoom(steps);
+    emit turned();
 }
 
 void ViewportInput::letGo()
@@ -191,7 +250,7 @@ void ViewportInput::hover()
         viewport_.setCursor(Qt::PointingHandCursor);
     else
         viewport_.unsetCursor();
-    name_->say(found && naming_ ? QString::fromStdString(found->name) : QString());
+    name_->say(found && naming_ ? said(found->name) : QString());
     name_->placeAt(hoverPoint_->toPoint());
 }
 

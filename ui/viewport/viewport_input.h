@@ -20,6 +20,12 @@ namespace vitrine::ui {
 
 class Overlay;
 
+/// How the pointer and the wheel turn the camera, as factors of what is usual.
+struct Handling {
+    double look = 1, wheel = 1;
+    bool inverted = false;  ///< Dragging down looks up.
+};
+
 /// The visitor's hands over the viewport: keys that are held down, the pointer that turns the head, the wheel, clicks,
 /// and the name of what the pointer rests on.
 class ViewportInput final : public QObject {
@@ -32,7 +38,12 @@ public:
     /// point of the viewport.
     ViewportInput(QWidget& viewport, CameraControl& control, PointedAt pointedAt);
 
-    [[nodiscard]] const WalkKeys& keys() const { return keys_; }
+    /// Keys and sticks together.
+    [[nodiscard]] WalkKeys keys() const;
+    /// What a gamepad's sticks say until they say something else, wherever the focus is.
+    void setSticks(const WalkKeys&);
+    [[nodiscard]] const WalkKeys& sticks() const { return sticks_; }
+    void setHandling(const Handling& handling) { handling_ = handling; }
     /// Something else may lie under a pointer that rests.
     void lookAgain();
     /// Whether the name of what is under the pointer is shown; it is at first.
@@ -47,6 +58,8 @@ signals:
     void walkOnAsked();
     void goBackAsked();
     void pressAsked();
+    /// What is in the middle of the picture is to be visited or pressed.
+    void actAsked();
 
 protected:
     bool eventFilter(QObject*, QEvent*) override;
@@ -61,6 +74,8 @@ private:
     bool releasePointer(const QMouseEvent&);
     bool turnWheel(const QWheelEvent&);
     bool setKey(int key, bool down);
+    bool setTurnKey(int key, bool down);
+    void zoom(double steps);
     void drag(const QMouseEvent&);
     void letGo();
     void hover();
@@ -70,7 +85,8 @@ private:
     CameraControl& control_;
     PointedAt pointedAt_;
     Overlay* name_;
-    WalkKeys keys_;
+    WalkKeys keys_, sticks_;
+    Handling handling_;
     QTimer hoverTimer_;
     std::optional<QPointF> hoverPoint_;  // Where the pointer is while it is over the picture and no button is down.
     QPointF pressPoint_, lastPoint_;

@@ -2,6 +2,9 @@
 #include "ui/viewport/viewport.h"
 
 #include "exhibits/framework/tree.h"
+#include "ui/kit/text.h"
+#include "ui/viewport/overlay.h"
+#include "ui/viewport/viewport_input.h"
 
 #include <cmath>
 
@@ -18,7 +21,14 @@ void Viewport::visit(std::size_t exhibit)
     subject_ = exhibit;
     control_.glideTo({museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
                       exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
+    leftFor();
+}
+
+void Viewport::leftFor()
+{
+    cut_ = cut_ || control_.cuts();
     cameraChanged();
+    tellText(*this);
 }
 
 void Viewport::remember()
@@ -34,7 +44,7 @@ void Viewport::goBack()
     former_.pop_back();
     subject_ = former.subject;
     control_.glideTo(former.standpoint);
-    cameraChanged();
+    leftFor();
     emit visited(former.subject);
 }
 
@@ -52,7 +62,7 @@ void Viewport::goTo(const render::Camera& camera)
     const bool stands = std::abs(camera.eye.y - visitorsEye) < 1e-6 &&
                         glm::length(museum_.walk(camera.eye, camera.eye) - camera.eye) < 1e-6;
     control_.glideTo({camera, stands ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
-    cameraChanged();
+    leftFor();
 }
 
 void Viewport::walkOn()
@@ -60,7 +70,7 @@ void Viewport::walkOn()
     if (control_.standpoint().mode == CameraControl::Mode::walk) return;
     remember();
     control_.walkOn();
-    cameraChanged();
+    leftFor();
     emit walkedOn();
 }
 
@@ -77,11 +87,11 @@ void Viewport::click(const QPointF& at)
     remember();
     subject_ = found->exhibit;
     control_.visit(found->view);
-    cameraChanged();
+    leftFor();
     emit visited(found->exhibit);
 }
 
-std::optional<Pointed> Viewport::pointedAt(const QPointF& at)
+std::optional<Pointed> Viewport::pointedAt(const QPointF& at) const
 {
     if (width() <= 0 || height() <= 0) return std::nullopt;
     return museum_.pick(prepared(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
@@ -93,6 +103,43 @@ void Viewport::press()
         pressButton(subject_);
     else if (lookedAt_)
         pressButton(lookedAt_->exhibit);
+}
+
+void Viewport::showHint(const QString& text)
+{
+    hint_->say(text);
+}
+
+void Viewport::setSticks(const WalkKeys& sticks)
+{
+    input_->setSticks(sticks);
+}
+
+const WalkKeys& Viewport::sticks() const
+{
+    return input_->sticks();
+}
+
+void Viewport::act()
+{
+    const bool orbits = control_.mode() == CameraControl::Mode::orbit;
+    if (orbits ? !capability<HasTree>(museum_.subject(subject_)) : lookedAt_.has_value())
+        press();
+    else
+        click(QPointF(rect().center()));
+}
+
+QString Viewport::spokenText() const
+{
+    const CameraControl::Standpoint there = control_.standpoint();
+    if (there.mode == CameraControl::Mode::orbit)
+        return tr("You look at %1, from %2 m away.")
+            .arg(text(museum_.subject(subject_).title()))
+            .arg(glm::distance(there.camera.eye, there.camera.target), 0, 'f', 1);
+    if (lookedAt_) return tr("You walk through the hall. Before you: %1.").arg(QString::fromStdString(lookedAt_->text));
+    const std::optional<Pointed> ahead = shown_.isNull() ? std::nullopt : pointedAt(QPointF(rect().center()));
+    return ahead ? tr("You walk through the hall and look at %1.").arg(QString::fromStdString(ahead->name))
+                 : tr("You walk through the hall.");
 }
 
 void Viewport::pressButton(std::size_t exhibit)

@@ -1,5 +1,7 @@
 #include "ui/window/clock_bar.h"
 
+#include "ui/kit/menu_text.h"
+#include "ui/kit/type_size.h"
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/shown_text.h"
 #include "ui/viewport/viewport.h"
@@ -40,7 +42,7 @@ ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
     button_->setFocusPolicy(Qt::TabFocus);
     connect(button_, &QToolButton::clicked, &pause_, &QAction::trigger);
     connect(&pause_, &QAction::changed, this, &ClockBar::showState);
-    time_->setFixedWidth(NumberField::usualWidth);
+    growWidth(*time_, NumberField::usualWidth);
     time_->setAccessibleName(tr("Time of the clock"));
     time_->setToolTip(tooltipText(timeRow()));
     connect(time_, &NumberField::edited, &viewport_, &Viewport::setTime);
@@ -57,8 +59,7 @@ ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
 void ClockBar::showState()
 {
     button_->setText(pause_.isChecked() ? tr("Play") : tr("Pause"));
-    button_->setToolTip(
-        QStringLiteral("%1 (%2)").arg(pause_.toolTip(), pause_.shortcut().toString(QKeySequence::NativeText)));
+    button_->setToolTip(tipWithKey(pause_));
 }
 
 void ClockBar::showTime()

@@ -1,5 +1,7 @@
 #include "ui/window/command_palette.h"
 
+#include "ui/kit/type_size.h"
+
 #include <QAction>
 #include <QHeaderView>
 #include <QKeyEvent>
@@ -32,7 +34,7 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* window)
     setAccessibleName(tr("Commands"));
     words_->setPlaceholderText(tr("Find a command"));
     words_->setAccessibleName(tr("Find a command"));
-    words_->setFixedHeight(28);
+    growHeight(*words_, 28);
     words_->installEventFilter(this);
     list_->setAccessibleName(tr("Commands"));
     list_->setFrameShape(QFrame::NoFrame);
@@ -46,7 +48,7 @@ CommandPalette::CommandPalette(const QList<QAction*>& actions, QWidget* window)
     connect(words_, &QLineEdit::returnPressed, this, &CommandPalette::run);
     connect(list_, &QListWidget::itemClicked, this, &CommandPalette::run);
     fill();
-    resize(480, 360);
+    resize(QSize(grown(480, *this), grown(360, *this)).boundedTo(window->size() - QSize(32, 96)));
     move(window->mapToGlobal(QPoint((window->width() - width()) / 2, 64)));
     words_->setFocus();
 }
@@ -94,7 +96,7 @@ bool CommandPalette::eventFilter(QObject* object, QEvent* event)
 ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : QDialog(window)
 {
     setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(tr("Keyboard and mouse"));
+    setWindowTitle(tr("Keyboard, mouse and gamepad"));
     auto* tree = new QTreeWidget(this);
     tree->setAccessibleName(tr("Shortcuts"));
     tree->setColumnCount(2);
@@ -111,16 +113,33 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     const auto line = [&](const QString& keys, const QString& what) { new QTreeWidgetItem(tree, {keys, what}); };
     heading(tr("In the museum"));
     line(tr("W A S D, arrows"), tr("Walk; Shift runs"));
-    line(tr("Drag"), tr("Look around, or around the exhibit"));
+    line(tr("Drag; Ctrl and arrows"), tr("Look around, or around the exhibit"));
     line(tr("Right drag"), tr("Look around with the pointer locked"));
     line(tr("Click"), tr("Visit an exhibit, press a button"));
-    line(tr("Wheel"), tr("Come nearer to the exhibit or step back"));
+    line(tr("Enter"), tr("The same with what is in the middle of the picture"));
+    line(tr("Wheel, + and −"), tr("Come nearer to the exhibit or step back"));
     line(QStringLiteral("E"), tr("Press the red button you look at, or that of the exhibit you visit"));
     line(QStringLiteral("Esc"), tr("Leave the exhibit and walk on"));
     line(tr("Backspace, Alt+Left"), tr("Back to where you stood before"));
+    line(tr("F6, Shift+F6"), tr("From the picture to the next panel, and on to the one before"));
+    heading(tr("In the tree"));
+    line(tr("Ctrl and arrows"), tr("Move the node: up, down, out of its parent, into the one above"));
+    heading(tr("With a gamepad"));
+    line(tr("Left stick"), tr("Walk; the right trigger, or pressing the stick, runs"));
+    line(tr("Right stick"), tr("Look around, or around the exhibit"));
+    line(tr("Triggers"), tr("Come nearer to the exhibit, or step back"));
+    line(QStringLiteral("A"), tr("Visit what is in the middle of the picture, or press its button"));
+    line(QStringLiteral("B"), tr("Leave the exhibit and walk on"));
+    line(QStringLiteral("X"), tr("Press the red button"));
+    line(QStringLiteral("Y"), tr("Back to where you stood before"));
+    line(tr("Cross up, down"), tr("Choose a parameter"));
+    line(tr("Cross left, right"), tr("Change it, as the arrows do"));
+    line(tr("Shoulders"), tr("Visit the exhibit before, or the next one"));
+    line(tr("Start"), tr("Stop and start the exhibits' clock"));
+    line(tr("In dialogs and menus"), tr("The cross moves, A presses, B closes"));
     heading(tr("While two settings are compared"));
     line(tr("B, held"), tr("B in place of A"));
-    line(tr("Drag the line"), tr("Move the wipe"));
+    line(tr("Drag the line; comma, period"), tr("Move the wipe"));
     heading(tr("In number fields"));
     line(tr("Drag the label or the number"), tr("Change it; Shift ten times finer, Ctrl ten times coarser"));
     line(tr("Click, or any digit"), tr("Type: 1/3, 2*pi, 30deg"));
@@ -134,7 +153,7 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(tree);
-    resize(560, 560);
+    resize(QSize(grown(560, *this), grown(560, *this)).boundedTo(screen()->availableSize() - QSize(32, 96)));
 }
 
 }  // namespace vitrine::ui

@@ -1,6 +1,7 @@
 #include "ui/window/copies.h"
 
 #include "exhibits/museum/render_command.h"
+#include "ui/kit/language.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/viewport/viewport.h"
@@ -23,9 +24,13 @@ void copyPicture(Workbench& window)
 QString commandLineOf(Workbench& window)
 {
     const Viewport& viewport = window.viewport();
-    return QString::fromStdString(renderCommand(window.museum(), window.history().sceneState(),
-                                                viewport.presentRequest(), viewport.schedule().samples(),
-                                                "picture.png"));
+    QString line =
+        QString::fromStdString(renderCommand(window.museum(), window.history().sceneState(), viewport.presentRequest(),
+                                             viewport.schedule().samples(), "picture.png"));
+    // The plaques are part of the picture.
+    const QString asked = QStringLiteral("vitrine --language %1 ").arg(spokenLanguage());
+    if (spokenLanguage() != QLatin1String("en")) line.replace(0, static_cast<qsizetype>(sizeof "vitrine"), asked);
+    return line;
 }
 
 void copyCommandLine(Workbench& window)

@@ -1,6 +1,7 @@
 #include "ui/window/dock_title.h"
 
 #include "ui/kit/theme.h"
+#include "ui/kit/type_size.h"
 
 #include <QDockWidget>
 #include <QHBoxLayout>
@@ -19,13 +20,10 @@ DockTitle::DockTitle(QDockWidget* dock) : QWidget(dock), dock_(dock)
         auto* made = new QToolButton(this);
         made->setText(face);
         made->setAutoRaise(true);
-        made->setFixedSize(22, 22);
+        growSize(*made, 22, 22);
         made->setAccessibleName(name);
         made->setToolTip(name);
         made->setFocusPolicy(Qt::TabFocus);
-        QPalette quiet = made->palette();
-        quiet.setColor(QPalette::ButtonText, theme().dim);
-        made->setPalette(quiet);
         layout->addWidget(made);
         return made;
     };
@@ -33,6 +31,27 @@ DockTitle::DockTitle(QDockWidget* dock) : QWidget(dock), dock_(dock)
     connect(button(QStringLiteral("▫"), tr("Float or dock %1").arg(name)), &QToolButton::clicked, dock,
             [dock] { dock->setFloating(!dock->isFloating()); });
     connect(button(QStringLiteral("✕"), tr("Close %1").arg(name)), &QToolButton::clicked, dock, &QDockWidget::close);
+    showTheme();
+}
+
+QSize DockTitle::sizeHint() const
+{
+    return {grown(80, *this), grown(28, *this)};
+}
+
+void DockTitle::showTheme()
+{
+    for (QToolButton* button : findChildren<QToolButton*>()) {
+        QPalette quiet = button->palette();
+        quiet.setColor(QPalette::ButtonText, theme().dim);
+        button->setPalette(quiet);
+    }
+}
+
+void DockTitle::changeEvent(QEvent* event)
+{
+    if (event->type() == QEvent::PaletteChange) showTheme();
+    QWidget::changeEvent(event);
 }
 
 void DockTitle::paintEvent(QPaintEvent*)
@@ -42,7 +61,8 @@ void DockTitle::paintEvent(QPaintEvent*)
     font.setWeight(QFont::DemiBold);
     painter.setFont(font);
     painter.setPen(theme().text);
-    painter.drawText(rect().adjusted(12, 0, -56, 0), Qt::AlignLeft | Qt::AlignVCenter, dock_->windowTitle());
+    painter.drawText(rect().adjusted(12, 0, -grown(56, *this), 0), Qt::AlignLeft | Qt::AlignVCenter,
+                     dock_->windowTitle());
     QColor line = theme().text;
     line.setAlphaF(0.1F);
     painter.fillRect(QRect(0, height() - 1, width(), 1), line);

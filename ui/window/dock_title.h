@@ -15,10 +15,13 @@ public:
 
 protected:
     void paintEvent(QPaintEvent*) override;
-    [[nodiscard]] QSize sizeHint() const override { return {80, 28}; }
-    [[nodiscard]] QSize minimumSizeHint() const override { return {80, 28}; }
+    void changeEvent(QEvent*) override;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 
 private:
+    void showTheme();
+
     QDockWidget* dock_;
 };
 

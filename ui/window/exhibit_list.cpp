@@ -1,5 +1,6 @@
 #include "ui/window/exhibit_list.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/tile_delegate.h"
 
@@ -47,10 +48,10 @@ void ExhibitList::fill(const Museum& museum)
             continue;
         }
         const Subject& subject = museum.subject(*entry.subject);
-        item->setText(text(subject.title()));
+        item->setText(said(subject.title()));
         item->setData(exhibitRole, static_cast<qulonglong>(*entry.subject));
         item->setData(TileDelegate::secondLine, numbered ? tr("Place %1").arg(entry.place) : QString());
-        item->setToolTip(text(subject.summary()));
+        item->setToolTip(said(subject.summary()));
     }
 }
 

@@ -5,6 +5,7 @@
 #include "render/failure.h"
 #include "render/files/read_file.h"
 #include "render/image/image_io.h"
+#include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -66,8 +67,7 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
             for (const std::string& why : unreadableFiles(museum, next))
                 if (why.starts_with(label(next.hall().rows()[row]) + " of "))
                     return [this, why] {
-                        window_.say(MessageStrip::Mood::problem,
-                                    tr("%1 Nothing was changed.").arg(QString::fromStdString(why)));
+                        window_.say(MessageStrip::Mood::problem, tr("%1 Nothing was changed.").arg(said(why)));
                     };
             return [this, row, path, file = next.hall().row(row)] {
                 SceneState changed = window_.history().sceneState();

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/kit/spoken.h"
+
 #include <QWidget>
 
 #include <deque>
@@ -8,7 +10,7 @@ namespace vitrine::ui {
 
 /// Milliseconds of the last frames as bars, the newest on the right; the highest bar is as high as the graph, at least
 /// 16.7 ms, with a line there. How long the shortest, the median and the longest took stands in the tooltip.
-class FrameGraph final : public QWidget {
+class FrameGraph final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -17,6 +19,7 @@ public:
     void add(double milliseconds);
     /// For people: "60 frames: 12.0 to 80.5 ms, half of them up to 14.1 ms".
     [[nodiscard]] QString summary() const;
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
 
     [[nodiscard]] QSize sizeHint() const override { return {2 * most, 18}; }
 

@@ -1,5 +1,6 @@
 #include "ui/window/ledger_dock.h"
 
+#include "ui/kit/language.h"
 #include "ui/window/ledger_view.h"
 
 #include <QCheckBox>
@@ -47,7 +48,7 @@ void LedgerDock::note(const render::FrameReport& report)
     view_->note(report);
     milliseconds_ = report.milliseconds;
     ran_ = report.ran.size();
-    clock_ = QString::fromStdString(report.clock);
+    clock_ = said(report.clock);
     saved_ = 0;
     for (const render::CulledPass& step : report.skipped) saved_ += std::max(view_->costs().of(step.name), 0.0);
     if (!timer_.isActive()) timer_.start();

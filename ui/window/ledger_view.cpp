@@ -1,6 +1,7 @@
 #include "ui/window/ledger_view.h"
 
 #include "exhibits/compare/pass_costs.h"
+#include "ui/kit/language.h"
 #include "ui/kit/theme.h"
 
 #include <QHeaderView>
@@ -93,8 +94,7 @@ std::vector<LedgerView::Line> LedgerView::lines() const
     std::vector<Line> all;
     const auto add = [&](const std::string& name, render::Work kind, const QString& ms, const QString& notSpent,
                          const std::string& why, bool ran) {
-        all.push_back(
-            {name, QString::fromLatin1(render::toString(kind)), ms, {}, notSpent, QString::fromStdString(why), ran});
+        all.push_back({name, said(render::toString(kind)), ms, {}, notSpent, said(why), ran});
     };
     for (const render::StepReport& s : report_.ran) {
         add(s.name, s.work, millisecondsText(s.milliseconds), {},
@@ -126,11 +126,11 @@ void LedgerView::addOther(std::vector<Line>& all) const
                                         [&](const Line& l) { return l.name == cost.name && l.other.isEmpty(); });
         if (cost.a.state == PassSide::State::absent || found == all.end())
             all.push_back({cost.name,
-                           QString::fromLatin1(render::toString(cost.work)),
+                           said(render::toString(cost.work)),
                            QStringLiteral("–"),
                            textOf(cost.b),
                            {},
-                           tr("only B: %1").arg(QString::fromStdString(cost.b.why)),
+                           tr("only B: %1").arg(said(cost.b.why)),
                            cost.b.state == PassSide::State::ran});
         else
             found->other = textOf(cost.b);

@@ -2,16 +2,23 @@
 
 #include "render/files/assets.h"
 #include "ui/charts/charts_dock.h"
+#include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_desk.h"
+#include "ui/explore/explore_dock.h"
+#include "ui/gamepad/gamepad_control.h"
+#include "ui/kit/context_key.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/language.h"
 #include "ui/kit/picture_file.h"
+#include "ui/kit/tab_order.h"
 #include "ui/kit/text.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/lessons/lesson_bar.h"
 #include "ui/lessons/lesson_desk.h"
 #include "ui/lessons/page_dialog.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/preferences/preferences_dialog.h"
 #include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/print/print_dialog.h"
@@ -42,6 +49,7 @@
 #include "ui/window/table_reader.h"
 #include "ui/window/window_actions.h"
 #include "ui/window/window_docks.h"
+#include "ui/window/window_preferences.h"
 
 #include <QAction>
 #include <QCloseEvent>
@@ -68,15 +76,19 @@ QString thumbnailPath(const Subject& subject)
 }  // namespace
 
 MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* parent)
-    : QMainWindow(parent), museum_(museum), renderers_(renderers), history_(museum.initialSceneState())
+    : QMainWindow(parent), museum_(museum), renderers_(renderers), history_(museum.initialSceneState()),
+      preferences_(new WindowPreferences(*this))
 {
     setWindowIcon(programIcon());
     setAcceptDrops(true);
     resize(firstSize(screen()->availableSize()));
     new IdleUndo(this);
+    new ContextKey(this);
+    new TabOrder(this);
     buildMiddle();
     docks_ = new WindowDocks(*this, *this);
     shelf_ = new PresetShelf(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));
+    docks_->addExplore(*shelf_);
     files_ = new FileOpener(*this, *shelf_, this);
     guard_ = new CloseGuard(*this);
     again_ = new ExportAgain(*this, *this);
@@ -92,12 +104,14 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     docks_->presets().setActions(actions_->savePreset, actions_->savePresetAs, actions_->presetMenu);
     connectParts();
     connectViewport();
+    addGamepad();
     new TableReader(*this, this);
     showShippedThumbnails();
     choose(hallIndex);
     keeper_ = new SessionKeeper(*this);
     if (!keeper_->restore()) viewport_->showHint(tr("W A S D to walk, click an exhibit to tune it"));
     keeper_->watch();
+    preferences_->follow(*actions_);
     viewport_->setFocus();
 }
 
@@ -138,9 +152,28 @@ void MainWindow::addLessons()
     connect(files_, &FileOpener::lessonFound, lessons_, &LessonDesk::open);
 }
 
+void MainWindow::addGamepad()
+{
+    gamepad_ = new GamepadControl(*viewport_, this);
+    connect(gamepad_, &GamepadControl::failed, this,
+            [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    connect(gamepad_, &GamepadControl::pauseAsked, this, [this] { actions_->pause->trigger(); });
+    connect(gamepad_, &GamepadControl::exhibitAsked, this, [this](int step) {
+        const auto count = static_cast<int>(museum_.subjects().size());
+        visit(static_cast<std::size_t>((static_cast<int>(chosen_) + step + count) % count));
+    });
+    connect(gamepad_, &GamepadControl::rowAsked, this, [this](int step) {
+        hidePanels(false);
+        docks_->showParameters();
+        panel().stepRow(step);
+    });
+    connect(gamepad_, &GamepadControl::changeAsked, this, [this](int step, bool again) { panel().nudge(step, again); });
+}
+
 MainWindow::~MainWindow()
 {
     // Pictures in the making end while the viewport, its render thread and the message strip are still there.
+    qDeleteAll(findChildren<PreferencesDialog*>());
     qDeleteAll(findChildren<PrintDialog*>());
     qDeleteAll(findChildren<SpriteDialog*>());
     qDeleteAll(findChildren<RecordDialog*>());
@@ -172,7 +205,7 @@ void MainWindow::connectViewport()
         SceneState next = history_.sceneState();
         const Subject& subject = museum_.subject(exhibit);
         if (const auto* button = capability<HasButton>(subject); button && button->press(next.values[exhibit]))
-            history_.change(tr("Press the button of %1").arg(text(subject.title())), next);
+            history_.change(tr("Press the button of %1").arg(said(subject.title())), next);
     });
     connect(viewport_, &Viewport::failed, this,
             [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
@@ -191,7 +224,7 @@ void MainWindow::noteFrame(const render::FrameReport& report, const QSize& pixel
 void MainWindow::showComplaints(const std::vector<render::CulledPass>& skipped)
 {
     for (const render::CulledPass& complaint : complaints_.begun(skipped)) {
-        const QString line = text(lineOf(complaint));
+        const QString line = said(lineOf(complaint));
         if (complaint.unreadable.empty())
             docks_->log().add(line);
         else
@@ -200,7 +233,7 @@ void MainWindow::showComplaints(const std::vector<render::CulledPass>& skipped)
     // A file that is there again is no problem any more.
     QStringList now;
     for (const render::CulledPass& complaint : skipped)
-        if (complaint.complaint && !complaint.unreadable.empty()) now << text(lineOf(complaint));
+        if (complaint.complaint && !complaint.unreadable.empty()) now << said(lineOf(complaint));
     for (const QString& line : std::as_const(unreadable_))
         if (!now.contains(line)) messages_->takeBack(line);
     unreadable_ = now;
@@ -222,7 +255,9 @@ void MainWindow::choose(std::size_t exhibit)
     study().setSubject(exhibit);
     docks_->charts().setSubject(exhibit);
     docks_->setTreeSubject(exhibit);
+    comparison_->actions().refreshOffers();
     shelf_->refresh();
+    docks_->explore().follow();
     if (keeper_) keeper_->noteLayout();
 }
 
@@ -257,7 +292,7 @@ QSize MainWindow::firstSize(const QSize& room)
 void MainWindow::showTitle()
 {
     const QString use = shelf_->titleOfUse();
-    QStringList parts{text(museum_.subject(shown()).title())};
+    QStringList parts{said(museum_.subject(shown()).title())};
     if (!use.isEmpty()) parts << use;
     setWindowTitle(tr("%1 – Vitrine").arg(parts.join(QStringLiteral(": "))));
 }
@@ -267,7 +302,7 @@ void MainWindow::resetEverything()
     const Subject& subject = museum_.subject(shown());
     SceneState next = history_.sceneState();
     next.values[shown()] = subject.parameters().initial();
-    history_.change(tr("Reset %1").arg(text(subject.title())), next);
+    history_.change(tr("Reset %1").arg(said(subject.title())), next);
 }
 
 void MainWindow::keepThumbnail()
@@ -324,7 +359,7 @@ void MainWindow::showRow(const QString& name)
     if (!row) return;
     if (!ofHall) choose(subject);
     findParameter();
-    panel().find(QString::fromStdString(label(values.rows()[*row])));
+    panel().find(said(label(values.rows()[*row])));
 }
 
 void MainWindow::setFullScreen(bool on)

@@ -16,6 +16,7 @@ class CloseGuard;
 class CompareDesk;
 class ExportAgain;
 class FileOpener;
+class GamepadControl;
 class LessonDesk;
 class MessageStrip;
 class ParameterPanel;
@@ -25,6 +26,7 @@ class StatusLine;
 class StudyDock;
 class Viewport;
 class WindowDocks;
+class WindowPreferences;
 struct WindowActions;
 
 /// The workbench: the picture in the middle, everything else around it.
@@ -58,6 +60,8 @@ public:
     [[nodiscard]] CompareDesk& comparison() const { return *comparison_; }
     [[nodiscard]] Bookmarks& bookmarks() const { return *bookmarks_; }
     [[nodiscard]] LessonDesk& lessons() const { return *lessons_; }
+    [[nodiscard]] WindowPreferences& preferences() const { return *preferences_; }
+    [[nodiscard]] GamepadControl& gamepad() const { return *gamepad_; }
 
     /// Of a first window on a screen with this much room, its frame left out: as large as is useful, never larger.
     [[nodiscard]] static QSize firstSize(const QSize& room);
@@ -90,6 +94,7 @@ private:
     void connectParts();
     void connectViewport();
     void addLessons();
+    void addGamepad();
     void showRow(const QString& name);
     void showShippedThumbnails();
     void showTitle();
@@ -109,9 +114,11 @@ private:
     CompareDesk* comparison_ = nullptr;
     Bookmarks* bookmarks_ = nullptr;
     LessonDesk* lessons_ = nullptr;
+    GamepadControl* gamepad_ = nullptr;
     SessionKeeper* keeper_ = nullptr;
     CloseGuard* guard_ = nullptr;
     ExportAgain* again_ = nullptr;
+    WindowPreferences* preferences_;
     render::Diagnostics complaints_;  // Those that are in the log already.
     QStringList unreadable_;          // What the strip says about files that cannot be read.
     std::unique_ptr<WindowActions> actions_;

@@ -1,5 +1,6 @@
 #include "ui/window/parameter_tabs.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/parameters/parameter_row.h"
@@ -37,9 +38,9 @@ void ParameterTabs::choose(std::size_t subject)
         const QSignalBlocker quiet(tabs_);
         while (tabs_->count() > 0) tabs_->removeTab(0);
         for (const std::size_t i : subject == hallIndex ? std::vector{hallIndex} : std::vector{subject, hallIndex}) {
-            const int tab = tabs_->addTab(text(subjects_[i]->title()));
+            const int tab = tabs_->addTab(said(subjects_[i]->title()));
             tabs_->setTabData(tab, static_cast<qulonglong>(i));
-            tabs_->setTabToolTip(tab, text(subjects_[i]->summary()));
+            tabs_->setTabToolTip(tab, said(subjects_[i]->summary()));
         }
         tabs_->updateGeometry();  // A tab bar that is not shown yet does not tell its layout that it has grown.
     }
@@ -65,7 +66,7 @@ void ParameterTabs::searchElsewhere()
     if (tabs_->count() > 1 && !words.isEmpty()) {
         other = static_cast<std::size_t>(tabs_->tabData(1 - tabs_->currentIndex()).toULongLong());
         for (const ParameterInfo& row : history_.sceneState().values[other].rows())
-            if (ParameterRow::matches(row, words)) found << QString::fromStdString(label(row));
+            if (ParameterRow::matches(row, words)) found << said(label(row));
     }
     if (found.isEmpty()) {
         panel_->offerElsewhere({});
@@ -73,7 +74,7 @@ void ParameterTabs::searchElsewhere()
     }
     const QString more = found.size() > 3 ? tr(" and %1 more").arg(found.size() - 3) : QString();
     panel_->offerElsewhere(
-        tr("%1: %2%3").arg(text(subjects_[other]->title()), found.mid(0, 3).join(QStringLiteral(", ")), more));
+        tr("%1: %2%3").arg(said(subjects_[other]->title()), found.mid(0, 3).join(QStringLiteral(", ")), more));
 }
 
 }  // namespace vitrine::ui

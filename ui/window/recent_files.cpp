@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/state_folder.h"
 #include "ui/kit/menu_text.h"
+#include "ui/kit/preferences.h"
 #include "ui/window/file_opener.h"
 
 #include <QCoreApplication>
@@ -35,7 +36,17 @@ void addRecentFile(const QString& path)
     const QString whole = QFileInfo(path).absoluteFilePath();
     files.removeAll(whole);
     files.prepend(whole);
-    settings().setValue(key, files.mid(0, mostRecentFiles));
+    settings().setValue(key, files);
+    keepRecentFiles(Preferences::saved().recentFiles);
+}
+
+void keepRecentFiles(int most)
+{
+    const QStringList files = settings().value(key).toStringList();
+    if (most == 0)
+        settings().remove(key);
+    else if (files.size() > most)
+        settings().setValue(key, files.mid(0, most));
 }
 
 QMenu* recentMenu(QWidget* parent, FileOpener& opener)
@@ -49,7 +60,15 @@ QMenu* recentMenu(QWidget* parent, FileOpener& opener)
             QObject::connect(action, &QAction::triggered, &opener, [&opener, path] { opener.open(path); });
         }
         menu->setToolTipsVisible(true);
-        if (menu->isEmpty()) menu->addAction(QCoreApplication::translate("MainWindow", "None yet"))->setEnabled(false);
+        if (menu->isEmpty()) {
+            menu->addAction(QCoreApplication::translate("MainWindow", "None yet"))->setEnabled(false);
+            return;
+        }
+        menu->addSeparator();
+        QAction* clear = menu->addAction(QCoreApplication::translate("MainWindow", "&Clear the list"));
+        clear->setToolTip(
+            QCoreApplication::translate("MainWindow", "Forgets which files were opened; the files stay."));
+        QObject::connect(clear, &QAction::triggered, menu, [] { keepRecentFiles(0); });
     });
     return menu;
 }

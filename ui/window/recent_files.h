@@ -8,11 +8,12 @@ namespace vitrine::ui {
 
 class FileOpener;
 
-/// The files that were opened last, the newest first, kept with the window's layout.
-inline constexpr int mostRecentFiles = 10;
+/// The files that were opened last, the newest first, kept with the window's layout; as many as the preferences say.
 [[nodiscard]] QStringList recentFiles();
 void addRecentFile(const QString& path);
-/// Lists them anew whenever it opens.
+/// Forgets all but the newest so many.
+void keepRecentFiles(int most);
+/// Lists them anew whenever it opens, and clears the list.
 [[nodiscard]] QMenu* recentMenu(QWidget* parent, FileOpener&);
 
 }  // namespace vitrine::ui

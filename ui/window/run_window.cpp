@@ -2,6 +2,8 @@
 
 #include "exhibits/exhibits.h"
 #include "render/failure.h"
+#include "ui/kit/appearance.h"
+#include "ui/kit/language.h"
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
@@ -10,7 +12,6 @@
 #include "ui/window/file_opener.h"
 #include "ui/window/first_picture.h"
 #include "ui/window/main_window.h"
-#include "ui/window/theme_choice.h"
 
 #include <QSurfaceFormat>
 
@@ -41,11 +42,13 @@ int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
     QApplication::setApplicationName(QStringLiteral("vitrine"));
     QApplication::setApplicationDisplayName(QStringLiteral("Vitrine"));
     QApplication::setDesktopFileName(QStringLiteral("org.vitrine.Vitrine"));
+    // Before the museum, whose plaques are set in the window's language.
+    speak(languageAsked() ? spokenLanguage() : languageOfWindow());
     if (const QString why = whyNoOpenGl(); !why.isEmpty()) {
         std::fprintf(stderr, "vitrine: %s\n", qPrintable(why));
         return static_cast<int>(Blame::openGl);
     }
-    chooseTheme(app, savedThemeChoice());
+    applyAppearance(app, Preferences::saved(), {});
     const Museum museum{allExhibits()};
     MuseumRenderers renderers(museum);
     MainWindow window(museum, renderers);

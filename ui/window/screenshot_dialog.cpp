@@ -1,9 +1,11 @@
 #include "ui/window/screenshot_dialog.h"
 
 #include "ui/kit/replace_question.h"
+#include "ui/kit/scroll_room.h"
 #include "ui/kit/show_in_folder.h"
 #include "ui/kit/text.h"
 #include "ui/kit/time_left.h"
+#include "ui/kit/type_size.h"
 #include "ui/model/workbench.h"
 #include "ui/viewport/viewport.h"
 
@@ -86,7 +88,7 @@ void ScreenshotDialog::fillInputs()
     format_->setObjectName(QStringLiteral("format"));
     for (const FormatLine& line : formats) format_->addItem(tr(line.name));
     transparent_->setText(tr("Only the chosen exhibit"));
-    path_->setMinimumWidth(320);
+    growMinimumWidth(*path_, 320);
     left_->setTextFormat(Qt::PlainText);
     left_->setWordWrap(true);
     left_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -144,6 +146,7 @@ void ScreenshotDialog::layOut()
     form->addRow(progress_);
     form->addRow(left_);
     form->addRow(buttons);
+    scrollWhenTight(*this);
 }
 
 void ScreenshotDialog::takeFormat()

@@ -4,6 +4,7 @@
 #include "exhibits/framework/state_folder.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
+#include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/scene_text.h"
@@ -87,7 +88,7 @@ bool SessionKeeper::writeJournal()
         journal_.write(textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Journal"));
         return true;
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        window_.say(MessageStrip::Mood::problem, said(failure.what()));
         return false;
     }
 }
@@ -101,7 +102,7 @@ bool SessionKeeper::restoreSceneState(const std::string& text, const std::string
         window_.choose(chosen);
         return true;
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        window_.say(MessageStrip::Mood::problem, said(failure.what()));
         return false;
     }
 }
@@ -141,7 +142,7 @@ bool SessionKeeper::restore()
     try {
         return restoreSceneState(render::readFile(file, presetLimits.bytes), file.string());
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, QString::fromUtf8(failure.what()));
+        window_.say(MessageStrip::Mood::problem, said(failure.what()));
         return false;
     }
 }

@@ -1,5 +1,7 @@
 #include "ui/window/status_line.h"
 
+#include "ui/kit/language.h"
+#include "ui/kit/type_size.h"
 #include "ui/window/frame_graph.h"
 
 #include <QHBoxLayout>
@@ -23,8 +25,9 @@ StatusLine::StatusLine(QWidget* parent) : QWidget(parent), graph_(new FrameGraph
         if (i == 2) layout->addWidget(graph_);
         layout->addWidget(labels_[i], i == 0 ? 1 : 0);
     }
-    labels_[0]->setMinimumWidth(80);
-    setFixedHeight(24);
+    growMinimumWidth(*labels_[0], 80);
+    labels_[0]->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    growHeight(*this, 24);
     timer_.setSingleShot(true);
     timer_.setInterval(500);
     connect(&timer_, &QTimer::timeout, this, &StatusLine::renew);
@@ -36,7 +39,7 @@ void StatusLine::note(const render::FrameReport& report, const QSize& pixels, co
     pixels_ = pixels;
     milliseconds_ = report.milliseconds;
     graph_->add(report.milliseconds);
-    clock_ = QString::fromStdString(report.clock);
+    clock_ = said(report.clock);
     if (!report.clockTrusted) clock_ += tr(", not trusted");
     ran_ = report.ran.size();
     skipped_ = report.skipped.size();
@@ -45,7 +48,9 @@ void StatusLine::note(const render::FrameReport& report, const QSize& pixels, co
 
 void StatusLine::renew()
 {
-    labels_[0]->setText(reason_);
+    shownReason_ = reason_;
+    labels_[0]->setText(labels_[0]->fontMetrics().elidedText(reason_, Qt::ElideRight, labels_[0]->width()));
+    labels_[0]->setToolTip(reason_);
     labels_[1]->setText(tr("%1 × %2").arg(pixels_.width()).arg(pixels_.height()));
     labels_[2]->setText(tr("%1 ms").arg(QLocale::c().toString(milliseconds_, 'f', 1)));
     labels_[2]->setToolTip(tr("Time of the frame, by %1").arg(clock_));
@@ -54,8 +59,8 @@ void StatusLine::renew()
 
 QString StatusLine::text() const
 {
-    QStringList all;
-    for (const QLabel* label : labels_) all << label->text();
+    QStringList all{shownReason_};
+    for (std::size_t i = 1; i < labels_.size(); ++i) all << labels_[i]->text();
     return all.join(QStringLiteral(" | "));
 }
 

@@ -31,7 +31,7 @@ private:
 
     std::array<QLabel*, 4> labels_{};
     FrameGraph* graph_;
-    QString reason_;
+    QString reason_, shownReason_;
     QTimer timer_;
     QSize pixels_;
     double milliseconds_ = 0;

@@ -1,6 +1,7 @@
 #include "ui/window/table_reader.h"
 
 #include "exhibits/museum/museum.h"
+#include "ui/kit/language.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/viewport/viewport.h"
@@ -44,9 +45,8 @@ void TableReader::readAgain()
 
 void TableReader::take(const TabledSceneState& tabled)
 {
-    for (const std::string& why : tabled.unreadable)
-        window_.say(MessageStrip::Mood::problem, QString::fromStdString(why));
-    for (const std::string& note : tabled.notes) window_.say(MessageStrip::Mood::notice, QString::fromStdString(note));
+    for (const std::string& why : tabled.unreadable) window_.say(MessageStrip::Mood::problem, said(why));
+    for (const std::string& note : tabled.notes) window_.say(MessageStrip::Mood::notice, said(note));
     taking_ = true;
     window_.history().exchangeTables(tabled.sceneState);
     taking_ = false;

@@ -3,6 +3,7 @@
 #include "exhibits/sprites/sprite_shots.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_desk.h"
+#include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/text.h"
 #include "ui/lessons/lesson_desk.h"
@@ -15,11 +16,13 @@
 #include "ui/window/about_dialog.h"
 #include "ui/window/copies.h"
 #include "ui/window/file_opener.h"
+#include "ui/window/focus_areas.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/screenshot.h"
-#include "ui/window/theme_choice.h"
+#include "ui/window/theme_menu.h"
 #include "ui/window/window_docks.h"
+#include "ui/window/window_preferences.h"
 
 #include <QAction>
 #include <QDesktopServices>
@@ -34,6 +37,25 @@ namespace {
 
 using Keys = QList<QKeySequence>;
 
+/// Words for people with the English ones that they are a translation of.
+struct Words : QString {
+    QByteArray english;
+};
+
+/// An id that is the same in every language: of "Export &picture…", "export-picture".
+QString idOf(const QByteArray& english)
+{
+    QString id;
+    const QString words = QString::fromUtf8(english).toLower().remove(QLatin1Char('&'));
+    for (const QChar c : words)
+        if (c.isLetterOrNumber())
+            id += c;
+        else if (!id.endsWith(QLatin1Char('-')))
+            id += QLatin1Char('-');
+    while (id.endsWith(QLatin1Char('-'))) id.chop(1);
+    return id;
+}
+
 }  // namespace
 
 /// Makes actions and puts them into the menu that was begun last.
@@ -44,9 +66,17 @@ public:
     void menu(const QString& title) { menu_ = window_.menuBar()->addMenu(title); }
     void separator() { menu_->addSeparator(); }
     void submenu(QMenu* menu) { menu_->addMenu(menu); }
-    QAction* add(const QString& text, const Keys& keys, const QString& tip, std::function<void()> work)
+    /// Its id, by which the visitor's own shortcuts are kept, is made of the English words; who changes those keeps the
+    /// id by naming the action.
+    QAction* add(const Words& text, const Keys& keys, const QString& tip, std::function<void()> work)
+    {
+        return add(idOf(text.english), text, keys, tip, std::move(work));
+    }
+    QAction* add(const QString& id, const QString& text, const Keys& keys, const QString& tip,
+                 std::function<void()> work)
     {
         auto* action = new QAction(text, &window_);
+        action->setObjectName(id);
         action->setShortcuts(keys);
         action->setToolTip(tip);
         action->setStatusTip(tip);
@@ -54,7 +84,7 @@ public:
         take(action);
         return action;
     }
-    QAction* toggle(const QString& text, const Keys& keys, const QString& tip, std::function<void(bool)> work)
+    QAction* toggle(const Words& text, const Keys& keys, const QString& tip, std::function<void(bool)> work)
     {
         QAction* action = add(text, keys, tip, {});
         action->setCheckable(true);
@@ -83,9 +113,9 @@ private:
 
 namespace {
 
-QString tr(const char* text)
+Words tr(const char* text)
 {
-    return MainWindow::tr(text);
+    return {MainWindow::tr(text), text};
 }
 
 /// Lets the visitor choose a file to open.
@@ -146,14 +176,14 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
     make.add(tr("Export picture a&gain"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_E)},
              tr("What is seen now, as the last picture was exported, under the next free name."),
              [&window] { window.exportAgain(); });
-    make.add(tr("&Record…"), {QKeySequence(Qt::SHIFT | Qt::Key_F12)},
+    make.add(tr("Recor&d…"), {QKeySequence(Qt::SHIFT | Qt::Key_F12)},
              tr("A film along bookmarks, round what you look at, or past all exhibits: a video, or frames."),
              [&window] { window.openRecordDialog(); });
-    make.add(tr("Export &lenticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
+    make.add(tr("Export le&nticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
              tr("Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to "
                 "calibrate it."),
              [&window] { window.openPrintDialog(); });
-    make.add(tr("Export sp&rites…"), {},
+    make.add(tr("Export spr&ites…"), {},
              tr("Draws an object from all sides, as large pixels: a sheet with one palette, normals and depth, for "
                 "games."),
              [&window] { window.openSpriteDialog(); })
@@ -171,9 +201,11 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("&Edit"));
     QAction* undo = window.history().stack().createUndoAction(&window, tr("&Undo"));
+    undo->setObjectName(QStringLiteral("undo"));
     undo->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Z));
     make.take(undo);
     QAction* redo = window.history().stack().createRedoAction(&window, tr("&Redo"));
+    redo->setObjectName(QStringLiteral("redo"));
     redo->setShortcuts({QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
     make.take(redo);
     make.separator();
@@ -189,6 +221,10 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
         [&window] { window.panel().vary(); });
     make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)},
              tr("Finds and runs any command by name."), [&window] { window.openPalette(); });
+    make.separator();
+    make.add(tr("Pre&ferences…"), {QKeySequence(Qt::CTRL | Qt::Key_Comma)},
+             tr("Theme, size of type, motion, mouse, what a picture may cost, keys, recent files."),
+             [&window] { window.preferences().openDialog(); });
 }
 
 void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
@@ -203,6 +239,8 @@ void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
     make.separator();
     presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)},
                            tr("Gives the selected preset another name."), [&shelf] { shelf.rename(); });
+    presetMenu << make.add(tr("&Tags of preset…"), {}, tr("Gives the selected preset words by which it is found."),
+                           [&shelf] { shelf.editTags(); });
     presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to one of your own."),
                            [&shelf] { shelf.duplicate(); });
     presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."),
@@ -218,18 +256,25 @@ void WindowActions::addViewMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("&View"));
     panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
-                         tr("Leaves nothing but the picture. Tab does the same while the picture has the focus."),
-                         [&window](bool hidden) { window.hidePanels(hidden); });
+                         tr("Leaves nothing but the picture."), [&window](bool hidden) { window.hidePanels(hidden); });
     QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::Key_Tab)},
                              tr("Hides or shows everything but the picture."), [this] { panels->toggle(); });
     make.inViewport(bare);
     make.separator();
     for (QDockWidget* dock : window.docks().all()) {
         QAction* toggle = dock->toggleViewAction();
+        toggle->setObjectName(QStringLiteral("panel-") + dock->objectName());
         toggle->setToolTip(tr("Shows or hides this panel."));
         toggle->setStatusTip(toggle->toolTip());
         make.take(toggle);
     }
+    make.separator();
+    make.add(tr("&Next panel"), {QKeySequence(Qt::Key_F6)},
+             tr("Gives the focus to the next part of the window: the picture, the panels, the clock."),
+             [&window] { focusNextArea(window, 1); });
+    make.add(tr("Pre&vious panel"), {QKeySequence(Qt::SHIFT | Qt::Key_F6)},
+             tr("Gives the focus to the part of the window before."), [&window] { focusNextArea(window, -1); });
+    make.submenu(panelMenu(window));
     make.separator();
     addScreenAndClock(make, window);
 }
@@ -238,7 +283,9 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
 {
     fullScreen = make.toggle(tr("F&ull screen"), {QKeySequence(Qt::Key_F11)}, tr("Fills the screen."),
                              [&window](bool on) { window.setFullScreen(on); });
-    make.submenu(themeMenu(&window));
+    make.submenu(themeMenu(&window, window.preferences().values()));
+    make.submenu(
+        languageMenu(&window, [&window](const QString& message) { window.say(MessageStrip::Mood::notice, message); }));
     make.separator();
     pause = make.toggle(tr("Pause &clock"), {QKeySequence(Qt::Key_Space), QKeySequence(Qt::Key_Pause)},
                         tr("Stops and starts the exhibits' clock."),
@@ -279,8 +326,8 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
         const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
                               ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))}
                               : Keys{};
-        make.add(tr("Visit %1").arg(text(exhibit.title())), keys, text(exhibit.summary()),
-                 [&window, index = i] { window.visit(index); });
+        make.add(QStringLiteral("visit-") + text(exhibit.name()), tr("Visit %1").arg(said(exhibit.title())), keys,
+                 said(exhibit.summary()), [&window, index = i] { window.visit(index); });
     }
 }
 
@@ -290,8 +337,9 @@ void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
     Bookmarks& bookmarks = window.bookmarks();
     const auto key = [](int number) { return static_cast<Qt::Key>(Qt::Key_0 + number); };
     for (int number = 1; number <= Bookmarks::most; ++number) {
-        QAction* go = make.add({}, {QKeySequence(Qt::CTRL | key(number))}, tr("Glides to the view kept there."),
-                               [&bookmarks, number] { bookmarks.go(number); });
+        QAction* go =
+            make.add(QStringLiteral("go-to-bookmark-%1").arg(number), {}, {QKeySequence(Qt::CTRL | key(number))},
+                     tr("Glides to the view kept there."), [&bookmarks, number] { bookmarks.go(number); });
         const auto name = [go, &bookmarks, number] {
             const QString there = bookmarks.name(number);
             go->setText(there.isEmpty() ? tr("Go to bookmark %1 (empty)").arg(number)
@@ -302,7 +350,8 @@ void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
     }
     make.separator();
     for (int number = 1; number <= Bookmarks::most; ++number)
-        make.add(tr("Set bookmark %1").arg(number), {QKeySequence(Qt::CTRL | Qt::ALT | key(number))},
+        make.add(QStringLiteral("set-bookmark-%1").arg(number), tr("Set bookmark %1").arg(number),
+                 {QKeySequence(Qt::CTRL | Qt::ALT | key(number))},
                  tr("Keeps where you are, in place of what was kept there."),
                  [&bookmarks, number] { bookmarks.set(number); });
     make.separator();
@@ -328,7 +377,7 @@ void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
     make.add(tr("&How this works"), {QKeySequence(Qt::Key_F1)},
              tr("A page about the exhibit that you visit: its technique, figures, formulas, sources."),
              [&window] { window.openPage(window.chosen()); });
-    make.add(tr("&Keyboard and mouse"), {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_F1)},
+    make.add(tr("&Keyboard, mouse and gamepad"), {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_F1)},
              tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
     const QString manual = manualPath();
     QAction* read = make.add(tr("&Manual"), {},

@@ -1,6 +1,9 @@
 #include "ui/window/window_docks.h"
 
 #include "ui/charts/charts_dock.h"
+#include "ui/explore/explore_dock.h"
+#include "ui/kit/language.h"
+#include "ui/kit/tab_order.h"
 #include "ui/kit/text.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
@@ -20,6 +23,7 @@
 #include "ui/window/log_view.h"
 #include "ui/window/parameter_tabs.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QScrollArea>
@@ -39,7 +43,6 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
     addTree();
     addStudy();
     addLedgerAndLog();
-    nameStacks();
     window_.resizeDocks({docks_[0], docks_[1]}, {400, 300}, Qt::Vertical);
     window_.resizeDocks({docks_[0], parametersDock_}, {240, 360}, Qt::Horizontal);
 }
@@ -49,10 +52,12 @@ QDockWidget* WindowDocks::add(const QString& title, const char* name, QWidget* c
     auto* dock = new QDockWidget(title, &window_);
     dock->setObjectName(QLatin1String(name));
     dock->setAccessibleName(title);
+    dock->setTitleBarWidget(new DockTitle(dock));  // First: Tab goes on from it into the panel.
     dock->setWidget(content);
-    dock->setTitleBarWidget(new DockTitle(dock));
+    tabAsLaidOut(*content);
     window_.addDockWidget(area, dock);
     docks_ << dock;
+    connect(dock, &QDockWidget::visibilityChanged, this, &WindowDocks::nameStacks);
     return dock;
 }
 
@@ -118,7 +123,7 @@ void WindowDocks::addLedgerAndLog()
     ledger_ = new LedgerDock([&viewport] { return viewport.reason(); });
     QHash<QString, QString> titles;
     for (const auto& exhibit : workbench_.museum().subjects())
-        titles.insert(text(exhibit->name()), text(exhibit->title()));
+        titles.insert(text(exhibit->name()), said(exhibit->title()));
     ledger_->view().setTitles(titles);
     connect(ledger_, &LedgerDock::runEverythingAsked, &viewport, &Viewport::setRunEverything);
     log_ = new LogView;
@@ -136,16 +141,31 @@ void WindowDocks::addLedgerAndLog()
     connect(ledger, &QDockWidget::visibilityChanged, &viewport, &Viewport::setStepsTimed);
 }
 
+void WindowDocks::addExplore(PresetShelf& shelf)
+{
+    explore_ = new ExploreDock(workbench_, shelf, parameters_->panel());
+    auto* room = new QScrollArea;  // So that a small window need not grow for it.
+    room->setWidget(explore_);
+    room->setWidgetResizable(true);
+    room->setFrameShape(QFrame::NoFrame);
+    room->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    QDockWidget* dock = add(tr("Explore"), "explore", room, Qt::RightDockWidgetArea);
+    window_.tabifyDockWidget(parametersDock_, dock);
+    dock->hide();
+    dock->toggleViewAction()->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_X));
+    connect(dock->toggleViewAction(), &QAction::triggered, dock, [dock](bool on) {
+        if (on) dock->raise();
+    });
+    connect(parameters_, &ParameterTabs::turned, explore_, &ExploreDock::follow);
+}
+
 void WindowDocks::nameStacks()
 {
     // The tab bars of stacked docks are Qt's own, made when needed.
-    for (const QDockWidget* each : docks_)
-        connect(each, &QDockWidget::visibilityChanged, this, [this] {
-            for (QTabBar* bar : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
-                bar->setAccessibleName(tr("Stacked panels"));
-                bar->setFocusPolicy(bar->count() > 1 ? Qt::TabFocus : Qt::NoFocus);  // Qt gives it to empty ones, too.
-            }
-        });
+    for (QTabBar* bar : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+        bar->setAccessibleName(tr("Stacked panels"));
+        bar->setFocusPolicy(bar->count() > 1 ? Qt::TabFocus : Qt::NoFocus);  // Qt gives it to empty ones, too.
+    }
 }
 
 void WindowDocks::hideAll()

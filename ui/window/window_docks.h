@@ -12,10 +12,12 @@ namespace vitrine::ui {
 
 class ChartsDock;
 class ExhibitList;
+class ExploreDock;
 class LedgerDock;
 class LogView;
 class ParameterTabs;
 class PresetList;
+class PresetShelf;
 class StudyDock;
 class TreeDock;
 class TreeFile;
@@ -29,6 +31,9 @@ public:
     /// Builds them into this window, which must outlive them, as must the workbench.
     WindowDocks(QMainWindow&, Workbench&);
 
+    /// The panel to explore looks with; the shelf must outlive it.
+    void addExplore(PresetShelf&);
+
     [[nodiscard]] const QList<QDockWidget*>& all() const { return docks_; }
     [[nodiscard]] ExhibitList& exhibits() const { return *exhibits_; }
     [[nodiscard]] PresetList& presets() const { return *presets_; }
@@ -39,6 +44,7 @@ public:
     [[nodiscard]] TreeFile& treeFile() const { return *treeFile_; }
     [[nodiscard]] LedgerDock& ledger() const { return *ledger_; }
     [[nodiscard]] LogView& log() const { return *log_; }
+    [[nodiscard]] ExploreDock& explore() const { return *explore_; }
 
     /// Hides those that are open.
     void hideAll();
@@ -75,6 +81,7 @@ private:
     ChartsDock* charts_ = nullptr;
     LedgerDock* ledger_ = nullptr;
     LogView* log_ = nullptr;
+    ExploreDock* explore_ = nullptr;
 };
 
 }  // namespace vitrine::ui

@@ -42,13 +42,12 @@ void main()
     MarchSettings settings = tableSettings(ray.span.x, ray.span.y, ray.halfPixel);
     March march = sphereTrace(ray.origin, ray.direction, settings);
     evaluations += march.evaluations;
-    bool beyondWipe = framePixel(gl_FragCoord.xy).x >= wipeColumn();
 
 #ifdef COUNT
-    if (march.hit && !beyondWipe) fieldRadiance(ray, findHit(ray.origin, ray.direction, march, settings), settings);
-    radiance = vec4(beyondWipe ? 0.0 : float(evaluations) + coneShare, 0.0, 0.0, 0.0);
+    if (march.hit) fieldRadiance(ray, findHit(ray.origin, ray.direction, march, settings), settings);
+    radiance = vec4(float(evaluations) + coneShare, 0.0, 0.0, 0.0);
 #else
-    if (!march.hit || beyondWipe) discard;
+    if (!march.hit) discard;
     // Distance along the view axis, then reversed depth.
     gl_FragDepth = frame.nearPlane / (march.t / ray.perDepth);
 #ifndef DEPTH_ONLY

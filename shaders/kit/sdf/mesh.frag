@@ -1,5 +1,4 @@
-// The mesh that the marched body is compared with, to the right of the wipe: the same material, without what a march
-// finds out. Permutations: WRITE_NORMAL, DEPTH_ONLY (shades nothing).
+// A mesh in place of the marched body: the same material, without what a march finds out. Permutations: WRITE_NORMAL, DEPTH_ONLY (shades nothing).
 #include "kit/sdf/object.glsl"
 #include "lib/surface.glsl"
 
@@ -13,7 +12,6 @@ layout(location = 1) out vec4 normalOut;
 
 void main()
 {
-    if (framePixel(gl_FragCoord.xy).x < wipeColumn()) discard;
 #ifndef DEPTH_ONLY
     turnDisk(framePixel(gl_FragCoord.xy));
     fieldDistance(localPosition);  // Finds the part.

@@ -29,12 +29,6 @@ vec3 worldNormalOf(vec3 localNormal)
     return normalize(transpose(mat3(object.localFromWorld)) * localNormal);
 }
 
-// First column of pixels, from the left edge of the whole picture, that shows the mesh instead.
-float wipeColumn()
-{
-    return parameters.compareMesh ? parameters.wipe * frame.size.x : 1.0e9;
-}
-
 // The table's accuracy, for a ray that spans [tMin, tMax] in the object's own space. `halfPixel` is half a
 // pixel's width at distance 1 there.
 MarchSettings tableSettings(float tMin, float tMax, float halfPixel)

@@ -70,6 +70,21 @@ TEST_F(Rays, LeaveThePictureAsItIsToTheBitWhenTheyAreOff)
     EXPECT_EQ(test::largestDifference(off.image, changed.take().image), 0);
 }
 
+TEST_F(Rays, R5_AreOfferedBesideThePictureWithoutThem)
+{
+    const std::size_t rays = *gallery().museum.find("crepuscular_rays");
+    const Subject& subject = gallery().museum.subject(rays);
+    for (const auto& [name, technique] :
+         {std::pair{"without", RayTechnique::none}, {"screen", RayTechnique::screen}, {"air", RayTechnique::volume}}) {
+        RayShot offered(RayTechnique::both), alone(technique);
+        for (RayShot* shot : {&offered, &alone}) shot->rays().set(raysTable().view, RayView::picture);
+        offered.sceneState = otherSide(offered.sceneState, rays, offeredComparison(subject, name));
+        const Picture b = offered.take();
+        EXPECT_GT(b.mean(), 0.001) << "an empty picture proves nothing";
+        EXPECT_EQ(test::largestDifference(b.image, alone.take().image), 0) << name;
+    }
+}
+
 TEST_F(Rays, H54_OfTheSunBehindChangeNothing)
 {
     // The original projects a sun behind the camera into the middle of the picture, and draws rays there.

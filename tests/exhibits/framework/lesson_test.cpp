@@ -1,14 +1,11 @@
 #include "exhibits/framework/lesson.h"
 
-#include "exhibits/exhibits.h"
 #include "exhibits/hall/hall_table.h"
 
 #include "tests/exhibits/framework/every_kind.h"
 #include "tests/support/failures.h"
 
 #include <gtest/gtest.h>
-
-#include <filesystem>
 
 namespace {
 
@@ -145,58 +142,6 @@ TEST(Lesson, TellsWhatItHadToChange)
     const Lesson lesson = lessonOf(oneStep(R"({"values": {"gap": 1e9}})"));
     ASSERT_EQ(lesson.notes.size(), 1U);
     EXPECT_NE(lesson.notes[0].find("gap"), std::string::npos);
-}
-
-/// Every lesson that comes with the program.
-class ShippedLessons : public testing::Test {
-protected:
-    ShippedLessons()
-    {
-        tables_.emplace_back("hall", hall_.initial());
-        for (const auto& exhibit : exhibits_)
-            tables_.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
-    }
-    [[nodiscard]] Lesson read(const Exhibit& exhibit) const
-    {
-        return readLesson(shippedLesson(exhibit.name()), tables_);
-    }
-
-    const HallTable hall_;
-    const std::vector<std::unique_ptr<Exhibit>> exhibits_ = allExhibits();
-    NamedValues tables_;
-};
-
-TEST_F(ShippedLessons, ThereIsOneForEveryExhibitAndNothingInItIsChanged)
-{
-    for (const auto& exhibit : exhibits_) {
-        const Lesson lesson = read(*exhibit);
-        EXPECT_EQ(lesson.exhibit, exhibit->name());
-        EXPECT_TRUE(lesson.notes.empty()) << exhibit->name() << ": " << lesson.notes.front();
-        EXPECT_GE(lesson.steps.size(), 5U) << exhibit->name();
-        EXPECT_LE(lesson.steps.size(), 8U) << exhibit->name();
-        EXPECT_TRUE(lesson.steps.front().bestView || lesson.steps.front().camera) << exhibit->name();
-        EXPECT_FALSE(lesson.intro.empty()) << exhibit->name();
-    }
-    std::size_t files = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(shippedLesson("hall").parent_path()))
-        files += entry.path().extension() == ".md" ? 1 : 0;
-    EXPECT_EQ(files, exhibits_.size()) << "a lesson that belongs to no exhibit";
-}
-
-TEST_F(ShippedLessons, EveryStepShowsSomethingElseAndNamesARowOrANumber)
-{
-    for (const auto& exhibit : exhibits_) {
-        const Lesson lesson = read(*exhibit);
-        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-            const LessonStep& step = lesson.steps[i];
-            EXPECT_TRUE(step.text.find("[row:") != std::string::npos || step.read)
-                << exhibit->name() << ", line " << step.line;
-            if (i == 0) continue;
-            const LessonStep& before = lesson.steps[i - 1];
-            EXPECT_FALSE(step.values == before.values && step.hall == before.hall && step.camera == before.camera)
-                << exhibit->name() << ", line " << step.line << ": the same as the step before";
-        }
-    }
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -162,6 +163,56 @@ TEST(Morphing, OfEveryExhibitNeverLeavesARange)
     }
 }
 
+TEST(Morphing, AmongSeveralAWordIsNoNumber)
+{
+    const MorphTable table;
+    const ParameterInfo& sides = table.rows()[table.sides.row];
+    const std::vector<Value> values{0.0, 2.0, 6.0};
+    EXPECT_EQ(morphed(sides, values, std::array{0.5, 0.25, 0.25}), Value(0.0)) << "\"auto\" weighs most";
+    EXPECT_EQ(morphed(sides, values, std::array{0.2, 0.6, 0.2}), Value(3.0)) << "a quarter of the way from 2 to 6";
+    EXPECT_EQ(morphed(sides, values, std::array{0.0, 0.5, 0.5}), Value(4.0));
+}
+
+TEST(Morphing, AmongFourDirectionsIsTheirMeanOnTheSphere)
+{
+    const MorphTable table;
+    const ParameterInfo& axis = table.rows()[table.axis.row];
+    const auto about = [](double degrees, double azimuth) {
+        const double polar = degrees * std::numbers::pi / 180;
+        return Value(
+            glm::dvec3(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)));
+    };
+    const double quarter = std::numbers::pi / 2;
+    const std::vector<Value> four{about(80, 0), about(80, quarter), about(80, 2 * quarter), about(80, 3 * quarter)};
+    const auto middle = std::get<glm::dvec3>(morphed(axis, four, std::array{0.25, 0.25, 0.25, 0.25}));
+    EXPECT_LT(glm::distance(middle, glm::dvec3(0, 0, 1)), 1e-12) << "four about an axis have it as their mean";
+    // A mean is where the ways to all of them cancel: along one great circle, as numbers do.
+    const std::vector<Value> three{about(0, 0), about(30, 0), about(75, 0)};
+    const auto along = std::get<glm::dvec3>(morphed(axis, three, std::array{0.2, 0.5, 0.3}));
+    EXPECT_LT(glm::distance(along, std::get<glm::dvec3>(about(0.5 * 30 + 0.3 * 75, 0))), 1e-12);
+}
+
+TEST(Morphing, RowsThatMoveAlikeAreMorphedAtBothEndsAndOthersAsTheNearest)
+{
+    Ends ends;
+    const std::size_t width = ends.table.width.row;
+    Motion motion{MotionKind::sine, 2.0, 4.0};
+    ends.a.setMotion(width, motion);
+    motion.from = 4.0;
+    motion.to = 8.0;
+    ends.b.setMotion(width, motion);
+    const ParameterValues between = morphed(ends.a, ends.b, 0.25);
+    EXPECT_EQ(between.motion(width)->from, Value(2.5));
+    EXPECT_EQ(between.motion(width)->to, Value(5.0));
+    motion.period = 9;
+    ends.b.setMotion(width, motion);
+    EXPECT_EQ(morphed(ends.a, ends.b, 0.25).motion(width)->to, Value(4.0));
+    EXPECT_EQ(morphed(ends.a, ends.b, 0.75).motion(width)->to, Value(8.0));
+    ends.b.setMotion(width, std::nullopt);
+    EXPECT_TRUE(morphed(ends.a, ends.b, 0.25).motion(width));
+    EXPECT_FALSE(morphed(ends.a, ends.b, 0.75).motion(width));
+}
+
 TEST(Morphing, BetweenTablesOfTwoFilesTakesTheNearerOne)
 {
     const test::BallTable two({{"red", 1}, {"blue", 2}}), other({{"blue", 4}, {"green", 3}});
@@ -193,6 +244,27 @@ TEST(Variation, StaysWithinTheComfortableRangesOfEveryExhibit)
         }
         EXPECT_GT(changed, 20U) << exhibit->name();
     }
+}
+
+TEST(Variation, GoesSoFarAsItsStrengthSays)
+{
+    const MorphTable table;
+    const ParameterValues from = table.initial();
+    const auto none = [](std::size_t) { return false; };
+    EXPECT_TRUE(variation(from, 3, none, 0) == from);
+    int switched = 0;
+    for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+        const ParameterValues whole = variation(from, seed, none), part = variation(from, seed, none, 0.25);
+        const auto number = [](const ParameterValues& values, auto row) {
+            return std::get<double>(values.row(row.row));
+        };
+        EXPECT_NEAR(number(part, table.width) - 2, 0.25 * (number(whole, table.width) - 2), 1e-12);
+        EXPECT_NEAR(std::log(number(part, table.radius)), 0.25 * std::log(number(whole, table.radius)), 1e-12);
+        const double method = number(part, table.method);
+        EXPECT_TRUE(method == 0 || method == number(whole, table.method)) << "nothing lies between choices";
+        switched += method != 0 ? 1 : 0;
+    }
+    EXPECT_NEAR(switched, 200 * 0.25 * 2 / 3, 15) << "a quarter of the time, and to another one in two of three";
 }
 
 TEST(Variation, IsTheSameForASeedAndALockMovesNoOtherRow)

@@ -124,6 +124,26 @@ TEST_F(Store, RenamesWithPictureAndUnknownKeys)
     EXPECT_EQ(names(), std::vector<std::string>{"b c"});
 }
 
+TEST_F(Store, TagsAreListedAndChangedWithoutTouchingTheRest)
+{
+    const StoredPreset saved = store.saveAs(preset("A"));
+    const std::string before = test::bytesOf(saved.path);
+    store.setTags(saved.path, {"night"});
+    EXPECT_EQ(store.list("everything")[0].tags, PresetTags{"night"});
+    EXPECT_EQ(load(saved.path).preset.tags, PresetTags{"night"});
+    const fs::path copy = store.duplicate(saved.path, "B");
+    EXPECT_EQ(load(copy).preset.tags, PresetTags{"night"}) << "a copy is found by the same words";
+    StoredPreset again = load(saved.path);
+    EXPECT_EQ(store.save(again), SaveOutcome::saved);
+    EXPECT_EQ(load(saved.path).preset.tags, PresetTags{"night"});
+    store.setTags(saved.path, {});
+    EXPECT_EQ(test::bytesOf(saved.path), before);
+    const fs::path shipped = folder / "shipped/everything/first.json";
+    test::writeBytes(shipped, before);
+    EXPECT_FAILURE(store.setTags(shipped, {"night"}), "part of Vitrine");
+    EXPECT_EQ(test::bytesOf(shipped), before);
+}
+
 TEST_F(Store, RemovesIntoATrashAndRestores)
 {
     const StoredPreset saved = store.saveAs(preset("A"));

@@ -164,6 +164,60 @@ TEST(Preset, RefusesOtherFormatsExhibitsAndVersions)
                    "name: this must be text");
 }
 
+TEST(Preset, TagsStandBehindTheNameAndOnlyWhereThereAreSome)
+{
+    Preset preset = plain();
+    const std::string without = presetText(preset);
+    EXPECT_EQ(without.find("tags"), std::string::npos);
+    preset.tags = {"night", "Wasser"};
+    const std::string with = presetText(preset);
+    EXPECT_NE(with.find("\"version\": 1"), std::string::npos) << "programs of before read it, too";
+    EXPECT_NE(with.find("\"name\": \"A\",\n  \"tags\": [\n    \"night\",\n    \"Wasser\"\n  ],\n"), std::string::npos)
+        << with;
+    const Preset back = read(with);
+    EXPECT_EQ(back.tags, preset.tags);
+    EXPECT_TRUE(back.notes.empty()) << "they are known";
+    EXPECT_EQ(presetText(back), with);
+    EXPECT_EQ(presetHeader(render::parseJson(with, "a.json", presetLimits)).tags, preset.tags);
+    // Given and taken in the file, which stays as it was otherwise.
+    EXPECT_EQ(taggedPreset(render::parseJson(without, "a.json", presetLimits), preset.tags), with);
+    EXPECT_EQ(taggedPreset(render::parseJson(with, "a.json", presetLimits), {}), without);
+    // An exhibition has them as well.
+    Exhibition exhibition =
+        parseExhibition(R"({"format": "vitrine-exhibition", "version": 1, "name": "E", "tags": ["x"], "values": {}})",
+                        "e.json", {{"everything", everyKind.initial()}});
+    EXPECT_EQ(exhibition.tags, PresetTags{"x"});
+    EXPECT_NE(exhibitionText(exhibition).find("\"tags\""), std::string::npos);
+}
+
+TEST(Preset, StrangeTagsAreRefusedWithTheirPlace)
+{
+    const auto refused = [](const std::string& tags) {
+        return test::failureOf([&] { (void)read(fileWith("", ",\n\"tags\": " + tags)); });
+    };
+    EXPECT_NE(refused("\"night\"").find("a.json, line 9, tags"), std::string::npos) << refused("\"night\"");
+    EXPECT_NE(refused("[\"a\", 3]").find("tags[1]"), std::string::npos);
+    for (const char* tag : {"\"\"", "\" a\"", "\"a \"", "\"a,b\"", "\"a\\nb\"", "\"\\u007f\"", "[]", "null"})
+        EXPECT_NE(refused("[" + std::string(tag) + "]").find("tags[0]"), std::string::npos) << tag;
+    EXPECT_NE(refused("[\"Night\", \"night\"]").find("twice"), std::string::npos);
+    EXPECT_NE(refused("[\"" + std::string(41, 'x') + "\"]").find("40 bytes"), std::string::npos);
+    std::string many = "[\"a0\"";
+    for (int i = 1; i <= 16; ++i) many += ", \"a" + std::to_string(i) + '"';
+    EXPECT_NE(refused(many + "]").find("more than 16"), std::string::npos);
+}
+
+TEST(Preset, TagsAreTypedWithCommas)
+{
+    EXPECT_EQ(tagsFromText(" night,, deep water ,Night"), (PresetTags{"night", "deep water"}));
+    EXPECT_TRUE(tagsFromText("").empty());
+    EXPECT_TRUE(tagsFromText(" , ").empty());
+    EXPECT_THROW((void)tagsFromText(std::string(41, 'x')), Failure);
+    EXPECT_THROW((void)tagsFromText("a\tb"), Failure);
+    std::string many;
+    for (int i = 0; i < 17; ++i) many += "a" + std::to_string(i) + ',';
+    EXPECT_THROW((void)tagsFromText(many), Failure);
+}
+
 TEST(Preset, OfVersionZeroIsMigrated)
 {
     const std::string text = test::bytesOf(VITRINE_SOURCE_DIR "/tests/exhibits/framework/samples/preset_v0.json");
@@ -271,6 +325,35 @@ TEST(Preset, H106_NeverCrashesOnDamagedFiles)
         }
     }
     EXPECT_GT(accepted, 100);
+}
+
+TEST(Preset, IsReadWithoutRowsThatAreNoMoreAndSaysWhatShowsTheSameNow)
+{
+    const CrepuscularRaysTable rays;
+    const auto read = [&](const char* values) {
+        return parsePreset(std::string(R"({"format": "vitrine-preset", "version": 2, "exhibit": "crepuscular_rays",
+        "name": "Old", "values": )") +
+                               values + R"(, "motions": {"wipe": {"kind": "sine", "from": 0, "to": 1}}})",
+                           "old.json", "crepuscular_rays", rays);
+    };
+    const Preset wiped =
+        read(R"({"compare": true, "compareWith": "volume", "technique": "screen space", "wipe": 0.4})");
+    EXPECT_EQ(wiped.values[rays.technique], RayTechnique::screen) << "what was left of the wipe";
+    EXPECT_EQ(wiped.notes,
+              std::vector<std::string>{"compare is no parameter any more: Compare with other beams or none, "
+                                       "in the Compare menu."});
+    const Json written = Json::parse(presetText(wiped));
+    EXPECT_EQ(written["values"].dump(), R"({"technique":"screen space"})");
+    EXPECT_FALSE(written.contains("motions"));
+    EXPECT_TRUE(read(R"({"compare": false, "wipe": 0.4})").notes.empty()) << "nothing was compared";
+
+    const NamedValues initial{{"crepuscular_rays", rays.initial()}};
+    const Exhibition all = parseExhibition(
+        R"({"format": "vitrine-exhibition", "version": 1, "values": {"crepuscular_rays.compare": true}})", "all.json",
+        initial);
+    ASSERT_EQ(all.notes.size(), 1U);
+    EXPECT_EQ(all.notes[0].rfind("crepuscular_rays.compare is no parameter any more: ", 0), 0U) << all.notes[0];
+    EXPECT_EQ(exhibitionText(all).find("compare"), std::string::npos);
 }
 
 TEST(Preset, IsReadByTheNamesThatRowsHadAndWrittenByThoseTheyHave)

@@ -161,7 +161,7 @@ TEST_F(BoundsOfEffects, OfTheTorusMugHold)
         for (std::size_t row = sdfTable().morph.row; row <= sdfTable().blend.row; ++row)
             shot.object().resetRow(row);  // A shape that is seen.
         shot.object().set(sdfTable().heatMap, SdfHeatMap::none);
-        shot.object().set(sdfTable().compareMesh, false);
+        shot.object().set(sdfTable().shownAs, SdfShown::field);
         shot.object().set(sdfTable().animate, false);
         shot.object().set(sdfTable().boxSize, 1.0);
         shot.object().set(sdfTable().showBox, false);
@@ -228,7 +228,6 @@ TEST_F(BoundsOfEffects, RaysAddNoMoreThanTheMaskTimesTheirStrength)
     const auto plain = [](Shot& shot) {
         ParameterValues& values = valuesOf(shot, "crepuscular_rays");
         values.set(raysTable().view, RayView::picture);
-        values.set(raysTable().compare, false);
         values.set(raysTable().samples, 64);
         // Bounds take lamps for as bright as they are at their brightest place, which is not in this picture.
         ParameterValues& lanterns = valuesOf(shot, "paper_lanterns");

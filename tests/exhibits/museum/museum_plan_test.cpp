@@ -161,7 +161,7 @@ TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
     EXPECT_EQ(trianglesOf(later), trianglesOf(bare));
     // Whatever the exhibit is set to, it costs nothing more.
     Scene costly = scene;
-    costly.object().set(test::sdfTable().compareMesh, true);
+    costly.object().set(test::sdfTable().shownAs, SdfShown::mesh);
     costly.object().set(test::sdfTable().showBox, true);
     costly.object().set(test::sdfTable().material, SdfMaterial::glass);
     costly.object().set(test::sdfTable().stepLimit, 1024);
@@ -299,7 +299,7 @@ TEST(MuseumPlan, AloneItsShadowIsDrawnOnlyForAMeshToFallOn)
     scene.see(test::museum().subject(scene.sdf).bestView(scene.object()));
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "nothing reads what it writes");
     EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "nothing reads what it writes");
-    scene.object().set(test::sdfTable().compareMesh, true);
+    scene.object().set(test::sdfTable().shownAs, SdfShown::mesh);
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "it ran");
 }
 
@@ -365,7 +365,7 @@ TEST(MuseumPlan, ReadsOnlyImagesThatAPassBeforeItWroteOrThatAreKept)
     for (const bool alone : {false, true}) {
         Scene scene;
         shineOnTheExhibit(scene);
-        scene.object().set(test::sdfTable().compareMesh, true);
+        scene.object().set(test::sdfTable().shownAs, SdfShown::mesh);
         scene.request.channels = {true, true};
         scene.request.samples = 4;
         if (alone) scene.request.alone = scene.sdf;

@@ -87,7 +87,7 @@ std::vector<Scene> twoUsers()
         Scene& scene = users[u];
         ParameterValues& coat = scene.sceneState.values[*museum().find("fur")];
         ParameterValues& print = scene.sceneState.values[*museum().find("lenticular")];
-        scene.object().set(sdf.compareMesh, true);
+        scene.object().set(sdf.shownAs, SdfShown::mesh);
         scene.object().set(sdf.tessellation, u == 0 ? 8 : 11);
         coat.set(fur.silhouette, FurSilhouette::fins);
         coat.set(fur.frozenAt, u == 0 ? 0.6 : 0.0);
@@ -131,11 +131,11 @@ TEST(Planning, TwoUsersInTurnGetWhatEachGetsAloneAndNeverRebuildEachOthers)
     EXPECT_EQ(shared.assets().builds("hall.model"), 1);
 }
 
-TEST(Planning, TheComparisonMeshDependsOnTheShapeAlone)
+TEST(Planning, TheMeshDependsOnTheShapeAlone)
 {
     const SdfMorphTable& table = test::sdfTable();
     Scene scene;
-    scene.object().set(table.compareMesh, true);
+    scene.object().set(table.shownAs, SdfShown::mesh);
     scene.object().set(table.tessellation, 6);
     const Museum own(allExhibits());
     (void)own.prepare(scene.sceneState, scene.request);
@@ -144,7 +144,7 @@ TEST(Planning, TheComparisonMeshDependsOnTheShapeAlone)
                                 "wallThickness", "handleRadius", "handleThickness", "blend",     "tessellation"};
     for (std::size_t row = 0; row < table.rows().size(); ++row) {
         const ParameterInfo& info = table.rows()[row];
-        if (info.kind == Kind::color || info.name == "compareMesh") continue;
+        if (info.kind == Kind::color || info.name == "shownAs") continue;
         SCOPED_TRACE(info.name);
         Scene other = scene;
         const auto before = std::get<double>(scene.object().row(row));

@@ -56,7 +56,7 @@ TEST(PlansOfPresets, NameOnlyWhatTheyDeclare)
 TEST(PlansOfPresets, LeaveOutWhatTheyDoNotShow)
 {
     const auto plans = plansOfPresets();
-    EXPECT_NE(plans.at("sdf_morph/facets-against-rays").find("sdf_morph/mesh"), nullptr);
+    EXPECT_NE(plans.at("sdf_morph/facets").find("sdf_morph/mesh"), nullptr);
     EXPECT_EQ(plans.at("sdf_morph/old-gold").find("sdf_morph/mesh"), nullptr);
     EXPECT_NE(plans.at("sdf_morph/a-box-too-small").find("sdf_morph/box"), nullptr);
     EXPECT_EQ(plans.at("sdf_morph/glass").find("sdf_morph/box"), nullptr);

@@ -30,7 +30,7 @@ TEST_F(Robustness, H10_IsErrorFreeAtEverySizeWithEverySwitch)
             shot.request.frame.channels.evaluations = true;
             for (const bool glass : {false, true}) {
                 shot.object().set(sdfTable().material, glass ? SdfMaterial::glass : SdfMaterial::opaque);
-                shot.object().set(sdfTable().compareMesh, glass);
+                shot.object().set(sdfTable().shownAs, glass ? SdfShown::mesh : SdfShown::field);
                 shot.object().set(sdfTable().showBox, glass);
                 const Picture p = shot.take();
                 EXPECT_EQ(test::notFinite(p.image, 4), "") << size.x << 'x' << size.y;

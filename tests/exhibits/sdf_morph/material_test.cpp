@@ -1,5 +1,6 @@
 // S7, S14: glass, the rasterized twin, heat maps.
 
+#include "exhibits/compare/offered_comparison.h"
 #include "tests/exhibits/sdf_morph/truth.h"
 #include "tests/support/gallery.h"
 #include "tests/support/temporary_folder.h"
@@ -13,6 +14,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
+using test::gallery;
 using test::hallTable;
 using test::Picture;
 using test::sdfTable;
@@ -157,8 +159,7 @@ TEST_F(Material, S14_SeenAlongItsFlatSideSquashedGlassIsAsThinAsItIs)
 Picture twin(int cells)
 {
     Shot shot;
-    shot.object().set(sdfTable().compareMesh, true);
-    shot.object().set(sdfTable().wipe, 0.0);
+    shot.object().set(sdfTable().shownAs, SdfShown::mesh);
     shot.object().set(sdfTable().tessellation, cells);
     return shot.take();
 }
@@ -191,24 +192,22 @@ TEST_F(Material, S7_TheMeshComesNearerToTheMarchedObjectTheFinerItIs)
     }
 }
 
-TEST_F(Material, S7_TheWipeDividesThePicture)
+TEST_F(Material, S7_IsOfferedBesideItsMeshWithEachAsItIsAlone)
 {
+    const Subject& subject = gallery().museum.subject(*gallery().museum.find("sdf_morph"));
     Shot shot;
+    shot.object().set(sdfTable().tessellation, 24);
     const Picture marched = shot.take();
     const Picture mesh = twin(24);
-    shot.object().set(sdfTable().compareMesh, true);
-    shot.object().set(sdfTable().tessellation, 24);
-    shot.object().set(sdfTable().wipe, 0.5);
-    const Picture both = shot.take();
-    int left = 0, right = 0;
-    both.each([&](int x, int y) {
-        const Picture& source = x < both.width() / 2 ? marched : mesh;
-        EXPECT_EQ(both.hit(x, y), source.hit(x, y)) << x << ',' << y;
-        EXPECT_EQ(both.color(x, y), source.color(x, y)) << x << ',' << y;
-        (x < both.width() / 2 ? left : right) += both.hit(x, y);
-    });
-    EXPECT_GT(left, 50);
-    EXPECT_GT(right, 50);
+    Shot other = shot;
+    other.sceneState =
+        otherSide(shot.sceneState, *gallery().museum.find("sdf_morph"), offeredComparison(subject, "mesh"));
+    EXPECT_EQ(test::largestDifference(other.take().image, mesh.image), 0);
+    EXPECT_GT(test::colorDifference(marched, mesh), 0.01) << "facets show";
+    Shot back = other;
+    back.sceneState =
+        otherSide(other.sceneState, *gallery().museum.find("sdf_morph"), offeredComparison(subject, "field"));
+    EXPECT_EQ(test::largestDifference(back.take().image, marched.image), 0);
 }
 
 TEST_F(Material, S7_TheMeshFillsTheNormalChannelToo)

@@ -243,8 +243,7 @@ int differenceOffTheEdge(const Picture& a, const Picture& b)
 
 Picture meshTwin(Shot shot, int cells)
 {
-    shot.object().set(sdfTable().compareMesh, true);
-    shot.object().set(sdfTable().wipe, 0.0);
+    shot.object().set(sdfTable().shownAs, SdfShown::mesh);
     shot.object().set(sdfTable().tessellation, cells);
     return shot.take();
 }

@@ -10,6 +10,7 @@
 
 #include <qcustomplot.h>
 
+#include <QAccessible>
 #include <QApplication>
 #include <QSignalSpy>
 #include <QtTest>
@@ -123,6 +124,17 @@ private slots:
         QCOMPARE(dock_->plots()[1]->graph(0)->dataCount(), 2);
         QVERIFY(dock_->plots()[1]->yAxis->range().lower > 0);
         QCOMPARE(dock_->plots()[1]->accessibleName(), QStringLiteral("Decades"));
+    }
+
+    void aChartSaysItsAxesAndWhereItsCurvesGo()
+    {
+        dock_->show();
+        QTRY_COMPARE(dock_->plots().size(), 2U);
+        const QAccessibleInterface* chart = QAccessible::queryAccessibleInterface(dock_->plots()[0]);
+        QCOMPARE(chart->role(), QAccessible::Chart);
+        QCOMPARE(chart->text(QAccessible::Name), QStringLiteral("Plain"));
+        QCOMPARE(chart->text(QAccessible::Description),
+                 QStringLiteral("y over x. now: from 0 at 100 to 16 at 10. then: from 1 at 1 to 1 at 100."));
     }
 
     void anExhibitWithoutChartsSaysSo()

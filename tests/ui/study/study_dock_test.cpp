@@ -1,13 +1,13 @@
 // The study dock: what it shows, applies and leaves alone, over an exhibit whose law is known. No GL.
 
-#include "tests/exhibits/study/known_law.h"
+#include "tests/ui/study/known_gallery.h"
 
 #include "ui/kit/theme.h"
 #include "ui/study/study_chart.h"
 #include "ui/study/study_dock.h"
 #include "ui/study/study_pictures.h"
-#include "ui/viewport/museum_renderers.h"
 
+#include <QAccessible>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
@@ -16,10 +16,10 @@
 #include <QPushButton>
 #include <QSet>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
 
-#include <chrono>
 #include <thread>
 
 using namespace vitrine;
@@ -27,73 +27,12 @@ using namespace vitrine::ui;
 
 namespace {
 
-std::vector<std::unique_ptr<Exhibit>> knownExhibit()
-{
-    test::KnownLaw law;
-    law.error = [](const test::KnownTable& t, const ParameterValues& v, double d) {
-        return d * (0.2 / v[t.steps] + 0.05 / v[t.rays] + (v[t.shortcut] ? 0.001 : 0) + 0.01 * (2 - v[t.method]));
-    };
-    law.cost = [](const test::KnownTable& t, const ParameterValues& v, double d) {
-        return d * (1 + 0.1 * v[t.steps] + 0.3 * v[t.rays] + v[t.method]);
-    };
-    std::vector<std::unique_ptr<Exhibit>> all;
-    all.push_back(std::make_unique<test::KnownExhibit>(std::move(law)));
-    return all;
-}
-
-/// Takes its time, so that there is something to see while it measures.
-class SlowBackend final : public render::RenderBackend {
-public:
-    render::FrameReport draw(const render::FramePlan& plan) override
-    {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        return known_.draw(plan);
-    }
-    [[nodiscard]] render::Image read(const std::string& image) override { return known_.read(image); }
-    [[nodiscard]] const render::PersistentState& persistentState() const override { return known_.persistentState(); }
-    [[nodiscard]] int largestSide() const override { return known_.largestSide(); }
-
-private:
-    test::KnownBackend known_;
-};
-
-/// A museum, and renderers that measure it by a painter without GL. Nothing else of them is asked for.
-class KnownGallery final : public Renderers {
-public:
-    Museum museum{knownExhibit()};
-    test::KnownTable table;
-    std::thread::id measuredOn;
-
-    void open() override {}
-    void close() override {}
-    render::FrameReport draw(const SceneState&, const FrameRequest&, const Unwanted&) override { return {}; }
-    [[nodiscard]] QImage screenImage(const QSize&) override { return {}; }
-    [[nodiscard]] QImage drawRegion(const SceneState&, const FrameRequest&, const PictureRegion&, int,
-                                    const Unwanted&) override
-    {
-        return {};
-    }
-    [[nodiscard]] render::Image shownPicture() override { return {}; }
-    void timeSteps(bool) override {}
-    bool reloadChangedShaders() override { return false; }
-    [[nodiscard]] std::vector<render::gl::ShaderProblem> problems() const override { return {}; }
-    [[nodiscard]] PictureJob makePicture(const SceneState&, const PictureRequest&) override { return {}; }
-    void nextPicture(PictureJob&, const SceneState&, const PictureRequest&) override {}
-    [[nodiscard]] StudyJob makeStudy(const StudyRequest& request) override
-    {
-        measuredOn = std::this_thread::get_id();
-        StudyJob job;
-        job.backend = std::make_unique<SlowBackend>();
-        job.study = std::make_unique<Study>(museum, *job.backend, request);
-        return job;
-    }
-};
-
 class StudyDockTest : public QObject {
     Q_OBJECT
 
 private:
-    std::unique_ptr<KnownGallery> gallery_;
+    std::unique_ptr<QTemporaryDir> home_;
+    std::unique_ptr<test::KnownGallery> gallery_;
     std::unique_ptr<History> history_;
     std::unique_ptr<RenderThread> thread_;
     std::unique_ptr<StudyDock> dock_;
@@ -117,10 +56,12 @@ private:
 private slots:
     void init()
     {
-        gallery_ = std::make_unique<KnownGallery>();
+        home_ = std::make_unique<QTemporaryDir>();
+        gallery_ = std::make_unique<test::KnownGallery>();
         history_ = std::make_unique<History>(gallery_->museum.initialSceneState());
         thread_ = std::make_unique<RenderThread>(*gallery_);
-        dock_ = std::make_unique<StudyDock>(gallery_->museum, *gallery_, *history_, *thread_);
+        dock_ =
+            std::make_unique<StudyDock>(gallery_->museum, *gallery_, *history_, *thread_, test::storeIn(home_->path()));
         dock_->setEffort({16, 9}, 3);
         dock_->setSubject(1);
         dock_->resize(1000, 320);
@@ -174,6 +115,39 @@ private slots:
         history_->stack().undo();
         QCOMPARE(valueNow("steps"), 8.0);
         QVERIFY(!dock_->chart().points()[other].present);
+    }
+
+    void arrowsChooseAPointEnterAppliesItAndTheChartSaysSo()
+    {
+        StudyChart& chart = dock_->chart();
+        const auto said = [&chart] {
+            return QAccessible::queryAccessibleInterface(&chart)->text(QAccessible::Description);
+        };
+        QCOMPARE(QAccessible::queryAccessibleInterface(&chart)->role(), QAccessible::Chart);
+        dock_->ask(1, row("steps"));
+        finish();
+        QVERIFY2(said().contains("Present: 8, error"), qPrintable(said()));
+        QVERIFY(!said().contains("Chosen"));
+        const auto cost = [&](double value) {
+            for (const ChartPoint& each : chart.points())
+                if (each.text.toDouble() == value) return each.cost;
+            return -1.0;
+        };
+        QTest::keyClick(&chart, Qt::Key_Right);
+        QVERIFY2(said().contains("Chosen: "), qPrintable(said()));
+        const QString cheapest = said();
+        QTest::keyClick(&chart, Qt::Key_Left);  // There is none below it.
+        QCOMPARE(said(), cheapest);
+        QTest::keyClick(&chart, Qt::Key_Return);
+        const double applied = valueNow("steps");
+        for (const ChartPoint& each : chart.points())
+            if (each.cost > 0) QVERIFY(cost(applied) <= each.cost);
+        QVERIFY(applied != 8.0);
+        QCOMPARE(history_->stack().count(), 1);
+        QTest::keyClick(&chart, Qt::Key_Right);
+        QTest::keyClick(&chart, Qt::Key_Return);
+        QVERIFY(cost(valueNow("steps")) >= cost(applied) && valueNow("steps") != applied);
+        QCOMPARE(history_->stack().count(), 2);
     }
 
     void cancellingLeavesTheSettingsAndTheUndoStackAsTheyWere()

@@ -151,6 +151,23 @@ private slots:
         QCOMPARE(editor().selected(), std::string("root.children[1]"));
     }
 
+    void ctrlAndTheArrowsReorderTheTree()
+    {
+        click(at(1, 0));
+        QCOMPARE(dock().view().currentItem()->text(0), QString("right"));
+        const int steps = stack().count();
+        QTest::keyClick(&dock().view(), Qt::Key_Down, Qt::ControlModifier);  // It is the last one.
+        QTest::keyClick(&dock().view(), Qt::Key_Up, Qt::ControlModifier);
+        QTRY_COMPARE(editor().tree().nodes[1].name, std::string("right"));
+        QCOMPARE(stack().count(), steps + 1);
+        QCOMPARE(editor().selected(), std::string("root.children[0]"));
+        QTest::keyClick(&dock().view(), Qt::Key_Down, Qt::ControlModifier);
+        QTRY_COMPARE(editor().tree().nodes[1].name, std::string("left"));
+        stack().undo();
+        stack().undo();
+        QCOMPARE(stack().index(), steps);
+    }
+
     void handlesMoveWhatIsSelectedInOneStep()
     {
         click(at(-1, 0));

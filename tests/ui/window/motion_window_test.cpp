@@ -130,8 +130,8 @@ private slots:
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);
         QTest::mouseClick(clockButton(), Qt::LeftButton);
         QCOMPARE(clockButton()->text(), QString("Pause"));
-        QTRY_VERIFY(gallery_->requests().back().time > 71.4);
-        QVERIFY(gallery_->requests().back().time < 71.25 + 60);
+        QTRY_VERIFY(window_->viewport().time() > 71.4);
+        QTRY_VERIFY(clock()->value() > 71.4);
         type("1e9");
         QVERIFY(window_->viewport().time() >= Viewport::latestTime);
     }

@@ -1,6 +1,7 @@
 #include "tests/ui/open_window.h"
 
 #include "ui/kit/message_strip.h"
+#include "ui/kit/preferences.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/parameters/color_picker.h"
@@ -8,7 +9,6 @@
 #include "ui/presets/preset_shelf.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/ledger_view.h"
-#include "ui/window/theme_choice.h"
 
 #include <QDir>
 #include <QDockWidget>
@@ -123,10 +123,10 @@ private slots:
         closeWindow();
         openWindow();
         QVERIFY(action("Light")->isChecked());
-        QCOMPARE(savedThemeChoice(), ThemeChoice::light);
+        QCOMPARE(Preferences::saved().theme, ThemeChoice::light);
         action("Dark")->trigger();
         QVERIFY(theme().dark);
-        QCOMPARE(savedThemeChoice(), ThemeChoice::dark);
+        QCOMPARE(Preferences::saved().theme, ThemeChoice::dark);
     }
 
     void lockedRowsComeBackAndAreLeftOutWhenTheOthersAreVaried()

@@ -1,0 +1,111 @@
+#include "app/command.h"
+#include "app/study/study_comparison_folder.h"
+
+#include "exhibits/study/study_text.h"
+#include "render/failure.h"
+#include "render/files/number_text.h"
+#include "ui/study/comparison_chart.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+
+namespace vitrine::app {
+namespace {
+
+constexpr std::size_t mostStudies = 8;
+
+struct ComparisonOptions {
+    std::vector<std::string> files;
+    std::string cost;
+    std::string out;
+};
+
+std::vector<KeptStudy> readAll(const std::vector<std::string>& files)
+{
+    std::vector<KeptStudy> studies;
+    for (const std::string& file : files) {
+        std::vector<StudyAndJson> found = parseStudies(render::readJson(file, studyLimits));
+        for (StudyAndJson& each : found) {
+            // Several that `vitrine study` wrote are told apart by their files.
+            if (each.study.name.empty() && found.size() == 1) each.study.name = nameOfStudyFile(file);
+            studies.push_back(std::move(each.study));
+        }
+    }
+    if (studies.size() < 2 || studies.size() > mostStudies)
+        throw Failure(Blame::usage, "compare-studies: give files of two to " + std::to_string(mostStudies) +
+                                        " studies; there are " + std::to_string(studies.size()) + '.');
+    return studies;
+}
+
+std::string listed(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+std::string costOf(const std::vector<KeptStudy>& studies, const std::string& wanted)
+{
+    const std::vector<std::string> costs = sharedCosts(studies);
+    if (costs.empty())
+        throw Failure(
+            Blame::check,
+            "These studies share no count of work that tells their settings apart" +
+                std::string(timesDiffer(studies) == TimesDiffer::no ? "" : ", and their times cannot be compared") +
+                "; measure them by the same counter.");
+    if (wanted.empty()) return costs.front();
+    if (std::find(costs.begin(), costs.end(), wanted) != costs.end()) return wanted;
+    const std::string why = wanted == "ms" ? ui::timesDifferText(timesDiffer(studies)).toStdString() + " Give"
+                                           : "these studies do not share it; give";
+    throw Failure(wanted == "ms" ? Blame::check : Blame::usage,
+                  "--cost " + wanted + ": " + why + " one of " + listed(costs) + '.');
+}
+
+void printDifferences(const StudyComparison& comparison)
+{
+    using render::shortNumber;
+    std::printf("%-28s %-28s %12s %12s %14s %14s\n", "compared with", "setting of the first", "cost", "error",
+                "error at cost", "cost at error");
+    for (const StudyDifference& d : comparison.differences)
+        std::printf("%-28s %-28s %12s %12s %14s %14s%s\n", comparison.curves[d.study].label.c_str(), d.text.c_str(),
+                    shortNumber(d.cost).c_str(), shortNumber(d.error).c_str(),
+                    d.errorAtCost ? shortNumber(*d.errorAtCost).c_str() : "-",
+                    d.costAtError ? shortNumber(*d.costAtError).c_str() : "-", d.uncertain ? " uncertain" : "");
+}
+
+int compareStudyFiles(const ComparisonOptions& options)
+{
+    requireStudyComparisonFolder(options.out);
+    const std::vector<KeptStudy> studies = readAll(options.files);
+    const StudyComparison comparison = compareStudies(studies, labelsOf(studies), costOf(studies, options.cost));
+    writeStudyComparisonFolder(options.out, studies, comparison);
+    printDifferences(comparison);
+    if (const QString why = ui::timesDifferText(timesDiffer(studies)); !why.isEmpty())
+        std::printf("%s\n", why.toStdString().c_str());
+    for (const ComparedCurve& curve : comparison.curves)
+        if (curve.leftOut) std::printf("%s was left out: its errors are of another metric.\n", curve.label.c_str());
+    std::printf("The comparison is in %s/index.html\n", options.out.c_str());
+    return 0;
+}
+
+}  // namespace
+
+void addCompareStudiesCommand(CLI::App& parser, Action& chosen)
+{
+    CLI::App* command = parser.add_subcommand(
+        "compare-studies", "Studies over each other: their fronts in one chart, and how they differ, as one page");
+    auto options = std::make_shared<ComparisonOptions>();
+    command
+        ->add_option("files", options->files, "Two or more study.json, of which the first is what the others stand to")
+        ->required()
+        ->expected(1, -1);
+    command->add_option("--cost", options->cost, "ms, or a counter such as evaluations; without it the most telling");
+    command->add_option("--out", options->out, "The folder of the page; one that holds a comparison is replaced")
+        ->required();
+    command->callback([&chosen, options] { chosen = [options] { return compareStudyFiles(*options); }; });
+}
+
+}  // namespace vitrine::app

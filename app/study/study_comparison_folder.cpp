@@ -1,0 +1,102 @@
+#include "app/study/study_comparison_folder.h"
+
+#include "app/html_text.h"
+#include "app/part_folder.h"
+#include "app/study/offscreen_charts.h"
+#include "render/failure.h"
+#include "render/files/atomic_write.h"
+#include "ui/kit/picture_file.h"
+#include "ui/study/comparison_chart.h"
+#include "ui/study/comparison_dialog.h"
+
+namespace vitrine::app {
+namespace {
+
+const QSize chartSize(960, 540);
+constexpr double chartScale = 1.5;  // Of the PNG, for sharp screens.
+
+std::string studiesTable(const std::vector<KeptStudy>& studies, const StudyComparison& comparison)
+{
+    std::string text = "<div class=\"sheet scroll\"><table><thead><tr><th>study</th><th>exhibit</th><th>varied</th>"
+                       "<th>points</th><th>pixels</th><th>views</th><th>error</th><th>machine</th><th>clock</th>"
+                       "<th>measured</th></tr></thead><tbody>\n";
+    for (std::size_t i = 0; i < studies.size(); ++i) {
+        const KeptStudy& study = studies[i];
+        text += "<tr><td>" + escaped(comparison.curves[i].label) + (comparison.curves[i].leftOut ? " (left out)" : "") +
+                "</td>";
+        for (const std::string& cell :
+             {study.exhibit + (study.alone ? ", alone" : ", in the hall"), study.parameterNames(),
+              std::to_string(study.measuredPoints()),
+              std::to_string(study.size.x) + " × " + std::to_string(study.size.y), std::to_string(study.views.size()),
+              std::string(toString(study.metric)), study.renderer.empty() ? std::string("–") : study.renderer,
+              study.clock + (study.clockTrusted ? ", trusted" : ", not trusted"),
+              study.measured.empty() ? std::string("–") : study.measured})
+            text += "<td>" + escaped(cell) + "</td>";
+        text += "</tr>\n";
+    }
+    return text + "</tbody></table></div>\n";
+}
+
+std::string differencesTable(const StudyComparison& comparison)
+{
+    std::string text = "<div class=\"sheet scroll\"><table><thead><tr>";
+    for (const QString& column : ui::differenceColumns(comparison))
+        text += "<th>" + escaped(column.toStdString()) + "</th>";
+    text += "</tr></thead><tbody>\n";
+    for (const StudyDifference& difference : comparison.differences) {
+        text += "<tr>";
+        for (const QString& cell : ui::differenceTexts(comparison, difference))
+            text += "<td>" + escaped(cell.toStdString()) + "</td>";
+        text += "</tr>\n";
+    }
+    return text + "</tbody></table></div>\n";
+}
+
+std::string comparisonPage(const std::vector<KeptStudy>& studies, const StudyComparison& comparison,
+                           const std::string& svg)
+{
+    std::string names;
+    for (const ComparedCurve& curve : comparison.curves) names += (names.empty() ? "" : ", ") + curve.label;
+    std::string page = pageHead(names);
+    page += "<h1>" + escaped("What accuracy costs: " + names) + "</h1>\n";
+    if (const QString why = ui::timesDifferText(timesDiffer(studies)); !why.isEmpty())
+        page += "<p class=\"law\">" + escaped(why.toStdString()) + "</p>\n";
+    page +=
+        "<p class=\"dim\">Costs: " + escaped(ui::comparedCostTitle(comparison.cost).toStdString()) +
+        ". Errors: " + escaped(std::string(title(comparison.metric))) +
+        ", over all views; bars reach from the lowest view to the worst. Between two settings of a front, costs and "
+        "errors are taken on logarithmic scales; beyond its ends nothing is said.</p>\n";
+    // The drawing alone: within HTML there is no place for an XML declaration.
+    const std::size_t start = svg.find("<svg");
+    page += "<div class=\"sheet\"><div class=\"chart\">" +
+            (start == std::string::npos ? std::string() : svg.substr(start)) + "</div></div>\n";
+    return page + studiesTable(studies, comparison) + differencesTable(comparison) + "</body>\n</html>\n";
+}
+
+}  // namespace
+
+void requireStudyComparisonFolder(const std::filesystem::path& folder)
+{
+    requireFolderFor(folder, "study-comparison.json", "a comparison of studies");
+}
+
+void writeStudyComparisonFolder(const std::filesystem::path& folder, const std::vector<KeptStudy>& studies,
+                                const StudyComparison& comparison)
+{
+    requireStudyComparisonFolder(folder);
+    prepareOffscreenCharts();
+    ui::ComparisonChart chart;
+    chart.setComparison(comparison);
+    const QByteArray png = ui::pngOf(chart.picture(chartSize, chartScale));
+    const std::string svg = chart.svg(chartSize).toStdString();
+    requireChart(png, folder);
+    const PartFolder part(folder);
+    render::atomicWrite(part.path() / "study-comparison.json", render::writeJson(comparisonJson(studies, comparison)));
+    render::atomicWrite(part.path() / "study-comparison.csv", comparisonCsv(comparison));
+    render::atomicWrite(part.path() / "chart.svg", svg);
+    render::atomicWrite(part.path() / "chart.png", png.toStdString());
+    render::atomicWrite(part.path() / "index.html", comparisonPage(studies, comparison, svg));
+    part.publish();
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "exhibits/study/study_comparison.h"
+
+#include <filesystem>
+
+namespace vitrine::app {
+
+/// Throws Failure (Blame::usage) when the folder is there and holds anything but such a comparison.
+void requireStudyComparisonFolder(const std::filesystem::path&);
+
+/// Writes study-comparison.json, study-comparison.csv, chart.svg, chart.png and index.html, all or nothing, as
+/// `writeStudyFolder`. Throws Failure (Blame::file).
+void writeStudyComparisonFolder(const std::filesystem::path&, const std::vector<KeptStudy>&, const StudyComparison&);
+
+}  // namespace vitrine::app

@@ -1,0 +1,253 @@
+"""Brings vitrine_de.ts up to date with the texts of the source; update.sh says how it is called."""
+
+import glob
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import xml.etree.ElementTree as ElementTree
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from cpp_texts import sentences, tokens, translated_calls  # noqa: E402
+
+TS = 'assets/translations/vitrine_de.ts'
+PROGRAM = os.environ.get('VITRINE_PROGRAM', 'build/release/vitrine')
+
+# What looks like a text and is none: shader source, formats, what only the command line's help and tests say.
+NO_TEXT = re.compile(r'[;{}]\s*\n|\bvec[234]\b|\bfloat \w|^\s*#|</?\w+>|\bvoid \w|^\w+ = |^  +\w|\bsampler|^[.:#*@]|^\{\d\}$|'
+                     r'^[\w{}]+/[\w{}]|^[A-Z_]+ \{|^glb |^hdr exr|^tif tiff|^png jpg|^SceneStage|\buniform \w|\bconst \w+ \w+|^<|^--|&nbsp;|\\u00|^%|^[^A-Za-z{]*$')
+# Files of which nothing is shown to people in the window or as an error, or only in English by purpose.
+NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.cpp|serve/|/queue/|report|embed|'
+                       r'image/oiio/(?!guarded|read|row|write)|render_command|shell_word|motion_json|chart_font|_glsl\.cpp|'
+                       r'install|list_command|framework/derive|_mesh\.cpp|png_chunks|table_json|ledger_json')
+# Callees whose argument is no text for people.
+SILENT = {'shader', 'at', 'value', 'find', 'contains', 'define', 'getenv', 'uniform', 'is_member_of', 'compare', 'starts_with',
+          'ends_with', 'add_option', 'add_flag', 'add_subcommand', 'add_option_function', 'add_flag_function', 'type_name',
+          'option_text', 'assert', 'addArgument', 'printf', 'add_flag_callback', 'group', 'description', 'footer', 'logic_error'}
+WORD = re.compile(r'[A-Za-z]{2,}')
+
+
+def is_sentence(text):
+    plain = re.sub(r'\{\d\}', ' ', text)
+    words = WORD.findall(plain)
+    if NO_TEXT.search(text) or '\0' in text or not words:
+        return False
+    if len(words) == 1:
+        # With a place, one word may be part of a sentence: "at {1}", "{1} ago".
+        return bool(re.search(r'\{\d\}', text)) and ' ' in text.strip() and '/' not in text and '=' not in text
+    return ' ' in text.strip()
+
+
+def spelled_out(name):
+    text = re.sub(r'([A-Z])', lambda m: ' ' + m.group(1).lower(), name).strip()
+    return text[:1].upper() + text[1:]
+
+
+def cpp_files(*folders):
+    for folder in folders:
+        for name in sorted(glob.glob(folder + '/**/*', recursive=True)):
+            if name.endswith(('.cpp', '.h')):
+                with open(name, encoding='utf-8') as file:
+                    yield name, file.read()
+
+
+class Texts:
+    """All texts in the order in which they were found: (English, disambiguation) -> plural."""
+
+    def __init__(self):
+        self.all = {}
+        self.where = {}
+
+    def add(self, text, where, comment=None, plural=False):
+        key = (text, comment)
+        if text.strip():
+            self.all[key] = self.all.get(key, False) or plural
+            self.where.setdefault(key, where)
+
+
+def window_texts(texts):
+    for name, source in cpp_files('ui', 'app'):
+        for text, comment, plural, _ in translated_calls(tokens(source)):
+            texts.add(text, name, comment, plural)
+
+
+def engine_texts(texts):
+    for name, source in cpp_files('render', 'exhibits', 'app'):
+        if NOT_SHOWN.search(name):
+            continue
+        command = name.startswith('app/')
+        for text, _, before in sentences(tokens(source)):
+            callee = before[-2] if len(before) > 1 and before[-1] == '(' else ''
+            if callee in SILENT:
+                continue
+            if before[-2:] == ['{', 'return'] and ('tryThis' in before or 'buttonText' in before):
+                continue
+            if not is_sentence(text):
+                continue
+            if command and (not text.endswith('.') or text.endswith('...')) or text.startswith(('{"', '{1}"child')) or 'Exit codes' in text:
+                continue  # Of the command line, errors are translated and help is not.
+            texts.add(text, name)
+    with open('assets/translations/more_texts.txt', encoding='utf-8') as file:
+        for line in file:
+            if line.strip() and not line.startswith('#'):
+                texts.add(line.rstrip('\n'), 'more_texts.txt')
+
+
+def exhibit_texts(texts):
+    """Titles, summaries, plaques and buttons, as the exhibits' headers say them."""
+    says = re.compile(r'(title|summary|tryThis|buttonText)\(\)\s*const\s*override\s*\{\s*return\s*((?:"(?:\\.|[^"\\])*"\s*)+);')
+    for name, source in cpp_files('exhibits'):
+        for which, literals in says.findall(source):
+            text = ''.join(re.findall(r'"((?:\\.|[^"\\])*)"', literals)).replace('\\"', '"')
+            text = {'tryThis': 'Try: %s', 'buttonText': 'E – %s'}.get(which, '%s') % text
+            texts.add(text, name)
+
+
+def table_texts(texts, known):
+    """Labels, groups, help and choices of the rows; of the built program. Without it, those that are known stay."""
+    if os.path.exists(PROGRAM):
+        listed = json.loads(subprocess.run([PROGRAM, 'list', '--json'], check=True, capture_output=True).stdout)
+        for exhibit in listed:
+            for row in exhibit['parameters']:
+                for text in [row['label'], label_in_group(row), row['group'], row['help']] + row['choices']:
+                    texts.add(text, 'tables')
+    else:
+        for key, where in known.items():
+            if where == 'tables':
+                texts.add(key[0], 'tables', key[1])
+    # Tables that the list does not show, and the numbers of the shapes.
+    row = re.compile(r'\b(?:real|count|toggle|choice|color|direction|file)\(\s*"(\w+)"')
+    for name, source in cpp_files('exhibits'):
+        if name.endswith('_table.h') or name.endswith('_rows.h'):
+            for text in row.findall(source):
+                texts.add(spelled_out(text), name)
+        if '_table' in name or '_rows' in name:
+            for text in re.findall(r'\b(?:group|foldedGroup|called)\("([^"]+)"', source):
+                texts.add(text, name)
+            for choices in re.findall(r'\bchoice\([^{;]*\{(\s*"[^}]*)\}', source):
+                for text in re.findall(r'"([^"]+)"', choices):
+                    texts.add(text, name)
+            for text in re.findall(r'\breads\([^,]+,\s*"([^"]+)"', source):
+                texts.add(text, name)
+        if name.endswith('kinds.cpp'):
+            for text in re.findall(r'(?:\b\w+\(|\{)"([a-z][A-Za-z]*)",', source):
+                texts.add(spelled_out(text), name)
+
+
+def label_in_group(row):
+    """Without the first word where the heading says it: as labelInGroup of exhibits/framework/parameters.cpp."""
+    first, _, rest = row['label'].partition(' ')
+    if rest and first.lower() in [word.lower() for word in row['group'].split(' ')]:
+        return rest[:1].upper() + rest[1:]
+    return row['label']
+
+
+def read_ts():
+    known, where, plural = {}, {}, {}
+    if not os.path.exists(TS):
+        return known, where
+    for message in ElementTree.parse(TS).getroot().iter('message'):
+        key = (message.findtext('source'), message.findtext('comment'))
+        forms = [f.text or '' for f in message.find('translation').findall('numerusform')]
+        known[key] = forms or [message.findtext('translation') or '']
+        where[key] = message.findtext('extracomment') or ''
+    return known, where
+
+
+def escaped(text):
+    return text.replace('&', '&amp;').replace('<', '&lt;').replace('>', '&gt;').replace('"', '&quot;')
+
+
+def ts_text(texts, known):
+    lines = ['<?xml version="1.0" encoding="utf-8"?>', '<!DOCTYPE TS>', '<TS version="2.1" language="de_DE" sourcelanguage="en">',
+             '<context>', '    <name>vitrine</name>']
+    for (text, comment), plural in sorted(texts.all.items(), key=lambda e: (e[0][0].lower(), e[0])):
+        forms = known.get((text, comment), [''])
+        if plural and len(forms) == 1:
+            forms = [forms[0], forms[0]]
+        done = all(forms)
+        lines.append('    <message numerus="yes">' if plural else '    <message>')
+        lines.append('        <source>%s</source>' % escaped(text))
+        if comment:
+            lines.append('        <comment>%s</comment>' % escaped(comment))
+        if texts.where[(text, comment)] == 'tables':
+            lines.append('        <extracomment>tables</extracomment>')
+        mark = '' if done else ' type="unfinished"'
+        if plural:
+            lines.append('        <translation%s>' % mark)
+            lines += ['            <numerusform>%s</numerusform>' % escaped(f) for f in forms]
+            lines.append('        </translation>')
+        else:
+            lines.append('        <translation%s>%s</translation>' % (mark, escaped(forms[0])))
+        lines.append('    </message>')
+    return '\n'.join(lines + ['</context>', '</TS>', ''])
+
+
+def found_by_lupdate():
+    """The window's texts as Qt's own tool finds them, where it is: none may be missing here."""
+    tool = next((t for t in ('/usr/lib/qt6/bin/lupdate', shutil.which('lupdate6')) if t and os.path.exists(t)), None)
+    if not tool:
+        return []
+    with tempfile.TemporaryDirectory() as folder:
+        made = os.path.join(folder, 'found.ts')
+        subprocess.run([tool, '-silent', 'ui', 'app', '-locations', 'none', '-target-language', 'de', '-ts', made],
+                       check=True, capture_output=True)
+        return [m.findtext('source') for m in ElementTree.parse(made).getroot().iter('message')]
+
+
+def read_translations(names, texts, known):
+    """Lines "English = German"; plural forms with " | " between; line ends are written as \\n."""
+    by_text = {}
+    for key in texts.all:
+        by_text.setdefault(key[0], []).append(key)
+    for name in names:
+        with open(name, encoding='utf-8') as file:
+            for number, line in enumerate(file, 1):
+                line = line.rstrip('\n')
+                if not line.strip() or line.startswith('## '):
+                    continue
+                if ' = ' not in line:
+                    sys.exit('%s:%d: no " = " in this line' % (name, number))
+                # The first " = " whose left side is a text: texts may hold one, too.
+                parts = line.split(' = ')
+                for k in range(1, len(parts)):
+                    english = ' = '.join(parts[:k]).replace('\\n', '\n')
+                    if english in by_text:
+                        german = ' = '.join(parts[k:]).replace('\\n', '\n')
+                        for key in by_text[english]:
+                            known[key] = german.split(' | ') if texts.all[key] else [german]
+                        break
+                else:
+                    print('%s:%d: not in the source: %s' % (name, number, parts[0]), file=sys.stderr)
+
+
+def main(arguments):
+    known, where = read_ts()
+    texts = Texts()
+    window_texts(texts)
+    exhibit_texts(texts)
+    table_texts(texts, where)
+    engine_texts(texts)
+    check = arguments == ['--check']
+    read_translations([] if check else arguments, texts, known)
+    made = ts_text(texts, known)
+    if check:
+        lacking = [key[0] for key in texts.all if key not in known or not all(known[key])]
+        lacking += [text for text in found_by_lupdate() if not any(key[0] == text for key in known)]
+        for text in lacking:
+            print('no translation: ' + text.replace('\n', '\\n'))
+        return 1 if lacking else 0
+    with open(TS, 'w', encoding='utf-8') as file:
+        file.write(made)
+    open_texts = [(where, key[0]) for key, where in texts.where.items() if not all(known.get(key, ['']))]
+    for where, text in sorted(open_texts):
+        print('%s\t%s' % (where, text.replace('\n', '\\n')))
+    print('%d texts, %d to be translated' % (len(texts.all), len(open_texts)), file=sys.stderr)
+    return 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,14370 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>vitrine</name>
+    <message>
+        <source> (allowed 1 to 175 degrees, in radians)</source>
+        <translation> (erlaubt 1 bis 175 Grad, im Bogenmaß)</translation>
+    </message>
+    <message>
+        <source> (which acts when {1})</source>
+        <translation> (was wirkt, wenn {1})</translation>
+    </message>
+    <message>
+        <source> ({1} to {2} with 95 % confidence)</source>
+        <translation> ({1} bis {2} mit 95 % Konfidenz)</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source> and %1 more</source>
+        <translation> und %1 weitere</translation>
+    </message>
+    <message>
+        <source> at {1} to {2} m</source>
+        <translation> bei {1} bis {2} m</translation>
+    </message>
+    <message>
+        <source> frames a second</source>
+        <translation> Frames pro Sekunde</translation>
+    </message>
+    <message>
+        <source> GB of memory while it is made and written, and this machine has </source>
+        <translation> GB Speicher, während es erzeugt und geschrieben wird, und dieser Rechner hat </translation>
+    </message>
+    <message>
+        <source> GB; ask for no more than </source>
+        <translation> GB; verlangen Sie nicht mehr als </translation>
+    </message>
+    <message>
+        <source> of {1}</source>
+        <translation> von {1}</translation>
+    </message>
+    <message>
+        <source> or </source>
+        <translation> oder </translation>
+    </message>
+    <message>
+        <source> pixels takes </source>
+        <translation> Pixeln braucht </translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source> the reference changes by {1}</source>
+        <translation> ändert sich die Referenz um {1}</translation>
+    </message>
+    <message>
+        <source> within {1} s</source>
+        <translation> innerhalb von {1} s</translation>
+    </message>
+    <message>
+        <source> · knee</source>
+        <translation> · Knie</translation>
+    </message>
+    <message>
+        <source> · present</source>
+        <translation> · jetzt</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no limit; type a number above 0, such as %2.</source>
+        <translation>„%1“ ist keine Grenze; geben Sie eine Zahl über 0 ein, etwa %2.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is no value for “%2”. %3</source>
+        <translation>„%1“ ist kein Wert für „%2“. %3</translation>
+    </message>
+    <message>
+        <source>&quot;lights&quot; must be an array: [ ... ]</source>
+        <translation>„lights“ muss ein Array sein: [ ... ]</translation>
+    </message>
+    <message>
+        <source>&quot;up&quot; points along the view; give another direction</source>
+        <translation>„up“ zeigt entlang der Blickrichtung; geben Sie eine andere Richtung an</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; contains itself by way of this; take one of the two out</source>
+        <translation>„{=1}“ enthält sich hierdurch selbst; nehmen Sie eines von beiden heraus</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; has {2} numbers.</source>
+        <translation>„{=1}“ hat {2} Zahlen.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is missing: this does not describe a lenticular print; give a print, or the JSON beside it.</source>
+        <translation>„{=1}“ fehlt: Das beschreibt keinen Linsendruck; geben Sie einen Druck an, oder das JSON daneben.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is missing; export the file again.</source>
+        <translation>„{=1}“ fehlt; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is no choice here; choose one of {2}.</source>
+        <translation>„{=1}“ steht hier nicht zur Wahl; wählen Sie eines von {=2}.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is no format of Vitrine; choose a preset.</source>
+        <translation>„{=1}“ ist kein Format von Vitrine; wählen Sie ein Preset.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or frames/%04d.png.</source>
+        <translation>„{=1}“ ist kein Name für eine Aufnahme; geben Sie einen an, der auf .mp4, .webm, .gif, .webp oder .apng endet, oder frames/%04d.png.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is no pace; write constant or eased.</source>
+        <translation>„{=1}“ ist kein Tempo; schreiben Sie constant oder eased.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is no tour; choose another file.</source>
+        <translation>„{=1}“ ist kein Rundgang; wählen Sie eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is not known and was left out.</source>
+        <translation>„{=1}“ ist nicht bekannt und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is one of the sheets that come with the program; choose another name.</source>
+        <translation>„{=1}“ ist eine der mitgelieferten Folien; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is the name of an image and of a buffer</source>
+        <translation>„{=1}“ ist der Name eines Bildes und eines Puffers</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; must be an array; export the file again.</source>
+        <translation>„{=1}“ muss ein Array sein; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; must be there and be a number; correct it there, or move the file away, and a new list is begun.</source>
+        <translation>„{=1}“ muss da sein und eine Zahl sein; korrigieren Sie es dort, oder legen Sie die Datei beiseite, und eine neue Liste wird begonnen.</translation>
+    </message>
+    <message>
+        <source>#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.</source>
+        <translation>#f80, #ff8800, orange und 1, 0.25, 0 (lineares Rot, Grün, Blau) wären welche.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>%1 (on show)</source>
+        <translation>%1 (wird gezeigt)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.</source>
+        <translation>%1 kann nicht geöffnet werden: Vitrine öffnet .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg und .tif.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be shown: this hall has no parameter &quot;%2&quot; for it.</source>
+        <translation>%1 kann nicht gezeigt werden: Diese Halle hat dafür keinen Parameter „%2“.</translation>
+    </message>
+    <message>
+        <source>%1 cm</source>
+        <translation>%1 cm</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 (Kopie)</translation>
+    </message>
+    <message>
+        <source>%1 dots : 1 px</source>
+        <translation>%1 Punkte : 1 px</translation>
+    </message>
+    <message>
+        <source>%1 frames, %2 colors</source>
+        <translation>%1 Frames, %2 Farben</translation>
+    </message>
+    <message>
+        <source>%1 frames: %2 to %3 ms, half of them up to %4 ms</source>
+        <translation>%1 Frames: %2 bis %3 ms, die Hälfte davon bis %4 ms</translation>
+    </message>
+    <message>
+        <source>%1 has no table of its own; the Study panel measures its rows.</source>
+        <translation>%1 hat keine eigene Tabelle; das Bedienfeld „Studie“ misst seine Parameter.</translation>
+    </message>
+    <message>
+        <source>%1 is there already.</source>
+        <translation>%1 gibt es bereits.</translation>
+    </message>
+    <message>
+        <source>%1 LPI, %2, %3°</source>
+        <translation>%1 LPI, %2, %3°</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 Nothing was changed.</source>
+        <translation>%1 Nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 passes ran, %2 skipped</source>
+        <translation>%1 Passes liefen, %2 ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 pictures</source>
+        <translation>%1 Bilder</translation>
+    </message>
+    <message>
+        <source>%1 pictures saved, the last one to %2.</source>
+        <translation>%1 Bilder gespeichert, das letzte als %2.</translation>
+    </message>
+    <message>
+        <source>%1 reads “%2”, and may be typed so.</source>
+        <translation>%1 heißt „%2“ und kann auch so eingegeben werden.</translation>
+    </message>
+    <message>
+        <source>%1 rows differ</source>
+        <translation>%1 Zeilen verschieden</translation>
+    </message>
+    <message>
+        <source>%1 screenshots saved, the last one to %2.</source>
+        <translation>%1 Bildschirmfotos gespeichert, das letzte als %2.</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 Schritte</translation>
+    </message>
+    <message>
+        <source>%1 steps, %2 ms</source>
+        <translation>%1 Schritte, %2 ms</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 views from %2</source>
+        <translation>%1 Ansichten von %2</translation>
+    </message>
+    <message>
+        <source>%1 views of %2, small ones to look at</source>
+        <translation>%1 Ansichten von %2, kleine zum Anschauen</translation>
+    </message>
+    <message>
+        <source>%1 was changed by someone else since it was loaded, and was not overwritten. Save under another name, or load it again.</source>
+        <translation>%1 wurde seit dem Laden von anderer Seite geändert und nicht überschrieben. Speichern Sie unter einem anderen Namen, oder laden Sie es erneut.</translation>
+    </message>
+    <message>
+        <source>%1 was loaded, with changes:</source>
+        <translation>%1 wurde geladen, mit Änderungen:</translation>
+    </message>
+    <message>
+        <source>%1 was not put into the sky: a panorama of the whole sky is twice as wide as high, and this picture has %2 × %3 pixels. To stretch it over the sky all the same, choose it as “Environment” in the parameters of the hall.</source>
+        <translation>%1 wurde nicht an den Himmel gesetzt: Ein Panorama des ganzen Himmels ist doppelt so breit wie hoch, und dieses Bild hat %2 × %3 Pixel. Um es dennoch über den Himmel zu spannen, wählen Sie es in den Parametern der Halle als „Umgebung“.</translation>
+    </message>
+    <message>
+        <source>%1 was not saved: its name must end in .csv, .json, .png or .svg.</source>
+        <translation>%1 wurde nicht gespeichert: Der Name muss auf .csv, .json, .png oder .svg enden.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: sheets of sprites are PNG files; give a name with .png.</source>
+        <translation>%1 wurde nicht geschrieben: Blätter mit Sprites sind PNG-Dateien; geben Sie einen Namen mit .png an.</translation>
+    </message>
+    <message>
+        <source>%1 was opened, with changes: %2</source>
+        <translation>%1 wurde geöffnet, mit Änderungen: %2</translation>
+    </message>
+    <message>
+        <source>%1 was saved by another program, and you have changes that are not in it.</source>
+        <translation>%1 wurde von einem anderen Programm gespeichert, und Sie haben Änderungen, die nicht darin sind.</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>%1 × %2 px</source>
+        <translation>%1 × %2 px</translation>
+    </message>
+    <message>
+        <source>%1 – Vitrine</source>
+        <translation>%1 – Vitrine</translation>
+    </message>
+    <message>
+        <source>%1, %2, from %3</source>
+        <translation>%1, %2, aus %3</translation>
+    </message>
+    <message>
+        <source>%1, a sheet of %2 × %3 pixels</source>
+        <translation>%1, ein Blatt von %2 × %3 Pixeln</translation>
+    </message>
+    <message>
+        <source>%1, azimuth</source>
+        <translation>%1, Azimut</translation>
+    </message>
+    <message>
+        <source>%1, choose a color</source>
+        <translation>%1, Farbe wählen</translation>
+    </message>
+    <message>
+        <source>%1, choose a file</source>
+        <translation>%1, Datei wählen</translation>
+    </message>
+    <message>
+        <source>%1, elevation</source>
+        <translation>%1, Höhenwinkel</translation>
+    </message>
+    <message>
+        <source>%1, slider</source>
+        <translation>%1, Regler</translation>
+    </message>
+    <message>
+        <source>%1.
+Times by: %2.</source>
+        <translation>%1.
+Zeiten nach: %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2%3</source>
+        <translation>%1: %2%3</translation>
+    </message>
+    <message>
+        <source>%1: %2: %3 | %4</source>
+        <translation>%1: %2: %3 | %4</translation>
+    </message>
+    <message>
+        <source>%1: what does accuracy cost?</source>
+        <translation>%1: Was kostet Genauigkeit?</translation>
+    </message>
+    <message>
+        <source>%1; a part of them is shown here</source>
+        <translation>%1; hier ist ein Teil davon zu sehen</translation>
+    </message>
+    <message>
+        <source>&amp;About Vitrine</source>
+        <translation>Ü&amp;ber Vitrine</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Bare picture</source>
+        <translation>&amp;Nur das Bild</translation>
+    </message>
+    <message>
+        <source>&amp;Bookmarks</source>
+        <translation>Lese&amp;zeichen</translation>
+    </message>
+    <message>
+        <source>&amp;Commands…</source>
+        <translation>&amp;Befehle…</translation>
+    </message>
+    <message>
+        <source>&amp;Compare</source>
+        <translation>&amp;Vergleich</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate preset</source>
+        <translation>Preset &amp;duplizieren</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;End the comparison</source>
+        <translation>Vergleich b&amp;eenden</translation>
+    </message>
+    <message>
+        <source>&amp;Entrance</source>
+        <translation>&amp;Eingang</translation>
+    </message>
+    <message>
+        <source>&amp;Export preset…</source>
+        <translation>Preset e&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Find a parameter</source>
+        <translation>Parameter &amp;suchen</translation>
+    </message>
+    <message>
+        <source>&amp;Flicker</source>
+        <translation>Wec&amp;hselbild</translation>
+    </message>
+    <message>
+        <source>&amp;Forget all bookmarks</source>
+        <translation>Alle Lesezeichen &amp;vergessen</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Hold what is on show as B</source>
+        <translation>Gezeigtes als B fes&amp;thalten</translation>
+    </message>
+    <message>
+        <source>&amp;How this works</source>
+        <translation>&amp;So funktioniert das</translation>
+    </message>
+    <message>
+        <source>&amp;Import preset…</source>
+        <translation>Preset &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard and mouse</source>
+        <translation>&amp;Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Leave the lesson</source>
+        <translation>Lektion &amp;verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;Lesson</source>
+        <translation>&amp;Lektion</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>&amp;Next step</source>
+        <translation>&amp;Nächster Schritt</translation>
+    </message>
+    <message>
+        <source>&amp;Open as B…</source>
+        <translation>Als B ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Open lesson…</source>
+        <translation>Lektion ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Preset</source>
+        <translation>&amp;Preset</translation>
+    </message>
+    <message>
+        <source>&amp;Press its button</source>
+        <translation>Seinen Knopf &amp;drücken</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Been&amp;den</translation>
+    </message>
+    <message>
+        <source>&amp;Record…</source>
+        <translation>&amp;Aufnehmen…</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Reload shaders</source>
+        <translation>Shader neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>&amp;Rename preset</source>
+        <translation>Preset um&amp;benennen</translation>
+    </message>
+    <message>
+        <source>&amp;Save preset</source>
+        <translation>Preset &amp;speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Start its lesson</source>
+        <translation>&amp;Lektion dazu starten</translation>
+    </message>
+    <message>
+        <source>&amp;Start the lesson</source>
+        <translation>Lektion &amp;starten</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Undo step</source>
+        <translation>&amp;Bearbeitungsschritt</translation>
+    </message>
+    <message>
+        <source>&amp;Undo step as B…</source>
+        <translation>Be&amp;arbeitungsschritt als B…</translation>
+    </message>
+    <message>
+        <source>&amp;Vary at random</source>
+        <translation>&amp;Zufällig variieren</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Wipe</source>
+        <translation>&amp;Wischblende</translation>
+    </message>
+    <message>
+        <source>(B − A) × %1</source>
+        <translation>(B − A) × %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <translation>, </translation>
+    </message>
+    <message>
+        <source>, %1 %2</source>
+        <translation>, %1 %2</translation>
+    </message>
+    <message>
+        <source>, %1 ms (%2 to %3)</source>
+        <translation>, %1 ms (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>, alone {1}</source>
+        <translation>, allein {1}</translation>
+    </message>
+    <message>
+        <source>, and its</source>
+        <translation>, und ihre</translation>
+    </message>
+    <message>
+        <source>, and one print rolls in after the other</source>
+        <translation>, und ein Druck rollt nach dem anderen herein</translation>
+    </message>
+    <message>
+        <source>, as cheap as at present as far as can be told</source>
+        <translation>, so billig wie jetzt, soweit es sich sagen lässt</translation>
+    </message>
+    <message>
+        <source>, from aside</source>
+        <translation>, von der Seite</translation>
+    </message>
+    <message>
+        <source>, in the step before %1</source>
+        <translation>, im Schritt davor %1</translation>
+    </message>
+    <message>
+        <source>, its history starts again: {1}</source>
+        <translation>, der Verlauf beginnt von vorn: {1}</translation>
+    </message>
+    <message>
+        <source>, less than a quarter of the smallest error, {1}</source>
+        <translation>, weniger als ein Viertel des kleinsten Fehlers, {1}</translation>
+    </message>
+    <message>
+        <source>, line {1}, {2}</source>
+        <translation>, Zeile {1}, {2}</translation>
+    </message>
+    <message>
+        <source>, not trusted</source>
+        <translation>, nicht verlässlich</translation>
+    </message>
+    <message>
+        <source>, part {1}</source>
+        <translation>, Teil {1}</translation>
+    </message>
+    <message>
+        <source>, parts {1} to {2}</source>
+        <translation>, Teile {1} bis {2}</translation>
+    </message>
+    <message>
+        <source>, period {1} s</source>
+        <translation>, Periode {1} s</translation>
+    </message>
+    <message>
+        <source>, subject {1}</source>
+        <translation>, Objekt {1}</translation>
+    </message>
+    <message>
+        <source>, the present setting</source>
+        <translation>, die jetzige Einstellung</translation>
+    </message>
+    <message>
+        <source>, {1} ms</source>
+        <translation>, {1} ms</translation>
+    </message>
+    <message>
+        <source>, {1} times cheaper than at present</source>
+        <translation>, {1}-mal billiger als jetzt</translation>
+    </message>
+    <message>
+        <source>, {1} times the cost of the present setting</source>
+        <translation>, das {1}-fache der Kosten der jetzigen Einstellung</translation>
+    </message>
+    <message>
+        <source>0 is a circle; -1/n² the ellipse without spherical aberration.</source>
+        <translation>0 ist ein Kreis; -1/n² die Ellipse ohne sphärische Aberration.</translation>
+    </message>
+    <message>
+        <source>0 is a glaze over a colored body, 1 is bare metal.</source>
+        <extracomment>tables</extracomment>
+        <translation>0 ist eine Glasur über einem farbigen Körper, 1 ist blankes Metall.</translation>
+    </message>
+    <message>
+        <source>0 is a mirror, 1 is chalk.</source>
+        <extracomment>tables</extracomment>
+        <translation>0 ist ein Spiegel, 1 ist Kreide.</translation>
+    </message>
+    <message>
+        <source>0 is edible, 1 is bare metal in these colors.</source>
+        <extracomment>tables</extracomment>
+        <translation>0 ist essbar, 1 ist blankes Metall in diesen Farben.</translation>
+    </message>
+    <message>
+        <source>0 is no metal, 1 is bare metal.</source>
+        <translation>0 ist kein Metall, 1 ist blankes Metall.</translation>
+    </message>
+    <message>
+        <source>0 is opaque, 1 is clear glass, which has its color per 10 cm of depth.</source>
+        <translation>0 ist undurchsichtig, 1 ist klares Glas, das seine Farbe je 10 cm Tiefe hat.</translation>
+    </message>
+    <message>
+        <source>0 is the first, 1 the second.</source>
+        <translation>0 ist das erste, 1 das zweite.</translation>
+    </message>
+    <message>
+        <source>0 is the torus, 1 is the mug; between them, one melts into the other.</source>
+        <extracomment>tables</extracomment>
+        <translation>0 ist der Torus, 1 ist die Tasse; dazwischen schmilzt der eine in die andere.</translation>
+    </message>
+    <message>
+        <source>0 tapers every strand like a needle, high leaves it thick with a blunt tip.</source>
+        <extracomment>tables</extracomment>
+        <translation>0 spitzt jedes Haar zu wie eine Nadel, hohe Werte lassen es dick mit stumpfer Spitze.</translation>
+    </message>
+    <message>
+        <source>1 dot : %1 px</source>
+        <translation>1 Punkt : %1 px</translation>
+    </message>
+    <message>
+        <source>1 frame: %1 ms</source>
+        <translation>1 Frame: %1 ms</translation>
+    </message>
+    <message>
+        <source>1 place had no outward side and was given one</source>
+        <translation>1 Stelle hatte keine Außenseite und bekam eine</translation>
+    </message>
+    <message>
+        <source>1 row differs</source>
+        <translation>1 Zeile verschieden</translation>
+    </message>
+    <message>
+        <source>1 triangle without area was left out</source>
+        <translation>1 Dreieck ohne Fläche wurde weggelassen</translation>
+    </message>
+    <message>
+        <source>10-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>10-3d</translation>
+    </message>
+    <message>
+        <source>10-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>10-flip</translation>
+    </message>
+    <message>
+        <source>100-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>100-3d</translation>
+    </message>
+    <message>
+        <source>100-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>100-flip</translation>
+    </message>
+    <message>
+        <source>15-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>15-3d</translation>
+    </message>
+    <message>
+        <source>15-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>15-flip</translation>
+    </message>
+    <message>
+        <source>16</source>
+        <translation>16</translation>
+    </message>
+    <message>
+        <source>16 bit</source>
+        <extracomment>tables</extracomment>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>161-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>161-3d</translation>
+    </message>
+    <message>
+        <source>161-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>161-flip</translation>
+    </message>
+    <message>
+        <source>1920 x 1080</source>
+        <extracomment>tables</extracomment>
+        <translation>1920 x 1080</translation>
+    </message>
+    <message>
+        <source>2 x 2 cells</source>
+        <extracomment>tables</extracomment>
+        <translation>2 x 2 Zellen</translation>
+    </message>
+    <message>
+        <source>20-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>20-3d</translation>
+    </message>
+    <message>
+        <source>20-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>20-flip</translation>
+    </message>
+    <message>
+        <source>24 bit</source>
+        <extracomment>tables</extracomment>
+        <translation>24 Bit</translation>
+    </message>
+    <message>
+        <source>240 x 135</source>
+        <extracomment>tables</extracomment>
+        <translation>240 x 135</translation>
+    </message>
+    <message>
+        <source>3 tap</source>
+        <extracomment>tables</extracomment>
+        <translation>3 Nachbarn</translation>
+    </message>
+    <message>
+        <source>3 x 3 cells</source>
+        <extracomment>tables</extracomment>
+        <translation>3 x 3 Zellen</translation>
+    </message>
+    <message>
+        <source>30-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>30-3d</translation>
+    </message>
+    <message>
+        <source>30-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>30-flip</translation>
+    </message>
+    <message>
+        <source>32 bit</source>
+        <extracomment>tables</extracomment>
+        <translation>32 Bit</translation>
+    </message>
+    <message>
+        <source>320 x 180</source>
+        <extracomment>tables</extracomment>
+        <translation>320 x 180</translation>
+    </message>
+    <message>
+        <source>3D</source>
+        <translation>3D</translation>
+    </message>
+    <message>
+        <source>4 tap</source>
+        <extracomment>tables</extracomment>
+        <translation>4 Nachbarn</translation>
+    </message>
+    <message>
+        <source>40-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>40-3d</translation>
+    </message>
+    <message>
+        <source>40-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>40-flip</translation>
+    </message>
+    <message>
+        <source>480 x 270</source>
+        <extracomment>tables</extracomment>
+        <translation>480 x 270</translation>
+    </message>
+    <message>
+        <source>5 tap</source>
+        <extracomment>tables</extracomment>
+        <translation>5 Nachbarn</translation>
+    </message>
+    <message>
+        <source>5 taps</source>
+        <extracomment>tables</extracomment>
+        <translation>5 Samples</translation>
+    </message>
+    <message>
+        <source>50-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>50-3d</translation>
+    </message>
+    <message>
+        <source>50-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>50-flip</translation>
+    </message>
+    <message>
+        <source>60-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>60-3d</translation>
+    </message>
+    <message>
+        <source>60-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>60-flip</translation>
+    </message>
+    <message>
+        <source>62-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>62-3d</translation>
+    </message>
+    <message>
+        <source>62-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>62-flip</translation>
+    </message>
+    <message>
+        <source>640 x 360</source>
+        <extracomment>tables</extracomment>
+        <translation>640 x 360</translation>
+    </message>
+    <message>
+        <source>75-3d</source>
+        <extracomment>tables</extracomment>
+        <translation>75-3d</translation>
+    </message>
+    <message>
+        <source>75-flip</source>
+        <extracomment>tables</extracomment>
+        <translation>75-flip</translation>
+    </message>
+    <message>
+        <source>75-measured</source>
+        <extracomment>tables</extracomment>
+        <translation>75-gemessen</translation>
+    </message>
+    <message>
+        <source>8</source>
+        <translation>8</translation>
+    </message>
+    <message>
+        <source>9 plus tap</source>
+        <extracomment>tables</extracomment>
+        <translation>9 plus Nachbar</translation>
+    </message>
+    <message>
+        <source>9 tap</source>
+        <extracomment>tables</extracomment>
+        <translation>9 Nachbarn</translation>
+    </message>
+    <message>
+        <source>960 x 540</source>
+        <extracomment>tables</extracomment>
+        <translation>960 x 540</translation>
+    </message>
+    <message>
+        <source>: error %1</source>
+        <translation>: Fehler %1</translation>
+    </message>
+    <message>
+        <source>; a timer query shows {1} of the wall clock's time</source>
+        <translation>; eine Timer-Abfrage zeigt das {1}-fache der Zeit der Wanduhr</translation>
+    </message>
+    <message>
+        <source>; a timer query shows {1} of the wall clock's time, so it is not used</source>
+        <translation>; eine Timer-Abfrage zeigt das {1}-fache der Zeit der Wanduhr und wird daher nicht benutzt</translation>
+    </message>
+    <message>
+        <source>; against everything exact %1</source>
+        <translation>; gegen alles exakt %1</translation>
+    </message>
+    <message>
+        <source>; correct it there.</source>
+        <translation>; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>; skipping saves %1 ms</source>
+        <translation>; Auslassen spart %1 ms</translation>
+    </message>
+    <message>
+        <source>; the sheet cannot be: {1}</source>
+        <translation>; die Folie kann nicht sein: {1}</translation>
+    </message>
+    <message>
+        <source>; the slider spans %1 to %2</source>
+        <translation>; der Regler reicht von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>; when it was last drawn</source>
+        <translation>; als er zuletzt gezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>A as it was</source>
+        <translation>A, wie es war</translation>
+    </message>
+    <message>
+        <source>A ball cut by a cone around +y: a scoop.</source>
+        <translation>Eine Kugel, um +y von einem Kegel beschnitten: eine Eiskugel.</translation>
+    </message>
+    <message>
+        <source>A ball from which another one above it is taken.</source>
+        <translation>Eine Kugel, von der eine andere über ihr abgezogen ist.</translation>
+    </message>
+    <message>
+        <source>A ball without what is above a plane.</source>
+        <translation>Eine Kugel ohne das, was über einer Ebene liegt.</translation>
+    </message>
+    <message>
+        <source>A bowl: the wall around a ball, open above a plane.</source>
+        <translation>Eine Schale: die Wand um eine Kugel, über einer Ebene offen.</translation>
+    </message>
+    <message>
+        <source>A box with round edges and corners.</source>
+        <translation>Ein Quader mit runden Kanten und Ecken.</translation>
+    </message>
+    <message>
+        <source>a buffer cannot be empty.</source>
+        <translation>ein Puffer kann nicht leer sein.</translation>
+    </message>
+    <message>
+        <source>a button is in view</source>
+        <translation>ein Knopf ist im Blick</translation>
+    </message>
+    <message>
+        <source>a button was pressed</source>
+        <translation>ein Knopf wurde gedrückt</translation>
+    </message>
+    <message>
+        <source>A camera that turns by {1} degrees round {2} runs into a wall or furniture; give a smaller --turn, or --alone.</source>
+        <translation>Eine Kamera, die sich um {1} Grad um {=2} dreht, stößt an eine Wand oder ein Möbel; geben Sie ein kleineres --turn an, oder --alone.</translation>
+    </message>
+    <message>
+        <source>A chart needs at least 40 mm across the lenses and 44 mm along them.</source>
+        <translation>Ein Testchart braucht mindestens 40 mm quer zu den Linsen und 44 mm entlang.</translation>
+    </message>
+    <message>
+        <source>a combination needs two &quot;shapes&quot;</source>
+        <translation>eine Kombination braucht zwei „shapes“</translation>
+    </message>
+    <message>
+        <source>a condition names a row that its table does not have</source>
+        <translation>eine Bedingung nennt eine Zeile, die ihre Tabelle nicht hat</translation>
+    </message>
+    <message>
+        <source>A cone around the y axis without its tip.</source>
+        <translation>Ein Kegel um die y-Achse ohne Spitze.</translation>
+    </message>
+    <message>
+        <source>A cone on y = 0, its tip up.</source>
+        <translation>Ein Kegel auf y = 0, die Spitze oben.</translation>
+    </message>
+    <message>
+        <source>A cone without its tip, from start to end.</source>
+        <translation>Ein Kegel ohne Spitze, vom Anfang zum Ende.</translation>
+    </message>
+    <message>
+        <source>A cylinder around the y axis with round edges.</source>
+        <translation>Ein Zylinder um die y-Achse mit runden Kanten.</translation>
+    </message>
+    <message>
+        <source>A cylinder around the y axis.</source>
+        <translation>Ein Zylinder um die y-Achse.</translation>
+    </message>
+    <message>
+        <source>a data: URI has a comma before its data; export the file again.</source>
+        <translation>ein data:-URI hat vor seinen Daten ein Komma; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>a depth buffer of another kind is asked for</source>
+        <translation>ein Tiefenpuffer anderer Art ist verlangt</translation>
+    </message>
+    <message>
+        <source>a direction needs a number that is not 0</source>
+        <translation>eine Richtung braucht eine Zahl, die nicht 0 ist</translation>
+    </message>
+    <message>
+        <source>A disk in the xy plane, endless along z: to extrude or revolve.</source>
+        <translation>Eine Scheibe in der xy-Ebene, entlang z ohne Ende: zum Extrudieren oder Drehen.</translation>
+    </message>
+    <message>
+        <source>A fault in Vitrine itself was caught, and what was to be done was not done. Everything else goes on.</source>
+        <translation>Ein Fehler in Vitrine selbst wurde abgefangen, und was zu tun war, wurde nicht getan. Alles andere läuft weiter.</translation>
+    </message>
+    <message>
+        <source>A field, its octaves, a sea and a sky: all of them random numbers.</source>
+        <translation>Ein Feld, seine Oktaven, ein Meer und ein Himmel: alles Zufallszahlen.</translation>
+    </message>
+    <message>
+        <source>A file cannot move: every value would have to be read.</source>
+        <translation>Eine Datei kann sich nicht bewegen: Jeder Wert müsste gelesen werden.</translation>
+    </message>
+    <message>
+        <source>a file name</source>
+        <translation>ein Dateiname</translation>
+    </message>
+    <message>
+        <source>A file of shapes becomes a shader; its numbers become sliders.</source>
+        <translation>Eine Datei mit Formen wird ein Shader; ihre Zahlen werden Regler.</translation>
+    </message>
+    <message>
+        <source>A film along bookmarks, round what you look at, or past all exhibits: a video, or frames.</source>
+        <translation>Ein Film entlang von Lesezeichen, um das Betrachtete herum oder an allen Exponaten vorbei: ein Video oder Frames.</translation>
+    </message>
+    <message>
+        <source>A GIF counts in hundredths of a second, and programs show no more than 50 frames a second of it; give at most 50, or choose .webp or .apng.</source>
+        <translation>Ein GIF zählt in hundertstel Sekunden, und Programme zeigen davon nicht mehr als 50 Frames pro Sekunde; geben Sie höchstens 50 an, oder wählen Sie .webp oder .apng.</translation>
+    </message>
+    <message>
+        <source>A glTF 2.0 file, .glb or .gltf, in place of the small world.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eine Datei in glTF 2.0, .glb oder .gltf, anstelle der kleinen Welt.</translation>
+    </message>
+    <message>
+        <source>A glTF 2.0 file, .glb or .gltf; without one, the torus over its pillar.</source>
+        <translation>Eine Datei in glTF 2.0, .glb oder .gltf; ohne eine der Torus über seiner Säule.</translation>
+    </message>
+    <message>
+        <source>A glTF object (.glb or .gltf) on the free plinth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ein glTF-Objekt (.glb oder .gltf) auf dem freien Sockel.</translation>
+    </message>
+    <message>
+        <source>A glTF object that wears the ring's coat in place of the ring; models/teddy.glb is one of ours.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ein glTF-Objekt, das statt des Rings dessen Fell trägt; models/teddy.glb liegt bei.</translation>
+    </message>
+    <message>
+        <source>A hexagon in the xy plane, flat sides up and down, endless along z: to extrude or revolve.</source>
+        <translation>Ein Sechseck in der xy-Ebene, flache Seiten oben und unten, entlang z ohne Ende: zum Extrudieren oder Drehen.</translation>
+    </message>
+    <message>
+        <source>a key contains a control character; remove it</source>
+        <translation>ein Schlüssel enthält ein Steuerzeichen; entfernen Sie es</translation>
+    </message>
+    <message>
+        <source>A lake at night, and lanterns on it to the horizon: each looked for only where it can be.</source>
+        <translation>Ein See bei Nacht, Laternen bis zum Horizont: jede nur dort gesucht, wo sie sein kann.</translation>
+    </message>
+    <message>
+        <source>a lamp throws its shadow</source>
+        <translation>eine Lampe wirft ihren Schatten</translation>
+    </message>
+    <message>
+        <source>A lantern whose paper looks narrower than this is a glowing point.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eine Laterne, deren Papier schmaler als das erscheint, ist ein leuchtender Punkt.</translation>
+    </message>
+    <message>
+        <source>A left of a line, B right of it; drag the line. Without a B, what is on show becomes B.</source>
+        <translation>Links einer Linie A, rechts davon B; die Linie lässt sich ziehen. Ohne B wird das Gezeigte zu B.</translation>
+    </message>
+    <message>
+        <source>A lens drawn out to points at start and end.</source>
+        <translation>Eine Linse, die an Anfang und Ende zu Spitzen ausgezogen ist.</translation>
+    </message>
+    <message>
+        <source>a lesson begins with its title; write &quot;# Title&quot;.</source>
+        <translation>eine Lektion beginnt mit ihrem Titel; schreiben Sie „# Titel“.</translation>
+    </message>
+    <message>
+        <source>a lesson has at most {1} steps; make two of it.</source>
+        <translation>eine Lektion hat höchstens {1} Schritte; machen Sie zwei daraus.</translation>
+    </message>
+    <message>
+        <source>a lesson has one title; write &quot;## &quot; for a step.</source>
+        <translation>eine Lektion hat einen Titel; schreiben Sie „## “ für einen Schritt.</translation>
+    </message>
+    <message>
+        <source>A lesson of your own, as Markdown; the manual says how to write one.</source>
+        <translation>Eine eigene Lektion als Markdown; das Handbuch beschreibt, wie man eine schreibt.</translation>
+    </message>
+    <message>
+        <source>A line for a terminal is on the clipboard; it draws this picture into picture.png.</source>
+        <translation>Eine Zeile für das Terminal liegt in der Zwischenablage; sie zeichnet dieses Bild in picture.png.</translation>
+    </message>
+    <message>
+        <source>A link of a chain in the xy plane, drawn out along y.</source>
+        <translation>Ein Kettenglied in der xy-Ebene, entlang y ausgezogen.</translation>
+    </message>
+    <message>
+        <source>a name that ends in &quot;{1}&quot; does not fit the format {2}</source>
+        <translation>ein Name, der auf „{=1}“ endet, passt nicht zum Format {2}</translation>
+    </message>
+    <message>
+        <source>A name under &quot;materials&quot;; by default that of the parent.</source>
+        <translation>Ein Name unter „materials“; ohne Angabe der des Elternknotens.</translation>
+    </message>
+    <message>
+        <source>A name under &quot;nodes&quot;.</source>
+        <translation>Ein Name unter „nodes“.</translation>
+    </message>
+    <message>
+        <source>a newer Vitrine wrote this (version {1}; this one reads up to {2}); open it with that one.</source>
+        <translation>ein neueres Vitrine hat das geschrieben (Version {1}; dieses liest bis {2}); öffnen Sie es mit jenem.</translation>
+    </message>
+    <message>
+        <source>A node cannot be moved into itself.</source>
+        <translation>Ein Knoten kann nicht in sich selbst verschoben werden.</translation>
+    </message>
+    <message>
+        <source>a node must be an object: { &quot;kind&quot;: &quot;sphere&quot; }</source>
+        <translation>ein Knoten muss ein Objekt sein: { &quot;kind&quot;: &quot;sphere&quot; }</translation>
+    </message>
+    <message>
+        <source>A node under &quot;nodes&quot;, here.</source>
+        <translation>Ein Knoten unter „nodes“, hier.</translation>
+    </message>
+    <message>
+        <source>a number in degrees, or an expression such as &quot;90 * t&quot;</source>
+        <translation>eine Zahl in Grad, oder ein Ausdruck wie „90 * t“</translation>
+    </message>
+    <message>
+        <source>a number in meters, or an expression such as &quot;12 mm&quot; or &quot;0.5 + 0.1 * sin(t)&quot;</source>
+        <translation>eine Zahl in Metern, oder ein Ausdruck wie „12 mm“ oder „0.5 + 0.1 * sin(t)“</translation>
+    </message>
+    <message>
+        <source>A number is, from %1.</source>
+        <translation>Eine Zahl von %1 wäre einer.</translation>
+    </message>
+    <message>
+        <source>a number, or an expression such as &quot;0.5 + 0.1 * sin(t)&quot;</source>
+        <translation>eine Zahl, oder ein Ausdruck wie „0.5 + 0.1 * sin(t)“</translation>
+    </message>
+    <message>
+        <source>A page about the exhibit that you visit: its technique, figures, formulas, sources.</source>
+        <translation>Eine Seite über das besuchte Exponat: seine Technik, Abbildungen, Formeln, Quellen.</translation>
+    </message>
+    <message>
+        <source>A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ein Panorama (HDR, EXR oder ein gewöhnliches Bild, doppelt so breit wie hoch) anstelle des Himmels.</translation>
+    </message>
+    <message>
+        <source>a parameter cannot depend on others; give a number</source>
+        <translation>ein Parameter kann nicht von anderen abhängen; geben Sie eine Zahl an</translation>
+    </message>
+    <message>
+        <source>A parameter of this scene.</source>
+        <translation>Ein Parameter dieser Szene.</translation>
+    </message>
+    <message>
+        <source>a parameter's name has letters and digits, a letter first</source>
+        <translation>der Name eines Parameters hat Buchstaben und Ziffern, zuerst einen Buchstaben</translation>
+    </message>
+    <message>
+        <source>a picture has either a uri or a bufferView; export the file again.</source>
+        <translation>ein Bild hat entweder ein uri oder eine bufferView; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>a picture has other channels</source>
+        <translation>ein Bild hat andere Kanäle</translation>
+    </message>
+    <message>
+        <source>A picture needs at least 1 × 1 pixels; {1} × {2} were asked for.</source>
+        <translation>Ein Bild braucht mindestens 1 × 1 Pixel; verlangt wurden {1} × {2}.</translation>
+    </message>
+    <message>
+        <source>A picture of </source>
+        <translation>Ein Bild von </translation>
+    </message>
+    <message>
+        <source>A picture of all directions, twice as wide as high, in place of the night sky.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ein Bild aller Richtungen, doppelt so breit wie hoch, anstelle des Nachthimmels.</translation>
+    </message>
+    <message>
+        <source>A picture of all directions, twice as wide as high.</source>
+        <translation>Ein Bild aller Richtungen, doppelt so breit wie hoch.</translation>
+    </message>
+    <message>
+        <source>A picture of this folder or below it.</source>
+        <translation>Ein Bild dieses Ordners oder darunter.</translation>
+    </message>
+    <message>
+        <source>A picture of {1} uses the second texture coordinates; the first are used.</source>
+        <translation>Ein Bild von {1} benutzt die zweiten Texturkoordinaten; benutzt werden die ersten.</translation>
+    </message>
+    <message>
+        <source>A picture whose main colors become the palette, in place of the other.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ein Bild, dessen Hauptfarben die Palette werden, anstelle der anderen.</translation>
+    </message>
+    <message>
+        <source>a picture without the channel depth.Z</source>
+        <translation>ein Bild ohne den Kanal depth.Z</translation>
+    </message>
+    <message>
+        <source>a plaque is in view</source>
+        <translation>ein Schild ist im Blick</translation>
+    </message>
+    <message>
+        <source>A point that shines everywhere.</source>
+        <translation>Ein Punkt, der überallhin scheint.</translation>
+    </message>
+    <message>
+        <source>A preset, a picture with one inside, a scene of shapes, a model or a panorama.</source>
+        <translation>Ein Preset, ein Bild mit eingebettetem Preset, eine Formenszene, ein Modell oder ein Panorama.</translation>
+    </message>
+    <message>
+        <source>A preset, an exhibition, or a picture with one inside becomes B.</source>
+        <translation>Ein Preset, eine Ausstellung oder ein Bild mit eingebettetem Preset wird zu B.</translation>
+    </message>
+    <message>
+        <source>A print of {1} x {2} pixels is too large to be held at once; choose one of up to 67 million pixels.</source>
+        <translation>Ein Druck von {1} x {2} Pixeln ist zu groß, um ihn auf einmal zu halten; wählen Sie einen mit bis zu 67 Millionen Pixeln.</translation>
+    </message>
+    <message>
+        <source>A pyramid with a square base on y = 0.</source>
+        <translation>Eine Pyramide mit quadratischer Grundfläche auf y = 0.</translation>
+    </message>
+    <message>
+        <source>A quilt of {1} x {2} pixels does not divide into {3} x {4} views.</source>
+        <translation>Ein Quilt von {1} x {2} Pixeln lässt sich nicht in {3} x {4} Ansichten teilen.</translation>
+    </message>
+    <message>
+        <source>a range is two numbers, the lower one first: [0, 1]</source>
+        <translation>ein Bereich sind zwei Zahlen, die kleinere zuerst: [0, 1]</translation>
+    </message>
+    <message>
+        <source>A rectangle in the xy plane, endless along z: to extrude or revolve.</source>
+        <translation>Ein Rechteck in der xy-Ebene, entlang z ohne Ende: zum Extrudieren oder Drehen.</translation>
+    </message>
+    <message>
+        <source>A rectangle that shines to one side.</source>
+        <translation>Ein Rechteck, das nach einer Seite scheint.</translation>
+    </message>
+    <message>
+        <source>A regular hexagon in the xy plane, flat sides up and down, drawn out along z.</source>
+        <translation>Ein regelmäßiges Sechseck in der xy-Ebene, flache Seiten oben und unten, entlang z ausgezogen.</translation>
+    </message>
+    <message>
+        <source>A regular octahedron, corners on the axes.</source>
+        <translation>Ein regelmäßiges Oktaeder, Ecken auf den Achsen.</translation>
+    </message>
+    <message>
+        <source>A rhombus in the xz plane, drawn out along y.</source>
+        <translation>Eine Raute in der xz-Ebene, entlang y ausgezogen.</translation>
+    </message>
+    <message>
+        <source>A ring around the y axis.</source>
+        <translation>Ein Ring um die y-Achse.</translation>
+    </message>
+    <message>
+        <source>A row of accuracy cannot move: it says what a picture costs, and sizes what it is made of.</source>
+        <translation>Eine Zeile für Genauigkeit kann sich nicht bewegen: Sie sagt, was ein Bild kostet, und bemisst, woraus es gemacht wird.</translation>
+    </message>
+    <message>
+        <source>A scene file of this folder or below it.</source>
+        <translation>Eine Szenendatei dieses Ordners oder darunter.</translation>
+    </message>
+    <message>
+        <source>A scene of more than 1 MB is not edited here; change its file.</source>
+        <translation>Eine Szene von mehr als 1 MB wird hier nicht bearbeitet; ändern Sie ihre Datei.</translation>
+    </message>
+    <message>
+        <source>A scene of shapes, as JSON: assets/scenes/scene.schema.json says what may stand in it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eine Formenszene als JSON: assets/scenes/scene.schema.json sagt, was darin stehen kann.</translation>
+    </message>
+    <message>
+        <source>A scene of shapes. A number may be an expression of t, the time in seconds, and of the parameters.</source>
+        <translation>Eine Formenszene. Eine Zahl kann ein Ausdruck von t, der Zeit in Sekunden, und den Parametern sein.</translation>
+    </message>
+    <message>
+        <source>a scene of the source</source>
+        <translation>eine Szene des Originals</translation>
+    </message>
+    <message>
+        <source>a scene of the source needs a &quot;camera&quot;</source>
+        <translation>eine Szene des Originals braucht eine „camera“</translation>
+    </message>
+    <message>
+        <source>A second sheet with normals, view space, aligned to the pixel.</source>
+        <translation>Ein zweites Blatt mit Normalen, im Kameraraum, auf das Pixel ausgerichtet.</translation>
+    </message>
+    <message>
+        <source>A shader did not build; the last good picture stays. Saving the file tries again.</source>
+        <translation>Ein Shader ließ sich nicht bauen; das letzte gute Bild bleibt. Wird die Datei gespeichert, folgt der nächste Versuch.</translation>
+    </message>
+    <message>
+        <source>A shape becomes no operation; wrap it in a {1}.</source>
+        <translation>Eine Form wird keine Operation; packen Sie sie in „{1}“ ein.</translation>
+    </message>
+    <message>
+        <source>A shape holds no other node; delete the operation, or take it away from around its child.</source>
+        <translation>Eine Form enthält keinen anderen Knoten; löschen Sie die Operation, oder nehmen Sie sie um ihr Kind herum weg.</translation>
+    </message>
+    <message>
+        <source>A sheet needs a name to be saved under.</source>
+        <translation>Eine Folie braucht einen Namen, um gespeichert zu werden.</translation>
+    </message>
+    <message>
+        <source>A sheet to print and lay the lenses on: pitch, phase, number of views, rotation.</source>
+        <translation>Ein Blatt zum Drucken und Auflegen der Linsen: Linsenabstand, Phase, Zahl der Ansichten, Drehung.</translation>
+    </message>
+    <message>
+        <source>A sheet with four corners, in order around it.</source>
+        <translation>Ein Blatt mit vier Ecken, der Reihe nach ringsum.</translation>
+    </message>
+    <message>
+        <source>A sheet with three corners.</source>
+        <translation>Ein Blatt mit drei Ecken.</translation>
+    </message>
+    <message>
+        <source>A slider that expressions name.</source>
+        <translation>Ein Regler, den Ausdrücke nennen.</translation>
+    </message>
+    <message>
+        <source>A small isle, the bare scene that the source tests with, or bars of one and two pixels.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eine kleine Insel, die nackte Szene, mit der das Original prüft, oder Stäbe von ein und zwei Pixeln.</translation>
+    </message>
+    <message>
+        <source>A sprite sheet takes at least one frame.</source>
+        <translation>Ein Blatt mit Sprites nimmt mindestens einen Frame auf.</translation>
+    </message>
+    <message>
+        <source>a stride is a multiple of 4 from 4 to 252; export the file again.</source>
+        <translation>eine Schrittweite ist ein Vielfaches von 4 zwischen 4 und 252; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>a stride must be 4 to 252</source>
+        <translation>eine Schrittweite muss zwischen 4 und 252 liegen</translation>
+    </message>
+    <message>
+        <source>A strip holds the one color that its lens shows, or its slice of the view squeezed, as in the source.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ein Streifen enthält die eine Farbe, die seine Linse zeigt, oder wie im Original seinen gestauchten Ausschnitt der Ansicht.</translation>
+    </message>
+    <message>
+        <source>A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.</source>
+        <translation>Eine Studie richtet sich nach einem Fehler, der auf 0 fällt: Untersuchen Sie rmse, dessen Dezibel psnr ist.</translation>
+    </message>
+    <message>
+        <source>A study needs a parameter that is marked as quality; `vitrine list --json` names them.</source>
+        <translation>Eine Studie braucht einen Parameter, der als Qualität gekennzeichnet ist; `vitrine list --json` nennt sie.</translation>
+    </message>
+    <message>
+        <source>A study over three parameters or more searches: which settings it measures depends on those before, so it cannot be split; study one or two parameters.</source>
+        <translation>Eine Studie über drei Parameter oder mehr sucht: Welche Einstellungen sie misst, hängt von denen davor ab, daher lässt sie sich nicht teilen; untersuchen Sie einen oder zwei Parameter.</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>a text in quotes</source>
+        <translation>ein Text in Anführungszeichen</translation>
+    </message>
+    <message>
+        <source>A texture of {1} has no picture of a known kind and is left out.</source>
+        <translation>Eine Textur von {1} hat kein Bild bekannter Art und wird weggelassen.</translation>
+    </message>
+    <message>
+        <source>A texture of {1} wraps differently along u and v; both wrap as u does.</source>
+        <translation>Eine Textur von {1} wiederholt sich entlang u anders als entlang v; beides geschieht wie bei u.</translation>
+    </message>
+    <message>
+        <source>A third sheet with depth: near is white.</source>
+        <translation>Ein drittes Blatt mit Tiefe: Nah ist weiß.</translation>
+    </message>
+    <message>
+        <source>a tile cannot look into its neighbors' passes, so one loop takes their place</source>
+        <translation>eine Kachel kann nicht in die Passes ihrer Nachbarn sehen, daher tritt eine Schleife an ihre Stelle</translation>
+    </message>
+    <message>
+        <source>a tile does not show the whole sky</source>
+        <translation>eine Kachel zeigt nicht den ganzen Himmel</translation>
+    </message>
+    <message>
+        <source>a tour is a JSON object; choose a tour of Vitrine.</source>
+        <translation>ein Rundgang ist ein JSON-Objekt; wählen Sie einen Rundgang von Vitrine.</translation>
+    </message>
+    <message>
+        <source>a transparent background is asked for</source>
+        <translation>ein transparenter Hintergrund ist verlangt</translation>
+    </message>
+    <message>
+        <source>A triangle in the xy plane, a corner up, endless along z: to extrude or revolve.</source>
+        <translation>Ein Dreieck in der xy-Ebene, eine Ecke oben, entlang z ohne Ende: zum Extrudieren oder Drehen.</translation>
+    </message>
+    <message>
+        <source>a value changed</source>
+        <translation>ein Wert hat sich geändert</translation>
+    </message>
+    <message>
+        <source>A video has 0.1 to 240 frames a second; give another number.</source>
+        <translation>Ein Video hat 0.1 bis 240 Frames pro Sekunde; geben Sie eine andere Zahl an.</translation>
+    </message>
+    <message>
+        <source>A video has sides of 1 to 16383 pixels, and not {1}; give another size.</source>
+        <translation>Ein Video hat Seiten von 1 bis 16383 Pixeln, und nicht {=1}; geben Sie eine andere Größe an.</translation>
+    </message>
+    <message>
+        <source>a view cannot be empty.</source>
+        <translation>eine View kann nicht leer sein.</translation>
+    </message>
+    <message>
+        <source>A view is empty; choose another picture.</source>
+        <translation>Eine Ansicht ist leer; wählen Sie ein anderes Bild.</translation>
+    </message>
+    <message>
+        <source>a viewing zone of {1} degrees; a lens focused on its back reaches {2} degrees with this index</source>
+        <translation>eine Betrachtungszone von {1} Grad; eine auf ihre Rückseite fokussierte Linse erreicht mit diesem Index {2} Grad</translation>
+    </message>
+    <message>
+        <source>a visitor's model</source>
+        <translation>ein Modell des Besuchers</translation>
+    </message>
+    <message>
+        <source>A wall around the surface, hollow inside.</source>
+        <translation>Eine Wand um die Oberfläche, innen hohl.</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 to 2147483647</source>
+        <translation>eine ganze Zahl von 0 bis 2147483647</translation>
+    </message>
+    <message>
+        <source>a whole number from 0 up</source>
+        <translation>eine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>A, ms</source>
+        <translation>A, ms</translation>
+    </message>
+    <message>
+        <source>A, with B kept ready: it is there at once while you hold the key B in the picture.</source>
+        <translation>A, und B steht bereit: Es erscheint sofort, solange Sie im Bild die Taste B halten.</translation>
+    </message>
+    <message>
+        <source>A: %1 · %2</source>
+        <translation>A: %1 · %2</translation>
+    </message>
+    <message>
+        <source>A; hold the key B to see B</source>
+        <translation>A; halten Sie die Taste B, um B zu sehen</translation>
+    </message>
+    <message>
+        <source>Abbe number</source>
+        <extracomment>tables</extracomment>
+        <translation>Abbe-Zahl</translation>
+    </message>
+    <message>
+        <source>About %1 min left</source>
+        <translation>Noch etwa %1 min</translation>
+    </message>
+    <message>
+        <source>About %1 s left</source>
+        <translation>Noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>About the y axis.</source>
+        <translation>Um die y-Achse.</translation>
+    </message>
+    <message>
+        <source>About Vitrine</source>
+        <translation>Über Vitrine</translation>
+    </message>
+    <message>
+        <source>About z, then y, then x.</source>
+        <translation>Um z, dann y, dann x.</translation>
+    </message>
+    <message>
+        <source>above</source>
+        <translation>von oben</translation>
+    </message>
+    <message>
+        <source>Above, linear.</source>
+        <translation>Oben, linear.</translation>
+    </message>
+    <message>
+        <source>Accept; bring back the value before</source>
+        <translation>Übernehmen; den vorigen Wert zurückholen</translation>
+    </message>
+    <message>
+        <source>accessors without data have more than {1} elements; give them a bufferView.</source>
+        <translation>Accessoren ohne Daten haben mehr als {1} Elemente; geben Sie ihnen eine bufferView.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <extracomment>tables</extracomment>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Across the plane x = 0.</source>
+        <translation>Über die Ebene x = 0 hinweg.</translation>
+    </message>
+    <message>
+        <source>Across the plane y = 0.</source>
+        <translation>Über die Ebene y = 0 hinweg.</translation>
+    </message>
+    <message>
+        <source>Across the plane z = 0.</source>
+        <translation>Über die Ebene z = 0 hinweg.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>adding a frame</source>
+        <translation>das Anfügen eines Frames</translation>
+    </message>
+    <message>
+        <source>Adds a shape or an operation to the selected one, or beside it.</source>
+        <translation>Fügt der gewählten eine Form oder Operation hinzu, oder stellt sie daneben.</translation>
+    </message>
+    <message>
+        <source>After trimming.</source>
+        <translation>Nach dem Beschnitt.</translation>
+    </message>
+    <message>
+        <source>After “%1”</source>
+        <translation>Nach „%1“</translation>
+    </message>
+    <message>
+        <source>Afterglow</source>
+        <extracomment>tables</extracomment>
+        <translation>Nachglühen</translation>
+    </message>
+    <message>
+        <source>Air</source>
+        <extracomment>tables</extracomment>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>Air color</source>
+        <extracomment>tables</extracomment>
+        <translation>Luftfarbe</translation>
+    </message>
+    <message>
+        <source>Air density</source>
+        <extracomment>tables</extracomment>
+        <translation>Luftdichte</translation>
+    </message>
+    <message>
+        <source>Air drag</source>
+        <extracomment>tables</extracomment>
+        <translation>Luftwiderstand</translation>
+    </message>
+    <message>
+        <source>Albedo</source>
+        <extracomment>tables</extracomment>
+        <translation>Albedo</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <extracomment>tables</extracomment>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>All children together.</source>
+        <translation>Alle Kinder zusammen.</translation>
+    </message>
+    <message>
+        <source>All colors are shown in its place.</source>
+        <translation>An ihrer Stelle werden alle Farben gezeigt.</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>All parameters together</source>
+        <translation>Alle Parameter zusammen</translation>
+    </message>
+    <message>
+        <source>All pictures in a folder, by name; numbers count by value.</source>
+        <translation>Alle Bilder eines Ordners, nach Namen; Zahlen zählen nach ihrem Wert.</translation>
+    </message>
+    <message>
+        <source>All shortcuts on one page.</source>
+        <translation>Alle Tastenkürzel auf einer Seite.</translation>
+    </message>
+    <message>
+        <source>All that can be opened (%1)</source>
+        <translation>Alles, was sich öffnen lässt (%1)</translation>
+    </message>
+    <message>
+        <source>All values are the initial ones.</source>
+        <translation>Alle Werte sind Ausgangswerte.</translation>
+    </message>
+    <message>
+        <source>All within a radius of a line from start to end.</source>
+        <translation>Alles innerhalb eines Radius um eine Strecke vom Anfang zum Ende.</translation>
+    </message>
+    <message>
+        <source>Allowed: %1</source>
+        <translation>Erlaubt: %1</translation>
+    </message>
+    <message>
+        <source>Allowed: %1; brought to %2.</source>
+        <translation>Erlaubt: %1; auf %2 gebracht.</translation>
+    </message>
+    <message>
+        <source>alone there are no walls to end the air</source>
+        <translation>allein gibt es keine Wände, an denen die Luft endet</translation>
+    </message>
+    <message>
+        <source>Along the bookmarks</source>
+        <translation>Entlang der Lesezeichen</translation>
+    </message>
+    <message>
+        <source>along the floor</source>
+        <translation>den Boden entlang</translation>
+    </message>
+    <message>
+        <source>Along x</source>
+        <translation>Entlang x</translation>
+    </message>
+    <message>
+        <source>Along x, y and z.</source>
+        <translation>Entlang x, y und z.</translation>
+    </message>
+    <message>
+        <source>Along z</source>
+        <translation>Entlang z</translation>
+    </message>
+    <message>
+        <source>alpha</source>
+        <extracomment>tables</extracomment>
+        <translation>Alpha</translation>
+    </message>
+    <message>
+        <source>Altitude</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe über Grund</translation>
+    </message>
+    <message>
+        <source>Ambient</source>
+        <extracomment>tables</extracomment>
+        <translation>Umgebungslicht</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion</source>
+        <extracomment>tables</extracomment>
+        <translation>Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>ambient occlusion is switched off</source>
+        <translation>Umgebungsverdeckung ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitude</translation>
+    </message>
+    <message>
+        <source>An arc of a ring in the xy plane, around +y, with round ends.</source>
+        <translation>Ein Bogen eines Rings in der xy-Ebene, um +y, mit runden Enden.</translation>
+    </message>
+    <message>
+        <source>an array</source>
+        <translation>ein Array</translation>
+    </message>
+    <message>
+        <source>an array of three numbers</source>
+        <translation>ein Array von drei Zahlen</translation>
+    </message>
+    <message>
+        <source>an array: [ ... ]</source>
+        <translation>ein Array: [ ... ]</translation>
+    </message>
+    <message>
+        <source>An ellipsoid.</source>
+        <translation>Ein Ellipsoid.</translation>
+    </message>
+    <message>
+        <source>an empty picture to start from</source>
+        <translation>ein leeres Bild als Anfang</translation>
+    </message>
+    <message>
+        <source>An endless cone, its tip at the origin, opening downward.</source>
+        <translation>Ein Kegel ohne Ende, die Spitze im Ursprung, nach unten offen.</translation>
+    </message>
+    <message>
+        <source>An endless cylinder around the y axis.</source>
+        <translation>Ein Zylinder ohne Ende um die y-Achse.</translation>
+    </message>
+    <message>
+        <source>an environment</source>
+        <translation>eine Umgebung</translation>
+    </message>
+    <message>
+        <source>An equilateral triangle in the xy plane, a corner up, drawn out along z.</source>
+        <translation>Ein gleichseitiges Dreieck in der xy-Ebene, eine Ecke oben, entlang z ausgezogen.</translation>
+    </message>
+    <message>
+        <source>an exhibit stands in the sun</source>
+        <translation>ein Exponat steht in der Sonne</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>an object stands on the free plinth</source>
+        <translation>ein Objekt steht auf dem freien Sockel</translation>
+    </message>
+    <message>
+        <source>an object: { ... }</source>
+        <translation>ein Objekt: { ... }</translation>
+    </message>
+    <message>
+        <source>anaglyph</source>
+        <extracomment>tables</extracomment>
+        <translation>Anaglyphe</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Angle in which all views are seen once: about 30° for depth, 50° for flips.</source>
+        <translation>Winkel, in dem alle Ansichten einmal zu sehen sind: etwa 30° für Tiefe, 50° für Wechselbilder.</translation>
+    </message>
+    <message>
+        <source>Angle in which all views are seen once; beyond it they start again.</source>
+        <translation>Winkel, in dem alle Ansichten einmal zu sehen sind; darüber hinaus beginnen sie von vorn.</translation>
+    </message>
+    <message>
+        <source>angles</source>
+        <extracomment>tables</extracomment>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>Animate</source>
+        <extracomment>tables</extracomment>
+        <translation>Animieren</translation>
+    </message>
+    <message>
+        <source>Animate %1</source>
+        <translation>%1 animieren</translation>
+    </message>
+    <message>
+        <source>Animate…</source>
+        <translation>Animieren…</translation>
+    </message>
+    <message>
+        <source>Animation</source>
+        <translation>Animation</translation>
+    </message>
+    <message>
+        <source>Animation speed</source>
+        <extracomment>tables</extracomment>
+        <translation>Tempo der Animation</translation>
+    </message>
+    <message>
+        <source>animation {1}</source>
+        <translation>Animation {1}</translation>
+    </message>
+    <message>
+        <source>Animations are not supported; the model stands still.</source>
+        <translation>Animationen werden nicht unterstützt; das Modell steht still.</translation>
+    </message>
+    <message>
+        <source>Anisotropy</source>
+        <extracomment>tables</extracomment>
+        <translation>Anisotropie</translation>
+    </message>
+    <message>
+        <source>another camera, moment or world than before</source>
+        <translation>andere Kamera, anderer Augenblick oder andere Welt als zuvor</translation>
+    </message>
+    <message>
+        <source>Another number is another field, another sea, another sky.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eine andere Zahl ist ein anderes Feld, ein anderes Meer, ein anderer Himmel.</translation>
+    </message>
+    <message>
+        <source>Another number strews other lanterns and other ripples.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eine andere Zahl streut andere Laternen und andere Wellen.</translation>
+    </message>
+    <message>
+        <source>Another number strews them elsewhere.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eine andere Zahl streut sie anderswohin.</translation>
+    </message>
+    <message>
+        <source>another tile is drawn</source>
+        <translation>eine andere Kachel wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>another work is on show</source>
+        <translation>ein anderes Werk wird gezeigt</translation>
+    </message>
+    <message>
+        <source>any tree</source>
+        <translation>jeder Baum</translation>
+    </message>
+    <message>
+        <source>Aperture samples</source>
+        <extracomment>tables</extracomment>
+        <translation>Apertur-Samples</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <extracomment>tables</extracomment>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Around the foot, evenly up its side.</source>
+        <extracomment>tables</extracomment>
+        <translation>Um den Fuß herum, gleichmäßig an seiner Seite hinauf.</translation>
+    </message>
+    <message>
+        <source>Around the line.</source>
+        <translation>Um die Strecke.</translation>
+    </message>
+    <message>
+        <source>Around, linear.</source>
+        <translation>Ringsum, linear.</translation>
+    </message>
+    <message>
+        <source>as around it</source>
+        <translation>wie ringsum</translation>
+    </message>
+    <message>
+        <source>as at present</source>
+        <translation>wie jetzt</translation>
+    </message>
+    <message>
+        <source>as given</source>
+        <translation>wie angegeben</translation>
+    </message>
+    <message>
+        <source>as gravity makes them</source>
+        <extracomment>tables</extracomment>
+        <translation>wie die Schwerkraft sie macht</translation>
+    </message>
+    <message>
+        <source>As in the source</source>
+        <translation>Wie im Original</translation>
+    </message>
+    <message>
+        <source>as in the source</source>
+        <extracomment>tables</extracomment>
+        <translation>wie im Original</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>As the &amp;desktop</source>
+        <translation>Wie der &amp;Desktop</translation>
+    </message>
+    <message>
+        <source>As the &amp;system</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>as the look has it</source>
+        <extracomment>tables</extracomment>
+        <translation>wie das Aussehen es hat</translation>
+    </message>
+    <message>
+        <source>as the scene says</source>
+        <extracomment>tables</extracomment>
+        <translation>wie die Szene sagt</translation>
+    </message>
+    <message>
+        <source>asking every shape of so few is as fast</source>
+        <translation>jede Form zu fragen, ist bei so wenigen ebenso schnell</translation>
+    </message>
+    <message>
+        <source>at rest</source>
+        <translation>in Ruhe</translation>
+    </message>
+    <message>
+        <source>at rest since {1}</source>
+        <translation>in Ruhe seit {1}</translation>
+    </message>
+    <message>
+        <source>At the end.</source>
+        <translation>Am Ende.</translation>
+    </message>
+    <message>
+        <source>At the lower end.</source>
+        <translation>Am unteren Ende.</translation>
+    </message>
+    <message>
+        <source>At the start</source>
+        <translation>Am Anfang</translation>
+    </message>
+    <message>
+        <source>At the start.</source>
+        <translation>Am Anfang.</translation>
+    </message>
+    <message>
+        <source>At the upper end.</source>
+        <translation>Am oberen Ende.</translation>
+    </message>
+    <message>
+        <source>auto</source>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <extracomment>tables</extracomment>
+        <translation>automatisch</translation>
+    </message>
+    <message>
+        <source>Average a picture in motion over its frames, moved to where they are now: without it, edges crawl and fine things flicker until the picture rests.</source>
+        <extracomment>tables</extracomment>
+        <translation>Mittelt ein bewegtes Bild über seine Frames, verschoben dorthin, wo alles jetzt ist: Ohne das kriechen Kanten, und Feines flimmert, bis das Bild ruht.</translation>
+    </message>
+    <message>
+        <source>Axis</source>
+        <extracomment>tables</extracomment>
+        <translation>Achse</translation>
+    </message>
+    <message>
+        <source>Azimuth</source>
+        <extracomment>tables</extracomment>
+        <translation>Azimut</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B a&amp;lone</source>
+        <translation>B a&amp;llein</translation>
+    </message>
+    <message>
+        <source>B becomes as what is on show; one undo brings it back.</source>
+        <translation>B wird wie das Gezeigte; ein Schritt rückgängig bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>B becomes what all parameters are now; go on editing A, and compare.</source>
+        <translation>B wird, was alle Parameter jetzt sind; bearbeiten Sie A weiter und vergleichen Sie.</translation>
+    </message>
+    <message>
+        <source>B in place of A</source>
+        <translation>B anstelle von A</translation>
+    </message>
+    <message>
+        <source>B is shown and can be edited, and what is on show becomes B.</source>
+        <translation>B wird gezeigt und lässt sich bearbeiten, und das Gezeigte wird zu B.</translation>
+    </message>
+    <message>
+        <source>B is: %1. Click for another B, or to copy all.</source>
+        <translation>B ist: %1. Klicken Sie für ein anderes B, oder um alles zu kopieren.</translation>
+    </message>
+    <message>
+        <source>B, held</source>
+        <translation>B, gehalten</translation>
+    </message>
+    <message>
+        <source>B, ms</source>
+        <translation>B, ms</translation>
+    </message>
+    <message>
+        <source>B: %1</source>
+        <translation>B: %1</translation>
+    </message>
+    <message>
+        <source>B: %1 steps, %2 ms</source>
+        <translation>B: %1 Schritte, %2 ms</translation>
+    </message>
+    <message>
+        <source>B: %1, being drawn</source>
+        <translation>B: %1, wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>B: being drawn</source>
+        <translation>B: wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>B: cannot be drawn</source>
+        <translation>B: kann nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>B: not drawn, nothing shows it</source>
+        <translation>B: nicht gezeichnet, nichts zeigt es</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <extracomment>tables</extracomment>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>Back print</source>
+        <extracomment>tables</extracomment>
+        <translation>Hinterer Druck</translation>
+    </message>
+    <message>
+        <source>Back to where the visit begins.</source>
+        <translation>Zurück dorthin, wo der Besuch beginnt.</translation>
+    </message>
+    <message>
+        <source>Back to where you stood before</source>
+        <translation>Zurück, wo Sie vorher standen</translation>
+    </message>
+    <message>
+        <source>Backspace, Alt+Left</source>
+        <translation>Rücktaste, Alt+Links</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <extracomment>tables</extracomment>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>Bake size</source>
+        <extracomment>tables</extracomment>
+        <translation>Backgröße</translation>
+    </message>
+    <message>
+        <source>baked</source>
+        <extracomment>tables</extracomment>
+        <translation>gebacken</translation>
+    </message>
+    <message>
+        <source>Baked light</source>
+        <extracomment>tables</extracomment>
+        <translation>Gebackenes Licht</translation>
+    </message>
+    <message>
+        <source>baked light is switched off</source>
+        <translation>gebackenes Licht ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Ball density</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Dichte</translation>
+    </message>
+    <message>
+        <source>Ball length</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Länge</translation>
+    </message>
+    <message>
+        <source>Ball root</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Wurzel</translation>
+    </message>
+    <message>
+        <source>Ball thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Dicke</translation>
+    </message>
+    <message>
+        <source>Ball tip</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Spitze</translation>
+    </message>
+    <message>
+        <source>Ball uniformity</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Gleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <extracomment>tables</extracomment>
+        <translation>Tonstufen</translation>
+    </message>
+    <message>
+        <source>banner in the beam</source>
+        <translation>Banner im Strahl</translation>
+    </message>
+    <message>
+        <source>Bar radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Stabradius</translation>
+    </message>
+    <message>
+        <source>bare scene, a part</source>
+        <translation>nackte Szene, ein Teil</translation>
+    </message>
+    <message>
+        <source>Bars</source>
+        <extracomment>tables</extracomment>
+        <translation>Stäbe</translation>
+    </message>
+    <message>
+        <source>bars</source>
+        <extracomment>tables</extracomment>
+        <translation>Stäbe</translation>
+    </message>
+    <message>
+        <source>Base</source>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Base color</source>
+        <extracomment>tables</extracomment>
+        <translation>Grundfarbe</translation>
+    </message>
+    <message>
+        <source>Base thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Bodendicke</translation>
+    </message>
+    <message>
+        <source>Base width</source>
+        <extracomment>tables</extracomment>
+        <translation>Bodenbreite</translation>
+    </message>
+    <message>
+        <source>Baseline scale</source>
+        <translation>Maßstab der Basis</translation>
+    </message>
+    <message>
+        <source>Beam strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Strahlenstärke</translation>
+    </message>
+    <message>
+        <source>because the new program does not build: {1}</source>
+        <translation>weil sich das neue Programm nicht bauen lässt: {1}</translation>
+    </message>
+    <message>
+        <source>behind a wall</source>
+        <translation>hinter einer Wand</translation>
+    </message>
+    <message>
+        <source>below</source>
+        <translation>von unten</translation>
+    </message>
+    <message>
+        <source>Below it is inside: -1 nothing, 1 all.</source>
+        <translation>Was darunter liegt, ist innen: -1 nichts, 1 alles.</translation>
+    </message>
+    <message>
+        <source>Below, linear.</source>
+        <translation>Unten, linear.</translation>
+    </message>
+    <message>
+        <source>Beside</source>
+        <translation>Daneben</translation>
+    </message>
+    <message>
+        <source>best view</source>
+        <translation>beste Ansicht</translation>
+    </message>
+    <message>
+        <source>Best within</source>
+        <translation>Bestes innerhalb von</translation>
+    </message>
+    <message>
+        <source>Between copies, along x, y and z; 0 repeats nothing there.</source>
+        <translation>Zwischen Kopien, entlang x, y und z; 0 wiederholt dort nichts.</translation>
+    </message>
+    <message>
+        <source>Between the axis and the side.</source>
+        <translation>Zwischen der Achse und der Seite.</translation>
+    </message>
+    <message>
+        <source>Between the eyes.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zwischen den Augen.</translation>
+    </message>
+    <message>
+        <source>Between the first child and the second.</source>
+        <translation>Zwischen dem ersten Kind und dem zweiten.</translation>
+    </message>
+    <message>
+        <source>Between their centers.</source>
+        <translation>Zwischen ihren Mittelpunkten.</translation>
+    </message>
+    <message>
+        <source>Beyond the trim on every side; lenses and views go on there.</source>
+        <translation>Über den Beschnitt hinaus, auf jeder Seite; Linsen und Ansichten gehen dort weiter.</translation>
+    </message>
+    <message>
+        <source>billow</source>
+        <extracomment>tables</extracomment>
+        <translation>bauschig</translation>
+    </message>
+    <message>
+        <source>BIN chunk</source>
+        <translation>BIN-Block</translation>
+    </message>
+    <message>
+        <source>binary STL, millimeters: {1}</source>
+        <translation>binäres STL, Millimeter: {=1}</translation>
+    </message>
+    <message>
+        <source>Bits</source>
+        <translation>Bits</translation>
+    </message>
+    <message>
+        <source>Bits per channel.</source>
+        <translation>Bits pro Kanal.</translation>
+    </message>
+    <message>
+        <source>Bleed</source>
+        <translation>Anschnitt</translation>
+    </message>
+    <message>
+        <source>Blend</source>
+        <extracomment>tables</extracomment>
+        <translation>Verschmelzung</translation>
+    </message>
+    <message>
+        <source>Blend width</source>
+        <translation>Breite der Verschmelzung</translation>
+    </message>
+    <message>
+        <source>Blinn-Phong</source>
+        <extracomment>tables</extracomment>
+        <translation>Blinn-Phong</translation>
+    </message>
+    <message>
+        <source>Blobs of one octave, the same of many, waves, or a sky of clouds: all made of noise.</source>
+        <extracomment>tables</extracomment>
+        <translation>Klumpen einer Oktave, dasselbe aus vielen, Wellen, oder ein Wolkenhimmel: alles aus Rauschen.</translation>
+    </message>
+    <message>
+        <source>blue noise</source>
+        <extracomment>tables</extracomment>
+        <translation>blaues Rauschen</translation>
+    </message>
+    <message>
+        <source>Bob</source>
+        <translation>Wippen</translation>
+    </message>
+    <message>
+        <source>Bookmark %1 is where you are now.</source>
+        <translation>Lesezeichen %1 ist, wo Sie jetzt sind.</translation>
+    </message>
+    <message>
+        <source>Bookmark {1}</source>
+        <translation>Lesezeichen {1}</translation>
+    </message>
+    <message>
+        <source>Border</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>both</source>
+        <extracomment>tables</extracomment>
+        <translation>beide</translation>
+    </message>
+    <message>
+        <source>Both ends of the sweep are the same: all views would be; give two different values.</source>
+        <translation>Beide Enden des Durchlaufs sind gleich: Alle Ansichten wären es; geben Sie zwei verschiedene Werte an.</translation>
+    </message>
+    <message>
+        <source>both numbers of &quot;sin_cos&quot; must be above 0</source>
+        <translation>beide Zahlen von „sin_cos“ müssen über 0 liegen</translation>
+    </message>
+    <message>
+        <source>both radii are 0; give one that is not</source>
+        <translation>beide Radien sind 0; geben Sie einen an, der es nicht ist</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>Bottom radius</source>
+        <translation>Radius unten</translation>
+    </message>
+    <message>
+        <source>Bounce light</source>
+        <extracomment>tables</extracomment>
+        <translation>Gegenlicht von unten</translation>
+    </message>
+    <message>
+        <source>Bounce period</source>
+        <extracomment>tables</extracomment>
+        <translation>Sprungabstand</translation>
+    </message>
+    <message>
+        <source>Bounces</source>
+        <extracomment>tables</extracomment>
+        <translation>Spiegelungen</translation>
+    </message>
+    <message>
+        <source>Bound share</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil der Schranke</translation>
+    </message>
+    <message>
+        <source>bounded</source>
+        <extracomment>tables</extracomment>
+        <translation>beschränkt</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <extracomment>tables</extracomment>
+        <translation>Hüllquader</translation>
+    </message>
+    <message>
+        <source>bowl</source>
+        <extracomment>tables</extracomment>
+        <translation>Schale</translation>
+    </message>
+    <message>
+        <source>Bowl bottom</source>
+        <extracomment>tables</extracomment>
+        <translation>Schalenboden</translation>
+    </message>
+    <message>
+        <source>Bowl radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Schalenradius</translation>
+    </message>
+    <message>
+        <source>Bowl top</source>
+        <extracomment>tables</extracomment>
+        <translation>Schalenrand</translation>
+    </message>
+    <message>
+        <source>Box size</source>
+        <extracomment>tables</extracomment>
+        <translation>Quadergröße</translation>
+    </message>
+    <message>
+        <source>Brightness</source>
+        <extracomment>tables</extracomment>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>Brightness below which the sky gives no rays: 0 lets all of it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Helligkeit, unter der der Himmel keine Strahlen gibt: 0 lässt alles zu.</translation>
+    </message>
+    <message>
+        <source>Brightness of the rays: each stop doubles it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Helligkeit der Strahlen: Jede Blende verdoppelt sie.</translation>
+    </message>
+    <message>
+        <source>Brightness of the whole picture: each stop doubles it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Helligkeit des ganzen Bildes: Jede Blende verdoppelt sie.</translation>
+    </message>
+    <message>
+        <source>Brings back what was open before the lesson.</source>
+        <translation>Bringt zurück, was vor der Lektion offen war.</translation>
+    </message>
+    <message>
+        <source>Buffer {1} names no data; it is zeros.</source>
+        <translation>Puffer {1} nennt keine Daten; er besteht aus Nullen.</translation>
+    </message>
+    <message>
+        <source>Build it up by itself, again and again.</source>
+        <extracomment>tables</extracomment>
+        <translation>Baut es von selbst auf, wieder und wieder.</translation>
+    </message>
+    <message>
+        <source>Build up</source>
+        <extracomment>tables</extracomment>
+        <translation>Aufbauen</translation>
+    </message>
+    <message>
+        <source>Builds changed shaders again; one that fails keeps its last good picture.</source>
+        <translation>Baut geänderte Shader neu; wo es misslingt, bleibt das letzte gute Bild.</translation>
+    </message>
+    <message>
+        <source>built up to: {1}</source>
+        <translation>aufgebaut bis: {1}</translation>
+    </message>
+    <message>
+        <source>by angle</source>
+        <extracomment>tables</extracomment>
+        <translation>nach Winkel</translation>
+    </message>
+    <message>
+        <source>By hand</source>
+        <extracomment>tables</extracomment>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>By hand: how far the tips are drawn to the right.</source>
+        <extracomment>tables</extracomment>
+        <translation>Von Hand: wie weit die Spitzen nach rechts gezogen werden.</translation>
+    </message>
+    <message>
+        <source>By hand: how far they are drawn towards the entrance.</source>
+        <extracomment>tables</extracomment>
+        <translation>Von Hand: wie weit sie zum Eingang hin gezogen werden.</translation>
+    </message>
+    <message>
+        <source>By hand: how far they are drawn up.</source>
+        <extracomment>tables</extracomment>
+        <translation>Von Hand: wie weit sie nach oben gezogen werden.</translation>
+    </message>
+    <message>
+        <source>By hand: how far they are turned about the axis towards the entrance.</source>
+        <extracomment>tables</extracomment>
+        <translation>Von Hand: wie weit sie um die Achse zum Eingang hin gedreht werden.</translation>
+    </message>
+    <message>
+        <source>By how much.</source>
+        <translation>Um wie viel.</translation>
+    </message>
+    <message>
+        <source>By which each octave's lattice is turned, so that no two lie along each other.</source>
+        <extracomment>tables</extracomment>
+        <translation>Um den das Gitter jeder Oktave gedreht wird, sodass keine zwei aneinander liegen.</translation>
+    </message>
+    <message>
+        <source>bytes once unpacked</source>
+        <translation>Bytes nach dem Entpacken</translation>
+    </message>
+    <message>
+        <source>C</source>
+        <translation>C</translation>
+    </message>
+    <message>
+        <source>C64</source>
+        <extracomment>tables</extracomment>
+        <translation>C64</translation>
+    </message>
+    <message>
+        <source>Calibration chart</source>
+        <translation>Testchart</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Camera moves</source>
+        <translation>Kamerabewegung</translation>
+    </message>
+    <message>
+        <source>camera.fov {1}</source>
+        <translation>camera.fov {1}</translation>
+    </message>
+    <message>
+        <source>camera.{1} -&gt; {2} (allowed -{3} to {4} m)</source>
+        <translation>camera.{=1} -&gt; {2} (erlaubt -{3} bis {4} m)</translation>
+    </message>
+    <message>
+        <source>Cameras are not supported; their nodes become markers.</source>
+        <translation>Kameras werden nicht unterstützt; ihre Knoten werden Marken.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Canceled; no file was written.</source>
+        <translation>Abgebrochen; keine Datei wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Canceled; no table was written.</source>
+        <translation>Abgebrochen; keine Tabelle wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Canceled; whole frames stay, a video leaves no file.</source>
+        <translation>Abgebrochen; fertige Frames bleiben, ein Video hinterlässt keine Datei.</translation>
+    </message>
+    <message>
+        <source>candies</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbons</translation>
+    </message>
+    <message>
+        <source>Candle color</source>
+        <extracomment>tables</extracomment>
+        <translation>Kerzenfarbe</translation>
+    </message>
+    <message>
+        <source>Candle strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Kerzenstärke</translation>
+    </message>
+    <message>
+        <source>Candles</source>
+        <extracomment>tables</extracomment>
+        <translation>Kerzen</translation>
+    </message>
+    <message>
+        <source>Candy 1</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1</translation>
+    </message>
+    <message>
+        <source>Candy 10, in the air</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10, in der Luft</translation>
+    </message>
+    <message>
+        <source>Candy 2</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2</translation>
+    </message>
+    <message>
+        <source>Candy 3</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3</translation>
+    </message>
+    <message>
+        <source>Candy 4</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4</translation>
+    </message>
+    <message>
+        <source>Candy 5</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5</translation>
+    </message>
+    <message>
+        <source>Candy 6</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6</translation>
+    </message>
+    <message>
+        <source>Candy 7</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7</translation>
+    </message>
+    <message>
+        <source>Candy 8, in the air</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8, in der Luft</translation>
+    </message>
+    <message>
+        <source>Candy 9, in the air</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9, in der Luft</translation>
+    </message>
+    <message>
+        <source>Candy roughness</source>
+        <extracomment>tables</extracomment>
+        <translation>Rauheit der Bonbons</translation>
+    </message>
+    <message>
+        <source>Candy1 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy1 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy1 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy1 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy1 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy1 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy1 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy1 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy1 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: x</translation>
+    </message>
+    <message>
+        <source>Candy1 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: y</translation>
+    </message>
+    <message>
+        <source>Candy1 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: z</translation>
+    </message>
+    <message>
+        <source>Candy10 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy10 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy10 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy10 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy10 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy10 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy10 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy10 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy10 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: x</translation>
+    </message>
+    <message>
+        <source>Candy10 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: y</translation>
+    </message>
+    <message>
+        <source>Candy10 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: z</translation>
+    </message>
+    <message>
+        <source>Candy2 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy2 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy2 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy2 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy2 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy2 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy2 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy2 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy2 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: x</translation>
+    </message>
+    <message>
+        <source>Candy2 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: y</translation>
+    </message>
+    <message>
+        <source>Candy2 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: z</translation>
+    </message>
+    <message>
+        <source>Candy3 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy3 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy3 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy3 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy3 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy3 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy3 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy3 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy3 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: x</translation>
+    </message>
+    <message>
+        <source>Candy3 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: y</translation>
+    </message>
+    <message>
+        <source>Candy3 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: z</translation>
+    </message>
+    <message>
+        <source>Candy4 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy4 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy4 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy4 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy4 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy4 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy4 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy4 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy4 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: x</translation>
+    </message>
+    <message>
+        <source>Candy4 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: y</translation>
+    </message>
+    <message>
+        <source>Candy4 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: z</translation>
+    </message>
+    <message>
+        <source>Candy5 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy5 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy5 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy5 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy5 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy5 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy5 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy5 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy5 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: x</translation>
+    </message>
+    <message>
+        <source>Candy5 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: y</translation>
+    </message>
+    <message>
+        <source>Candy5 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: z</translation>
+    </message>
+    <message>
+        <source>Candy6 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy6 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy6 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy6 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy6 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy6 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy6 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy6 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy6 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: x</translation>
+    </message>
+    <message>
+        <source>Candy6 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: y</translation>
+    </message>
+    <message>
+        <source>Candy6 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: z</translation>
+    </message>
+    <message>
+        <source>Candy7 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy7 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy7 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy7 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy7 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy7 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy7 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy7 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy7 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: x</translation>
+    </message>
+    <message>
+        <source>Candy7 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: y</translation>
+    </message>
+    <message>
+        <source>Candy7 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: z</translation>
+    </message>
+    <message>
+        <source>Candy8 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy8 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy8 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy8 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy8 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy8 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy8 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy8 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy8 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: x</translation>
+    </message>
+    <message>
+        <source>Candy8 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: y</translation>
+    </message>
+    <message>
+        <source>Candy8 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: z</translation>
+    </message>
+    <message>
+        <source>Candy9 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy9 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy9 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy9 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy9 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy9 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy9 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy9 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy9 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: x</translation>
+    </message>
+    <message>
+        <source>Candy9 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: y</translation>
+    </message>
+    <message>
+        <source>Candy9 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: z</translation>
+    </message>
+    <message>
+        <source>Cannot be opened</source>
+        <translation>Kann nicht geöffnet werden</translation>
+    </message>
+    <message>
+        <source>Cannot change {1}: it is part of Vitrine; save a copy under another name.</source>
+        <translation>{=1} kann nicht geändert werden: Es gehört zu Vitrine; speichern Sie eine Kopie unter einem anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Cannot follow the reference &quot;{1}&quot; inside {2}: {3}; use a plain relative path.</source>
+        <translation>Dem Verweis „{=1}“ in {=2} kann nicht gefolgt werden: {3}; verwenden Sie einen einfachen relativen Pfad.</translation>
+    </message>
+    <message>
+        <source>Cannot import {1}: there is no preset in this picture; choose another.</source>
+        <translation>{=1} kann nicht importiert werden: In diesem Bild steckt kein Preset; wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>Cannot keep the views in {1}: {2} failed ({3}); free some space there, or let TMPDIR name a folder with more.</source>
+        <translation>Die Ansichten lassen sich nicht in {=1} aufbewahren: {2} ist misslungen ({=3}); geben Sie dort Platz frei, oder lassen Sie TMPDIR einen Ordner mit mehr davon nennen.</translation>
+    </message>
+    <message>
+        <source>Cannot look at {1}: it carries no description of its sheet, and there is no {2} beside it; choose a file that vitrine print wrote.</source>
+        <translation>{=1} kann nicht betrachtet werden: Er enthält keine Beschreibung seiner Folie, und daneben gibt es kein {=2}; wählen Sie eine Datei, die vitrine print geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Cannot make {1}: there is not enough memory for it; choose a smaller one.</source>
+        <translation>{=1} kann nicht erzeugt werden: Der Speicher reicht dafür nicht; wählen Sie etwas Kleineres.</translation>
+    </message>
+    <message>
+        <source>Cannot move {1}</source>
+        <translation>{=1} kann nicht verschoben werden</translation>
+    </message>
+    <message>
+        <source>Cannot open {1}, which {2}: it is not beside the program; install {3} or build Vitrine again.</source>
+        <translation>{=1} kann nicht geöffnet werden; die Bibliothek {2}. Sie liegt nicht neben dem Programm; installieren Sie {3}, oder bauen Sie Vitrine neu.</translation>
+    </message>
+    <message>
+        <source>Cannot open {1}, which {2}: {3}install {4} or build Vitrine again.</source>
+        <translation>{=1} kann nicht geöffnet werden; die Bibliothek {2}. {3}Installieren Sie {4}, oder bauen Sie Vitrine neu.</translation>
+    </message>
+    <message>
+        <source>Cannot read the folder {1}: {2}.</source>
+        <translation>Der Ordner {=1} kann nicht gelesen werden: {2}.</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: it is neither a TIFF nor a PNG.</source>
+        <translation>{=1} kann nicht gelesen werden: weder ein TIFF noch ein PNG.</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: it is not glTF; export it again.</source>
+        <translation>{=1} kann nicht gelesen werden: Es ist kein glTF; exportieren Sie es neu.</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: the file is too large; simplify the model.</source>
+        <translation>{=1} kann nicht gelesen werden: Die Datei ist zu groß; vereinfachen Sie das Modell.</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: there is no such file.</source>
+        <translation>{=1} kann nicht gelesen werden: Eine solche Datei gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: there is not enough memory for it; choose a smaller one.</source>
+        <translation>{=1} kann nicht gelesen werden: Der Speicher reicht dafür nicht; wählen Sie etwas Kleineres.</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: {2}</source>
+        <translation>{=1} kann nicht gelesen werden: {2}</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: {2}.</source>
+        <translation>{=1} kann nicht gelesen werden: {2}.</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: {2}; choose another picture.</source>
+        <translation>{=1} kann nicht gelesen werden: {2}; wählen Sie ein anderes Bild.</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: {2}; export it again.</source>
+        <translation>{=1} kann nicht gelesen werden: {2}; exportieren Sie es neu.</translation>
+    </message>
+    <message>
+        <source>Cannot write JSON: the text is not UTF-8.</source>
+        <translation>JSON kann nicht geschrieben werden: Der Text ist kein UTF-8.</translation>
+    </message>
+    <message>
+        <source>Cannot write JSON: the value {1}</source>
+        <translation>JSON kann nicht geschrieben werden: Der Wert {1}</translation>
+    </message>
+    <message>
+        <source>Cannot write JSON: {1} {2}</source>
+        <translation>JSON kann nicht geschrieben werden: {=1} {2}</translation>
+    </message>
+    <message>
+        <source>Cannot write {1}: give a name that ends in .tif, .tiff or .png.</source>
+        <translation>{=1} kann nicht geschrieben werden: Geben Sie einen Namen an, der auf .tif, .tiff oder .png endet.</translation>
+    </message>
+    <message>
+        <source>Cannot write {1}: there is no folder {2}; create it first.</source>
+        <translation>{=1} kann nicht geschrieben werden: Es gibt keinen Ordner {=2}; legen Sie ihn zuerst an.</translation>
+    </message>
+    <message>
+        <source>Cannot write {1}: {2}</source>
+        <translation>{=1} kann nicht geschrieben werden: {2}</translation>
+    </message>
+    <message>
+        <source>Cannot write {1}: {2} failed ({3}); the old content is untouched; {4}.</source>
+        <translation>{=1} kann nicht geschrieben werden: {2} ist misslungen ({=3}); der alte Inhalt ist unberührt; {4}.</translation>
+    </message>
+    <message>
+        <source>Cannot write {1}: {2} x {3} pixels are too many for this format, which ends at {4} per side; print it in parts.</source>
+        <translation>{=1} kann nicht geschrieben werden: {2} x {3} Pixel sind zu viele für dieses Format, das bei {4} pro Seite endet; drucken Sie es in Teilen.</translation>
+    </message>
+    <message>
+        <source>Cannot write {1}: {2}.</source>
+        <translation>{=1} kann nicht geschrieben werden: {2}.</translation>
+    </message>
+    <message>
+        <source>Cannot write {1}: {2}; choose another folder.</source>
+        <translation>{=1} kann nicht geschrieben werden: {2}; wählen Sie einen anderen Ordner.</translation>
+    </message>
+    <message>
+        <source>Cannot write {1}: {2}; the old content is untouched; choose another kind of file, such as .apng.</source>
+        <translation>{=1} kann nicht geschrieben werden: {2}; der alte Inhalt ist unberührt; wählen Sie eine andere Art von Datei, etwa .apng.</translation>
+    </message>
+    <message>
+        <source>Cannot write {1}: {2}; the old content is untouched; free some space or choose another disk.</source>
+        <translation>{=1} kann nicht geschrieben werden: {2}; der alte Inhalt ist unberührt; geben Sie Platz frei, oder wählen Sie einen anderen Datenträger.</translation>
+    </message>
+    <message>
+        <source>Cannot write {1}: {2}; try a smaller picture.</source>
+        <translation>{=1} kann nicht geschrieben werden: {2}; versuchen Sie ein kleineres Bild.</translation>
+    </message>
+    <message>
+        <source>Capture the hall once as a mirror image for everything in it; without it, nothing reflects.</source>
+        <extracomment>tables</extracomment>
+        <translation>Nimmt die Halle einmal als Spiegelbild für alles in ihr auf; ohne das spiegelt nichts.</translation>
+    </message>
+    <message>
+        <source>Cells around a place whose flames light it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zellen um einen Ort, deren Flammen ihn beleuchten.</translation>
+    </message>
+    <message>
+        <source>Cells for each meter.</source>
+        <translation>Zellen pro Meter.</translation>
+    </message>
+    <message>
+        <source>Cells of the first octave in a meter.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zellen der ersten Oktave in einem Meter.</translation>
+    </message>
+    <message>
+        <source>Cells of the mesh along the longest side of the box: few show facets in the reflections.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zellen des Netzes entlang der längsten Seite des Quaders: Wenige zeigen Facetten in den Spiegelungen.</translation>
+    </message>
+    <message>
+        <source>Cells of the strands' lattice at most that a ray looks into at each shell, where it grazes it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höchstzahl der Zellen des Haargitters, in die ein Strahl in jeder Shell schaut, wo er sie streift.</translation>
+    </message>
+    <message>
+        <source>Cells with room for a lantern, in a square whose corner is at the frame: one, or up to the horizon.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zellen mit Platz für eine Laterne, in einem Quadrat, dessen Ecke am Rahmen liegt: eine, oder bis zum Horizont.</translation>
+    </message>
+    <message>
+        <source>cellular</source>
+        <extracomment>tables</extracomment>
+        <translation>zellular</translation>
+    </message>
+    <message>
+        <source>center</source>
+        <translation>Mitte</translation>
+    </message>
+    <message>
+        <source>central</source>
+        <extracomment>tables</extracomment>
+        <translation>zentral</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>Change it; Shift ten times finer, Ctrl ten times coarser</source>
+        <translation>Wert ändern; Umschalt zehnmal feiner, Strg zehnmal gröber</translation>
+    </message>
+    <message>
+        <source>Change kind</source>
+        <translation>Art ändern</translation>
+    </message>
+    <message>
+        <source>Change settings</source>
+        <translation>Einstellungen ändern</translation>
+    </message>
+    <message>
+        <source>change squared over its mean</source>
+        <translation>Änderung im Quadrat über ihrem Mittel</translation>
+    </message>
+    <message>
+        <source>Change the tree</source>
+        <translation>Den Baum ändern</translation>
+    </message>
+    <message>
+        <source>Change the views so that the sheet's mixing of them shows less; costs contrast.</source>
+        <translation>Ändert die Ansichten so, dass man weniger davon sieht, wie die Folie sie mischt; kostet Kontrast.</translation>
+    </message>
+    <message>
+        <source>Change where the views come from</source>
+        <translation>Herkunft der Ansichten ändern</translation>
+    </message>
+    <message>
+        <source>Changed</source>
+        <translation>Geändert</translation>
+    </message>
+    <message>
+        <source>Changed since</source>
+        <translation>Seither geändert</translation>
+    </message>
+    <message>
+        <source>changes a pixel by at most {1}</source>
+        <translation>ändert ein Pixel um höchstens {1}</translation>
+    </message>
+    <message>
+        <source>changes a pixel by at most {1} % of its light</source>
+        <translation>ändert ein Pixel um höchstens {1} % seines Lichts</translation>
+    </message>
+    <message>
+        <source>changes a pixel by at most {1} % of its light and {2}</source>
+        <translation>ändert ein Pixel um höchstens {1} % seines Lichts und {2}</translation>
+    </message>
+    <message>
+        <source>changes nothing</source>
+        <translation>ändert nichts</translation>
+    </message>
+    <message>
+        <source>Chart</source>
+        <translation>Testchart</translation>
+    </message>
+    <message>
+        <source>Chart span</source>
+        <translation>Spanne des Charts</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Cheapest within error</source>
+        <translation>Billigstes im Fehler von</translation>
+    </message>
+    <message>
+        <source>check of the reference, {1}</source>
+        <translation>Prüfung der Referenz, {1}</translation>
+    </message>
+    <message>
+        <source>check that the folder exists</source>
+        <translation>prüfen Sie, ob der Ordner existiert</translation>
+    </message>
+    <message>
+        <source>checking its size</source>
+        <translation>das Prüfen der Größe</translation>
+    </message>
+    <message>
+        <source>Choose a color; the picture follows.</source>
+        <translation>Farbe wählen; das Bild folgt.</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file for %1</source>
+        <translation>Datei für %1 wählen</translation>
+    </message>
+    <message>
+        <source>Choose a file. Dropping one here works too.</source>
+        <translation>Datei wählen. Sie lässt sich auch hier ablegen.</translation>
+    </message>
+    <message>
+        <source>Choose a folder or pictures, or drop them here.</source>
+        <translation>Wählen Sie einen Ordner oder Bilder, oder legen Sie sie hier ab.</translation>
+    </message>
+    <message>
+        <source>choose a folder you may write to</source>
+        <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
+    </message>
+    <message>
+        <source>Choose a parameter and measure it: its errors are those against its most exact value, its costs are work and time.</source>
+        <translation>Wählen Sie einen Parameter, und messen Sie ihn: Seine Fehler sind die gegenüber seinem genauesten Wert, seine Kosten sind Arbeit und Zeit.</translation>
+    </message>
+    <message>
+        <source>Choose a picture with a grid of views, or drop it here.</source>
+        <translation>Wählen Sie ein Bild mit einem Raster von Ansichten, oder legen Sie es hier ab.</translation>
+    </message>
+    <message>
+        <source>choose a shorter name</source>
+        <translation>wählen Sie einen kürzeren Namen</translation>
+    </message>
+    <message>
+        <source>Choose sheet %1</source>
+        <translation>Folie %1 wählen</translation>
+    </message>
+    <message>
+        <source>Choose views</source>
+        <translation>Ansichten wählen</translation>
+    </message>
+    <message>
+        <source>Chop</source>
+        <extracomment>tables</extracomment>
+        <translation>Zuspitzung</translation>
+    </message>
+    <message>
+        <source>chunk number {1}</source>
+        <translation>Block Nummer {1}</translation>
+    </message>
+    <message>
+        <source>classic</source>
+        <extracomment>tables</extracomment>
+        <translation>klassisch</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klick</translation>
+    </message>
+    <message>
+        <source>Click a shape in the picture, or a node above.</source>
+        <translation>Klicken Sie eine Form im Bild an, oder oben einen Knoten.</translation>
+    </message>
+    <message>
+        <source>Click, or any digit</source>
+        <translation>Klick, oder eine Ziffer</translation>
+    </message>
+    <message>
+        <source>Clock: %1, %2.</source>
+        <translation>Uhr: %1, %2.</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close %1</source>
+        <translation>%1 schließen</translation>
+    </message>
+    <message>
+        <source>close up</source>
+        <translation>ganz nah</translation>
+    </message>
+    <message>
+        <source>Close Vitrine?</source>
+        <translation>Vitrine schließen?</translation>
+    </message>
+    <message>
+        <source>Close when it is done</source>
+        <translation>Schließen, sobald es fertig ist</translation>
+    </message>
+    <message>
+        <source>Close without saving</source>
+        <translation>Schließen, ohne zu speichern</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <extracomment>tables</extracomment>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>Closes the window; everything comes back next time.</source>
+        <translation>Schließt das Fenster; beim nächsten Mal kommt alles zurück.</translation>
+    </message>
+    <message>
+        <source>closing it failed ({1})</source>
+        <translation>das Schließen ist misslungen ({=1})</translation>
+    </message>
+    <message>
+        <source>cloths cover the empty places</source>
+        <translation>Tücher bedecken die leeren Plätze</translation>
+    </message>
+    <message>
+        <source>Cloud noise</source>
+        <extracomment>tables</extracomment>
+        <translation>Wolkenrauschen</translation>
+    </message>
+    <message>
+        <source>Cloud octaves</source>
+        <extracomment>tables</extracomment>
+        <translation>Wolkenoktaven</translation>
+    </message>
+    <message>
+        <source>Cloud steps</source>
+        <extracomment>tables</extracomment>
+        <translation>Wolkenschritte</translation>
+    </message>
+    <message>
+        <source>Clouds</source>
+        <extracomment>tables</extracomment>
+        <translation>Wolken</translation>
+    </message>
+    <message>
+        <source>clouds</source>
+        <extracomment>tables</extracomment>
+        <translation>Wolken</translation>
+    </message>
+    <message>
+        <source>Clump</source>
+        <extracomment>tables</extracomment>
+        <translation>Büschel</translation>
+    </message>
+    <message>
+        <source>Clump size</source>
+        <extracomment>tables</extracomment>
+        <translation>Büschelgröße</translation>
+    </message>
+    <message>
+        <source>Coat of the ball</source>
+        <extracomment>tables</extracomment>
+        <translation>Fell des Balls</translation>
+    </message>
+    <message>
+        <source>Coat of the ring</source>
+        <extracomment>tables</extracomment>
+        <translation>Fell des Rings</translation>
+    </message>
+    <message>
+        <source>Coat of the roll</source>
+        <extracomment>tables</extracomment>
+        <translation>Fell der Rolle</translation>
+    </message>
+    <message>
+        <source>collar</source>
+        <extracomment>tables</extracomment>
+        <translation>Kragen</translation>
+    </message>
+    <message>
+        <source>Collar height</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe des Kragens</translation>
+    </message>
+    <message>
+        <source>Collar radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Kragens</translation>
+    </message>
+    <message>
+        <source>Collar top</source>
+        <extracomment>tables</extracomment>
+        <translation>Kragen oben</translation>
+    </message>
+    <message>
+        <source>Color</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Color by</source>
+        <extracomment>tables</extracomment>
+        <translation>Färben nach</translation>
+    </message>
+    <message>
+        <source>Color of the lamps' light: low is that of a candle, high is bluish.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Lampenlichts: Niedrige Werte sind die einer Kerze, hohe sind bläulich.</translation>
+    </message>
+    <message>
+        <source>Color of the rays, on top of the sun's own.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe der Strahlen, zusätzlich zu der der Sonne.</translation>
+    </message>
+    <message>
+        <source>Color of the sky's light: high is bluer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Himmelslichts: Hohe Werte sind blauer.</translation>
+    </message>
+    <message>
+        <source>Color of the sunlight: low is the red of evening, high is bluish.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Sonnenlichts: Niedrige Werte sind das Rot des Abends, hohe sind bläulich.</translation>
+    </message>
+    <message>
+        <source>Color the object by what it cost, or by what was found.</source>
+        <extracomment>tables</extracomment>
+        <translation>Färbt das Objekt nach dem, was es gekostet hat, oder nach dem, was gefunden wurde.</translation>
+    </message>
+    <message>
+        <source>Color the scene by what it cost, or by what was found.</source>
+        <extracomment>tables</extracomment>
+        <translation>Färbt die Szene nach dem, was sie gekostet hat, oder nach dem, was gefunden wurde.</translation>
+    </message>
+    <message>
+        <source>Color variation</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbstreuung</translation>
+    </message>
+    <message>
+        <source>Colored outline</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbiger Umriss</translation>
+    </message>
+    <message>
+        <source>Colors</source>
+        <extracomment>tables</extracomment>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>colors</source>
+        <extracomment>tables</extracomment>
+        <translation>Farben</translation>
+    </message>
+    <message>
+        <source>Comb</source>
+        <extracomment>tables</extracomment>
+        <translation>Kämmen</translation>
+    </message>
+    <message>
+        <source>Come nearer to the exhibit or step back</source>
+        <translation>Näher an das Exponat heran oder zurück</translation>
+    </message>
+    <message>
+        <source>Comes with the exhibit: can be duplicated, not changed.</source>
+        <translation>Gehört zum Exponat: lässt sich duplizieren, nicht ändern.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <extracomment>tables</extracomment>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Compare mesh</source>
+        <extracomment>tables</extracomment>
+        <translation>Vergleichsnetz</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <extracomment>tables</extracomment>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>compared with the marched object</source>
+        <translation>verglichen mit dem abgeschrittenen Objekt</translation>
+    </message>
+    <message>
+        <source>Comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Comparison of A and B</source>
+        <translation>Vergleich von A und B</translation>
+    </message>
+    <message>
+        <source>Comparisons over the sun's disk, where the disk filter finds a half-shadow.</source>
+        <extracomment>tables</extracomment>
+        <translation>Vergleiche über die Sonnenscheibe, wo der Scheibenfilter einen Halbschatten findet.</translation>
+    </message>
+    <message>
+        <source>Compensate</source>
+        <translation>Ausgleichen</translation>
+    </message>
+    <message>
+        <source>Compensate cross-talk</source>
+        <translation>Übersprechen ausgleichen</translation>
+    </message>
+    <message>
+        <source>Compression</source>
+        <translation>Kompression</translation>
+    </message>
+    <message>
+        <source>compute</source>
+        <translation>Compute</translation>
+    </message>
+    <message>
+        <source>Computed: {1}. A slider puts a number in its place.</source>
+        <translation>Berechnet: {=1}. Ein Regler setzt eine Zahl an die Stelle.</translation>
+    </message>
+    <message>
+        <source>Cone prepass</source>
+        <extracomment>tables</extracomment>
+        <translation>Kegel-Vorlauf</translation>
+    </message>
+    <message>
+        <source>cones</source>
+        <extracomment>tables</extracomment>
+        <translation>Kegel</translation>
+    </message>
+    <message>
+        <source>Cones around the axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Kegel um die Achse.</translation>
+    </message>
+    <message>
+        <source>Conic</source>
+        <extracomment>tables</extracomment>
+        <translation>Konische Konstante</translation>
+    </message>
+    <message>
+        <source>constant buffers</source>
+        <translation>Konstantenpuffer</translation>
+    </message>
+    <message>
+        <source>Contact shadows</source>
+        <extracomment>tables</extracomment>
+        <translation>Kontaktschatten</translation>
+    </message>
+    <message>
+        <source>contact shadows are switched off</source>
+        <translation>Kontaktschatten sind ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Contrast</source>
+        <extracomment>tables</extracomment>
+        <translation>Kontrast</translation>
+    </message>
+    <message>
+        <source>Convergence</source>
+        <translation>Konvergenz</translation>
+    </message>
+    <message>
+        <source>converting a frame</source>
+        <translation>das Umwandeln eines Frames</translation>
+    </message>
+    <message>
+        <source>Copies a preset file to your own.</source>
+        <translation>Kopiert eine Preset-Datei zu Ihren eigenen.</translation>
+    </message>
+    <message>
+        <source>Copies along the axes, around the origin.</source>
+        <translation>Kopien entlang der Achsen, um den Ursprung.</translation>
+    </message>
+    <message>
+        <source>Copies around the y axis, the first where the child is.</source>
+        <translation>Kopien um die y-Achse, die erste, wo das Kind ist.</translation>
+    </message>
+    <message>
+        <source>Copies the selected preset to one of your own.</source>
+        <translation>Kopiert das gewählte Preset in ein eigenes.</translation>
+    </message>
+    <message>
+        <source>Copies what was measured as a table (CSV).</source>
+        <translation>Kopiert das Gemessene als Tabelle (CSV).</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy %1 from B</source>
+        <translation>%1 von B übernehmen</translation>
+    </message>
+    <message>
+        <source>Copy %1 to B</source>
+        <translation>%1 nach B kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all &amp;to B</source>
+        <translation>Alles nach B &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all as JSON</source>
+        <translation>Alle als JSON kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all fro&amp;m B</source>
+        <translation>Alles v&amp;on B übernehmen</translation>
+    </message>
+    <message>
+        <source>Copy all from B</source>
+        <translation>Alles von B übernehmen</translation>
+    </message>
+    <message>
+        <source>Copy all to B</source>
+        <translation>Alles nach B kopieren</translation>
+    </message>
+    <message>
+        <source>Copy as command &amp;line</source>
+        <translation>Als B&amp;efehlszeile kopieren</translation>
+    </message>
+    <message>
+        <source>Copy from B: %1</source>
+        <translation>Von B übernehmen: %1</translation>
+    </message>
+    <message>
+        <source>Copy the measurements</source>
+        <translation>Messwerte kopieren</translation>
+    </message>
+    <message>
+        <source>Copy this message</source>
+        <translation>Diese Meldung kopieren</translation>
+    </message>
+    <message>
+        <source>Copy to B</source>
+        <translation>Nach B kopieren</translation>
+    </message>
+    <message>
+        <source>Copy value</source>
+        <translation>Wert kopieren</translation>
+    </message>
+    <message>
+        <source>Corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>Costs</source>
+        <extracomment>tables</extracomment>
+        <translation>Kosten</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Coverage</source>
+        <extracomment>tables</extracomment>
+        <translation>Bedeckung</translation>
+    </message>
+    <message>
+        <source>Cream roughness</source>
+        <extracomment>tables</extracomment>
+        <translation>Rauheit des Eises</translation>
+    </message>
+    <message>
+        <source>creating a file beside it</source>
+        <translation>das Anlegen einer Datei daneben</translation>
+    </message>
+    <message>
+        <source>creating a file there</source>
+        <translation>das Anlegen einer Datei dort</translation>
+    </message>
+    <message>
+        <source>creating it</source>
+        <translation>das Anlegen</translation>
+    </message>
+    <message>
+        <source>creating it failed ({1})</source>
+        <translation>das Anlegen ist misslungen ({=1})</translation>
+    </message>
+    <message>
+        <source>Crepuscular Rays</source>
+        <translation>Strahlenbüschel</translation>
+    </message>
+    <message>
+        <source>Cross-talk</source>
+        <translation>Übersprechen</translation>
+    </message>
+    <message>
+        <source>Cross-talk %1 to %2 %</source>
+        <translation>Übersprechen %1 bis %2 %</translation>
+    </message>
+    <message>
+        <source>Cross-talk of every view</source>
+        <translation>Übersprechen jeder Ansicht</translation>
+    </message>
+    <message>
+        <source>Crowding</source>
+        <extracomment>tables</extracomment>
+        <translation>Dichtegefälle</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>cube map of the source</source>
+        <translation>Würfelbild des Originals</translation>
+    </message>
+    <message>
+        <source>Curl</source>
+        <extracomment>tables</extracomment>
+        <translation>Locken</translation>
+    </message>
+    <message>
+        <source>Curl turns</source>
+        <extracomment>tables</extracomment>
+        <translation>Lockenwindungen</translation>
+    </message>
+    <message>
+        <source>Curvature</source>
+        <extracomment>tables</extracomment>
+        <translation>Krümmung</translation>
+    </message>
+    <message>
+        <source>custom</source>
+        <extracomment>tables</extracomment>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>Custom lpi</source>
+        <extracomment>tables</extracomment>
+        <translation>Eigener LPI-Wert</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>Cut at the origin and drawn apart along the axes.</source>
+        <translation>Am Ursprung zerschnitten und entlang der Achsen auseinandergezogen.</translation>
+    </message>
+    <message>
+        <source>Cut off the empty rows and columns around each frame.</source>
+        <translation>Schneidet die leeren Zeilen und Spalten um jeden Frame ab.</translation>
+    </message>
+    <message>
+        <source>Cuts the print into files of about this width, between lenses; 0: one file.</source>
+        <translation>Schneidet den Druck in Dateien von etwa dieser Breite, zwischen Linsen; 0: eine Datei.</translation>
+    </message>
+    <message>
+        <source>D</source>
+        <translation>D</translation>
+    </message>
+    <message>
+        <source>D&amp;ark</source>
+        <translation>D&amp;unkel</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <extracomment>tables</extracomment>
+        <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Darken the floor around what stands on it: without it, feet and plinths seem to float.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dunkelt den Boden um das ab, was darauf steht: Ohne das scheinen Füße und Sockel zu schweben.</translation>
+    </message>
+    <message>
+        <source>Darken what the object hides from the hall's light: five evaluations a pixel.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dunkelt ab, was das Objekt dem Licht der Halle verbirgt: fünf Auswertungen pro Pixel.</translation>
+    </message>
+    <message>
+        <source>De&amp;lete preset</source>
+        <translation>Preset &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Decay</source>
+        <extracomment>tables</extracomment>
+        <translation>Abklingen</translation>
+    </message>
+    <message>
+        <source>Definitions</source>
+        <translation>Definitionen</translation>
+    </message>
+    <message>
+        <source>deflate</source>
+        <translation>deflate</translation>
+    </message>
+    <message>
+        <source>Degrees off that are shown hottest.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abweichung in Grad, die am heißesten gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete %1</source>
+        <translation>%1 löschen</translation>
+    </message>
+    <message>
+        <source>Delete sheet</source>
+        <translation>Folie löschen</translation>
+    </message>
+    <message>
+        <source>Deletes the selected preset; undo brings it back.</source>
+        <translation>Löscht das gewählte Preset; rückgängig machen bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>Deletes this sheet of your own from the list; the numbers below stay.</source>
+        <translation>Löscht diese eigene Folie aus der Liste; die Zahlen darunter bleiben.</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <extracomment>tables</extracomment>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Density falloff</source>
+        <extracomment>tables</extracomment>
+        <translation>Dichteabfall</translation>
+    </message>
+    <message>
+        <source>Density noise</source>
+        <extracomment>tables</extracomment>
+        <translation>Dichterauschen</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <extracomment>tables</extracomment>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth bits</source>
+        <extracomment>tables</extracomment>
+        <translation>Tiefenbits</translation>
+    </message>
+    <message>
+        <source>Depth budget</source>
+        <translation>Tiefenbudget</translation>
+    </message>
+    <message>
+        <source>depth fetches</source>
+        <translation>Tiefenzugriffe</translation>
+    </message>
+    <message>
+        <source>Depth order</source>
+        <extracomment>tables</extracomment>
+        <translation>Tiefenfolge</translation>
+    </message>
+    <message>
+        <source>derivative</source>
+        <extracomment>tables</extracomment>
+        <translation>Ableitung</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Diagonal along x.</source>
+        <translation>Diagonale entlang x.</translation>
+    </message>
+    <message>
+        <source>Diagonal along z.</source>
+        <translation>Diagonale entlang z.</translation>
+    </message>
+    <message>
+        <source>Diameter of the handle's tube.</source>
+        <extracomment>tables</extracomment>
+        <translation>Durchmesser des Henkelrohrs.</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <extracomment>tables</extracomment>
+        <translation>Differenzen</translation>
+    </message>
+    <message>
+        <source>Differences that give the normal: 4, 4 or 6 evaluations; the first two lean across creases.</source>
+        <extracomment>tables</extracomment>
+        <translation>Differenzen, die die Normale ergeben: 4, 4 oder 6 Auswertungen; die ersten beiden neigen sich über Falten.</translation>
+    </message>
+    <message>
+        <source>Diffuse</source>
+        <translation>Diffus</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <extracomment>tables</extracomment>
+        <translation>Richtung</translation>
+    </message>
+    <message>
+        <source>direction {1}</source>
+        <translation>Richtung {1}</translation>
+    </message>
+    <message>
+        <source>Directions</source>
+        <translation>Richtungen</translation>
+    </message>
+    <message>
+        <source>Disk</source>
+        <extracomment>tables</extracomment>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>Disk samples</source>
+        <extracomment>tables</extracomment>
+        <translation>Scheiben-Samples</translation>
+    </message>
+    <message>
+        <source>Dismiss this message</source>
+        <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Disorder</source>
+        <extracomment>tables</extracomment>
+        <translation>Unordnung</translation>
+    </message>
+    <message>
+        <source>Dispersion</source>
+        <extracomment>tables</extracomment>
+        <translation>Dispersion</translation>
+    </message>
+    <message>
+        <source>dispersion is switched off</source>
+        <translation>Dispersion ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Displacement limit</source>
+        <extracomment>tables</extracomment>
+        <translation>Auslenkungsgrenze</translation>
+    </message>
+    <message>
+        <source>display-referred linear light, one sample at each pixel's center unless supersamples or pictures in motion are studied</source>
+        <translation>lineares Licht der Anzeige, ein Sample in der Mitte jedes Pixels, sofern nicht Supersamples oder bewegte Bilder untersucht werden</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Distance attenuation</source>
+        <extracomment>tables</extracomment>
+        <translation>Entfernungsabfall</translation>
+    </message>
+    <message>
+        <source>Distance in the scene that will lie in the print's plane; 0 is what the camera looks at.</source>
+        <translation>Entfernung in der Szene, die in der Ebene des Drucks liegen wird; 0 ist das, worauf die Kamera schaut.</translation>
+    </message>
+    <message>
+        <source>Dither</source>
+        <extracomment>tables</extracomment>
+        <translation>Dithering</translation>
+    </message>
+    <message>
+        <source>Dither strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Dithering-Stärke</translation>
+    </message>
+    <message>
+        <source>Divide the picture by a wipe: the technique on the left, the comparison on the right.</source>
+        <extracomment>tables</extracomment>
+        <translation>Teilt das Bild durch eine Wischblende: links die Technik, rechts der Vergleich.</translation>
+    </message>
+    <message>
+        <source>Divide the picture in two halves, each with a method and a view of its own.</source>
+        <extracomment>tables</extracomment>
+        <translation>Teilt das Bild in zwei Hälften, jede mit eigenem Verfahren und eigener Ansicht.</translation>
+    </message>
+    <message>
+        <source>Divide the picture in two halves, the right one with settings of its own.</source>
+        <extracomment>tables</extracomment>
+        <translation>Teilt das Bild in zwei Hälften, die rechte mit eigenen Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Divider</source>
+        <extracomment>tables</extracomment>
+        <translation>Trennlinie</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <extracomment>tables</extracomment>
+        <translation>Dokument</translation>
+    </message>
+    <message>
+        <source>Does nothing now: acts when %1. It keeps its value.</source>
+        <translation>Bewirkt jetzt nichts: wirkt, wenn %1. Der Wert bleibt erhalten.</translation>
+    </message>
+    <message>
+        <source>Done</source>
+        <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Dots down</source>
+        <translation>Punkte abwärts</translation>
+    </message>
+    <message>
+        <source>Dots per inch</source>
+        <translation>Punkte pro Zoll</translation>
+    </message>
+    <message>
+        <source>Dots per inch the other way, when they differ; 0: the same.</source>
+        <translation>Punkte pro Zoll in der anderen Richtung, wenn sie sich unterscheiden; 0: gleich.</translation>
+    </message>
+    <message>
+        <source>Dots per inch, vertical</source>
+        <translation>Punkte pro Zoll, senkrecht</translation>
+    </message>
+    <message>
+        <source>down upon them</source>
+        <translation>von oben auf sie</translation>
+    </message>
+    <message>
+        <source>Drag</source>
+        <translation>Ziehen</translation>
+    </message>
+    <message>
+        <source>Drag the label or the number</source>
+        <translation>Bezeichnung oder Zahl ziehen</translation>
+    </message>
+    <message>
+        <source>Drag the label or the number; click to type, 2*pi or 30deg too.
+Shift is ten times finer, Ctrl ten times coarser.</source>
+        <translation>Ziehen Sie an Bezeichnung oder Zahl; klicken Sie, um zu tippen, auch 2*pi oder 30deg.
+Umschalt ist zehnmal feiner, Strg zehnmal gröber.</translation>
+    </message>
+    <message>
+        <source>Drag the line</source>
+        <translation>Die Linie ziehen</translation>
+    </message>
+    <message>
+        <source>Drag to the side to look from there, up and down to tilt; the arrows move by a degree, Shift by a tenth.
+Home or a double click looks straight on.</source>
+        <translation>Seitwärts ziehen, um von dort zu schauen, auf und ab, um zu neigen; die Pfeiltasten bewegen um ein Grad, mit Umschalt um ein Zehntel.
+Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
+    </message>
+    <message>
+        <source>Draw order</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeichenfolge</translation>
+    </message>
+    <message>
+        <source>Draw the edges of that mesh: amber when it holds the object, red when it clips.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeichnet die Kanten dieses Netzes: bernsteinfarben, wenn es das Objekt umschließt, rot, wenn es beschneidet.</translation>
+    </message>
+    <message>
+        <source>Drawing …</source>
+        <translation>Zeichnet …</translation>
+    </message>
+    <message>
+        <source>drawn with the last good program {1}</source>
+        <translation>mit dem letzten guten Programm gezeichnet, {1}</translation>
+    </message>
+    <message>
+        <source>drawn with {1}</source>
+        <translation>gezeichnet mit {1}</translation>
+    </message>
+    <message>
+        <source>Draws an object from all sides, as large pixels: a sheet with one palette, normals and depth, for games.</source>
+        <translation>Zeichnet ein Objekt von allen Seiten in großen Pixeln: ein Blatt mit einer Palette, Normalen und Tiefe, für Spiele.</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <extracomment>tables</extracomment>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>Drift speed</source>
+        <extracomment>tables</extracomment>
+        <translation>Drifttempo</translation>
+    </message>
+    <message>
+        <source>drifts away</source>
+        <extracomment>tables</extracomment>
+        <translation>treibt davon</translation>
+    </message>
+    <message>
+        <source>Drop a glTF file on the window and it stands here.</source>
+        <translation>Legen Sie eine glTF-Datei auf dem Fenster ab, und sie steht hier.</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicate %1</source>
+        <translation>%1 duplizieren</translation>
+    </message>
+    <message>
+        <source>Dusk</source>
+        <extracomment>tables</extracomment>
+        <translation>Dämmerung</translation>
+    </message>
+    <message>
+        <source>Dust in the air: what a meter of it takes out of a beam near the floor; 0 is clear air.</source>
+        <extracomment>tables</extracomment>
+        <translation>Staub in der Luft: was ein Meter davon in Bodennähe einem Strahl nimmt; 0 ist klare Luft.</translation>
+    </message>
+    <message>
+        <source>E – let it melt</source>
+        <translation>E – schmelzen lassen</translation>
+    </message>
+    <message>
+        <source>E – let it turn</source>
+        <translation>E – drehen lassen</translation>
+    </message>
+    <message>
+        <source>E – let the mobile turn</source>
+        <translation>E – Mobile drehen</translation>
+    </message>
+    <message>
+        <source>E – let time run</source>
+        <translation>E – die Zeit laufen lassen</translation>
+    </message>
+    <message>
+        <source>E – make them jump</source>
+        <translation>E – springen lassen</translation>
+    </message>
+    <message>
+        <source>E – set a lantern free</source>
+        <translation>E – eine Laterne freilassen</translation>
+    </message>
+    <message>
+        <source>E – show the other print</source>
+        <translation>E – den anderen Druck zeigen</translation>
+    </message>
+    <message>
+        <source>E&amp;xhibit</source>
+        <translation>E&amp;xponat</translation>
+    </message>
+    <message>
+        <source>each its own</source>
+        <extracomment>tables</extracomment>
+        <translation>jede für sich</translation>
+    </message>
+    <message>
+        <source>each lantern floats on the water of this moment</source>
+        <translation>jede Laterne schwimmt auf dem Wasser dieses Augenblicks</translation>
+    </message>
+    <message>
+        <source>ease</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Edge angle</source>
+        <extracomment>tables</extracomment>
+        <translation>Kantenwinkel</translation>
+    </message>
+    <message>
+        <source>Edge fade</source>
+        <extracomment>tables</extracomment>
+        <translation>Randblende</translation>
+    </message>
+    <message>
+        <source>Edge of the base.</source>
+        <translation>Kante der Grundfläche.</translation>
+    </message>
+    <message>
+        <source>edge of the zone</source>
+        <translation>Rand der Zone</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <extracomment>tables</extracomment>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>edges</source>
+        <extracomment>tables</extracomment>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>EGA</source>
+        <extracomment>tables</extracomment>
+        <translation>EGA</translation>
+    </message>
+    <message>
+        <source>Elevation</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhenwinkel</translation>
+    </message>
+    <message>
+        <source>Emission</source>
+        <translation>Leuchten</translation>
+    </message>
+    <message>
+        <source>Empties all nine.</source>
+        <translation>Leert alle neun.</translation>
+    </message>
+    <message>
+        <source>encoding a frame</source>
+        <translation>das Kodieren eines Frames</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>End radius</source>
+        <translation>Radius am Ende</translation>
+    </message>
+    <message>
+        <source>ending the video</source>
+        <translation>das Beenden des Videos</translation>
+    </message>
+    <message>
+        <source>Enter, Esc</source>
+        <translation>Eingabe, Esc</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <extracomment>tables</extracomment>
+        <translation>Umgebung</translation>
+    </message>
+    <message>
+        <source>Environment rotation</source>
+        <translation>Drehung der Umgebung</translation>
+    </message>
+    <message>
+        <source>Erosion</source>
+        <extracomment>tables</extracomment>
+        <translation>Erosion</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <extracomment>tables</extracomment>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>error diffusion</source>
+        <extracomment>tables</extracomment>
+        <translation>Fehlerdiffusion</translation>
+    </message>
+    <message>
+        <source>Error over cost</source>
+        <translation>Fehler über Kosten</translation>
+    </message>
+    <message>
+        <source>Error scale</source>
+        <extracomment>tables</extracomment>
+        <translation>Fehlerskala</translation>
+    </message>
+    <message>
+        <source>errors are handed on</source>
+        <translation>Fehler werden weitergereicht</translation>
+    </message>
+    <message>
+        <source>errors are not diffused</source>
+        <translation>Fehler werden nicht verteilt</translation>
+    </message>
+    <message>
+        <source>evaluated</source>
+        <extracomment>tables</extracomment>
+        <translation>ausgewertet</translation>
+    </message>
+    <message>
+        <source>Evaluation</source>
+        <extracomment>tables</extracomment>
+        <translation>Auswertung</translation>
+    </message>
+    <message>
+        <source>evaluations</source>
+        <extracomment>tables</extracomment>
+        <translation>Auswertungen</translation>
+    </message>
+    <message>
+        <source>every frame stands alone</source>
+        <translation>jeder Frame steht für sich</translation>
+    </message>
+    <message>
+        <source>every shape</source>
+        <extracomment>tables</extracomment>
+        <translation>jede Form</translation>
+    </message>
+    <message>
+        <source>Every texel by a whole number of pixels, or any, with borders smoothed over one pixel.</source>
+        <extracomment>tables</extracomment>
+        <translation>Jedes Texel durch eine ganze Zahl von Pixeln, oder beliebig, mit über ein Pixel geglätteten Grenzen.</translation>
+    </message>
+    <message>
+        <source>Everything below a plane.</source>
+        <translation>Alles unter einer Ebene.</translation>
+    </message>
+    <message>
+        <source>everything exact, {1}</source>
+        <translation>alles exakt, {1}</translation>
+    </message>
+    <message>
+        <source>Everything that is set here, as JSON.</source>
+        <translation>Alles, was hier eingestellt ist, als JSON.</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>Exaggeration</source>
+        <extracomment>tables</extracomment>
+        <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Exhibitions (*.json)</source>
+        <translation>Ausstellungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Exhibits</source>
+        <translation>Exponate</translation>
+    </message>
+    <message>
+        <source>explicit Euler</source>
+        <extracomment>tables</extracomment>
+        <translation>explizites Euler</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Export &amp;lenticular print…</source>
+        <translation>&amp;Linsendruck exportieren…</translation>
+    </message>
+    <message>
+        <source>Export &amp;picture…</source>
+        <translation>Bild e&amp;xportieren…</translation>
+    </message>
+    <message>
+        <source>Export &amp;table…</source>
+        <translation>&amp;Tabelle exportieren…</translation>
+    </message>
+    <message>
+        <source>Export chart</source>
+        <translation>Testchart exportieren</translation>
+    </message>
+    <message>
+        <source>Export lenticular print</source>
+        <translation>Linsendruck exportieren</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>Export picture a&amp;gain</source>
+        <translation>Bild erneut exp&amp;ortieren</translation>
+    </message>
+    <message>
+        <source>Export preset</source>
+        <translation>Preset exportieren</translation>
+    </message>
+    <message>
+        <source>Export sp&amp;rites…</source>
+        <translation>Sp&amp;rites exportieren…</translation>
+    </message>
+    <message>
+        <source>Export sprites</source>
+        <translation>Sprites exportieren</translation>
+    </message>
+    <message>
+        <source>Exposure</source>
+        <extracomment>tables</extracomment>
+        <translation>Belichtung</translation>
+    </message>
+    <message>
+        <source>Eye distance</source>
+        <extracomment>tables</extracomment>
+        <translation>Augenentfernung</translation>
+    </message>
+    <message>
+        <source>Eye height</source>
+        <extracomment>tables</extracomment>
+        <translation>Augenhöhe</translation>
+    </message>
+    <message>
+        <source>eye {1} target {2} fov {3}</source>
+        <translation>Auge {1} Ziel {2} Sichtwinkel {3}</translation>
+    </message>
+    <message>
+        <source>Eyes</source>
+        <extracomment>tables</extracomment>
+        <translation>Augen</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <extracomment>tables</extracomment>
+        <translation>Seite</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>facets are averaged</source>
+        <translation>Facetten werden gemittelt</translation>
+    </message>
+    <message>
+        <source>far away</source>
+        <translation>weit weg</translation>
+    </message>
+    <message>
+        <source>Fewer shells where the coat is far away and small.</source>
+        <extracomment>tables</extracomment>
+        <translation>Weniger Shells, wo das Fell weit weg und klein ist.</translation>
+    </message>
+    <message>
+        <source>FFmpeg's libraries</source>
+        <translation>die Bibliotheken von FFmpeg</translation>
+    </message>
+    <message>
+        <source>Fibers</source>
+        <extracomment>tables</extracomment>
+        <translation>Fasern</translation>
+    </message>
+    <message>
+        <source>field</source>
+        <extracomment>tables</extracomment>
+        <translation>Feld</translation>
+    </message>
+    <message>
+        <source>field evaluations</source>
+        <translation>Feldauswertungen</translation>
+    </message>
+    <message>
+        <source>Field noise</source>
+        <extracomment>tables</extracomment>
+        <translation>Feldrauschen</translation>
+    </message>
+    <message>
+        <source>Field of view</source>
+        <translation>Sichtwinkel</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Fills the screen.</source>
+        <translation>Füllt den Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Films (*.mp4 *.webm *.gif *.webp *.apng)</source>
+        <translation>Filme (*.mp4 *.webm *.gif *.webp *.apng)</translation>
+    </message>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Find a command</source>
+        <translation>Befehl suchen</translation>
+    </message>
+    <message>
+        <source>Find a parameter</source>
+        <translation>Parameter suchen</translation>
+    </message>
+    <message>
+        <source>Find a preset</source>
+        <translation>Preset suchen</translation>
+    </message>
+    <message>
+        <source>Find the best within the time</source>
+        <translation>Das Beste innerhalb der Zeit suchen</translation>
+    </message>
+    <message>
+        <source>Find the cheapest within the error</source>
+        <translation>Das Billigste innerhalb des Fehlers suchen</translation>
+    </message>
+    <message>
+        <source>finding a filter</source>
+        <translation>das Suchen eines Filters</translation>
+    </message>
+    <message>
+        <source>Finds and runs any command by name.</source>
+        <translation>Findet jeden Befehl nach seinem Namen und führt ihn aus.</translation>
+    </message>
+    <message>
+        <source>Finer noises that are added.</source>
+        <translation>Feinere Rauschen, die addiert werden.</translation>
+    </message>
+    <message>
+        <source>finished</source>
+        <extracomment>tables</extracomment>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>fins</source>
+        <extracomment>tables</extracomment>
+        <translation>Fins</translation>
+    </message>
+    <message>
+        <source>First march one cone for every 8 × 8 pixels, and start their rays where it ended.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schreitet zuerst einen Kegel für je 8 × 8 Pixel ab und beginnt deren Strahlen, wo er endete.</translation>
+    </message>
+    <message>
+        <source>Fit depth</source>
+        <translation>Tiefe anpassen</translation>
+    </message>
+    <message>
+        <source>Fix void</source>
+        <extracomment>tables</extracomment>
+        <translation>Leere mildern</translation>
+    </message>
+    <message>
+        <source>fixed</source>
+        <extracomment>tables</extracomment>
+        <translation>fest</translation>
+    </message>
+    <message>
+        <source>Flame height</source>
+        <extracomment>tables</extracomment>
+        <translation>Flammenhöhe</translation>
+    </message>
+    <message>
+        <source>flat</source>
+        <extracomment>tables</extracomment>
+        <translation>flach</translation>
+    </message>
+    <message>
+        <source>flat normal</source>
+        <translation>flache Normale</translation>
+    </message>
+    <message>
+        <source>Flattening</source>
+        <extracomment>tables</extracomment>
+        <translation>Abflachung</translation>
+    </message>
+    <message>
+        <source>FLI&amp;P</source>
+        <translation>FLI&amp;P</translation>
+    </message>
+    <message>
+        <source>Flicker</source>
+        <translation>Flackern</translation>
+    </message>
+    <message>
+        <source>Flicker phase</source>
+        <extracomment>tables</extracomment>
+        <translation>Flackerphase</translation>
+    </message>
+    <message>
+        <source>FLIP</source>
+        <translation>FLIP</translation>
+    </message>
+    <message>
+        <source>flip</source>
+        <translation>Wechsel</translation>
+    </message>
+    <message>
+        <source>FLIP of A and B × %1</source>
+        <translation>FLIP von A und B × %1</translation>
+    </message>
+    <message>
+        <source>Float or dock %1</source>
+        <translation>%1 ablösen oder andocken</translation>
+    </message>
+    <message>
+        <source>Floor mirror</source>
+        <extracomment>tables</extracomment>
+        <translation>Bodenspiegel</translation>
+    </message>
+    <message>
+        <source>Foam</source>
+        <extracomment>tables</extracomment>
+        <translation>Schaum</translation>
+    </message>
+    <message>
+        <source>Fog</source>
+        <extracomment>tables</extracomment>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>fog</source>
+        <extracomment>tables</extracomment>
+        <translation>Nebel</translation>
+    </message>
+    <message>
+        <source>Fog height</source>
+        <extracomment>tables</extracomment>
+        <translation>Nebelhöhe</translation>
+    </message>
+    <message>
+        <source>Fold or unfold %1</source>
+        <translation>%1 auf- oder zuklappen</translation>
+    </message>
+    <message>
+        <source>Folder with views</source>
+        <translation>Ordner mit Ansichten</translation>
+    </message>
+    <message>
+        <source>Folder…</source>
+        <translation>Ordner…</translation>
+    </message>
+    <message>
+        <source>folds of the cream, from near</source>
+        <translation>Falten des Eises, aus der Nähe</translation>
+    </message>
+    <message>
+        <source>foot</source>
+        <extracomment>tables</extracomment>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>Foot blend</source>
+        <extracomment>tables</extracomment>
+        <translation>Übergang am Fuß</translation>
+    </message>
+    <message>
+        <source>Foot height</source>
+        <extracomment>tables</extracomment>
+        <translation>Fußhöhe</translation>
+    </message>
+    <message>
+        <source>Foot radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Fußradius</translation>
+    </message>
+    <message>
+        <source>Foot top</source>
+        <extracomment>tables</extracomment>
+        <translation>Fuß oben</translation>
+    </message>
+    <message>
+        <source>For each meter.</source>
+        <translation>Pro Meter.</translation>
+    </message>
+    <message>
+        <source>For every view, from left to right: how much of the light at its own angle comes from other views.
+Optics, printed dots, and ink that spreads as far as is set.</source>
+        <translation>Für jede Ansicht, von links nach rechts: wie viel des Lichts unter ihrem eigenen Winkel von anderen Ansichten kommt.
+Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translation>
+    </message>
+    <message>
+        <source>For no distance in particular: strips lie exactly at lens pitch.</source>
+        <translation>Für keinen bestimmten Abstand: Streifen liegen genau im Linsenabstand.</translation>
+    </message>
+    <message>
+        <source>For people.</source>
+        <translation>Für Menschen.</translation>
+    </message>
+    <message>
+        <source>For printing on the sheet's back.</source>
+        <translation>Für den Druck auf die Rückseite der Folie.</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <extracomment>tables</extracomment>
+        <translation>Vorwärts</translation>
+    </message>
+    <message>
+        <source>forward</source>
+        <extracomment>tables</extracomment>
+        <translation>vorwärts</translation>
+    </message>
+    <message>
+        <source>fractal sum</source>
+        <extracomment>tables</extracomment>
+        <translation>fraktale Summe</translation>
+    </message>
+    <message>
+        <source>Frame blend</source>
+        <extracomment>tables</extracomment>
+        <translation>Frame-Mischung</translation>
+    </message>
+    <message>
+        <source>frame history</source>
+        <translation>Frame-Verlauf</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>Frame {1}, {2} x {3}, {4} samples, seed {5}</source>
+        <translation>Frame {1}, {2} x {3}, {4} Samples, Startwert {5}</translation>
+    </message>
+    <message>
+        <source>framebuffers made</source>
+        <translation>angelegte Framebuffer</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Frames</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>Frames pro Sekunde</translation>
+    </message>
+    <message>
+        <source>Frames that a picture in motion is averaged over: few flicker, many blur what is fine.</source>
+        <extracomment>tables</extracomment>
+        <translation>Frames, über die ein bewegtes Bild gemittelt wird: Wenige flimmern, viele verwischen Feines.</translation>
+    </message>
+    <message>
+        <source>free some space or choose another disk</source>
+        <translation>geben Sie Platz frei, oder wählen Sie einen anderen Datenträger</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <extracomment>tables</extracomment>
+        <translation>Frequenz</translation>
+    </message>
+    <message>
+        <source>Frequency of an octave over that of the one before.</source>
+        <extracomment>tables</extracomment>
+        <translation>Frequenz einer Oktave gegenüber der davor.</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Von</translation>
+    </message>
+    <message>
+        <source>From +y to each end.</source>
+        <translation>Von +y zu jedem Ende.</translation>
+    </message>
+    <message>
+        <source>From a print that Vitrine made, or a .json. Dropping one here works too.</source>
+        <translation>Aus einem Druck, den Vitrine erzeugt hat, oder einer .json-Datei. Sie lässt sich auch hier ablegen.</translation>
+    </message>
+    <message>
+        <source>From A to B</source>
+        <translation>Von A nach B</translation>
+    </message>
+    <message>
+        <source>From an eye's angle to the strip: in proportion to its tangent as in the source, first-order optics, or Snell's law on the lens.</source>
+        <extracomment>tables</extracomment>
+        <translation>Vom Winkel eines Auges zum Streifen: proportional zu seinem Tangens wie im Original, Optik erster Ordnung, oder das Brechungsgesetz auf der Linse.</translation>
+    </message>
+    <message>
+        <source>From end to end.</source>
+        <translation>Von Ende zu Ende.</translation>
+    </message>
+    <message>
+        <source>From how many sides it is drawn, evenly.</source>
+        <translation>Von wie vielen Seiten es gezeichnet wird, gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>From lens top to print.</source>
+        <translation>Vom Linsenscheitel bis zum Druck.</translation>
+    </message>
+    <message>
+        <source>from near, later</source>
+        <translation>aus der Nähe, später</translation>
+    </message>
+    <message>
+        <source>From one print to the next.</source>
+        <extracomment>tables</extracomment>
+        <translation>Von einem Druck zum nächsten.</translation>
+    </message>
+    <message>
+        <source>From the axis.</source>
+        <translation>Von der Achse.</translation>
+    </message>
+    <message>
+        <source>From the center to a corner.</source>
+        <translation>Vom Mittelpunkt zu einer Ecke.</translation>
+    </message>
+    <message>
+        <source>From the center to a side.</source>
+        <translation>Vom Mittelpunkt zu einer Seite.</translation>
+    </message>
+    <message>
+        <source>From the center.</source>
+        <translation>Vom Mittelpunkt.</translation>
+    </message>
+    <message>
+        <source>From the lower to the upper edge.</source>
+        <translation>Vom unteren zum oberen Rand.</translation>
+    </message>
+    <message>
+        <source>From the middle; of the orthographic camera, where its view begins.</source>
+        <extracomment>tables</extracomment>
+        <translation>Von der Mitte; bei der orthografischen Kamera, wo ihre Sicht beginnt.</translation>
+    </message>
+    <message>
+        <source>from the side</source>
+        <translation>von der Seite</translation>
+    </message>
+    <message>
+        <source>from the zone</source>
+        <translation>aus der Zone</translation>
+    </message>
+    <message>
+        <source>From where the scene is seen.</source>
+        <translation>Von wo die Szene gesehen wird.</translation>
+    </message>
+    <message>
+        <source>From where to where it reaches, and in brackets what the print holds of it, from the camera.</source>
+        <translation>Von wo bis wo sie reicht, und in Klammern, was der Druck davon fasst, von der Kamera aus.</translation>
+    </message>
+    <message>
+        <source>From which it is looked at; the strips' pitch follows from it.</source>
+        <translation>Aus dem er betrachtet wird; der Streifenabstand folgt daraus.</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <extracomment>tables</extracomment>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>Front print</source>
+        <extracomment>tables</extracomment>
+        <translation>Vorderer Druck</translation>
+    </message>
+    <message>
+        <source>Frozen at</source>
+        <extracomment>tables</extracomment>
+        <translation>Eingefroren bei</translation>
+    </message>
+    <message>
+        <source>frozen {1} after the jump</source>
+        <translation>eingefroren {1} nach dem Sprung</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <extracomment>tables</extracomment>
+        <translation>voll</translation>
+    </message>
+    <message>
+        <source>Fur with Physics</source>
+        <translation>Fell mit Physik</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <extracomment>tables</extracomment>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Game Boy</source>
+        <extracomment>tables</extracomment>
+        <translation>Game Boy</translation>
+    </message>
+    <message>
+        <source>GGX</source>
+        <extracomment>tables</extracomment>
+        <translation>GGX</translation>
+    </message>
+    <message>
+        <source>Gives all parameters in the panel other values within their comfortable ranges, but for files, accuracy and locked rows (see their menus); one undo brings yours back.</source>
+        <translation>Gibt allen Parametern im Bedienfeld andere Werte aus ihrem üblichen Bereich, außer Dateien, Genauigkeit und gesperrten Zeilen (siehe deren Menüs); ein Schritt rückgängig bringt Ihre zurück.</translation>
+    </message>
+    <message>
+        <source>Gives all parameters in the panel their initial values; one undo brings yours back.</source>
+        <translation>Gibt allen Parametern im Bedienfeld ihre Ausgangswerte; ein Schritt rückgängig bringt Ihre zurück.</translation>
+    </message>
+    <message>
+        <source>Gives the selected preset another name.</source>
+        <translation>Gibt dem gewählten Preset einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>glass</source>
+        <extracomment>tables</extracomment>
+        <translation>Glas</translation>
+    </message>
+    <message>
+        <source>Glass color</source>
+        <extracomment>tables</extracomment>
+        <translation>Glasfarbe</translation>
+    </message>
+    <message>
+        <source>glass scatters nothing of the room's light</source>
+        <translation>Glas streut nichts vom Licht des Raums</translation>
+    </message>
+    <message>
+        <source>glass shows what is behind it</source>
+        <translation>Glas zeigt, was hinter ihm liegt</translation>
+    </message>
+    <message>
+        <source>glass stands in the sun</source>
+        <translation>Glas steht in der Sonne</translation>
+    </message>
+    <message>
+        <source>Glides to the view kept there.</source>
+        <translation>Gleitet zur dort gemerkten Ansicht.</translation>
+    </message>
+    <message>
+        <source>Gloss along the strands: 0 is wool, high is silk.</source>
+        <extracomment>tables</extracomment>
+        <translation>Glanz entlang der Haare: 0 ist Wolle, hohe Werte sind Seide.</translation>
+    </message>
+    <message>
+        <source>Gloss samples</source>
+        <extracomment>tables</extracomment>
+        <translation>Glanz-Samples</translation>
+    </message>
+    <message>
+        <source>Go to bookmark %1</source>
+        <translation>Zu Lesezeichen %1</translation>
+    </message>
+    <message>
+        <source>Go to bookmark %1 (empty)</source>
+        <translation>Zu Lesezeichen %1 (leer)</translation>
+    </message>
+    <message>
+        <source>Goes to the filter above the parameters.</source>
+        <translation>Geht zum Filter über den Parametern.</translation>
+    </message>
+    <message>
+        <source>Goes to the tab that has these parameters.</source>
+        <translation>Wechselt zum Reiter, der diese Parameter hat.</translation>
+    </message>
+    <message>
+        <source>golden hour</source>
+        <extracomment>tables</extracomment>
+        <translation>goldene Stunde</translation>
+    </message>
+    <message>
+        <source>gone around</source>
+        <translation>herumgegangen</translation>
+    </message>
+    <message>
+        <source>GPU timer query</source>
+        <translation>GPU-Timer-Abfrage</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <extracomment>tables</extracomment>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>gradient</source>
+        <extracomment>tables</extracomment>
+        <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>Gravity</source>
+        <extracomment>tables</extracomment>
+        <translation>Schwerkraft</translation>
+    </message>
+    <message>
+        <source>Gray where both are equal, brighter or darker where B is.</source>
+        <translation>Grau, wo beide gleich sind; heller oder dunkler, wo B es ist.</translation>
+    </message>
+    <message>
+        <source>Ground</source>
+        <extracomment>tables</extracomment>
+        <translation>Boden</translation>
+    </message>
+    <message>
+        <source>Ground color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bodenfarbe</translation>
+    </message>
+    <message>
+        <source>Grow and shrink all the time, not only while they jump.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wächst und schrumpft ständig, nicht nur während des Sprungs.</translation>
+    </message>
+    <message>
+        <source>Growing</source>
+        <extracomment>tables</extracomment>
+        <translation>Wachsen</translation>
+    </message>
+    <message>
+        <source>Grown, with round edges.</source>
+        <translation>Gewachsen, mit runden Kanten.</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <extracomment>tables</extracomment>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>Growth rate</source>
+        <extracomment>tables</extracomment>
+        <translation>Wachstumsrate</translation>
+    </message>
+    <message>
+        <source>Guard</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>guard</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Gustiness</source>
+        <extracomment>tables</extracomment>
+        <translation>Böigkeit</translation>
+    </message>
+    <message>
+        <source>half</source>
+        <extracomment>tables</extracomment>
+        <translation>halb</translation>
+    </message>
+    <message>
+        <source>Half angle</source>
+        <translation>Halber Winkel</translation>
+    </message>
+    <message>
+        <source>Half its depth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Halbe Tiefe.</translation>
+    </message>
+    <message>
+        <source>Half its height.</source>
+        <extracomment>tables</extracomment>
+        <translation>Halbe Höhe.</translation>
+    </message>
+    <message>
+        <source>Half its width.</source>
+        <extracomment>tables</extracomment>
+        <translation>Halbe Breite.</translation>
+    </message>
+    <message>
+        <source>Half x</source>
+        <translation>Halbes x</translation>
+    </message>
+    <message>
+        <source>Half y</source>
+        <translation>Halbes y</translation>
+    </message>
+    <message>
+        <source>Half z</source>
+        <translation>Halbes z</translation>
+    </message>
+    <message>
+        <source>hall</source>
+        <extracomment>tables</extracomment>
+        <translation>Halle</translation>
+    </message>
+    <message>
+        <source>Hall glow</source>
+        <extracomment>tables</extracomment>
+        <translation>Schein in der Halle</translation>
+    </message>
+    <message>
+        <source>Hand rotation</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung von Hand</translation>
+    </message>
+    <message>
+        <source>Hand x</source>
+        <extracomment>tables</extracomment>
+        <translation>x von Hand</translation>
+    </message>
+    <message>
+        <source>Hand y</source>
+        <extracomment>tables</extracomment>
+        <translation>y von Hand</translation>
+    </message>
+    <message>
+        <source>Hand z</source>
+        <extracomment>tables</extracomment>
+        <translation>z von Hand</translation>
+    </message>
+    <message>
+        <source>Handle radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Henkelradius</translation>
+    </message>
+    <message>
+        <source>Handle thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Henkeldicke</translation>
+    </message>
+    <message>
+        <source>Handles in the picture; %1 while the picture has the focus.</source>
+        <translation>Griffe im Bild; %1, während das Bild den Fokus hat.</translation>
+    </message>
+    <message>
+        <source>Hangings</source>
+        <extracomment>tables</extracomment>
+        <translation>Gehänge</translation>
+    </message>
+    <message>
+        <source>hard</source>
+        <extracomment>tables</extracomment>
+        <translation>hart</translation>
+    </message>
+    <message>
+        <source>Haze</source>
+        <extracomment>tables</extracomment>
+        <translation>Dunst</translation>
+    </message>
+    <message>
+        <source>Heat map</source>
+        <extracomment>tables</extracomment>
+        <translation>Heatmap</translation>
+    </message>
+    <message>
+        <source>Heat scale</source>
+        <extracomment>tables</extracomment>
+        <translation>Heatmap-Skala</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Height of its own sun above the horizon.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der eigenen Sonne über dem Horizont.</translation>
+    </message>
+    <message>
+        <source>Height of the lower ring.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe des unteren Rings.</translation>
+    </message>
+    <message>
+        <source>Height of the picture at the middle: low is near.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe des Bildes in der Mitte: Niedrige Werte sind nah.</translation>
+    </message>
+    <message>
+        <source>Height of the plane.</source>
+        <translation>Höhe der Ebene.</translation>
+    </message>
+    <message>
+        <source>Height of the rim.</source>
+        <translation>Höhe des Rands.</translation>
+    </message>
+    <message>
+        <source>Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der Sonne über dem Horizont: Niedrige Werte reichen weit in die Halle, hohe beleuchten den Fuß des Fensters.</translation>
+    </message>
+    <message>
+        <source>heights</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhen</translation>
+    </message>
+    <message>
+        <source>held-out view {1}</source>
+        <translation>zurückgehaltene Ansicht {1}</translation>
+    </message>
+    <message>
+        <source>hemisphere</source>
+        <extracomment>tables</extracomment>
+        <translation>Halbkugel</translation>
+    </message>
+    <message>
+        <source>Hide %1</source>
+        <translation>%1 ausblenden</translation>
+    </message>
+    <message>
+        <source>Hide &amp;panels</source>
+        <translation>Bedienfelder &amp;ausblenden</translation>
+    </message>
+    <message>
+        <source>Hides everything else.</source>
+        <translation>Blendet alles andere aus.</translation>
+    </message>
+    <message>
+        <source>Hides nothing any more.</source>
+        <translation>Blendet nichts mehr aus.</translation>
+    </message>
+    <message>
+        <source>Hides or shows everything but the picture.</source>
+        <translation>Blendet alles außer dem Bild aus oder ein.</translation>
+    </message>
+    <message>
+        <source>Highlight</source>
+        <extracomment>tables</extracomment>
+        <translation>Glanzlicht</translation>
+    </message>
+    <message>
+        <source>Highlight color</source>
+        <extracomment>tables</extracomment>
+        <translation>Glanzlichtfarbe</translation>
+    </message>
+    <message>
+        <source>Highlight strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Glanzlichtstärke</translation>
+    </message>
+    <message>
+        <source>highlights</source>
+        <extracomment>tables</extracomment>
+        <translation>Glanzlichter</translation>
+    </message>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>History frames</source>
+        <extracomment>tables</extracomment>
+        <translation>Verlaufs-Frames</translation>
+    </message>
+    <message>
+        <source>Hit tolerance</source>
+        <extracomment>tables</extracomment>
+        <translation>Treffertoleranz</translation>
+    </message>
+    <message>
+        <source>Hold</source>
+        <translation>Ruhezeit</translation>
+    </message>
+    <message>
+        <source>Hold %1</source>
+        <translation>%1 anhalten</translation>
+    </message>
+    <message>
+        <source>holds text that is not UTF-8; retype it.</source>
+        <translation>enthält Text, der kein UTF-8 ist; geben Sie ihn neu ein.</translation>
+    </message>
+    <message>
+        <source>Hole radius</source>
+        <translation>Lochradius</translation>
+    </message>
+    <message>
+        <source>Horizon</source>
+        <extracomment>tables</extracomment>
+        <translation>Horizont</translation>
+    </message>
+    <message>
+        <source>Horizon color</source>
+        <extracomment>tables</extracomment>
+        <translation>Horizontfarbe</translation>
+    </message>
+    <message>
+        <source>horizontal</source>
+        <extracomment>tables</extracomment>
+        <translation>waagerecht</translation>
+    </message>
+    <message>
+        <source>Hour of an equinox day, while the sun goes by it: the light comes through the window from three o'clock and sets at six.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stunde eines Tages der Tagundnachtgleiche, solange die Sonne danach geht: Das Licht kommt ab drei Uhr durch das Fenster und geht um sechs unter.</translation>
+    </message>
+    <message>
+        <source>How a printed dot chooses among the views under it: the one at its middle, all by area, or by area with blended strip edges.</source>
+        <translation>Wie ein Druckpunkt unter den Ansichten unter ihm wählt: die in seiner Mitte, alle nach Fläche, oder nach Fläche mit weichen Streifenrändern.</translation>
+    </message>
+    <message>
+        <source>How a strand turns from root to tip: the mix of matrices shortens it, nlerp hurries in the middle, slerp does neither.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sich ein Haar von der Wurzel zur Spitze dreht: Die Mischung der Matrizen verkürzt es, nlerp eilt in der Mitte, slerp tut keines von beiden.</translation>
+    </message>
+    <message>
+        <source>How bright it looks, linear.</source>
+        <translation>Wie hell es erscheint, linear.</translation>
+    </message>
+    <message>
+        <source>How bright the flames are.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie hell die Flammen sind.</translation>
+    </message>
+    <message>
+        <source>How bright they are.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie hell sie sind.</translation>
+    </message>
+    <message>
+        <source>How colors between those of the palette are hinted at.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie Farben zwischen denen der Palette angedeutet werden.</translation>
+    </message>
+    <message>
+        <source>How colors between those of the palette are hinted at. Ordered and blue noise stay where they are from frame to frame.</source>
+        <translation>Wie Farben zwischen denen der Palette angedeutet werden. Geordnetes und blaues Rauschen bleiben von Frame zu Frame, wo sie sind.</translation>
+    </message>
+    <message>
+        <source>How dark it is between the roots: 0 not at all, high all the way up.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie dunkel es zwischen den Wurzeln ist: 0 gar nicht, hohe Werte bis ganz nach oben.</translation>
+    </message>
+    <message>
+        <source>How far a pitch chart goes each way: 1 % is coarse, 0.1 % fine.</source>
+        <translation>Wie weit ein Pitch-Testchart nach jeder Seite geht: 1 % ist grob, 0.1 % fein.</translation>
+    </message>
+    <message>
+        <source>How far a printed point spreads (standard deviation): counts as cross-talk; 10 to 40 µm are usual.</source>
+        <translation>Wie weit ein Druckpunkt verläuft (Standardabweichung): zählt als Übersprechen; 10 bis 40 µm sind üblich.</translation>
+    </message>
+    <message>
+        <source>How far a surface turns at an edge.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit sich eine Oberfläche an einer Kante wendet.</translation>
+    </message>
+    <message>
+        <source>How far above the horizon it stands.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie hoch sie über dem Horizont steht.</translation>
+    </message>
+    <message>
+        <source>How far apart the cameras of rendered views stand: 0 is flat, 1 true to scale for the viewing distance, above 1 deeper than life.</source>
+        <translation>Wie weit die Kameras gerenderter Ansichten auseinander stehen: 0 ist flach, 1 maßstabsgetreu für den Betrachtungsabstand, über 1 tiefer als in Wirklichkeit.</translation>
+    </message>
+    <message>
+        <source>How far around the sun the sky gives rays: 180° is all of it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit um die Sonne herum der Himmel Strahlen gibt: 180° ist der ganze.</translation>
+    </message>
+    <message>
+        <source>How far beyond the picture's edge the sun may be before its rays have faded, in halves of the picture.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit die Sonne außerhalb des Bildes stehen darf, bis ihre Strahlen verblasst sind, in halben Bildern.</translation>
+    </message>
+    <message>
+        <source>How far blue noise moves them from the middle of their cells: 0 is a grid.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit blaues Rauschen sie aus der Mitte ihrer Zellen rückt: 0 ist ein Gitter.</translation>
+    </message>
+    <message>
+        <source>How far from the origin of the noise the picture is: ten thousand kilometers off, it is as sharp as at home.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit vom Ursprung des Rauschens das Bild liegt: Zehntausend Kilometer entfernt ist es so scharf wie daheim.</translation>
+    </message>
+    <message>
+        <source>How far it floats up and down.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit es auf und ab schwebt.</translation>
+    </message>
+    <message>
+        <source>How far it goes in a second.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit sie in einer Sekunde geht.</translation>
+    </message>
+    <message>
+        <source>How far it hangs at rest, in strand lengths.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit es in Ruhe herabhängt, in Haarlängen.</translation>
+    </message>
+    <message>
+        <source>How far it is built up, as its author's slides go; each stage has all before it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit es aufgebaut ist, nach den Folien seines Autors; jede Stufe hat alles davor.</translation>
+    </message>
+    <message>
+        <source>How far it is turned.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit es gedreht ist.</translation>
+    </message>
+    <message>
+        <source>How far it lags behind when the body starts, stops or spins.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit es nachhängt, wenn der Körper anfährt, anhält oder sich dreht.</translation>
+    </message>
+    <message>
+        <source>How far it leans past the axis to a side.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit er an der Achse vorbei zur Seite lehnt.</translation>
+    </message>
+    <message>
+        <source>How far it leans: below 0 towards the axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit er lehnt: unter 0 zur Achse hin.</translation>
+    </message>
+    <message>
+        <source>How far it lies in swirls instead.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit es stattdessen in Wirbeln liegt.</translation>
+    </message>
+    <message>
+        <source>How far it trails in moving air, in strand lengths for each meter a second.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit es in bewegter Luft nachweht, in Haarlängen pro Meter in der Sekunde.</translation>
+    </message>
+    <message>
+        <source>How far papers differ in color: 0 not at all, 1 is a festival.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr sich Papiere in der Farbe unterscheiden: 0 gar nicht, 1 ist ein Fest.</translation>
+    </message>
+    <message>
+        <source>How far strands differ in color.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr sich Haare in der Farbe unterscheiden.</translation>
+    </message>
+    <message>
+        <source>How far strands differ in thickness: 0 makes all as thick as said above, 1 any thickness from that down to none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr sich Haare in der Dicke unterscheiden: 0 macht alle so dick wie oben angegeben, 1 jede Dicke von da bis nichts.</translation>
+    </message>
+    <message>
+        <source>How far strands draw together towards their tips: 0 is freshly brushed, high is wet.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr sich Haare zu ihren Spitzen hin sammeln: 0 ist frisch gebürstet, hohe Werte sind nass.</translation>
+    </message>
+    <message>
+        <source>How far the blend reaches; 0 is a hard edge.</source>
+        <translation>Wie weit die Verschmelzung reicht; 0 ist eine harte Kante.</translation>
+    </message>
+    <message>
+        <source>How far the camera has gone around what it looks at.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit die Kamera um das herumgegangen ist, was sie ansieht.</translation>
+    </message>
+    <message>
+        <source>How far the coat is combed to one side.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit das Fell zu einer Seite gekämmt ist.</translation>
+    </message>
+    <message>
+        <source>How far the mobile has turned.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit das Mobile gedreht ist.</translation>
+    </message>
+    <message>
+        <source>How far the scene may reach before and behind the print, together, without doubled contours.</source>
+        <translation>Wie weit die Szene vor und hinter dem Druck zusammen reichen darf, ohne doppelte Konturen.</translation>
+    </message>
+    <message>
+        <source>How far they are turned, each by an angle of its own.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit sie gedreht sind, jede um einen eigenen Winkel.</translation>
+    </message>
+    <message>
+        <source>How far they may turn less than their body at most; the museum that this exhibit follows allows 30 degrees.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit sie höchstens hinter der Drehung ihres Körpers zurückbleiben dürfen; das Museum, dem dieses Exponat folgt, erlaubt 30 Grad.</translation>
+    </message>
+    <message>
+        <source>How far tips may be drawn at most, in strand lengths.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit Spitzen höchstens gezogen werden dürfen, in Haarlängen.</translation>
+    </message>
+    <message>
+        <source>How far towards the light is gathered: 0 sees the mask alone, 1 goes all the way.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit zum Licht hin gesammelt wird: 0 sieht nur die Maske, 1 geht den ganzen Weg.</translation>
+    </message>
+    <message>
+        <source>How far up the frame looks.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit der Rahmen nach oben schaut.</translation>
+    </message>
+    <message>
+        <source>How far: at 1 means are kept, less leaves calm areas.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit: Bei 1 bleiben Mittelwerte erhalten, weniger lässt ruhige Flächen.</translation>
+    </message>
+    <message>
+        <source>How fast distance fades to black: light falls by e where this times its cube is 1.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie schnell Entfernung zu Schwarz verblasst: Licht fällt um e, wo diese Zahl mal deren dritte Potenz 1 ist.</translation>
+    </message>
+    <message>
+        <source>How fast it is played: 1 as the file has it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie schnell sie abgespielt wird: 1, wie die Datei es vorgibt.</translation>
+    </message>
+    <message>
+        <source>How fast it spins, against the source's slow and uneven turn.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie schnell es sich dreht, gegenüber der langsamen, ungleichmäßigen Drehung des Originals.</translation>
+    </message>
+    <message>
+        <source>How fast sunlight fades on its way into the coat.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie schnell Sonnenlicht auf dem Weg ins Fell schwindet.</translation>
+    </message>
+    <message>
+        <source>How fast the dust thins with height: 0 is even, high keeps it near the floor.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie schnell der Staub mit der Höhe dünner wird: 0 ist gleichmäßig, hohe Werte halten ihn am Boden.</translation>
+    </message>
+    <message>
+        <source>How fast they leave the ground when the button is pressed, in meters a second.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie schnell sie beim Druck auf den Knopf abheben, in Metern pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>How flat fur is pressed by what it touches: 0 carries the body on its tips, 1 lets the skin down to the ground.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie flach das Fell von dem gedrückt wird, was es berührt: 0 trägt den Körper auf den Spitzen, 1 lässt die Haut bis zum Boden.</translation>
+    </message>
+    <message>
+        <source>How high it is.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie hoch es liegt.</translation>
+    </message>
+    <message>
+        <source>How it is lit: by metal, glaze and glass in the light around them, or by Phong's formulas.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sie beleuchtet wird: durch Metall, Glasur und Glas im Licht ringsum, oder durch Phongs Formeln.</translation>
+    </message>
+    <message>
+        <source>How it works</source>
+        <translation>So funktioniert es</translation>
+    </message>
+    <message>
+        <source>How late a strand bends: 0 leans like a stick, high bends only the tip.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie spät sich ein Haar biegt: 0 lehnt wie ein Stock, hohe Werte biegen nur die Spitze.</translation>
+    </message>
+    <message>
+        <source>How light is reckoned: through translucent paper, with Fresnel's mirror, or as the source does.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie Licht berechnet wird: durch durchscheinendes Papier, mit Fresnels Spiegel, oder wie es das Original tut.</translation>
+    </message>
+    <message>
+        <source>How little the plastic spreads colors: acrylic has 57, polycarbonate 30.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie wenig der Kunststoff Farben spreizt: Acryl hat 57, Polycarbonat 30.</translation>
+    </message>
+    <message>
+        <source>How long each stage is shown.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie lange jede Stufe gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>How long rays may become when the sun is far beyond the edge, in heights of the picture.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie lang Strahlen werden dürfen, wenn die Sonne weit außerhalb des Randes steht, in Bildhöhen.</translation>
+    </message>
+    <message>
+        <source>How many along x, y and z; 0 is without end.</source>
+        <translation>Wie viele entlang x, y und z; 0 ist ohne Ende.</translation>
+    </message>
+    <message>
+        <source>How many cells a further noise moves the first ones by: 0 leaves them, high folds and swirls.</source>
+        <extracomment>tables</extracomment>
+        <translation>Um wie viele Zellen ein weiteres Rauschen die ersten verschiebt: 0 lässt sie, hohe Werte falten und wirbeln.</translation>
+    </message>
+    <message>
+        <source>How many colors are taken from a picture.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie viele Farben aus einem Bild genommen werden.</translation>
+    </message>
+    <message>
+        <source>How many octaves are summed: each has finer grain.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie viele Oktaven summiert werden: Jede hat feineres Korn.</translation>
+    </message>
+    <message>
+        <source>How many the palette made of the frames has.</source>
+        <translation>Wie viele die aus den Frames gemachte Palette hat.</translation>
+    </message>
+    <message>
+        <source>How many times a second it melts to the mug and back.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie oft es in der Sekunde zur Tasse und zurück schmilzt.</translation>
+    </message>
+    <message>
+        <source>How many views can be told apart.</source>
+        <translation>Wie viele Ansichten sich unterscheiden lassen.</translation>
+    </message>
+    <message>
+        <source>How many views to render, or to take from the files, spread evenly.</source>
+        <translation>Wie viele Ansichten gerendert oder gleichmäßig aus den Dateien genommen werden.</translation>
+    </message>
+    <message>
+        <source>How many.</source>
+        <translation>Wie viele.</translation>
+    </message>
+    <message>
+        <source>How much a line takes a dark tone of what it borders, in place of its own color.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr eine Linie statt ihrer eigenen Farbe einen dunklen Ton dessen annimmt, was sie begrenzt.</translation>
+    </message>
+    <message>
+        <source>How much crests are drawn together: 0 is a plain sum of sines, 1 a sea, more breaks.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr Kämme zusammengezogen werden: 0 ist eine einfache Summe von Sinus, 1 ein Meer, mehr bricht.</translation>
+    </message>
+    <message>
+        <source>How much darker the coat is on the side away from the room's light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie viel dunkler das Fell auf der Seite ist, die dem Licht des Raums abgewandt ist.</translation>
+    </message>
+    <message>
+        <source>How much fine noise takes away from their edges.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie viel feines Rauschen von ihren Rändern nimmt.</translation>
+    </message>
+    <message>
+        <source>How much flames flicker: 0 burns evenly.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr Flammen flackern: 0 brennt gleichmäßig.</translation>
+    </message>
+    <message>
+        <source>How much light comes through the fringe from behind.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie viel Licht von hinten durch den Saum dringt.</translation>
+    </message>
+    <message>
+        <source>How much longer ribs are than wide.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie viel länger als breit Rippen sind.</translation>
+    </message>
+    <message>
+        <source>How much of all this is seen: 0 keeps every strand upright.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie viel von all dem zu sehen ist: 0 lässt jedes Haar aufrecht.</translation>
+    </message>
+    <message>
+        <source>How much of it.</source>
+        <translation>Wie viel davon.</translation>
+    </message>
+    <message>
+        <source>How much of the lenses' own slope the highlight follows: 0 is a flat sheet, 1 spreads it over all directions across.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr das Glanzlicht der Steigung der Linsen folgt: 0 ist eine flache Folie, 1 verteilt es quer über alle Richtungen.</translation>
+    </message>
+    <message>
+        <source>How much of the light around a point shapes keep away: up the normal, or by rays or cones around it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie viel vom Licht um einen Punkt Formen abhalten: entlang der Normalen, oder durch Strahlen oder Kegel ringsum.</translation>
+    </message>
+    <message>
+        <source>How much of the light is left after each 128th of the way: 1 lets the sky reach everywhere, low keeps it near.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie viel vom Licht nach jedem 128stel des Weges übrig ist: 1 lässt den Himmel überallhin reichen, kleine Werte halten ihn nah.</translation>
+    </message>
+    <message>
+        <source>How much of the sky the clouds fill.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie viel vom Himmel die Wolken füllen.</translation>
+    </message>
+    <message>
+        <source>How much the ball's radius grows and shrinks.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr der Radius des Balls wächst und schrumpft.</translation>
+    </message>
+    <message>
+        <source>How much the camera follows a visitor who steps aside: 1 as a window would.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr die Kamera einem Besucher folgt, der zur Seite geht: 1 wie ein Fenster.</translation>
+    </message>
+    <message>
+        <source>How much the dust gathers in drifts; 0 is even air.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr sich der Staub in Schwaden sammelt; 0 ist gleichmäßige Luft.</translation>
+    </message>
+    <message>
+        <source>How much the dust scatters forward: 0 to all sides, high glows towards the sun.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr der Staub nach vorn streut: 0 nach allen Seiten, hohe Werte leuchten zur Sonne hin.</translation>
+    </message>
+    <message>
+        <source>How much the ribs, noise stretched along the lenses, bend the highlight.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr die Rippen, entlang der Linsen gestrecktes Rauschen, das Glanzlicht verbiegen.</translation>
+    </message>
+    <message>
+        <source>How narrow the highlight is.</source>
+        <translation>Wie schmal das Glanzlicht ist.</translation>
+    </message>
+    <message>
+        <source>How near a part rays go on by small even steps until they touch, in pixels at that distance: more makes edges uneven.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie nah an einem Teil Strahlen in kleinen gleichen Schritten weitergehen, bis sie treffen, in Pixeln bei dieser Entfernung: Mehr macht Kanten ungleichmäßig.</translation>
+    </message>
+    <message>
+        <source>How near a ray must come to a surface, in half pixels at that distance.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie nah ein Strahl einer Oberfläche kommen muss, in halben Pixeln bei dieser Entfernung.</translation>
+    </message>
+    <message>
+        <source>How near a ray must come to the field or the water, in pixels at that distance.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie nah ein Strahl dem Feld oder dem Wasser kommen muss, in Pixeln bei dieser Entfernung.</translation>
+    </message>
+    <message>
+        <source>How near a ray must come to the surface, in half pixels at that distance.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie nah ein Strahl der Oberfläche kommen muss, in halben Pixeln bei dieser Entfernung.</translation>
+    </message>
+    <message>
+        <source>How often a ray is reflected.</source>
+        <translation>Wie oft ein Strahl gespiegelt wird.</translation>
+    </message>
+    <message>
+        <source>How often a ray may be mirrored by the water.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie oft ein Strahl vom Wasser gespiegelt werden darf.</translation>
+    </message>
+    <message>
+        <source>How often a reflected ray may meet the object again before it sees the hall.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie oft ein gespiegelter Strahl das Objekt wieder treffen darf, bevor er die Halle sieht.</translation>
+    </message>
+    <message>
+        <source>How often it does so.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie oft das geschieht.</translation>
+    </message>
+    <message>
+        <source>How often light is scattered in it: low is clear and bright, high dim and white.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie oft Licht darin gestreut wird: Niedrige Werte sind klar und hell, hohe trüb und weiß.</translation>
+    </message>
+    <message>
+        <source>How rays find what they show: by steps of half the field's value, of the height above the water, of one length through clouds, or by as much as bounds of the slope allow, with clear air passed quickly.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie Strahlen finden, was sie zeigen: in Schritten vom halben Wert des Felds, von der Höhe über dem Wasser, von einer Länge durch Wolken; oder von so viel, wie Schranken der Steigung erlauben, mit schnellem Weg durch klare Luft.</translation>
+    </message>
+    <message>
+        <source>How shapes shade each other: one ray, three kinds of estimate from one ray, or many rays.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie Formen einander beschatten: ein Strahl, drei Arten von Schätzung aus einem Strahl, oder viele Strahlen.</translation>
+    </message>
+    <message>
+        <source>How shells are spread: below 1 more of them near the tips, above 1 near the skin.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie Shells verteilt sind: unter 1 mehr davon an den Spitzen, über 1 an der Haut.</translation>
+    </message>
+    <message>
+        <source>How softly posts and rings join.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weich Pfosten und Ringe ineinander übergehen.</translation>
+    </message>
+    <message>
+        <source>How softly the edge of a shadow is drawn: by a fixed number of texels, or as wide as the sun's disk makes it over the distance.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weich der Rand eines Schattens gezeichnet wird: durch eine feste Zahl von Texeln, oder so breit, wie die Sonnenscheibe ihn über die Entfernung macht.</translation>
+    </message>
+    <message>
+        <source>How soon crests break into foam; 0 never.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie bald Kämme zu Schaum brechen; 0 nie.</translation>
+    </message>
+    <message>
+        <source>How soon it stops swaying: 0 never, 1 without one overshoot.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie bald es aufhört zu schwingen: 0 nie, 1 ohne ein einziges Überschwingen.</translation>
+    </message>
+    <message>
+        <source>How stiff the fur is: low sways, high snaps back.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie steif das Fell ist: niedrige Werte schwingen, hohe schnellen zurück.</translation>
+    </message>
+    <message>
+        <source>How strongly droplets scatter ahead: high gives silver edges before the sun.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie stark Tröpfchen nach vorn streuen: Hohe Werte geben silberne Ränder vor der Sonne.</translation>
+    </message>
+    <message>
+        <source>How the beams are made: smeared from the bright sky across the picture, or by marching the sun's shadows through dusty air.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie die Strahlen entstehen: vom hellen Himmel über das Bild verwischt, oder indem die Schatten der Sonne durch staubige Luft abgeschritten werden.</translation>
+    </message>
+    <message>
+        <source>How the mean along a ray is found: sample by sample, by three passes over each other's results, or by a running sum on a polar grid.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie das Mittel entlang eines Strahls gefunden wird: Sample für Sample, durch drei Passes über die Ergebnisse der vorigen, oder durch eine laufende Summe auf einem Polargitter.</translation>
+    </message>
+    <message>
+        <source>How the object shades itself from the sun: one ray, three kinds of estimate from one ray, or many rays.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie das Objekt sich selbst vor der Sonne beschattet: ein Strahl, drei Arten von Schätzung aus einem Strahl, oder viele Strahlen.</translation>
+    </message>
+    <message>
+        <source>How the scene is lit.</source>
+        <translation>Wie die Szene beleuchtet ist.</translation>
+    </message>
+    <message>
+        <source>How the sky is told from what hides it: by depth, by what is not yet covered, or by drawing the occluders once more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie der Himmel von dem unterschieden wird, was ihn verdeckt: nach der Tiefe, nach dem, was noch nicht bedeckt ist, oder indem die Verdecker noch einmal gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie die Federn berechnet werden: Das erste Verfahren gewinnt Energie, das zweite versagt bei langen Schritten, das dritte ist exakt.</translation>
+    </message>
+    <message>
+        <source>How the surfaces run into each other.</source>
+        <translation>Wie die Oberflächen ineinander übergehen.</translation>
+    </message>
+    <message>
+        <source>How this works</source>
+        <translation>So funktioniert das</translation>
+    </message>
+    <message>
+        <source>How uneven it is.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie ungleichmäßig es ist.</translation>
+    </message>
+    <message>
+        <source>How uneven it is: 0 leans on the fur steadily and moves nothing.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie ungleichmäßig er ist: 0 lehnt stetig auf dem Fell und bewegt nichts.</translation>
+    </message>
+    <message>
+        <source>How warm its horizon is: of the sun that has set, or rises.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie warm sein Horizont ist: von der Sonne, die untergegangen ist oder aufgeht.</translation>
+    </message>
+    <message>
+        <source>How wide it looks.</source>
+        <translation>Wie groß es erscheint.</translation>
+    </message>
+    <message>
+        <source>How wide the sun looks to the shadows of the disk filter: the real one is about half a degree.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie groß die Sonne den Schatten des Scheibenfilters erscheint: Die wirkliche misst etwa ein halbes Grad.</translation>
+    </message>
+    <message>
+        <source>How wide the sun looks: wide gives soft shadows. The real one is half a degree.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie groß die Sonne erscheint: Groß gibt weiche Schatten. Die wirkliche misst ein halbes Grad.</translation>
+    </message>
+    <message>
+        <source>https://www.aseprite.org/docs/cli/#data (written by Vitrine)</source>
+        <translation>https://www.aseprite.org/docs/cli/#data (geschrieben von Vitrine)</translation>
+    </message>
+    <message>
+        <source>ICC profile</source>
+        <translation>ICC-Profil</translation>
+    </message>
+    <message>
+        <source>Ice cream</source>
+        <extracomment>tables</extracomment>
+        <translation>Eis</translation>
+    </message>
+    <message>
+        <source>Import preset</source>
+        <translation>Preset importieren</translation>
+    </message>
+    <message>
+        <source>improved</source>
+        <extracomment>tables</extracomment>
+        <translation>verbessert</translation>
+    </message>
+    <message>
+        <source>improved shadow</source>
+        <extracomment>tables</extracomment>
+        <translation>besserer Schatten</translation>
+    </message>
+    <message>
+        <source>In linear light.</source>
+        <translation>In linearem Licht.</translation>
+    </message>
+    <message>
+        <source>In number fields</source>
+        <translation>In Zahlenfeldern</translation>
+    </message>
+    <message>
+        <source>in perspective</source>
+        <translation>in Perspektive</translation>
+    </message>
+    <message>
+        <source>In preparation</source>
+        <translation>In Vorbereitung</translation>
+    </message>
+    <message>
+        <source>In presets: %1</source>
+        <translation>In Presets: %1</translation>
+    </message>
+    <message>
+        <source>In reverse order the depth of rendered views is inside out.</source>
+        <translation>In umgekehrter Reihenfolge kehrt sich die Tiefe gerenderter Ansichten um.</translation>
+    </message>
+    <message>
+        <source>In the middle; cut to half the length.</source>
+        <translation>In der Mitte; begrenzt auf die halbe Länge.</translation>
+    </message>
+    <message>
+        <source>In the museum</source>
+        <translation>Im Museum</translation>
+    </message>
+    <message>
+        <source>in the step above</source>
+        <translation>im Schritt darüber</translation>
+    </message>
+    <message>
+        <source>in the text below this heading {1}</source>
+        <translation>im Text unter dieser Überschrift {1}</translation>
+    </message>
+    <message>
+        <source>in view</source>
+        <translation>im Blick</translation>
+    </message>
+    <message>
+        <source>in view: {1}</source>
+        <translation>im Blick: {1}</translation>
+    </message>
+    <message>
+        <source>indices must be unsigned integers</source>
+        <translation>Indizes müssen vorzeichenlose ganze Zahlen sein</translation>
+    </message>
+    <message>
+        <source>Inertia</source>
+        <extracomment>tables</extracomment>
+        <translation>Trägheit</translation>
+    </message>
+    <message>
+        <source>Infinite distance</source>
+        <translation>Unendlicher Abstand</translation>
+    </message>
+    <message>
+        <source>Initial value: %1</source>
+        <translation>Ausgangswert: %1</translation>
+    </message>
+    <message>
+        <source>Ink spread</source>
+        <extracomment>tables</extracomment>
+        <translation>Tintenverlauf</translation>
+    </message>
+    <message>
+        <source>inner first</source>
+        <extracomment>tables</extracomment>
+        <translation>innere zuerst</translation>
+    </message>
+    <message>
+        <source>Inradius</source>
+        <translation>Inkreisradius</translation>
+    </message>
+    <message>
+        <source>instances and includes are more than {1} deep in one another; write some of them out</source>
+        <translation>Instanzen und Einbindungen liegen mehr als {1} tief ineinander; schreiben Sie einige davon aus</translation>
+    </message>
+    <message>
+        <source>integer</source>
+        <extracomment>tables</extracomment>
+        <translation>ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Integrate over the lens and the pixel; without it one ray a pixel gives moire from afar.</source>
+        <extracomment>tables</extracomment>
+        <translation>Integriert über Linse und Pixel; ohne das gibt ein Strahl pro Pixel aus der Ferne Moiré.</translation>
+    </message>
+    <message>
+        <source>Intended max angle</source>
+        <extracomment>tables</extracomment>
+        <translation>Vorgesehener Winkel</translation>
+    </message>
+    <message>
+        <source>Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to calibrate it.</source>
+        <translation>Verschachtelt Ansichten des Gezeigten oder eigene Bilder für eine Linsenfolie; auch Testcharts, um sie zu kalibrieren.</translation>
+    </message>
+    <message>
+        <source>Interlacing</source>
+        <translation>Verschachtelung</translation>
+    </message>
+    <message>
+        <source>interpreter</source>
+        <extracomment>tables</extracomment>
+        <translation>Interpreter</translation>
+    </message>
+    <message>
+        <source>into the mug, along its wall</source>
+        <translation>in die Tasse, an ihrer Wand entlang</translation>
+    </message>
+    <message>
+        <source>into the window</source>
+        <translation>ins Fenster</translation>
+    </message>
+    <message>
+        <source>Irregularity</source>
+        <extracomment>tables</extracomment>
+        <translation>Unregelmäßigkeit</translation>
+    </message>
+    <message>
+        <source>is above {1}</source>
+        <translation>über {1} liegt</translation>
+    </message>
+    <message>
+        <source>is not a finite number; reset it.</source>
+        <translation>ist keine endliche Zahl; setzen Sie sie zurück.</translation>
+    </message>
+    <message>
+        <source>isle</source>
+        <extracomment>tables</extracomment>
+        <translation>Insel</translation>
+    </message>
+    <message>
+        <source>Isotropy</source>
+        <translation>Isotropie</translation>
+    </message>
+    <message>
+        <source>it became shorter while it was read; try again.</source>
+        <translation>die Datei wurde kürzer, während sie gelesen wurde; versuchen Sie es noch einmal.</translation>
+    </message>
+    <message>
+        <source>it claims to unpack to {1} times its size, more than the format can pack</source>
+        <translation>es will sich zum {1}-fachen seiner Größe entpacken, mehr, als das Format packen kann</translation>
+    </message>
+    <message>
+        <source>It has &quot;{1}&quot;, which its child would lose; take that out first.</source>
+        <translation>Sie hat „{=1}“, was ihr Kind verlieren würde; nehmen Sie das zuerst heraus.</translation>
+    </message>
+    <message>
+        <source>it has no channels</source>
+        <translation>es hat keine Kanäle</translation>
+    </message>
+    <message>
+        <source>it has no pixels</source>
+        <translation>es hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>it has one of the characters \ $ ~ : or a control character</source>
+        <translation>er enthält eines der Zeichen \ $ ~ : oder ein Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>it has two JSON chunks</source>
+        <translation>die Datei hat zwei JSON-Blöcke</translation>
+    </message>
+    <message>
+        <source>it has {1} bytes, more than the {2} allowed here; choose a smaller file.</source>
+        <translation>die Datei hat {1} Bytes, mehr als die hier erlaubten {2}; wählen Sie eine kleinere Datei.</translation>
+    </message>
+    <message>
+        <source>it has {1} channels</source>
+        <translation>es hat {1} Kanäle</translation>
+    </message>
+    <message>
+        <source>it has {1}, more than the {2} allowed</source>
+        <translation>es hat {1}, mehr als die erlaubten {2}</translation>
+    </message>
+    <message>
+        <source>it is a deep picture; flatten it first</source>
+        <translation>es ist ein tiefes Bild (deep); reduzieren Sie es zuerst auf eine Ebene</translation>
+    </message>
+    <message>
+        <source>it is a folder; choose a file name.</source>
+        <translation>das ist ein Ordner; wählen Sie einen Dateinamen.</translation>
+    </message>
+    <message>
+        <source>it is a symbolic link, or a chain of them; name the file itself.</source>
+        <translation>das ist ein symbolischer Link, oder eine Kette davon; nennen Sie die Datei selbst.</translation>
+    </message>
+    <message>
+        <source>it is a volume</source>
+        <translation>es ist ein Volumen</translation>
+    </message>
+    <message>
+        <source>it is alone in the source's light</source>
+        <translation>es steht allein im Licht des Originals</translation>
+    </message>
+    <message>
+        <source>it is an absolute path</source>
+        <translation>das ist ein absoluter Pfad</translation>
+    </message>
+    <message>
+        <source>it is broken ({1})</source>
+        <translation>es ist beschädigt ({=1})</translation>
+    </message>
+    <message>
+        <source>it is cut short: the file ends within the picture</source>
+        <translation>es ist abgeschnitten: Die Datei endet mitten im Bild</translation>
+    </message>
+    <message>
+        <source>it is empty</source>
+        <translation>ohne Inhalt</translation>
+    </message>
+    <message>
+        <source>It is left out until it can be read.</source>
+        <translation>Sie wird weggelassen, bis sie gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>It is left out: {1}</source>
+        <translation>Es wird weggelassen: {1}</translation>
+    </message>
+    <message>
+        <source>it is longer than 4096 bytes</source>
+        <translation>er ist länger als 4096 Bytes</translation>
+    </message>
+    <message>
+        <source>it is made of light</source>
+        <translation>es besteht aus Licht</translation>
+    </message>
+    <message>
+        <source>it is not a PNG, JPEG, TIFF, OpenEXR or HDR picture</source>
+        <translation>es ist kein PNG-, JPEG-, TIFF-, OpenEXR- oder HDR-Bild</translation>
+    </message>
+    <message>
+        <source>it is not a regular file; choose a file.</source>
+        <translation>das ist keine gewöhnliche Datei; wählen Sie eine Datei.</translation>
+    </message>
+    <message>
+        <source>it is not a regular file; choose another name.</source>
+        <translation>das ist keine gewöhnliche Datei; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>it is not of glTF version 2</source>
+        <translation>die Datei ist nicht von glTF-Version 2</translation>
+    </message>
+    <message>
+        <source>it is too short for a GLB container</source>
+        <translation>die Datei ist zu kurz für einen GLB-Container</translation>
+    </message>
+    <message>
+        <source>it is {1} pixels wide across its lenses, and {2} is the most.</source>
+        <translation>er ist quer zu seinen Linsen {1} Pixel breit, und {2} sind das Höchste.</translation>
+    </message>
+    <message>
+        <source>it is {1}, and only PNG and JPEG are allowed here</source>
+        <translation>es ist {1}, und hier sind nur PNG und JPEG erlaubt</translation>
+    </message>
+    <message>
+        <source>it leaves its folder with &quot;..&quot;</source>
+        <translation>er verlässt seinen Ordner mit „..“</translation>
+    </message>
+    <message>
+        <source>it may be seen through window and oculus</source>
+        <translation>er könnte durch Fenster und Oculus zu sehen sein</translation>
+    </message>
+    <message>
+        <source>it names a folder</source>
+        <translation>das nennt einen Ordner</translation>
+    </message>
+    <message>
+        <source>it names no file; choose a file name.</source>
+        <translation>das nennt keine Datei; wählen Sie einen Dateinamen.</translation>
+    </message>
+    <message>
+        <source>it needs {1} bytes and the disk has {2} left; free some space or choose another disk.</source>
+        <translation>nötig sind {1} Bytes, und auf dem Datenträger sind {2} frei; geben Sie Platz frei, oder wählen Sie einen anderen Datenträger.</translation>
+    </message>
+    <message>
+        <source>it saves every ray the way to the object</source>
+        <translation>es spart jedem Strahl den Weg zum Objekt</translation>
+    </message>
+    <message>
+        <source>it sends no light</source>
+        <translation>er sendet kein Licht</translation>
+    </message>
+    <message>
+        <source>it stands in the hall</source>
+        <translation>es steht in der Halle</translation>
+    </message>
+    <message>
+        <source>it stands in the hall's light</source>
+        <translation>es steht im Licht der Halle</translation>
+    </message>
+    <message>
+        <source>it throws no shadow</source>
+        <translation>es wirft keinen Schatten</translation>
+    </message>
+    <message>
+        <source>it was not prepared</source>
+        <translation>es wurde nicht vorbereitet</translation>
+    </message>
+    <message>
+        <source>it was not prepared for this view</source>
+        <translation>es wurde für diese Ansicht nicht vorbereitet</translation>
+    </message>
+    <message>
+        <source>its BIN chunk</source>
+        <translation>dem BIN-Block</translation>
+    </message>
+    <message>
+        <source>its BIN chunk is not the second one</source>
+        <translation>der BIN-Block ist nicht der zweite</translation>
+    </message>
+    <message>
+        <source>its block must be an object: {...}.</source>
+        <translation>ihr Block muss ein Objekt sein: {...}.</translation>
+    </message>
+    <message>
+        <source>Its center.</source>
+        <translation>Sein Mittelpunkt.</translation>
+    </message>
+    <message>
+        <source>its content is {1} although its name ends in &quot;{2}&quot;</source>
+        <translation>der Inhalt ist {1}, obwohl der Name auf „{=2}“ endet</translation>
+    </message>
+    <message>
+        <source>its count differs from that of other attributes</source>
+        <translation>die Anzahl weicht von der anderer Attribute ab</translation>
+    </message>
+    <message>
+        <source>Its data window differs from its display window: the data window was read.</source>
+        <translation>Das Datenfenster weicht vom Anzeigefenster ab: Gelesen wurde das Datenfenster.</translation>
+    </message>
+    <message>
+        <source>its elements reach beyond the buffer view, which has {1} bytes</source>
+        <translation>die Elemente reichen über die Buffer-View hinaus, die {1} Bytes hat</translation>
+    </message>
+    <message>
+        <source>its elevations do not rise</source>
+        <translation>ihre Höhenwinkel steigen nicht</translation>
+    </message>
+    <message>
+        <source>its first chunk is not JSON</source>
+        <translation>der erste Block ist nicht JSON</translation>
+    </message>
+    <message>
+        <source>its half is out of view</source>
+        <translation>seine Hälfte ist außer Sicht</translation>
+    </message>
+    <message>
+        <source>its header</source>
+        <translation>dem Kopf</translation>
+    </message>
+    <message>
+        <source>its header gives another length than the file has</source>
+        <translation>der Kopf nennt eine andere Länge, als die Datei hat</translation>
+    </message>
+    <message>
+        <source>Its height above the horizon.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seine Höhe über dem Horizont.</translation>
+    </message>
+    <message>
+        <source>its JSON</source>
+        <translation>dem JSON</translation>
+    </message>
+    <message>
+        <source>its JSON is not an object</source>
+        <translation>das JSON ist kein Objekt</translation>
+    </message>
+    <message>
+        <source>its keys and values do not agree; export the file again.</source>
+        <translation>die Schlüssel und Werte passen nicht zusammen; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>its lenses are slanted, and the card's are upright or level; look at it with vitrine proof.</source>
+        <translation>seine Linsen sind schräg, und die der Karte stehen aufrecht oder liegen; sehen Sie ihn mit vitrine proof an.</translation>
+    </message>
+    <message>
+        <source>its lenses are {1} mm deep, and the thickness is only {2} mm</source>
+        <translation>ihre Linsen sind {1} mm tief, und die Dicke beträgt nur {2} mm</translation>
+    </message>
+    <message>
+        <source>Its light; 0: it has not risen.</source>
+        <extracomment>tables</extracomment>
+        <translation>Sein Licht; 0: Er ist nicht aufgegangen.</translation>
+    </message>
+    <message>
+        <source>its numbers have not rested for a while</source>
+        <translation>ihre Zahlen haben eine Weile nicht geruht</translation>
+    </message>
+    <message>
+        <source>Its only child takes its place.</source>
+        <translation>Ihr einziges Kind nimmt ihren Platz ein.</translation>
+    </message>
+    <message>
+        <source>Its operation would be left without what it works on; delete or unwrap that one.</source>
+        <translation>Seine Operation bliebe ohne das, worauf sie wirkt; löschen Sie jene, oder packen Sie aus.</translation>
+    </message>
+    <message>
+        <source>its own</source>
+        <extracomment>tables</extracomment>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>its pixels are of an unknown kind</source>
+        <translation>die Pixel sind von unbekannter Art</translation>
+    </message>
+    <message>
+        <source>its pixels do not lie in rows; save it as a plain TIFF</source>
+        <translation>die Pixel liegen nicht in Zeilen; speichern Sie es als einfaches TIFF</translation>
+    </message>
+    <message>
+        <source>its place overflows; export the file again.</source>
+        <translation>die Lage läuft über; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>its prints cannot be shown</source>
+        <translation>ihre Drucke können nicht gezeigt werden</translation>
+    </message>
+    <message>
+        <source>its radius raised to {1} mm, which its lenses need</source>
+        <translation>ihr Radius auf {1} mm erhöht, den ihre Linsen brauchen</translation>
+    </message>
+    <message>
+        <source>its rows are packed into strips that are too large</source>
+        <translation>die Zeilen sind in zu große Streifen gepackt</translation>
+    </message>
+    <message>
+        <source>its rows come in several passes; save it without interlacing</source>
+        <translation>die Zeilen kommen in mehreren Durchgängen; speichern Sie es ohne Interlacing</translation>
+    </message>
+    <message>
+        <source>its samples are neither of 8 nor of 16 bits</source>
+        <translation>die Samples haben weder 8 noch 16 Bits</translation>
+    </message>
+    <message>
+        <source>Its samples were converted to 32-bit float.</source>
+        <translation>Die Samples wurden in 32-Bit-Gleitkommazahlen umgewandelt.</translation>
+    </message>
+    <message>
+        <source>its second chunk</source>
+        <translation>dem zweiten Block</translation>
+    </message>
+    <message>
+        <source>Its size against the source's, which is 1.4 m high.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seine Größe gegenüber dem Original, das 1.4 m hoch ist.</translation>
+    </message>
+    <message>
+        <source>its stride is smaller than an element</source>
+        <translation>die Schrittweite ist kleiner als ein Element</translation>
+    </message>
+    <message>
+        <source>its symbolic links lead in a circle; name the file itself.</source>
+        <translation>die symbolischen Links führen im Kreis; nennen Sie die Datei selbst.</translation>
+    </message>
+    <message>
+        <source>its tiles do not fit its size; save it by scanlines</source>
+        <translation>die Kacheln passen nicht zur Größe; speichern Sie es zeilenweise</translation>
+    </message>
+    <message>
+        <source>its times do not rise; export the file again.</source>
+        <translation>die Zeiten steigen nicht; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>its type or component type is none of glTF's</source>
+        <translation>Typ oder Komponententyp ist keiner von glTF</translation>
+    </message>
+    <message>
+        <source>its type or component type is none of glTF's; export the file again.</source>
+        <translation>Typ oder Komponententyp ist keiner von glTF; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>its {1} does not fit the file</source>
+        <translation>nicht in die Datei passt: {1}</translation>
+    </message>
+    <message>
+        <source>Jitter</source>
+        <extracomment>tables</extracomment>
+        <translation>Jitter</translation>
+    </message>
+    <message>
+        <source>joined</source>
+        <extracomment>tables</extracomment>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>Joints of the cream</source>
+        <extracomment>tables</extracomment>
+        <translation>Fugen des Eises</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>JSON chunk</source>
+        <translation>JSON-Block</translation>
+    </message>
+    <message>
+        <source>JSON has no binary values</source>
+        <translation>JSON kennt keine Binärwerte</translation>
+    </message>
+    <message>
+        <source>Jump</source>
+        <extracomment>tables</extracomment>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>jumped by themselves {1} ago</source>
+        <translation>von selbst gesprungen vor {1}</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Meine behalten</translation>
+    </message>
+    <message>
+        <source>keeping its permissions</source>
+        <translation>das Beibehalten der Rechte</translation>
+    </message>
+    <message>
+        <source>Keeps where you are, in place of what was kept there.</source>
+        <translation>Merkt sich, wo Sie sind, anstelle des dort Gemerkten.</translation>
+    </message>
+    <message>
+        <source>key of {1}</source>
+        <translation>Schlüssel von {1}</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>Tastatur und Maus</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <extracomment>tables</extracomment>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>kind of node</source>
+        <translation>Knotenart</translation>
+    </message>
+    <message>
+        <source>Lacunarity</source>
+        <extracomment>tables</extracomment>
+        <translation>Lacunarity</translation>
+    </message>
+    <message>
+        <source>Lamp</source>
+        <extracomment>tables</extracomment>
+        <translation>Lampe</translation>
+    </message>
+    <message>
+        <source>Lamp color</source>
+        <extracomment>tables</extracomment>
+        <translation>Lampenfarbe</translation>
+    </message>
+    <message>
+        <source>Lamp direction</source>
+        <extracomment>tables</extracomment>
+        <translation>Lampenrichtung</translation>
+    </message>
+    <message>
+        <source>Lamp size</source>
+        <extracomment>tables</extracomment>
+        <translation>Lampengröße</translation>
+    </message>
+    <message>
+        <source>Lamp strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Lampenstärke</translation>
+    </message>
+    <message>
+        <source>Lamp temperature</source>
+        <extracomment>tables</extracomment>
+        <translation>Lampentemperatur</translation>
+    </message>
+    <message>
+        <source>Lamps</source>
+        <extracomment>tables</extracomment>
+        <translation>Lampen</translation>
+    </message>
+    <message>
+        <source>Lanterns</source>
+        <extracomment>tables</extracomment>
+        <translation>Laternen</translation>
+    </message>
+    <message>
+        <source>Lanterns that look narrower than this are reckoned as their mean.</source>
+        <extracomment>tables</extracomment>
+        <translation>Laternen, die schmaler als das erscheinen, werden als ihr Mittel gerechnet.</translation>
+    </message>
+    <message>
+        <source>Largest error</source>
+        <translation>Größter Fehler</translation>
+    </message>
+    <message>
+        <source>largest error of linear light</source>
+        <translation>größter Fehler des linearen Lichts</translation>
+    </message>
+    <message>
+        <source>Largest side of the visitor's object as it stands on the plinth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größte Seite des Objekts des Besuchers, wie es auf dem Sockel steht.</translation>
+    </message>
+    <message>
+        <source>later, from the side</source>
+        <translation>später, von der Seite</translation>
+    </message>
+    <message>
+        <source>Layer blend</source>
+        <extracomment>tables</extracomment>
+        <translation>Schichtübergang</translation>
+    </message>
+    <message>
+        <source>Layers drawn from tip to skin.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schichten, die von der Spitze zur Haut gezeichnet werden.</translation>
+    </message>
+    <message>
+        <source>Leave the exhibit and walk on</source>
+        <translation>Das Exponat verlassen und weitergehen</translation>
+    </message>
+    <message>
+        <source>Leave the lesson</source>
+        <translation>Lektion verlassen</translation>
+    </message>
+    <message>
+        <source>Leaves nothing but the picture. Tab does the same while the picture has the focus.</source>
+        <translation>Lässt nur das Bild übrig. Die Tabulatortaste tut dasselbe, während das Bild den Fokus hat.</translation>
+    </message>
+    <message>
+        <source>Ledger</source>
+        <translation>Frame-Protokoll</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>Left eye</source>
+        <translation>Linkes Auge</translation>
+    </message>
+    <message>
+        <source>Left of the line the setting, right of it the reference; arrows move the line.</source>
+        <translation>Links der Linie die Einstellung, rechts die Referenz; Pfeiltasten bewegen die Linie.</translation>
+    </message>
+    <message>
+        <source>Left of the line the setting, right of it the reference; arrows move the line. The heat map goes from 0 to %1 (%2).</source>
+        <translation>Links der Linie die Einstellung, rechts die Referenz; Pfeiltasten bewegen die Linie. Die Heatmap geht von 0 bis %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Left of the line: the setting. Right of it: the reference. Beside it: where they differ.
+A double click gives the pictures all the room, or the chart its own again.</source>
+        <translation>Links der Linie: die Einstellung. Rechts davon: die Referenz. Daneben: wo sie sich unterscheiden.
+Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.</translation>
+    </message>
+    <message>
+        <source>Left out.</source>
+        <translation>Weggelassen.</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.</source>
+        <extracomment>tables</extracomment>
+        <translation>Länge der kürzesten Haare: 0 ist nichts, 1 ist ein Rasen, alle so lang wie das längste.</translation>
+    </message>
+    <message>
+        <source>Lens</source>
+        <translation>Linse</translation>
+    </message>
+    <message>
+        <source>Lens gloss</source>
+        <extracomment>tables</extracomment>
+        <translation>Linsenglanz</translation>
+    </message>
+    <message>
+        <source>Lens sheet</source>
+        <translation>Linsenfolie</translation>
+    </message>
+    <message>
+        <source>LENSES ACROSS - FEED: TOP / SIDE</source>
+        <translation>LENSES ACROSS - FEED: TOP / SIDE</translation>
+    </message>
+    <message>
+        <source>Lenses across the card; the sheet's shape is scaled. 0 takes as many as the sheet's LPI gives.</source>
+        <extracomment>tables</extracomment>
+        <translation>Linsen quer über die Karte; die Form der Folie wird skaliert. 0 nimmt so viele, wie der LPI-Wert der Folie ergibt.</translation>
+    </message>
+    <message>
+        <source>lenses of {1} mm need a radius above {2} mm, and it is {3} mm; focused on its back the sheet is then at least {4} mm thick</source>
+        <translation>Linsen von {1} mm brauchen einen Radius über {2} mm, und er ist {3} mm; auf ihre Rückseite fokussiert, ist die Folie dann mindestens {4} mm dick</translation>
+    </message>
+    <message>
+        <source>Lenses per inch</source>
+        <translation>Linsen pro Zoll</translation>
+    </message>
+    <message>
+        <source>Lenses per inch and the zone they are made for: 30 degrees (3d) or 50 (flip). Custom takes the numbers below.</source>
+        <extracomment>tables</extracomment>
+        <translation>Linsen pro Zoll, und die Zone, für die sie gemacht sind: 30 Grad (3d) oder 50 (Wechsel). „Eigene“ nimmt die Zahlen darunter.</translation>
+    </message>
+    <message>
+        <source>Lenses per inch of the custom sheet.</source>
+        <extracomment>tables</extracomment>
+        <translation>Linsen pro Zoll der eigenen Folie.</translation>
+    </message>
+    <message>
+        <source>Lenses per inch of the strips, with the resolution as the file stores it.</source>
+        <translation>Linsen pro Zoll der Streifen, bei der Auflösung, wie die Datei sie speichert.</translation>
+    </message>
+    <message>
+        <source>LENSES UP - FEED: TOP / SIDE</source>
+        <translation>LENSES UP - FEED: TOP / SIDE</translation>
+    </message>
+    <message>
+        <source>Lenticular Card</source>
+        <translation>Linsenkarte</translation>
+    </message>
+    <message>
+        <source>lenticular raster</source>
+        <translation>Linsenraster</translation>
+    </message>
+    <message>
+        <source>lenticular views</source>
+        <translation>Linsenansichten</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Lektion</translation>
+    </message>
+    <message>
+        <source>Lesson step %1</source>
+        <translation>Lektion, Schritt %1</translation>
+    </message>
+    <message>
+        <source>Lesson: %1</source>
+        <translation>Lektion: %1</translation>
+    </message>
+    <message>
+        <source>Lessons (*.md)</source>
+        <translation>Lektionen (*.md)</translation>
+    </message>
+    <message>
+        <source>Let the draft turn the mobile and carry the dust.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt den Luftzug das Mobile drehen und den Staub tragen.</translation>
+    </message>
+    <message>
+        <source>Let the mask carry the colors of the sky instead of plain white.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt die Maske die Farben des Himmels tragen statt reines Weiß.</translation>
+    </message>
+    <message>
+        <source>Let the model turn about the vertical, once a round.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt das Modell sich um die Senkrechte drehen, einmal je Runde.</translation>
+    </message>
+    <message>
+        <source>Let things throw shadows.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt Dinge Schatten werfen.</translation>
+    </message>
+    <message>
+        <source>Let time run, in scenes in which something moves.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt die Zeit laufen, in Szenen, in denen sich etwas bewegt.</translation>
+    </message>
+    <message>
+        <source>Let time run: the field drifts, waves roll, clouds sail.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt die Zeit laufen: Das Feld treibt, Wellen rollen, Wolken segeln.</translation>
+    </message>
+    <message>
+        <source>Let time run: the torus tumbles, cubes bob, water breathes; a round takes 4 s.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt die Zeit laufen: Der Torus taumelt, Würfel wippen, Wasser atmet; eine Runde dauert 4 s.</translation>
+    </message>
+    <message>
+        <source>Let time run: waves roll, flames flicker, lanterns drift.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt die Zeit laufen: Wellen rollen, Flammen flackern, Laternen treiben.</translation>
+    </message>
+    <message>
+        <source>Let walls and exhibits keep the sun off; without it, the sun shines through everything.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt Wände und Exponate die Sonne abhalten; ohne das scheint sie durch alles hindurch.</translation>
+    </message>
+    <message>
+        <source>Let what is nothing face the camera, so that no edge is seen against it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt, was nichts ist, zur Kamera zeigen, sodass dagegen keine Kante gesehen wird.</translation>
+    </message>
+    <message>
+        <source>Lets go of B and shows A alone.</source>
+        <translation>Gibt B auf und zeigt nur noch A.</translation>
+    </message>
+    <message>
+        <source>Lets them jump by themselves every so often; 0 leaves it to the button.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lässt sie von Zeit zu Zeit von selbst springen; 0 überlässt es dem Knopf.</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Pegel</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <extracomment>tables</extracomment>
+        <translation>Detailstufe</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <extracomment>tables</extracomment>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>light alone</source>
+        <extracomment>tables</extracomment>
+        <translation>nur das Licht</translation>
+    </message>
+    <message>
+        <source>Light and gloss</source>
+        <extracomment>tables</extracomment>
+        <translation>Licht und Glanz</translation>
+    </message>
+    <message>
+        <source>Light cells</source>
+        <extracomment>tables</extracomment>
+        <translation>Lichtzellen</translation>
+    </message>
+    <message>
+        <source>Light from everywhere, linear; only as in the source.</source>
+        <translation>Licht von überall, linear; nur wie im Original.</translation>
+    </message>
+    <message>
+        <source>Light from everywhere, more of it from above.</source>
+        <extracomment>tables</extracomment>
+        <translation>Licht von überall, mehr davon von oben.</translation>
+    </message>
+    <message>
+        <source>Light from one direction.</source>
+        <translation>Licht aus einer Richtung.</translation>
+    </message>
+    <message>
+        <source>Light of its own: so many times its color.</source>
+        <translation>Eigenes Licht: so vielfach die Farbe.</translation>
+    </message>
+    <message>
+        <source>Light of the day that is left in the sky.</source>
+        <extracomment>tables</extracomment>
+        <translation>Licht des Tages, das noch am Himmel ist.</translation>
+    </message>
+    <message>
+        <source>Light of the lamps in the vault: 0 is a dark night, 1 is enough to read by.</source>
+        <extracomment>tables</extracomment>
+        <translation>Licht der Lampen im Gewölbe: 0 ist eine dunkle Nacht, 1 genügt zum Lesen.</translation>
+    </message>
+    <message>
+        <source>Light of the sky through window and oculus.</source>
+        <extracomment>tables</extracomment>
+        <translation>Licht des Himmels durch Fenster und Oculus.</translation>
+    </message>
+    <message>
+        <source>Light of the sun against that of the sky: 0 is an overcast day.</source>
+        <extracomment>tables</extracomment>
+        <translation>Licht der Sonne gegenüber dem des Himmels: 0 ist ein bedeckter Tag.</translation>
+    </message>
+    <message>
+        <source>light on the strands that were found</source>
+        <translation>Licht auf den gefundenen Haaren</translation>
+    </message>
+    <message>
+        <source>Light size</source>
+        <extracomment>tables</extracomment>
+        <translation>Lichtgröße</translation>
+    </message>
+    <message>
+        <source>Light steps</source>
+        <extracomment>tables</extracomment>
+        <translation>Lichtschritte</translation>
+    </message>
+    <message>
+        <source>Light that reaches even the roots.</source>
+        <extracomment>tables</extracomment>
+        <translation>Licht, das sogar die Wurzeln erreicht.</translation>
+    </message>
+    <message>
+        <source>Light that the frame throws on wall and floor beside it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Licht, das der Rahmen auf Wand und Boden daneben wirft.</translation>
+    </message>
+    <message>
+        <source>Light the walls with baked sky light and occlusion; without it, they get one even ambient light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Beleuchtet die Wände mit gebackenem Himmelslicht und Verdeckung; ohne das bekommen sie ein gleichmäßiges Umgebungslicht.</translation>
+    </message>
+    <message>
+        <source>Light them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zündet sie an.</translation>
+    </message>
+    <message>
+        <source>light, lines and palette</source>
+        <translation>Licht, Linien und Palette</translation>
+    </message>
+    <message>
+        <source>Lighting</source>
+        <extracomment>tables</extracomment>
+        <translation>Beleuchtung</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <extracomment>tables</extracomment>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>linear light is handed out as it is</source>
+        <translation>lineares Licht wird ausgegeben, wie es ist</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <extracomment>tables</extracomment>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Lines and points are not supported and were left out of mesh {1}.</source>
+        <translation>Linien und Punkte werden nicht unterstützt und wurden im Netz {=1} weggelassen.</translation>
+    </message>
+    <message>
+        <source>Lines between objects that touch, by their numbers.</source>
+        <extracomment>tables</extracomment>
+        <translation>Linien zwischen Objekten, die sich berühren, nach ihren Nummern.</translation>
+    </message>
+    <message>
+        <source>Lines of one texel by thresholds that follow distance and slope, or the formulas of the source, in meters.</source>
+        <extracomment>tables</extracomment>
+        <translation>Linien von einem Texel nach Schwellen, die Entfernung und Steigung folgen, oder nach den Formeln des Originals, in Metern.</translation>
+    </message>
+    <message>
+        <source>list of primitives</source>
+        <translation>Liste von Grundkörpern</translation>
+    </message>
+    <message>
+        <source>lists</source>
+        <extracomment>tables</extracomment>
+        <translation>Listen</translation>
+    </message>
+    <message>
+        <source>lists have no numbers in their text</source>
+        <translation>Listen haben keine Zahlen in ihrem Text</translation>
+    </message>
+    <message>
+        <source>Lit by what is around it, or by the one sun, the ambient light and the fog of the source.</source>
+        <extracomment>tables</extracomment>
+        <translation>Beleuchtet von dem, was es umgibt, oder von der einen Sonne, dem Umgebungslicht und dem Nebel des Originals.</translation>
+    </message>
+    <message>
+        <source>Load %1</source>
+        <translation>%1 laden</translation>
+    </message>
+    <message>
+        <source>Load settings</source>
+        <translation>Einstellungen laden</translation>
+    </message>
+    <message>
+        <source>Load settings…</source>
+        <translation>Einstellungen laden…</translation>
+    </message>
+    <message>
+        <source>loading was canceled.</source>
+        <translation>das Laden wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Lobes</source>
+        <extracomment>tables</extracomment>
+        <translation>Keulen</translation>
+    </message>
+    <message>
+        <source>Lock against varying</source>
+        <translation>Gegen Variieren sperren</translation>
+    </message>
+    <message>
+        <source>Lock the group</source>
+        <translation>Die Gruppe sperren</translation>
+    </message>
+    <message>
+        <source>Log</source>
+        <translation>Meldungen</translation>
+    </message>
+    <message>
+        <source>Longest time in milliseconds</source>
+        <translation>Längste Zeit in Millisekunden</translation>
+    </message>
+    <message>
+        <source>Look</source>
+        <extracomment>tables</extracomment>
+        <translation>Aussehen</translation>
+    </message>
+    <message>
+        <source>Look around with the pointer locked</source>
+        <translation>Umschauen mit gefangenem Zeiger</translation>
+    </message>
+    <message>
+        <source>Look around, or around the exhibit</source>
+        <translation>Umschauen, oder um das Exponat herum</translation>
+    </message>
+    <message>
+        <source>Looking</source>
+        <translation>Blick</translation>
+    </message>
+    <message>
+        <source>loop</source>
+        <extracomment>tables</extracomment>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Low ring</source>
+        <extracomment>tables</extracomment>
+        <translation>Unterer Ring</translation>
+    </message>
+    <message>
+        <source>Lower blend</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Übergang</translation>
+    </message>
+    <message>
+        <source>Lower color</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Farbe</translation>
+    </message>
+    <message>
+        <source>Lower corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Ecke</translation>
+    </message>
+    <message>
+        <source>lower cream</source>
+        <extracomment>tables</extracomment>
+        <translation>unteres Eis</translation>
+    </message>
+    <message>
+        <source>Lower height</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Höhe</translation>
+    </message>
+    <message>
+        <source>Lower layer of cream</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Eisschicht</translation>
+    </message>
+    <message>
+        <source>Lower lobes</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Keulen</translation>
+    </message>
+    <message>
+        <source>Lower offset x</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Versatz x</translation>
+    </message>
+    <message>
+        <source>Lower offset z</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Versatz z</translation>
+    </message>
+    <message>
+        <source>Lower radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Radius</translation>
+    </message>
+    <message>
+        <source>Lower raise</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Anheben</translation>
+    </message>
+    <message>
+        <source>Lower tilt</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Neigung</translation>
+    </message>
+    <message>
+        <source>Lower twist</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Verdrillung</translation>
+    </message>
+    <message>
+        <source>Lower yaw</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Gieren</translation>
+    </message>
+    <message>
+        <source>LPI as a pitch chart showed it with this printer; 0: not measured, the one above counts.</source>
+        <translation>LPI-Wert, wie ein Pitch-Testchart ihn mit diesem Drucker zeigte; 0: nicht gemessen, der darüber gilt.</translation>
+    </message>
+    <message>
+        <source>LPI in the file</source>
+        <translation>LPI in der Datei</translation>
+    </message>
+    <message>
+        <source>LPI read from a pitch chart at that distance, in place of the one that follows from it; 0: not measured.</source>
+        <translation>LPI-Wert, in diesem Abstand an einem Pitch-Testchart abgelesen, anstelle dessen, der daraus folgt; 0: nicht gemessen.</translation>
+    </message>
+    <message>
+        <source>LPI that the sheet is sold as.</source>
+        <translation>LPI-Wert, mit dem die Folie verkauft wird.</translation>
+    </message>
+    <message>
+        <source>made unit length)</source>
+        <translation>auf Länge eins gebracht)</translation>
+    </message>
+    <message>
+        <source>Magnification</source>
+        <extracomment>tables</extracomment>
+        <translation>Vergrößerung</translation>
+    </message>
+    <message>
+        <source>Major radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Großer Radius</translation>
+    </message>
+    <message>
+        <source>Make %1 a %2</source>
+        <translation>%1 in %2 umwandeln</translation>
+    </message>
+    <message>
+        <source>March</source>
+        <extracomment>tables</extracomment>
+        <translation>Raymarching</translation>
+    </message>
+    <message>
+        <source>march</source>
+        <extracomment>tables</extracomment>
+        <translation>Raymarching</translation>
+    </message>
+    <message>
+        <source>march steps</source>
+        <translation>Raymarching-Schritte</translation>
+    </message>
+    <message>
+        <source>Margin</source>
+        <extracomment>tables</extracomment>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Mask</source>
+        <extracomment>tables</extracomment>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>mask</source>
+        <extracomment>tables</extracomment>
+        <translation>Maske</translation>
+    </message>
+    <message>
+        <source>Matches in the other tab</source>
+        <translation>Treffer im anderen Reiter</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <extracomment>tables</extracomment>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>material</source>
+        <extracomment>tables</extracomment>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>material without a name</source>
+        <translation>Material ohne Namen</translation>
+    </message>
+    <message>
+        <source>material {1}</source>
+        <translation>Material {=1}</translation>
+    </message>
+    <message>
+        <source>matrix mix</source>
+        <extracomment>tables</extracomment>
+        <translation>Matrixmischung</translation>
+    </message>
+    <message>
+        <source>may change any pixel</source>
+        <translation>kann jedes Pixel ändern</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <extracomment>tables</extracomment>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>mean angle between normals, degrees</source>
+        <translation>mittlerer Winkel zwischen Normalen, Grad</translation>
+    </message>
+    <message>
+        <source>mean FLIP</source>
+        <translation>mittleres FLIP</translation>
+    </message>
+    <message>
+        <source>Mean size</source>
+        <extracomment>tables</extracomment>
+        <translation>Mittelungsgröße</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Measure, or stop measuring</source>
+        <translation>Messen, oder das Messen anhalten</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>Measured per inch</source>
+        <translation>Gemessen pro Zoll</translation>
+    </message>
+    <message>
+        <source>Measures what the visited exhibit has a table of, such as the pixel art's methods, and saves it as CSV.</source>
+        <translation>Misst, wovon das besuchte Exponat eine Tabelle hat, etwa die Verfahren der Pixel-Art, und speichert es als CSV.</translation>
+    </message>
+    <message>
+        <source>Melt back and forth by itself, starting from the morph above.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schmilzt von selbst hin und her, vom Morph darüber an.</translation>
+    </message>
+    <message>
+        <source>melting, from behind</source>
+        <translation>schmelzend, von hinten</translation>
+    </message>
+    <message>
+        <source>memory is full</source>
+        <translation>der Speicher ist voll</translation>
+    </message>
+    <message>
+        <source>Mesh {1} has a normal map but no texture coordinates.</source>
+        <translation>Das Netz {=1} hat eine Normal-Map, aber keine Texturkoordinaten.</translation>
+    </message>
+    <message>
+        <source>Mesh {1} has a part without positions, which was left out.</source>
+        <translation>Das Netz {=1} hat einen Teil ohne Positionen, der weggelassen wurde.</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Metal, glaze or stone.</source>
+        <translation>Metall, Glasur oder Stein.</translation>
+    </message>
+    <message>
+        <source>Metalness</source>
+        <extracomment>tables</extracomment>
+        <translation>Metallanteil</translation>
+    </message>
+    <message>
+        <source>Meters a second by which the field comes towards you.</source>
+        <extracomment>tables</extracomment>
+        <translation>Meter pro Sekunde, mit denen das Feld auf Sie zukommt.</translation>
+    </message>
+    <message>
+        <source>Meters a second by which the wind moves them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Meter pro Sekunde, mit denen der Wind sie bewegt.</translation>
+    </message>
+    <message>
+        <source>Meters a second, ten meters above the water: more makes longer and higher waves.</source>
+        <extracomment>tables</extracomment>
+        <translation>Meter pro Sekunde, zehn Meter über dem Wasser: Mehr macht längere und höhere Wellen.</translation>
+    </message>
+    <message>
+        <source>Meters of the lake in a meter of the hall: more makes lanterns smaller.</source>
+        <extracomment>tables</extracomment>
+        <translation>Meter des Sees in einem Meter der Halle: Mehr macht Laternen kleiner.</translation>
+    </message>
+    <message>
+        <source>Meters per second at which the draft carries the drifts of dust.</source>
+        <extracomment>tables</extracomment>
+        <translation>Meter pro Sekunde, mit denen der Luftzug die Staubschwaden trägt.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Methods of normals from depth</source>
+        <translation>Verfahren für Normalen aus der Tiefe</translation>
+    </message>
+    <message>
+        <source>milliseconds</source>
+        <translation>Millisekunden</translation>
+    </message>
+    <message>
+        <source>Milliseconds that a skipped step took when it last ran. “Run everything” measures them all.</source>
+        <translation>Millisekunden, die ein ausgelassener Schritt brauchte, als er zuletzt lief. „Alles ausführen“ misst sie alle.</translation>
+    </message>
+    <message>
+        <source>Minor radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Kleiner Radius</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegel</translation>
+    </message>
+    <message>
+        <source>Mirror images of mirror images, at most; a scene may ask for fewer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Spiegelbilder von Spiegelbildern, höchstens; eine Szene kann weniger verlangen.</translation>
+    </message>
+    <message>
+        <source>Mirrored repeat is not supported; textures repeat.</source>
+        <translation>Gespiegelte Wiederholung wird nicht unterstützt; Texturen wiederholen sich.</translation>
+    </message>
+    <message>
+        <source>Mobile rotation</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung des Mobiles</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Model rotation</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung des Modells</translation>
+    </message>
+    <message>
+        <source>Model size</source>
+        <extracomment>tables</extracomment>
+        <translation>Modellgröße</translation>
+    </message>
+    <message>
+        <source>Moment</source>
+        <extracomment>tables</extracomment>
+        <translation>Augenblick</translation>
+    </message>
+    <message>
+        <source>Moon</source>
+        <extracomment>tables</extracomment>
+        <translation>Mond</translation>
+    </message>
+    <message>
+        <source>Moon and sky</source>
+        <extracomment>tables</extracomment>
+        <translation>Mond und Himmel</translation>
+    </message>
+    <message>
+        <source>Moon azimuth</source>
+        <extracomment>tables</extracomment>
+        <translation>Mondazimut</translation>
+    </message>
+    <message>
+        <source>Moon elevation</source>
+        <extracomment>tables</extracomment>
+        <translation>Mondhöhe</translation>
+    </message>
+    <message>
+        <source>Moon size</source>
+        <extracomment>tables</extracomment>
+        <translation>Mondgröße</translation>
+    </message>
+    <message>
+        <source>More for presets</source>
+        <translation>Mehr zu Presets</translation>
+    </message>
+    <message>
+        <source>Morph</source>
+        <extracomment>tables</extracomment>
+        <translation>Morph</translation>
+    </message>
+    <message>
+        <source>Morph targets are not supported; mesh {1} keeps its first shape.</source>
+        <translation>Morph-Ziele werden nicht unterstützt; das Netz {=1} behält seine erste Form.</translation>
+    </message>
+    <message>
+        <source>Morph towards B</source>
+        <translation>Überblenden nach B</translation>
+    </message>
+    <message>
+        <source>Motion blur</source>
+        <translation>Bewegungsunschärfe</translation>
+    </message>
+    <message>
+        <source>Motion of the fur</source>
+        <extracomment>tables</extracomment>
+        <translation>Bewegung des Fells</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>Move %1 on</source>
+        <translation>%1 weiterbewegen</translation>
+    </message>
+    <message>
+        <source>Move on</source>
+        <translation>Weiterbewegen</translation>
+    </message>
+    <message>
+        <source>Move the camera by whole texels and turn it by whole steps, so that nothing crawls; the screen slides the rest.</source>
+        <extracomment>tables</extracomment>
+        <translation>Bewegt die Kamera um ganze Texel und dreht sie um ganze Schritte, sodass nichts kriecht; den Rest verschiebt der Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Move the wipe</source>
+        <translation>Die Wischblende bewegen</translation>
+    </message>
+    <message>
+        <source>Moved in and out by smooth noise.</source>
+        <translation>Durch glattes Rauschen nach außen und innen bewegt.</translation>
+    </message>
+    <message>
+        <source>Moves it out from the axis first.</source>
+        <translation>Rückt es zuerst von der Achse weg.</translation>
+    </message>
+    <message>
+        <source>Moves it.</source>
+        <translation>Verschiebt es.</translation>
+    </message>
+    <message>
+        <source>Moves the cameras together until the print holds the whole scene.</source>
+        <translation>Rückt die Kameras zusammen, bis der Druck die ganze Szene fasst.</translation>
+    </message>
+    <message>
+        <source>Moves the noise through the shape.</source>
+        <translation>Bewegt das Rauschen durch die Form.</translation>
+    </message>
+    <message>
+        <source>Moves the strips under the lenses, in lenses; a phase chart tells.</source>
+        <translation>Verschiebt die Streifen unter den Linsen, in Linsen; ein Phasen-Testchart zeigt es.</translation>
+    </message>
+    <message>
+        <source>Moves: %1. Setting it by hand stops it.</source>
+        <translation>Bewegt sich: %1. Von Hand gesetzt, endet die Bewegung.</translation>
+    </message>
+    <message>
+        <source>ms</source>
+        <translation>ms</translation>
+    </message>
+    <message>
+        <source>MSX</source>
+        <extracomment>tables</extracomment>
+        <translation>MSX</translation>
+    </message>
+    <message>
+        <source>Mug height</source>
+        <extracomment>tables</extracomment>
+        <translation>Tassenhöhe</translation>
+    </message>
+    <message>
+        <source>Mug radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Tassenradius</translation>
+    </message>
+    <message>
+        <source>Museum</source>
+        <translation>Museum</translation>
+    </message>
+    <message>
+        <source>Name of the sheet</source>
+        <translation>Name der Folie</translation>
+    </message>
+    <message>
+        <source>names a file</source>
+        <translation>eine Datei nennt</translation>
+    </message>
+    <message>
+        <source>nearest</source>
+        <translation>nächste</translation>
+    </message>
+    <message>
+        <source>nearest of the palette</source>
+        <translation>nächste der Palette</translation>
+    </message>
+    <message>
+        <source>neither it nor its shadow is in view</source>
+        <translation>weder es noch sein Schatten ist im Blick</translation>
+    </message>
+    <message>
+        <source>NES</source>
+        <extracomment>tables</extracomment>
+        <translation>NES</translation>
+    </message>
+    <message>
+        <source>New name</source>
+        <translation>Neuer Name</translation>
+    </message>
+    <message>
+        <source>Next ▸</source>
+        <translation>Weiter ▸</translation>
+    </message>
+    <message>
+        <source>nlerp</source>
+        <extracomment>tables</extracomment>
+        <translation>nlerp</translation>
+    </message>
+    <message>
+        <source>no animation of the model is chosen</source>
+        <translation>keine Animation des Modells ist gewählt</translation>
+    </message>
+    <message>
+        <source>no bounce is asked for</source>
+        <translation>keine Spiegelung im Objekt ist verlangt</translation>
+    </message>
+    <message>
+        <source>no button is in view</source>
+        <translation>kein Knopf ist im Blick</translation>
+    </message>
+    <message>
+        <source>no cloth or stand is in view</source>
+        <translation>kein Tuch oder Ständer ist im Blick</translation>
+    </message>
+    <message>
+        <source>no exhibit stands here</source>
+        <translation>hier steht kein Exponat</translation>
+    </message>
+    <message>
+        <source>No frame has been drawn yet.</source>
+        <translation>Noch wurde kein Frame gezeichnet.</translation>
+    </message>
+    <message>
+        <source>No hair is stored anywhere: a skin drawn again and again, a little further out each time.</source>
+        <translation>Nirgends ist ein Haar gespeichert: eine Haut, wieder und wieder gezeichnet, jedes Mal etwas weiter außen.</translation>
+    </message>
+    <message>
+        <source>No handles: through &quot;{1}&quot; around it, its middle is seen nowhere. Change its numbers instead.</source>
+        <translation>Keine Griffe: Durch „{=1}“ darum herum ist seine Mitte nirgends zu sehen. Ändern Sie stattdessen die Zahlen.</translation>
+    </message>
+    <message>
+        <source>no lamp hangs here</source>
+        <translation>hier hängt keine Lampe</translation>
+    </message>
+    <message>
+        <source>no lamp shines here</source>
+        <translation>hier scheint keine Lampe</translation>
+    </message>
+    <message>
+        <source>no lamp throws shadows</source>
+        <translation>keine Lampe wirft Schatten</translation>
+    </message>
+    <message>
+        <source>no lantern is afloat</source>
+        <translation>keine Laterne schwimmt</translation>
+    </message>
+    <message>
+        <source>no light falls on the card</source>
+        <translation>kein Licht fällt auf die Karte</translation>
+    </message>
+    <message>
+        <source>no light of the scene has an area</source>
+        <translation>kein Licht der Szene hat eine Fläche</translation>
+    </message>
+    <message>
+        <source>no loads of different size were timed</source>
+        <translation>keine Lasten verschiedener Größe wurden gemessen</translation>
+    </message>
+    <message>
+        <source>no mesh was made</source>
+        <translation>kein Netz wurde erzeugt</translation>
+    </message>
+    <message>
+        <source>no mist is so thick that lanterns are seen to light it</source>
+        <translation>kein Nebel ist so dicht, dass man ihn von Laternen beleuchtet sieht</translation>
+    </message>
+    <message>
+        <source>no motion follows this picture</source>
+        <translation>auf dieses Bild folgt keine Bewegung</translation>
+    </message>
+    <message>
+        <source>No OpenGL was found; OpenGL 4.5 is needed: install a graphics driver, or Mesa's software one (libgl1-mesa-dri).</source>
+        <translation>Kein OpenGL wurde gefunden; nötig ist OpenGL 4.5: Installieren Sie einen Grafiktreiber, oder Mesas Software-Treiber (libgl1-mesa-dri).</translation>
+    </message>
+    <message>
+        <source>No parameter matches &quot;%1&quot;.</source>
+        <translation>Kein Parameter passt zu „%1“.</translation>
+    </message>
+    <message>
+        <source>no plaque is in view</source>
+        <translation>kein Schild ist im Blick</translation>
+    </message>
+    <message>
+        <source>No point is measured yet</source>
+        <translation>Noch ist kein Punkt gemessen</translation>
+    </message>
+    <message>
+        <source>No point of the scene is inside, as far as these cells can tell: sheets need a thickness, and what is thinner than a cell a smaller --cell.</source>
+        <translation>Kein Punkt der Szene liegt innen, soweit diese Zellen es zeigen: Flächen brauchen eine Dicke, und was dünner als eine Zelle ist, ein kleineres --cell.</translation>
+    </message>
+    <message>
+        <source>No preset has these words.</source>
+        <translation>Kein Preset enthält diese Wörter.</translation>
+    </message>
+    <message>
+        <source>no ray is followed that the water mirrors</source>
+        <translation>kein Strahl wird verfolgt, den das Wasser spiegelt</translation>
+    </message>
+    <message>
+        <source>no row differs</source>
+        <translation>keine Zeile verschieden</translation>
+    </message>
+    <message>
+        <source>No setting that was measured stays within {1}</source>
+        <translation>Keine gemessene Einstellung bleibt innerhalb von {1}</translation>
+    </message>
+    <message>
+        <source>no sky is in view</source>
+        <translation>kein Himmel ist im Blick</translation>
+    </message>
+    <message>
+        <source>no such row</source>
+        <translation>keine solche Zeile</translation>
+    </message>
+    <message>
+        <source>no technique in use makes them</source>
+        <translation>keine benutzte Technik erzeugt sie</translation>
+    </message>
+    <message>
+        <source>No views could be read.</source>
+        <translation>Keine Ansicht konnte gelesen werden.</translation>
+    </message>
+    <message>
+        <source>No views could be rendered.</source>
+        <translation>Keine Ansicht konnte gerendert werden.</translation>
+    </message>
+    <message>
+        <source>No way without a wall or furniture was found from the bookmark &quot;{1}&quot; to &quot;{2}&quot;; put another one between them.</source>
+        <translation>Vom Lesezeichen „{=1}“ zu „{=2}“ fand sich kein Weg ohne Wand oder Möbel; setzen Sie ein weiteres dazwischen.</translation>
+    </message>
+    <message>
+        <source>no work looks its noise up</source>
+        <translation>kein Werk schlägt sein Rauschen nach</translation>
+    </message>
+    <message>
+        <source>nobody asks for counts</source>
+        <translation>niemand fragt nach Zählwerten</translation>
+    </message>
+    <message>
+        <source>node under &quot;nodes&quot;</source>
+        <translation>Knoten unter „nodes“</translation>
+    </message>
+    <message>
+        <source>node {1} has two parents</source>
+        <translation>Knoten {1} hat zwei Eltern</translation>
+    </message>
+    <message>
+        <source>node {1} is named twice</source>
+        <translation>Knoten {1} wird zweimal genannt</translation>
+    </message>
+    <message>
+        <source>node {1} is not a root</source>
+        <translation>Knoten {1} ist keine Wurzel</translation>
+    </message>
+    <message>
+        <source>nodes are nested more than {1} deep</source>
+        <translation>Knoten sind mehr als {1} tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>Noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>Noise above this is solid: low fills space, high leaves islands.</source>
+        <extracomment>tables</extracomment>
+        <translation>Rauschen darüber ist fest: Niedrige Werte füllen den Raum, hohe lassen Inseln.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>none are seen</source>
+        <translation>keine sind zu sehen</translation>
+    </message>
+    <message>
+        <source>None yet</source>
+        <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>Normal</source>
+        <translation>Normale</translation>
+    </message>
+    <message>
+        <source>Normal method</source>
+        <extracomment>tables</extracomment>
+        <translation>Normalenverfahren</translation>
+    </message>
+    <message>
+        <source>Normal scale</source>
+        <extracomment>tables</extracomment>
+        <translation>Normalenstärke</translation>
+    </message>
+    <message>
+        <source>Normal step</source>
+        <extracomment>tables</extracomment>
+        <translation>Normalenschritt</translation>
+    </message>
+    <message>
+        <source>Normals</source>
+        <extracomment>tables</extracomment>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>normals</source>
+        <extracomment>tables</extracomment>
+        <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Normals as drawn, or from depth alone: by fixed neighbors (3, 4), the nearer ones (5), those on whose line a texel lies (9; 9 plus looks at fewer), with the slope of a parabola, or by a vote of the texels around, which thin things need.</source>
+        <extracomment>tables</extracomment>
+        <translation>Normalen, wie gezeichnet, oder nur aus der Tiefe: durch feste Nachbarn (3, 4), die näheren (5), die, auf deren Gerade ein Texel liegt (9; 9 plus sieht weniger an), mit der Steigung einer Parabel, oder durch Abstimmung der Texel ringsum, die Dünnes braucht.</translation>
+    </message>
+    <message>
+        <source>Normals from depth, lines of one pixel, and few colors.</source>
+        <translation>Normalen aus der Tiefe, Linien von einem Pixel und wenige Farben.</translation>
+    </message>
+    <message>
+        <source>Normals of a lens whose mirror images are mixed.</source>
+        <extracomment>tables</extracomment>
+        <translation>Normalen einer Linse, deren Spiegelbilder gemischt werden.</translation>
+    </message>
+    <message>
+        <source>Not at all</source>
+        <translation>Gar nicht</translation>
+    </message>
+    <message>
+        <source>not in the file yet</source>
+        <translation>noch nicht in der Datei</translation>
+    </message>
+    <message>
+        <source>not in the list</source>
+        <translation>nicht in der Liste</translation>
+    </message>
+    <message>
+        <source>Not saved: %1. Without saving, your changes stay in this session and come back with it.</source>
+        <translation>Nicht gespeichert: %1. Ohne Speichern bleiben Ihre Änderungen in dieser Sitzung und kommen mit ihr zurück.</translation>
+    </message>
+    <message>
+        <source>not trusted</source>
+        <translation>nicht verlässlich</translation>
+    </message>
+    <message>
+        <source>Nothing became B: select a preset in the list first.</source>
+        <translation>Nichts wurde zu B: Wählen Sie zuerst ein Preset in der Liste.</translation>
+    </message>
+    <message>
+        <source>Nothing depends on {1} at present: every setting gives the same picture. Switch on what it acts on, and study again.</source>
+        <translation>Von {1} hängt zurzeit nichts ab: Jede Einstellung gibt dasselbe Bild. Schalten Sie ein, worauf es wirkt, und untersuchen Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>nothing in the scene mirrors</source>
+        <translation>nichts in der Szene spiegelt</translation>
+    </message>
+    <message>
+        <source>nothing is made of glass</source>
+        <translation>nichts ist aus Glas</translation>
+    </message>
+    <message>
+        <source>nothing measurable</source>
+        <translation>nichts Messbares</translation>
+    </message>
+    <message>
+        <source>nothing moves</source>
+        <translation>nichts bewegt sich</translation>
+    </message>
+    <message>
+        <source>nothing of the visitor's object is translucent</source>
+        <translation>nichts am Objekt des Besuchers ist durchscheinend</translation>
+    </message>
+    <message>
+        <source>nothing reads what it writes</source>
+        <translation>nichts liest, was er schreibt</translation>
+    </message>
+    <message>
+        <source>Nothing to look at yet</source>
+        <translation>Noch nichts zu sehen</translation>
+    </message>
+    <message>
+        <source>Nothing to print yet</source>
+        <translation>Noch nichts zu drucken</translation>
+    </message>
+    <message>
+        <source>nothing was drawn before</source>
+        <translation>davor wurde nichts gezeichnet</translation>
+    </message>
+    <message>
+        <source>Nothing was exported yet: export a picture first.</source>
+        <translation>Noch wurde nichts exportiert: Exportieren Sie zuerst ein Bild.</translation>
+    </message>
+    <message>
+        <source>Nothing was exported: select a preset in the list first.</source>
+        <translation>Nichts wurde exportiert: Wählen Sie zuerst ein Preset in der Liste.</translation>
+    </message>
+    <message>
+        <source>Nothing was written.</source>
+        <translation>Nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Number to read</source>
+        <translation>Abzulesende Zahl</translation>
+    </message>
+    <message>
+        <source>numbers are folded by themselves where the evaluation is automatic</source>
+        <translation>Zahlen werden von selbst eingerechnet, wo die Auswertung automatisch ist</translation>
+    </message>
+    <message>
+        <source>numbers folded</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahlen eingerechnet</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>Objekt</translation>
+    </message>
+    <message>
+        <source>Object outlines</source>
+        <extracomment>tables</extracomment>
+        <translation>Objektumrisse</translation>
+    </message>
+    <message>
+        <source>objects and arrays are nested more than {1} deep</source>
+        <translation>Objekte und Arrays sind mehr als {1} tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>occluders</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdecker</translation>
+    </message>
+    <message>
+        <source>occlusion</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdeckung</translation>
+    </message>
+    <message>
+        <source>Occlusion attenuation</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdeckungsabfall</translation>
+    </message>
+    <message>
+        <source>Occlusion bias</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdeckungs-Bias</translation>
+    </message>
+    <message>
+        <source>Occlusion method</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdeckungsverfahren</translation>
+    </message>
+    <message>
+        <source>Occlusion range</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdeckungsweite</translation>
+    </message>
+    <message>
+        <source>Occlusion rays</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdeckungsstrahlen</translation>
+    </message>
+    <message>
+        <source>Occlusion taps</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdeckungs-Samples</translation>
+    </message>
+    <message>
+        <source>Octave rotation</source>
+        <extracomment>tables</extracomment>
+        <translation>Oktavdrehung</translation>
+    </message>
+    <message>
+        <source>Octaves</source>
+        <extracomment>tables</extracomment>
+        <translation>Oktaven</translation>
+    </message>
+    <message>
+        <source>Octaves of the clouds' noise: more is finer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Oktaven des Rauschens der Wolken: Mehr ist feiner.</translation>
+    </message>
+    <message>
+        <source>Of a cone at its base.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eines Kegels an seiner Grundfläche.</translation>
+    </message>
+    <message>
+        <source>Of a cone.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eines Kegels.</translation>
+    </message>
+    <message>
+        <source>Of a frame, pixels.</source>
+        <translation>Eines Frames, in Pixeln.</translation>
+    </message>
+    <message>
+        <source>Of a sprinkle.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eines Streusels.</translation>
+    </message>
+    <message>
+        <source>Of a strand, at its root.</source>
+        <extracomment>tables</extracomment>
+        <translation>Eines Haars, an der Wurzel.</translation>
+    </message>
+    <message>
+        <source>Of all sprinkles.</source>
+        <extracomment>tables</extracomment>
+        <translation>Aller Streusel.</translation>
+    </message>
+    <message>
+        <source>Of candies and sprinkles.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Bonbons und Streusel.</translation>
+    </message>
+    <message>
+        <source>Of curvature, at the lens top.</source>
+        <translation>Der Krümmung, am Linsenscheitel.</translation>
+    </message>
+    <message>
+        <source>Of dark lines on the borders of near objects.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der dunklen Linien an den Rändern naher Objekte.</translation>
+    </message>
+    <message>
+        <source>Of each direction, evenly over the animation.</source>
+        <translation>Jeder Richtung, gleichmäßig über die Animation.</translation>
+    </message>
+    <message>
+        <source>Of glass.</source>
+        <translation>Von Glas.</translation>
+    </message>
+    <message>
+        <source>Of heights and slopes in the views of them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Höhen und Steigungen in deren Ansichten.</translation>
+    </message>
+    <message>
+        <source>Of its base above the rim of the bowl.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seiner Grundfläche über dem Rand der Schale.</translation>
+    </message>
+    <message>
+        <source>Of its disk: the real one has half a degree.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seiner Scheibe: Der wirkliche hat ein halbes Grad.</translation>
+    </message>
+    <message>
+        <source>Of its fur at the skin.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seines Fells an der Haut.</translation>
+    </message>
+    <message>
+        <source>Of its fur at the tips.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seines Fells an den Spitzen.</translation>
+    </message>
+    <message>
+        <source>Of its longest strands: 0 leaves the bare skin.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seiner längsten Haare: 0 lässt die nackte Haut.</translation>
+    </message>
+    <message>
+        <source>Of its upper edge.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seines oberen Rands.</translation>
+    </message>
+    <message>
+        <source>Of light on edges that face the camera.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Lichts auf Kanten, die zur Kamera zeigen.</translation>
+    </message>
+    <message>
+        <source>Of that frustum at the bottom.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dieses Kegelstumpfs unten.</translation>
+    </message>
+    <message>
+        <source>Of that frustum at the top.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dieses Kegelstumpfs oben.</translation>
+    </message>
+    <message>
+        <source>Of that lamp.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dieser Lampe.</translation>
+    </message>
+    <message>
+        <source>Of that light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dieses Lichts.</translation>
+    </message>
+    <message>
+        <source>Of that sun.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dieser Sonne.</translation>
+    </message>
+    <message>
+        <source>Of the air: 0 is clear to the horizon, 1 hides it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Luft: 0 ist klar bis zum Horizont, 1 verbirgt ihn.</translation>
+    </message>
+    <message>
+        <source>Of the ball that the bowl is cut from.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Kugel, aus der die Schale geschnitten ist.</translation>
+    </message>
+    <message>
+        <source>Of the ball.</source>
+        <translation>Der Kugel.</translation>
+    </message>
+    <message>
+        <source>Of the bars' round section.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des runden Querschnitts der Stäbe.</translation>
+    </message>
+    <message>
+        <source>Of the base.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Bodens.</translation>
+    </message>
+    <message>
+        <source>Of the beams, before they are brought up to the picture's with regard to its depth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Strahlen, bevor sie unter Beachtung der Tiefe auf die Auflösung des Bildes gebracht werden.</translation>
+    </message>
+    <message>
+        <source>Of the bends, to the middle of the tube.</source>
+        <translation>Der Bögen, bis zur Mitte des Rohrs.</translation>
+    </message>
+    <message>
+        <source>Of the candy.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Bonbons.</translation>
+    </message>
+    <message>
+        <source>Of the color, from everywhere.</source>
+        <translation>Der Farbe, von überall.</translation>
+    </message>
+    <message>
+        <source>Of the color, from lights.</source>
+        <translation>Der Farbe, von Lichtern.</translation>
+    </message>
+    <message>
+        <source>Of the cone.</source>
+        <translation>Des Kegels.</translation>
+    </message>
+    <message>
+        <source>Of the cream: low melts, high is dry.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Eises: Niedrige Werte schmelzen, hohe sind trocken.</translation>
+    </message>
+    <message>
+        <source>Of the custom lens at its top; one that cannot reach over its pitch is made just large enough.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der eigenen Linse an ihrem Scheitel; einer, der nicht über ihren Abstand reicht, wird gerade groß genug gemacht.</translation>
+    </message>
+    <message>
+        <source>Of the custom lens: 0 is a circle, -0.41 the ellipse that is sharp straight ahead.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der eigenen Linse: 0 ist ein Kreis, -0.41 die Ellipse, die geradeaus scharf ist.</translation>
+    </message>
+    <message>
+        <source>Of the custom sheet's plastic: 1.49 to 1.6 are usual.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Kunststoffs der eigenen Folie: 1.49 bis 1.6 sind üblich.</translation>
+    </message>
+    <message>
+        <source>Of the custom sheet, from lens top to print: too thin or too thick blurs.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der eigenen Folie, vom Linsenscheitel bis zum Druck: Zu dünn oder zu dick ist unscharf.</translation>
+    </message>
+    <message>
+        <source>Of the edges along x, y and z.</source>
+        <translation>Der Kanten entlang x, y und z.</translation>
+    </message>
+    <message>
+        <source>Of the edges.</source>
+        <translation>Der Kanten.</translation>
+    </message>
+    <message>
+        <source>Of the eye for which the strips' pitch is made: there the whole card shows one view. Large is parallel.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Auges, für das der Abstand der Streifen gemacht ist: Dort zeigt die ganze Karte eine Ansicht. Große Werte sind parallel.</translation>
+    </message>
+    <message>
+        <source>Of the eye.</source>
+        <translation>Des Auges.</translation>
+    </message>
+    <message>
+        <source>Of the file, by its name.</source>
+        <translation>Der Datei, nach ihrem Namen.</translation>
+    </message>
+    <message>
+        <source>Of the first octave.</source>
+        <translation>Der ersten Oktave.</translation>
+    </message>
+    <message>
+        <source>Of the five waves over those of the source: 0 is a mirror.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der fünf Wellen gegenüber denen des Originals: 0 ist ein Spiegel.</translation>
+    </message>
+    <message>
+        <source>Of the fixed kind: 1 is none, higher takes longer steps and has to take back more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der festen Art: 1 ist keine, höhere Werte machen längere Schritte und müssen mehr zurücknehmen.</translation>
+    </message>
+    <message>
+        <source>Of the flame over the base.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Flamme über dem Boden.</translation>
+    </message>
+    <message>
+        <source>Of the flames.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Flammen.</translation>
+    </message>
+    <message>
+        <source>Of the frame's middle above the calm water.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Mitte des Rahmens über dem ruhigen Wasser.</translation>
+    </message>
+    <message>
+        <source>Of the frame's middle over the base of the clouds: between 0 and 1400 it is among them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Mitte des Rahmens über der Unterseite der Wolken: Zwischen 0 und 1400 liegt sie mitten darin.</translation>
+    </message>
+    <message>
+        <source>Of the frustum that it stands on.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Kegelstumpfs, auf dem es steht.</translation>
+    </message>
+    <message>
+        <source>Of the gaps.</source>
+        <translation>Der Lücken.</translation>
+    </message>
+    <message>
+        <source>Of the glass: 1 bends nothing, 2.4 is diamond.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Glases: 1 bricht nichts, 2.4 ist Diamant.</translation>
+    </message>
+    <message>
+        <source>Of the glaze, the metal, or (per 10 cm of depth) the glass.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Glasur, des Metalls oder (je 10 cm Tiefe) des Glases.</translation>
+    </message>
+    <message>
+        <source>Of the hall's own light that the air scatters: 1 is physical, 0 makes the dust only darken.</source>
+        <extracomment>tables</extracomment>
+        <translation>Vom Eigenlicht der Halle, das die Luft streut: 1 ist physikalisch, 0 lässt den Staub nur verdunkeln.</translation>
+    </message>
+    <message>
+        <source>Of the handle, from its center to the middle of its tube.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Henkels, von seinem Mittelpunkt bis zur Mitte seines Rohrs.</translation>
+    </message>
+    <message>
+        <source>Of the highlight, white.</source>
+        <translation>Des Glanzlichts, weiß.</translation>
+    </message>
+    <message>
+        <source>Of the lamp in the vault that is aimed at the card: 0 leaves it to the hall's light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Lampe im Gewölbe, die auf die Karte gerichtet ist: 0 überlässt sie dem Licht der Halle.</translation>
+    </message>
+    <message>
+        <source>Of the layer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Schicht.</translation>
+    </message>
+    <message>
+        <source>Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.</source>
+        <translation>Der Linsen: 0 aufrecht für Tiefe, 90 quer für Wechselbilder, dazwischen schräg.</translation>
+    </message>
+    <message>
+        <source>Of the lenses: vertical ones change as one walks by, horizontal ones as one bows.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Linsen: Senkrechte wechseln, wenn man vorbeigeht, waagerechte, wenn man sich verbeugt.</translation>
+    </message>
+    <message>
+        <source>Of the light that the beams scatter: 1 is physical for the density above.</source>
+        <extracomment>tables</extracomment>
+        <translation>Vom Licht, das die Strahlen streuen: 1 ist physikalisch für die Dichte darüber.</translation>
+    </message>
+    <message>
+        <source>Of the linear model: the angle to either side at which all views have been seen.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des linearen Modells: der Winkel zu jeder Seite, bei dem alle Ansichten zu sehen waren.</translation>
+    </message>
+    <message>
+        <source>Of the lower ball.</source>
+        <translation>Der unteren Kugel.</translation>
+    </message>
+    <message>
+        <source>Of the mesh that the object is marched in, against the smallest that holds it: below 1 clips.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Netzes, in dem das Objekt abgeschritten wird, gegenüber dem kleinsten, das es umschließt: Unter 1 beschneidet.</translation>
+    </message>
+    <message>
+        <source>Of the mist at the horizon.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Nebels am Horizont.</translation>
+    </message>
+    <message>
+        <source>Of the mug's outside.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Außenseite der Tasse.</translation>
+    </message>
+    <message>
+        <source>Of the mug's wall: thin needs small steps.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Wand der Tasse: Dünn braucht kleine Schritte.</translation>
+    </message>
+    <message>
+        <source>Of the mug, from its foot to its lip.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Tasse, vom Fuß bis zum Rand.</translation>
+    </message>
+    <message>
+        <source>Of the one that is taken.</source>
+        <translation>Derer, die abgezogen wird.</translation>
+    </message>
+    <message>
+        <source>Of the outside.</source>
+        <translation>Der Außenseite.</translation>
+    </message>
+    <message>
+        <source>Of the paper tube.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Papierröhre.</translation>
+    </message>
+    <message>
+        <source>Of the picture: a factor of all light; not as in the source.</source>
+        <translation>Des Bildes: ein Faktor allen Lichts; nicht wie im Original.</translation>
+    </message>
+    <message>
+        <source>Of the plane along the normal.</source>
+        <translation>Der Ebene entlang der Normalen.</translation>
+    </message>
+    <message>
+        <source>Of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.</source>
+        <translation>Des Kunststoffs: 1.49 Acryl, 1.57 PET, 1.59 Polystyrol.</translation>
+    </message>
+    <message>
+        <source>Of the plastic: low is wet, high is matte.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Kunststoffs: Niedrige Werte sind nass, hohe matt.</translation>
+    </message>
+    <message>
+        <source>Of the plinth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Sockels.</translation>
+    </message>
+    <message>
+        <source>Of the print against the sheet: fringes lean across the card.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Drucks gegen die Folie: Streifenmuster lehnen quer über die Karte.</translation>
+    </message>
+    <message>
+        <source>Of the printer, across; its native resolution or a whole fraction of it.</source>
+        <translation>Des Druckers, quer; seine native Auflösung oder ein ganzer Bruchteil davon.</translation>
+    </message>
+    <message>
+        <source>Of the raster, bleed included.</source>
+        <translation>Des Rasters, mit Anschnitt.</translation>
+    </message>
+    <message>
+        <source>Of the ribs.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Rippen.</translation>
+    </message>
+    <message>
+        <source>Of the sand, before the warm light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Sandes, vor dem warmen Licht.</translation>
+    </message>
+    <message>
+        <source>Of the second frustum at the bottom.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des zweiten Kegelstumpfs unten.</translation>
+    </message>
+    <message>
+        <source>Of the second frustum at the top.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des zweiten Kegelstumpfs oben.</translation>
+    </message>
+    <message>
+        <source>Of the second frustum.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des zweiten Kegelstumpfs.</translation>
+    </message>
+    <message>
+        <source>Of the sheet, with round edges.</source>
+        <translation>Des Blatts, mit runden Kanten.</translation>
+    </message>
+    <message>
+        <source>Of the sky, which fills shadows from above.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Himmels, der Schatten von oben füllt.</translation>
+    </message>
+    <message>
+        <source>Of the small picture.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des kleinen Bildes.</translation>
+    </message>
+    <message>
+        <source>Of the solid field.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des festen Felds.</translation>
+    </message>
+    <message>
+        <source>Of the straight parts.</source>
+        <translation>Der geraden Teile.</translation>
+    </message>
+    <message>
+        <source>Of the strips under the lenses, in lenses.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Streifen unter den Linsen, in Linsen.</translation>
+    </message>
+    <message>
+        <source>Of the strips' pitch against what it should be: 0.01 is one percent too wide.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Streifenabstands gegenüber dem, was er sein sollte: 0.01 ist ein Prozent zu breit.</translation>
+    </message>
+    <message>
+        <source>Of the sun.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Sonne.</translation>
+    </message>
+    <message>
+        <source>Of the tip.</source>
+        <translation>Der Spitze.</translation>
+    </message>
+    <message>
+        <source>Of the torus, from its center to the middle of the tube.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Torus, von seinem Mittelpunkt bis zur Mitte des Rohrs.</translation>
+    </message>
+    <message>
+        <source>Of the tube of the torus.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des Rohrs des Torus.</translation>
+    </message>
+    <message>
+        <source>Of the tube.</source>
+        <translation>Des Rohrs.</translation>
+    </message>
+    <message>
+        <source>Of the upper ball's center.</source>
+        <translation>Des Mittelpunkts der oberen Kugel.</translation>
+    </message>
+    <message>
+        <source>Of the upper ball.</source>
+        <translation>Der oberen Kugel.</translation>
+    </message>
+    <message>
+        <source>Of the videos only .webp and .apng can be transparent; choose one of them, or frames of PNG.</source>
+        <translation>Von den Videos können nur .webp und .apng transparent sein; wählen Sie eines davon, oder Frames als PNG.</translation>
+    </message>
+    <message>
+        <source>Of the wafer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Waffel.</translation>
+    </message>
+    <message>
+        <source>Of the wafer: 0 is a mirror, 1 is chalk.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Waffel: 0 ist ein Spiegel, 1 ist Kreide.</translation>
+    </message>
+    <message>
+        <source>Of the wall.</source>
+        <translation>Der Wand.</translation>
+    </message>
+    <message>
+        <source>Of the whole picture.</source>
+        <extracomment>tables</extracomment>
+        <translation>Des ganzen Bildes.</translation>
+    </message>
+    <message>
+        <source>Of these lines.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dieser Linien.</translation>
+    </message>
+    <message>
+        <source>Of this scene</source>
+        <translation>Von dieser Szene</translation>
+    </message>
+    <message>
+        <source>Of TIFF: none is what every print shop reads. PNG is always compressed.</source>
+        <translation>Von TIFF: Ohne ist, was jede Druckerei liest. PNG ist immer komprimiert.</translation>
+    </message>
+    <message>
+        <source>Of what fills them from below.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dessen, was sie von unten füllt.</translation>
+    </message>
+    <message>
+        <source>Of what is no metal: 0.5 is 4 %.</source>
+        <translation>Dessen, was kein Metall ist: 0.5 sind 4 %.</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Offset x</source>
+        <extracomment>tables</extracomment>
+        <translation>Versatz x</translation>
+    </message>
+    <message>
+        <source>Offset z</source>
+        <extracomment>tables</extracomment>
+        <translation>Versatz z</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>On and off are.</source>
+        <translation>„on“ und „off“ wären welche.</translation>
+    </message>
+    <message>
+        <source>On show</source>
+        <extracomment>tables</extracomment>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>on show</source>
+        <translation>gezeigt</translation>
+    </message>
+    <message>
+        <source>Once more, behind it.</source>
+        <translation>Noch einmal, dahinter.</translation>
+    </message>
+    <message>
+        <source>one</source>
+        <extracomment>tables</extracomment>
+        <translation>eine</translation>
+    </message>
+    <message>
+        <source>one bit</source>
+        <extracomment>tables</extracomment>
+        <translation>ein Bit</translation>
+    </message>
+    <message>
+        <source>One body with one hole: a distance field, found anew by every ray.</source>
+        <translation>Ein Körper mit einem Loch: ein Distanzfeld, von jedem Strahl neu gefunden.</translation>
+    </message>
+    <message>
+        <source>one cone</source>
+        <extracomment>tables</extracomment>
+        <translation>ein Kegel</translation>
+    </message>
+    <message>
+        <source>One edge.</source>
+        <translation>Eine Kante.</translation>
+    </message>
+    <message>
+        <source>One end of the line.</source>
+        <translation>Ein Ende der Strecke.</translation>
+    </message>
+    <message>
+        <source>One end.</source>
+        <translation>Ein Ende.</translation>
+    </message>
+    <message>
+        <source>one exhibit is asked for without what is around it</source>
+        <translation>ein Exponat ist ohne das verlangt, was es umgibt</translation>
+    </message>
+    <message>
+        <source>One factor, or one along each axis; first of all.</source>
+        <translation>Ein Faktor, oder einer je Achse; zuallererst.</translation>
+    </message>
+    <message>
+        <source>One for all frames: made of them, or a shipped one.</source>
+        <translation>Eine für alle Frames: aus ihnen gemacht, oder eine mitgelieferte.</translation>
+    </message>
+    <message>
+        <source>one for every texel</source>
+        <translation>eine für jedes Texel</translation>
+    </message>
+    <message>
+        <source>one of its keys is longer than {1} bytes.</source>
+        <translation>einer der Schlüssel ist länger als {1} Bytes.</translation>
+    </message>
+    <message>
+        <source>one of its values is not a finite number; export the file again.</source>
+        <translation>einer der Werte ist keine endliche Zahl; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>one of them names a vertex beyond the {1} that there are</source>
+        <translation>einer davon nennt eine Ecke jenseits der {1} vorhandenen</translation>
+    </message>
+    <message>
+        <source>one of them names no node; export the file again.</source>
+        <translation>einer davon nennt keinen Knoten; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>One part alone, or all of them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ein Teil allein, oder alle.</translation>
+    </message>
+    <message>
+        <source>One rhythm for all waves, or slow long ones and quick short ones.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ein Takt für alle Wellen, oder langsame lange und schnelle kurze.</translation>
+    </message>
+    <message>
+        <source>one sample per pixel</source>
+        <translation>ein Sample pro Pixel</translation>
+    </message>
+    <message>
+        <source>One sentence.</source>
+        <translation>Ein Satz.</translation>
+    </message>
+    <message>
+        <source>One step; the wheel only in the field with the focus</source>
+        <translation>Ein Schritt; das Mausrad nur im Feld mit dem Fokus</translation>
+    </message>
+    <message>
+        <source>Only an operation of one child can be taken away from around it.</source>
+        <translation>Nur eine Operation mit einem Kind lässt sich darum herum wegnehmen.</translation>
+    </message>
+    <message>
+        <source>only B: %1</source>
+        <translation>nur B: %1</translation>
+    </message>
+    <message>
+        <source>only blocks of JSON are read; begin it with ```json.</source>
+        <translation>nur JSON-Blöcke werden gelesen; beginnen Sie ihn mit ```json.</translation>
+    </message>
+    <message>
+        <source>Only changed</source>
+        <translation>Nur geänderte</translation>
+    </message>
+    <message>
+        <source>Only prints with vertical lenses can be cut into tiles.</source>
+        <translation>Nur Drucke mit senkrechten Linsen lassen sich in Kacheln schneiden.</translation>
+    </message>
+    <message>
+        <source>Only the chosen exhibit</source>
+        <translation>Nur das gewählte Exponat</translation>
+    </message>
+    <message>
+        <source>Only the default scene is shown.</source>
+        <translation>Nur die Standardszene wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Only the first of its parts was read.</source>
+        <translation>Nur der erste Teil wurde gelesen.</translation>
+    </message>
+    <message>
+        <source>opaque</source>
+        <extracomment>tables</extracomment>
+        <translation>undurchsichtig</translation>
+    </message>
+    <message>
+        <source>Opaque reflects; glass also refracts, in and out through every wall.</source>
+        <extracomment>tables</extracomment>
+        <translation>Undurchsichtig spiegelt; Glas bricht auch, hinein und hinaus durch jede Wand.</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open %1</source>
+        <translation>%1 öffnen</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Open as B</source>
+        <translation>Als B öffnen</translation>
+    </message>
+    <message>
+        <source>Open lesson</source>
+        <translation>Lektion öffnen</translation>
+    </message>
+    <message>
+        <source>Open lesson %1</source>
+        <translation>Lektion %1 öffnen</translation>
+    </message>
+    <message>
+        <source>OpenGL %1.%2 found, 4.5 core needed (%3): update the graphics driver, or install Mesa's software renderer (package libgl1-mesa-dri).</source>
+        <translation>OpenGL %1.%2 gefunden, nötig ist 4.5 Core (%3): Aktualisieren Sie den Grafiktreiber, oder installieren Sie Mesas Software-Renderer (Paket libgl1-mesa-dri).</translation>
+    </message>
+    <message>
+        <source>OpenGL 4.5 is needed, but no OpenGL context could be made: install a graphics driver, or Mesa's software renderer (package libgl1-mesa-dri).</source>
+        <translation>OpenGL 4.5 ist nötig, aber ein OpenGL-Kontext ließ sich nicht anlegen: Installieren Sie einen Grafiktreiber, oder Mesas Software-Renderer (Paket libgl1-mesa-dri).</translation>
+    </message>
+    <message>
+        <source>OpenGL {1} found ({2}), OpenGL 4.5 needed: update the graphics driver, or set LIBGL_ALWAYS_SOFTWARE=1 to draw with Mesa's software renderer.</source>
+        <translation>OpenGL {1} gefunden ({=2}), nötig ist OpenGL 4.5: Aktualisieren Sie den Grafiktreiber, oder setzen Sie LIBGL_ALWAYS_SOFTWARE=1, um mit Mesas Software-Renderer zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>OpenImageIO failed</source>
+        <translation>OpenImageIO ist gescheitert</translation>
+    </message>
+    <message>
+        <source>OpenImageIO failed ({1})</source>
+        <translation>OpenImageIO ist gescheitert ({=1})</translation>
+    </message>
+    <message>
+        <source>opening it again</source>
+        <translation>das erneute Öffnen</translation>
+    </message>
+    <message>
+        <source>Opening the hall …</source>
+        <translation>Die Halle wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>Opens %1.</source>
+        <translation>Öffnet %1.</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <extracomment>tables</extracomment>
+        <translation>Umlauf</translation>
+    </message>
+    <message>
+        <source>Orbit angle</source>
+        <extracomment>tables</extracomment>
+        <translation>Umlaufwinkel</translation>
+    </message>
+    <message>
+        <source>Orbit speed</source>
+        <extracomment>tables</extracomment>
+        <translation>Umlauftempo</translation>
+    </message>
+    <message>
+        <source>ordered</source>
+        <extracomment>tables</extracomment>
+        <translation>geordnet</translation>
+    </message>
+    <message>
+        <source>Orders of scattering that are summed: 1 is dark within, each more is whiter.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ordnungen der Streuung, die summiert werden: 1 ist innen dunkel, jede weitere ist weißer.</translation>
+    </message>
+    <message>
+        <source>Origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>Ursprung</translation>
+    </message>
+    <message>
+        <source>orthographic</source>
+        <extracomment>tables</extracomment>
+        <translation>orthografisch</translation>
+    </message>
+    <message>
+        <source>Our own is shown in its place until it can be read.</source>
+        <translation>Unser eigener wird an seiner Stelle gezeigt, bis er gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>Our way to draw the work, or that of the scenes that this exhibit follows.</source>
+        <extracomment>tables</extracomment>
+        <translation>Unsere Art, das Werk zu zeichnen, oder die der Szenen, denen dieses Exponat folgt.</translation>
+    </message>
+    <message>
+        <source>ours</source>
+        <extracomment>tables</extracomment>
+        <translation>unsere</translation>
+    </message>
+    <message>
+        <source>Out of the solid.</source>
+        <translation>Aus dem Körper hinaus.</translation>
+    </message>
+    <message>
+        <source>out of view</source>
+        <translation>außer Sicht</translation>
+    </message>
+    <message>
+        <source>outer first</source>
+        <extracomment>tables</extracomment>
+        <translation>äußere zuerst</translation>
+    </message>
+    <message>
+        <source>Outer shells first hide what is behind them before it is drawn; the picture is the same.</source>
+        <extracomment>tables</extracomment>
+        <translation>Äußere Shells verdecken zuerst, was hinter ihnen liegt, bevor es gezeichnet wird; das Bild ist dasselbe.</translation>
+    </message>
+    <message>
+        <source>Outline color</source>
+        <extracomment>tables</extracomment>
+        <translation>Umrissfarbe</translation>
+    </message>
+    <message>
+        <source>Outline gap</source>
+        <extracomment>tables</extracomment>
+        <translation>Umrissabstand</translation>
+    </message>
+    <message>
+        <source>Outline strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Umrissstärke</translation>
+    </message>
+    <message>
+        <source>Output</source>
+        <translation>Ausgabe</translation>
+    </message>
+    <message>
+        <source>over the water</source>
+        <translation>über das Wasser</translation>
+    </message>
+    <message>
+        <source>Over which the mist thins out.</source>
+        <extracomment>tables</extracomment>
+        <translation>Über die der Nebel dünner wird.</translation>
+    </message>
+    <message>
+        <source>own</source>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>own cell</source>
+        <extracomment>tables</extracomment>
+        <translation>eigene Zelle</translation>
+    </message>
+    <message>
+        <source>Palette</source>
+        <extracomment>tables</extracomment>
+        <translation>Palette</translation>
+    </message>
+    <message>
+        <source>Palette colors</source>
+        <extracomment>tables</extracomment>
+        <translation>Palettenfarben</translation>
+    </message>
+    <message>
+        <source>Palette picture</source>
+        <extracomment>tables</extracomment>
+        <translation>Palettenbild</translation>
+    </message>
+    <message>
+        <source>Pan x</source>
+        <extracomment>tables</extracomment>
+        <translation>Verschiebung x</translation>
+    </message>
+    <message>
+        <source>Pan y</source>
+        <extracomment>tables</extracomment>
+        <translation>Verschiebung y</translation>
+    </message>
+    <message>
+        <source>Panorama</source>
+        <extracomment>tables</extracomment>
+        <translation>Panorama</translation>
+    </message>
+    <message>
+        <source>Paper</source>
+        <extracomment>tables</extracomment>
+        <translation>Papier</translation>
+    </message>
+    <message>
+        <source>Paper color</source>
+        <extracomment>tables</extracomment>
+        <translation>Papierfarbe</translation>
+    </message>
+    <message>
+        <source>Paper height</source>
+        <extracomment>tables</extracomment>
+        <translation>Papierhöhe</translation>
+    </message>
+    <message>
+        <source>Paper Lanterns</source>
+        <translation>Papierlaternen</translation>
+    </message>
+    <message>
+        <source>Paper radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Papierradius</translation>
+    </message>
+    <message>
+        <source>Paper thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Papierdicke</translation>
+    </message>
+    <message>
+        <source>Paper wall</source>
+        <extracomment>tables</extracomment>
+        <translation>Papierwand</translation>
+    </message>
+    <message>
+        <source>parabola</source>
+        <extracomment>tables</extracomment>
+        <translation>Parabel</translation>
+    </message>
+    <message>
+        <source>Parallax</source>
+        <extracomment>tables</extracomment>
+        <translation>Parallaxe</translation>
+    </message>
+    <message>
+        <source>parameter of the scene</source>
+        <translation>Parameter der Szene</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>paraxial</source>
+        <extracomment>tables</extracomment>
+        <translation>paraxial</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <extracomment>tables</extracomment>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Part of a strip that its two blended edges take.</source>
+        <translation>Teil eines Streifens, den seine beiden weichen Ränder einnehmen.</translation>
+    </message>
+    <message>
+        <source>parts</source>
+        <extracomment>tables</extracomment>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>Parts of a lens, or of the piece of it under a pixel, that are traced.</source>
+        <extracomment>tables</extracomment>
+        <translation>Teile einer Linse, oder des Stücks davon unter einem Pixel, die verfolgt werden.</translation>
+    </message>
+    <message>
+        <source>Passes</source>
+        <translation>Passes</translation>
+    </message>
+    <message>
+        <source>passes</source>
+        <translation>Passes</translation>
+    </message>
+    <message>
+        <source>Past all exhibits</source>
+        <translation>An allen Exponaten vorbei</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Paste %1</source>
+        <translation>%1 einfügen</translation>
+    </message>
+    <message>
+        <source>Paste all</source>
+        <translation>Alle einfügen</translation>
+    </message>
+    <message>
+        <source>Paste all values</source>
+        <translation>Alle Werte einfügen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Pause &amp;clock</source>
+        <translation>&amp;Uhr anhalten</translation>
+    </message>
+    <message>
+        <source>Pbr</source>
+        <translation>PBR</translation>
+    </message>
+    <message>
+        <source>peak signal to noise ratio, dB</source>
+        <translation>Spitzen-Signal-Rausch-Verhältnis, dB</translation>
+    </message>
+    <message>
+        <source>Period</source>
+        <extracomment>tables</extracomment>
+        <translation>Periode</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <extracomment>tables</extracomment>
+        <translation>perspektivisch</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <extracomment>tables</extracomment>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>phase</source>
+        <translation>Phase</translation>
+    </message>
+    <message>
+        <source>Phong</source>
+        <translation>Phong</translation>
+    </message>
+    <message>
+        <source>Phong's highlight and a mirror, as the source of these scenes has them.</source>
+        <translation>Phongs Glanzlicht und ein Spiegel, wie das Original dieser Szenen sie hat.</translation>
+    </message>
+    <message>
+        <source>Phong, its formulas, and no tone curve.</source>
+        <translation>Phong, seine Formeln, und keine Tonwertkurve.</translation>
+    </message>
+    <message>
+        <source>PICO-8</source>
+        <extracomment>tables</extracomment>
+        <translation>PICO-8</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <extracomment>tables</extracomment>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <extracomment>tables</extracomment>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Picture and reference</source>
+        <translation>Bild und Referenz</translation>
+    </message>
+    <message>
+        <source>Picture saved to %1.</source>
+        <translation>Bild als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>picture {1} of {2}</source>
+        <translation>Bild {1} von {2}</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Pictures a second: few look drawn by hand, many run smoothly.</source>
+        <extracomment>tables</extracomment>
+        <translation>Bilder pro Sekunde: Wenige wirken gezeichnet, viele laufen glatt.</translation>
+    </message>
+    <message>
+        <source>Pictures in viewing order from the left.</source>
+        <translation>Bilder in der Reihenfolge des Betrachtens, von links.</translation>
+    </message>
+    <message>
+        <source>Pictures…</source>
+        <translation>Bilder…</translation>
+    </message>
+    <message>
+        <source>pitch</source>
+        <translation>Pitch</translation>
+    </message>
+    <message>
+        <source>Pitch error</source>
+        <extracomment>tables</extracomment>
+        <translation>Pitch-Fehler</translation>
+    </message>
+    <message>
+        <source>Pitch finds the LPI that printer and sheet agree on; phase where the strips lie; views how many can be told apart; rotation whether the sheet is straight.</source>
+        <translation>„Pitch“ findet den LPI-Wert, auf den sich Drucker und Folie einigen; „Phase“, wo die Streifen liegen; „Ansichten“, wie viele sich unterscheiden lassen; „Drehung“, ob die Folie gerade liegt.</translation>
+    </message>
+    <message>
+        <source>Pivot</source>
+        <translation>Drehpunkt</translation>
+    </message>
+    <message>
+        <source>Pixel Art</source>
+        <translation>Pixel-Art</translation>
+    </message>
+    <message>
+        <source>pixel samples</source>
+        <translation>Pixel-Samples</translation>
+    </message>
+    <message>
+        <source>Pixels</source>
+        <extracomment>tables</extracomment>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Pixels across a rendered view; more than two for each lens are lost.</source>
+        <translation>Pixel quer über eine gerenderte Ansicht; mehr als zwei pro Linse gehen verloren.</translation>
+    </message>
+    <message>
+        <source>pixels in a row</source>
+        <translation>Pixel in einer Zeile</translation>
+    </message>
+    <message>
+        <source>Pixels per lens</source>
+        <translation>Pixel pro Linse</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Place %1</source>
+        <translation>Platz %1</translation>
+    </message>
+    <message>
+        <source>plain</source>
+        <extracomment>tables</extracomment>
+        <translation>einfach</translation>
+    </message>
+    <message>
+        <source>plain sum</source>
+        <extracomment>tables</extracomment>
+        <translation>einfache Summe</translation>
+    </message>
+    <message>
+        <source>plaque free</source>
+        <translation>Schild frei</translation>
+    </message>
+    <message>
+        <source>plaque {1}</source>
+        <translation>Schild {1}</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Plinth</source>
+        <extracomment>tables</extracomment>
+        <translation>Sockel</translation>
+    </message>
+    <message>
+        <source>Plinth color</source>
+        <extracomment>tables</extracomment>
+        <translation>Sockelfarbe</translation>
+    </message>
+    <message>
+        <source>Plinth roughness</source>
+        <extracomment>tables</extracomment>
+        <translation>Sockelrauheit</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Point size</source>
+        <extracomment>tables</extracomment>
+        <translation>Punktgröße</translation>
+    </message>
+    <message>
+        <source>Points along a ray: three passes take the cube root each, the polar grid takes two cells a point.</source>
+        <extracomment>tables</extracomment>
+        <translation>Punkte entlang eines Strahls: Drei Passes nehmen je die dritte Wurzel, das Polargitter nimmt zwei Zellen pro Punkt.</translation>
+    </message>
+    <message>
+        <source>polar sum</source>
+        <extracomment>tables</extracomment>
+        <translation>Polarsumme</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Position</translation>
+    </message>
+    <message>
+        <source>position and target are the same point; move one of them</source>
+        <translation>Position und Ziel sind derselbe Punkt; verschieben Sie einen davon</translation>
+    </message>
+    <message>
+        <source>Post wire</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfostendraht</translation>
+    </message>
+    <message>
+        <source>Prefilter</source>
+        <extracomment>tables</extracomment>
+        <translation>Vorfilter</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Presets</translation>
+    </message>
+    <message>
+        <source>Presets (*.json)</source>
+        <translation>Presets (*.json)</translation>
+    </message>
+    <message>
+        <source>Presets, and pictures with one inside (*.json *.png *.exr)</source>
+        <translation>Presets und Bilder mit eingebettetem Preset (*.json *.png *.exr)</translation>
+    </message>
+    <message>
+        <source>Press the button of %1</source>
+        <translation>Den Knopf von %1 drücken</translation>
+    </message>
+    <message>
+        <source>Press the red button you look at, or that of the exhibit you visit</source>
+        <translation>Den roten Knopf drücken, den Sie ansehen, oder den des besuchten Exponats</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Print</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>Printed dots that one lens covers: no more views than these can be told apart.</source>
+        <translation>Druckpunkte, die eine Linse überdeckt: mehr Ansichten lassen sich nicht unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Printed raster</source>
+        <translation>Gedrucktes Raster</translation>
+    </message>
+    <message>
+        <source>Printing</source>
+        <extracomment>tables</extracomment>
+        <translation>Drucken</translation>
+    </message>
+    <message>
+        <source>Prints</source>
+        <extracomment>tables</extracomment>
+        <translation>Drucke</translation>
+    </message>
+    <message>
+        <source>probe</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonde</translation>
+    </message>
+    <message>
+        <source>Probe samples</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonden-Samples</translation>
+    </message>
+    <message>
+        <source>Probe size</source>
+        <extracomment>tables</extracomment>
+        <translation>Sondengröße</translation>
+    </message>
+    <message>
+        <source>process CPU time around glFinish</source>
+        <translation>CPU-Zeit des Prozesses um glFinish</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <extracomment>tables</extracomment>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Put %1 into the hall</source>
+        <translation>%1 in die Halle stellen</translation>
+    </message>
+    <message>
+        <source>Puts a line on the clipboard that draws the same picture from a terminal, to the bit.</source>
+        <translation>Legt eine Zeile in die Zwischenablage, die im Terminal dasselbe Bild zeichnet, auf das Bit genau.</translation>
+    </message>
+    <message>
+        <source>Puts the selected node into an operation.</source>
+        <translation>Setzt den gewählten Knoten in eine Operation.</translation>
+    </message>
+    <message>
+        <source>Puts what the picture shows on the clipboard.</source>
+        <translation>Legt das gezeigte Bild in die Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Quadratic</source>
+        <translation>Quadratisch</translation>
+    </message>
+    <message>
+        <source>quarter</source>
+        <extracomment>tables</extracomment>
+        <translation>Viertel</translation>
+    </message>
+    <message>
+        <source>Quilt</source>
+        <translation>Quilt</translation>
+    </message>
+    <message>
+        <source>quilt</source>
+        <translation>Quilt</translation>
+    </message>
+    <message>
+        <source>Quilt columns</source>
+        <translation>Quilt-Spalten</translation>
+    </message>
+    <message>
+        <source>Quilt rows</source>
+        <translation>Quilt-Zeilen</translation>
+    </message>
+    <message>
+        <source>Radians by which the layer turns for each meter of height.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radiant, um die sich die Schicht je Meter Höhe dreht.</translation>
+    </message>
+    <message>
+        <source>Radii</source>
+        <translation>Radien</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius of its edges, cut to half its smallest side.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der Kanten, begrenzt auf die halbe kleinste Seite.</translation>
+    </message>
+    <message>
+        <source>Radius of its edges; cut so that a cone is left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der Kanten; begrenzt, sodass ein Kegel bleibt.</translation>
+    </message>
+    <message>
+        <source>Radius of the bowl at the bottom; cut to that of the ball.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der Schale unten; begrenzt auf den der Kugel.</translation>
+    </message>
+    <message>
+        <source>Radius of the bowl at the rim, between those of bottom and ball.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der Schale am Rand, zwischen dem unten und dem der Kugel.</translation>
+    </message>
+    <message>
+        <source>Radius of the curls of a tuft, in strand lengths.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der Locken eines Büschels, in Haarlängen.</translation>
+    </message>
+    <message>
+        <source>Radius of the edges; cut to half the smallest size.</source>
+        <translation>Radius der Kanten; begrenzt auf die halbe kleinste Größe.</translation>
+    </message>
+    <message>
+        <source>Radius of the edges; cut to the radius and half the height.</source>
+        <translation>Radius der Kanten; begrenzt auf den Radius und die halbe Höhe.</translation>
+    </message>
+    <message>
+        <source>Radius of the posts.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der Pfosten.</translation>
+    </message>
+    <message>
+        <source>Radius of the rings' tube.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Rohrs der Ringe.</translation>
+    </message>
+    <message>
+        <source>Radius of the rings' wire.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Drahts der Ringe.</translation>
+    </message>
+    <message>
+        <source>Radius of the scene's points of light: wide ones give soft shadows and wide highlights.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der Lichtpunkte der Szene: Große geben weiche Schatten und große Glanzlichter.</translation>
+    </message>
+    <message>
+        <source>Raise</source>
+        <extracomment>tables</extracomment>
+        <translation>Anheben</translation>
+    </message>
+    <message>
+        <source>raster</source>
+        <translation>Raster</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Ray exposure</source>
+        <extracomment>tables</extracomment>
+        <translation>Strahlenbelichtung</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <extracomment>tables</extracomment>
+        <translation>Strahlen</translation>
+    </message>
+    <message>
+        <source>rays look the field's noise up in empty space</source>
+        <translation>Strahlen schlagen das Rauschen des Felds im leeren Raum nach</translation>
+    </message>
+    <message>
+        <source>Rays of the hemisphere, more of them along the normal.</source>
+        <extracomment>tables</extracomment>
+        <translation>Strahlen der Halbkugel, mehr davon entlang der Normalen.</translation>
+    </message>
+    <message>
+        <source>Rays over each light, for the area method.</source>
+        <extracomment>tables</extracomment>
+        <translation>Strahlen über jedes Licht, für das Flächenverfahren.</translation>
+    </message>
+    <message>
+        <source>Rays over the sun's disk, for the area method.</source>
+        <extracomment>tables</extracomment>
+        <translation>Strahlen über die Sonnenscheibe, für das Flächenverfahren.</translation>
+    </message>
+    <message>
+        <source>Read: %1 %2</source>
+        <translation>Abzulesen: %1 %2</translation>
+    </message>
+    <message>
+        <source>Reading</source>
+        <translation>Liest</translation>
+    </message>
+    <message>
+        <source>Reading %1%2 … %3 s</source>
+        <translation>Liest %1%2 … %3 s</translation>
+    </message>
+    <message>
+        <source>reading it back</source>
+        <translation>das Zurücklesen</translation>
+    </message>
+    <message>
+        <source>reading it back failed ({1})</source>
+        <translation>das Zurücklesen ist misslungen ({=1})</translation>
+    </message>
+    <message>
+        <source>reading it back gave fewer bytes</source>
+        <translation>das Zurücklesen ergab weniger Bytes, es</translation>
+    </message>
+    <message>
+        <source>reading it back gave other bytes</source>
+        <translation>das Zurücklesen ergab andere Bytes, es</translation>
+    </message>
+    <message>
+        <source>reading it back gave other pixels</source>
+        <translation>das Zurücklesen ergab andere Pixel</translation>
+    </message>
+    <message>
+        <source>reading it back gave other pixels in row {1}</source>
+        <translation>das Zurücklesen ergab andere Pixel in Zeile {1}</translation>
+    </message>
+    <message>
+        <source>Reading the views was stopped; nothing was changed.</source>
+        <translation>Das Lesen der Ansichten wurde angehalten; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>Reading the views was stopped; nothing was written.</source>
+        <translation>Das Lesen der Ansichten wurde angehalten; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>reading was canceled</source>
+        <translation>das Lesen wurde abgebrochen</translation>
+    </message>
+    <message>
+        <source>Reading, %1 %</source>
+        <translation>Liest, %1 %</translation>
+    </message>
+    <message>
+        <source>README.md did not come with this copy of the program.</source>
+        <translation>README.md lag dieser Kopie des Programms nicht bei.</translation>
+    </message>
+    <message>
+        <source>reads and writes pictures</source>
+        <translation>liest und schreibt Bilder</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Recording</source>
+        <translation>Aufnahme</translation>
+    </message>
+    <message>
+        <source>Recording of {1}</source>
+        <translation>Aufnahme von {1}</translation>
+    </message>
+    <message>
+        <source>reference of {1}</source>
+        <translation>Referenz von {1}</translation>
+    </message>
+    <message>
+        <source>Reflectance</source>
+        <translation>Reflexionsgrad</translation>
+    </message>
+    <message>
+        <source>Reflectance of the plastic: 0.5 is what its index gives, 0 none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Reflexionsgrad des Kunststoffs: 0.5 ist, was sein Index ergibt, 0 keiner.</translation>
+    </message>
+    <message>
+        <source>Reflectance of what is not metal: 0.5 is the 4 % of most glazes.</source>
+        <extracomment>tables</extracomment>
+        <translation>Reflexionsgrad dessen, was nicht Metall ist: 0.5 sind die 4 % der meisten Glasuren.</translation>
+    </message>
+    <message>
+        <source>Reflection probe</source>
+        <extracomment>tables</extracomment>
+        <translation>Reflexionssonde</translation>
+    </message>
+    <message>
+        <source>Reflections</source>
+        <extracomment>tables</extracomment>
+        <translation>Spiegelungen</translation>
+    </message>
+    <message>
+        <source>Refractive index</source>
+        <extracomment>tables</extracomment>
+        <translation>Brechungsindex</translation>
+    </message>
+    <message>
+        <source>Relaxation</source>
+        <extracomment>tables</extracomment>
+        <translation>Relaxation</translation>
+    </message>
+    <message>
+        <source>Relaxation factor</source>
+        <extracomment>tables</extracomment>
+        <translation>Relaxationsfaktor</translation>
+    </message>
+    <message>
+        <source>Release</source>
+        <extracomment>tables</extracomment>
+        <translation>Freilassen</translation>
+    </message>
+    <message>
+        <source>Relief blend</source>
+        <extracomment>tables</extracomment>
+        <translation>Reliefübergang</translation>
+    </message>
+    <message>
+        <source>Rename	F2</source>
+        <translation>Umbenennen	F2</translation>
+    </message>
+    <message>
+        <source>Rename %1</source>
+        <translation>%1 umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename, duplicate, delete, import, export</source>
+        <translation>Umbenennen, duplizieren, löschen, importieren, exportieren</translation>
+    </message>
+    <message>
+        <source>Render again</source>
+        <translation>Neu rendern</translation>
+    </message>
+    <message>
+        <source>Rendering the views was stopped; nothing was written.</source>
+        <translation>Das Rendern der Ansichten wurde angehalten; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Rendering views, %1 %</source>
+        <translation>Rendert Ansichten, %1 %</translation>
+    </message>
+    <message>
+        <source>Renders the views once more, from where you stand now.</source>
+        <translation>Rendert die Ansichten noch einmal, von dort, wo Sie jetzt stehen.</translation>
+    </message>
+    <message>
+        <source>repeated</source>
+        <extracomment>tables</extracomment>
+        <translation>wiederholt</translation>
+    </message>
+    <message>
+        <source>Repetition</source>
+        <extracomment>tables</extracomment>
+        <translation>Wiederholung</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace the file?</source>
+        <translation>Die Datei ersetzen?</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset &amp;all parameters</source>
+        <translation>&amp;Alle Parameter zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset to %1</source>
+        <translation>Auf %1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Resolution scale</source>
+        <extracomment>tables</extracomment>
+        <translation>Auflösungsmaßstab</translation>
+    </message>
+    <message>
+        <source>Reverse</source>
+        <extracomment>tables</extracomment>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>reversed</source>
+        <extracomment>tables</extracomment>
+        <translation>umgekehrt</translation>
+    </message>
+    <message>
+        <source>Rib stretch</source>
+        <extracomment>tables</extracomment>
+        <translation>Rippenstreckung</translation>
+    </message>
+    <message>
+        <source>Rib width</source>
+        <extracomment>tables</extracomment>
+        <translation>Rippenbreite</translation>
+    </message>
+    <message>
+        <source>Ride</source>
+        <extracomment>tables</extracomment>
+        <translation>Mitreiten</translation>
+    </message>
+    <message>
+        <source>ridged</source>
+        <extracomment>tables</extracomment>
+        <translation>gratig</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>Right bounces</source>
+        <extracomment>tables</extracomment>
+        <translation>Spiegelungen rechts</translation>
+    </message>
+    <message>
+        <source>Right drag</source>
+        <translation>Rechts ziehen</translation>
+    </message>
+    <message>
+        <source>Right evaluation</source>
+        <extracomment>tables</extracomment>
+        <translation>Auswertung rechts</translation>
+    </message>
+    <message>
+        <source>Right eye</source>
+        <translation>Rechtes Auge</translation>
+    </message>
+    <message>
+        <source>Right hit tolerance</source>
+        <extracomment>tables</extracomment>
+        <translation>Treffertoleranz rechts</translation>
+    </message>
+    <message>
+        <source>Right method</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren rechts</translation>
+    </message>
+    <message>
+        <source>Right occlusion method</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdeckung rechts</translation>
+    </message>
+    <message>
+        <source>Right shadow method</source>
+        <extracomment>tables</extracomment>
+        <translation>Schatten rechts</translation>
+    </message>
+    <message>
+        <source>Right step limit</source>
+        <extracomment>tables</extracomment>
+        <translation>Schrittgrenze rechts</translation>
+    </message>
+    <message>
+        <source>Right view</source>
+        <extracomment>tables</extracomment>
+        <translation>Ansicht rechts</translation>
+    </message>
+    <message>
+        <source>Rim light</source>
+        <extracomment>tables</extracomment>
+        <translation>Randlicht</translation>
+    </message>
+    <message>
+        <source>Ring density</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Dichte</translation>
+    </message>
+    <message>
+        <source>Ring length</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Länge</translation>
+    </message>
+    <message>
+        <source>Ring model</source>
+        <extracomment>tables</extracomment>
+        <translation>Ringmodell</translation>
+    </message>
+    <message>
+        <source>Ring root</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Wurzel</translation>
+    </message>
+    <message>
+        <source>Ring thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Dicke</translation>
+    </message>
+    <message>
+        <source>Ring tip</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Spitze</translation>
+    </message>
+    <message>
+        <source>Ring tube</source>
+        <extracomment>tables</extracomment>
+        <translation>Ringrohr</translation>
+    </message>
+    <message>
+        <source>Ring uniformity</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Gleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>Ring wire</source>
+        <extracomment>tables</extracomment>
+        <translation>Ringdraht</translation>
+    </message>
+    <message>
+        <source>Rings</source>
+        <extracomment>tables</extracomment>
+        <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>rings</source>
+        <extracomment>tables</extracomment>
+        <translation>Ringe</translation>
+    </message>
+    <message>
+        <source>Ripple count</source>
+        <extracomment>tables</extracomment>
+        <translation>Wellenzahl</translation>
+    </message>
+    <message>
+        <source>Ripples</source>
+        <extracomment>tables</extracomment>
+        <translation>Kräuselung</translation>
+    </message>
+    <message>
+        <source>Ripples that are summed, from the longest on.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wellen, die summiert werden, von der längsten an.</translation>
+    </message>
+    <message>
+        <source>rises</source>
+        <extracomment>tables</extracomment>
+        <translation>steigt</translation>
+    </message>
+    <message>
+        <source>RMS distance of surfaces, meters</source>
+        <translation>RMS-Abstand der Oberflächen, Meter</translation>
+    </message>
+    <message>
+        <source>RMS error of linear light</source>
+        <translation>RMS-Fehler des linearen Lichts</translation>
+    </message>
+    <message>
+        <source>Roll density</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Dichte</translation>
+    </message>
+    <message>
+        <source>Roll from one print to the other and on, like a billboard.</source>
+        <extracomment>tables</extracomment>
+        <translation>Rollt von einem Druck zum anderen und weiter, wie eine Werbetafel.</translation>
+    </message>
+    <message>
+        <source>Roll length</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Länge</translation>
+    </message>
+    <message>
+        <source>Roll root</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Wurzel</translation>
+    </message>
+    <message>
+        <source>Roll thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Dicke</translation>
+    </message>
+    <message>
+        <source>Roll tip</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Spitze</translation>
+    </message>
+    <message>
+        <source>Roll uniformity</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Gleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>Root</source>
+        <extracomment>tables</extracomment>
+        <translation>Wurzel</translation>
+    </message>
+    <message>
+        <source>Rotate</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Rotation</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>rotation</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Rotation limit</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehgrenze</translation>
+    </message>
+    <message>
+        <source>Rotation model</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehmodell</translation>
+    </message>
+    <message>
+        <source>rough glass shows what is behind it</source>
+        <translation>raues Glas zeigt, was hinter ihm liegt</translation>
+    </message>
+    <message>
+        <source>Roughness</source>
+        <extracomment>tables</extracomment>
+        <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>round edges</source>
+        <extracomment>tables</extracomment>
+        <translation>runde Kanten</translation>
+    </message>
+    <message>
+        <source>Round what you look at</source>
+        <translation>Um das Betrachtete herum</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <extracomment>tables</extracomment>
+        <translation>Reihen</translation>
+    </message>
+    <message>
+        <source>Rows of cells in which a ray looks for lanterns; those beyond are reckoned as their mean.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zellenreihen, in denen ein Strahl nach Laternen sucht; die dahinter werden als ihr Mittel gerechnet.</translation>
+    </message>
+    <message>
+        <source>Rows of views in a quilt, the first at the bottom.</source>
+        <translation>Zeilen von Ansichten in einem Quilt, die erste unten.</translation>
+    </message>
+    <message>
+        <source>Rows that differ</source>
+        <translation>Verschiedene Zeilen</translation>
+    </message>
+    <message>
+        <source>Run everything</source>
+        <translation>Alles ausführen</translation>
+    </message>
+    <message>
+        <source>run {1} of {2}</source>
+        <translation>Durchlauf {1} von {2}</translation>
+    </message>
+    <message>
+        <source>Runs every step, also those that the picture does not need. It stays the same to the bit; only the cost changes.</source>
+        <translation>Führt jeden Schritt aus, auch die, die das Bild nicht braucht. Es bleibt auf das Bit gleich; nur die Kosten ändern sich.</translation>
+    </message>
+    <message>
+        <source>sample {1} of {2}</source>
+        <translation>Sample {1} von {2}</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <extracomment>tables</extracomment>
+        <translation>Samples</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Samples</translation>
+    </message>
+    <message>
+        <source>Samples between</source>
+        <extracomment>tables</extracomment>
+        <translation>Samples dazwischen</translation>
+    </message>
+    <message>
+        <source>Samples per pixel</source>
+        <translation>Samples pro Pixel</translation>
+    </message>
+    <message>
+        <source>Samples per pixel of a rendered view, each view with noise of its own.</source>
+        <translation>Samples pro Pixel einer gerenderten Ansicht, jede Ansicht mit eigenem Rauschen.</translation>
+    </message>
+    <message>
+        <source>Samples per pixel that a picture at rest is refined to: few leave stairs at edges, many take longer to settle.</source>
+        <extracomment>tables</extracomment>
+        <translation>Samples pro Pixel, bis zu denen ein ruhendes Bild verfeinert wird: Wenige lassen Treppen an Kanten, viele brauchen länger.</translation>
+    </message>
+    <message>
+        <source>Samples per pixel: edges are stairs at 1, smooth at 16.</source>
+        <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt.</translation>
+    </message>
+    <message>
+        <source>Samples per pixel: edges are stairs at 1, smooth at 16; 64 is for prints.</source>
+        <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt; 64 sind für Drucke.</translation>
+    </message>
+    <message>
+        <source>Samples per texel when the mirror image is blurred for rough surfaces.</source>
+        <extracomment>tables</extracomment>
+        <translation>Samples pro Texel, wenn das Spiegelbild für raue Oberflächen weichgezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>Samples up the normal that darken what is hidden from that light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Samples entlang der Normalen, die abdunkeln, was diesem Licht verborgen ist.</translation>
+    </message>
+    <message>
+        <source>Sand around it, and a black horizon, where it is shown alone.</source>
+        <extracomment>tables</extracomment>
+        <translation>Sand ringsum und ein schwarzer Horizont, wo es allein gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>Saturation to the right, brightness upward; hue in the bar.
+Arrows move in the field, with Ctrl in the bar.</source>
+        <translation>Sättigung nach rechts, Helligkeit nach oben; Farbton im Balken.
+Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;file</source>
+        <translation>Datei &amp;speichern</translation>
+    </message>
+    <message>
+        <source>Save and close</source>
+        <translation>Speichern und schließen</translation>
+    </message>
+    <message>
+        <source>Save as</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>Save as %1</source>
+        <translation>Als %1 speichern</translation>
+    </message>
+    <message>
+        <source>Save as a &amp;tour…</source>
+        <translation>Als &amp;Rundgang speichern…</translation>
+    </message>
+    <message>
+        <source>Save as a tour</source>
+        <translation>Als Rundgang speichern</translation>
+    </message>
+    <message>
+        <source>Save e&amp;xhibition…</source>
+        <translation>Ausstellung s&amp;peichern…</translation>
+    </message>
+    <message>
+        <source>Save exhibition</source>
+        <translation>Ausstellung speichern</translation>
+    </message>
+    <message>
+        <source>Save file &amp;as…</source>
+        <translation>Datei speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save preset &amp;as…</source>
+        <translation>Preset speichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Save preset of %1 as</source>
+        <translation>Preset von %1 speichern unter</translation>
+    </message>
+    <message>
+        <source>Save settings</source>
+        <translation>Einstellungen speichern</translation>
+    </message>
+    <message>
+        <source>Save settings…</source>
+        <translation>Einstellungen speichern…</translation>
+    </message>
+    <message>
+        <source>Save sheet</source>
+        <translation>Folie speichern</translation>
+    </message>
+    <message>
+        <source>Save sheet %1</source>
+        <translation>Folie %1 speichern</translation>
+    </message>
+    <message>
+        <source>Save the measurements</source>
+        <translation>Messwerte speichern</translation>
+    </message>
+    <message>
+        <source>Saved</source>
+        <translation>Gespart</translation>
+    </message>
+    <message>
+        <source>Saved %1 files, the first %2, and their settings beside them.</source>
+        <translation>%1 Dateien gespeichert, die erste als %2, und daneben ihre Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Saved %1, and %2 files beside it.</source>
+        <translation>%1 gespeichert, und daneben %2 Dateien.</translation>
+    </message>
+    <message>
+        <source>Saved %1, and its settings beside it.</source>
+        <translation>%1 gespeichert, und daneben die Einstellungen.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saved to %1.</source>
+        <translation>In %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Saves everything in one file: all exhibits, the hall and where you stand.</source>
+        <translation>Speichert alles in einer Datei: alle Exponate, die Halle und wo Sie stehen.</translation>
+    </message>
+    <message>
+        <source>Saves the numbers below as a sheet of your own.</source>
+        <translation>Speichert die Zahlen darunter als eigene Folie.</translation>
+    </message>
+    <message>
+        <source>Saves the picture at any size, as PNG, JPEG, EXR or TIFF.</source>
+        <translation>Speichert das Bild in beliebiger Größe, als PNG, JPEG, EXR oder TIFF.</translation>
+    </message>
+    <message>
+        <source>Saves the values that the panel shows to the preset in use.</source>
+        <translation>Speichert die Werte, die das Bedienfeld zeigt, in das benutzte Preset.</translation>
+    </message>
+    <message>
+        <source>Saves the values that the panel shows under a new name.</source>
+        <translation>Speichert die Werte, die das Bedienfeld zeigt, unter einem neuen Namen.</translation>
+    </message>
+    <message>
+        <source>Saves what the picture shows as PNG, in your pictures folder.</source>
+        <translation>Speichert das gezeigte Bild als PNG in Ihrem Bilderordner.</translation>
+    </message>
+    <message>
+        <source>Saves what was measured as a table (CSV) or JSON, or the chart as PNG or SVG.</source>
+        <translation>Speichert das Gemessene als Tabelle (CSV) oder JSON, oder das Diagramm als PNG oder SVG.</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Maßstab</translation>
+    </message>
+    <message>
+        <source>Scale %1</source>
+        <translation>%1 skalieren</translation>
+    </message>
+    <message>
+        <source>Scatterings</source>
+        <extracomment>tables</extracomment>
+        <translation>Streuungen</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Screen space</source>
+        <extracomment>tables</extracomment>
+        <translation>Bildraum</translation>
+    </message>
+    <message>
+        <source>screen space</source>
+        <extracomment>tables</extracomment>
+        <translation>Bildraum</translation>
+    </message>
+    <message>
+        <source>Screen&amp;shot</source>
+        <translation>2635|Bildschirmf&amp;otoBildschirmfoto</translation>
+    </message>
+    <message>
+        <source>Screenshot saved to %1.</source>
+        <translation>Bildschirmfoto als %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Scroll</source>
+        <extracomment>tables</extracomment>
+        <translation>Rollen</translation>
+    </message>
+    <message>
+        <source>SDF Scenes</source>
+        <translation>SDF-Szenen</translation>
+    </message>
+    <message>
+        <source>sea</source>
+        <extracomment>tables</extracomment>
+        <translation>Meer</translation>
+    </message>
+    <message>
+        <source>Sea and wind</source>
+        <extracomment>tables</extracomment>
+        <translation>Meer und Wind</translation>
+    </message>
+    <message>
+        <source>Sea steps</source>
+        <extracomment>tables</extracomment>
+        <translation>Meerschritte</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <extracomment>tables</extracomment>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Selected p&amp;reset as B</source>
+        <translation>Gewähltes P&amp;reset als B</translation>
+    </message>
+    <message>
+        <source>Self shadow</source>
+        <extracomment>tables</extracomment>
+        <translation>Selbstschatten</translation>
+    </message>
+    <message>
+        <source>semi-implicit</source>
+        <extracomment>tables</extracomment>
+        <translation>semi-implizit</translation>
+    </message>
+    <message>
+        <source>Set %1</source>
+        <translation>%1 setzen</translation>
+    </message>
+    <message>
+        <source>Set bookmark %1</source>
+        <translation>Lesezeichen %1 setzen</translation>
+    </message>
+    <message>
+        <source>set by hand</source>
+        <translation>von Hand gesetzt</translation>
+    </message>
+    <message>
+        <source>Set how the fur lies by the four numbers below, and keep the bodies still.</source>
+        <extracomment>tables</extracomment>
+        <translation>Setzt die Lage des Fells durch die vier Zahlen darunter und hält die Körper still.</translation>
+    </message>
+    <message>
+        <source>Set sun by</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonne nach</translation>
+    </message>
+    <message>
+        <source>Set two bookmarks at least: Ctrl+Alt+1 where you stand, then Ctrl+Alt+2 elsewhere.</source>
+        <translation>Setzen Sie mindestens zwei Lesezeichen: Strg+Alt+1, wo Sie stehen, dann Strg+Alt+2 anderswo.</translation>
+    </message>
+    <message>
+        <source>Set what the study found</source>
+        <translation>Ergebnis der Studie setzen</translation>
+    </message>
+    <message>
+        <source>setting {1}, {2}</source>
+        <translation>Einstellung {1}, {2}</translation>
+    </message>
+    <message>
+        <source>Settings (*.json)</source>
+        <translation>Einstellungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Settings and prints (*.json *.tif *.png)</source>
+        <translation>Einstellungen und Drucke (*.json *.tif *.png)</translation>
+    </message>
+    <message>
+        <source>Settings saved to %1.</source>
+        <translation>Einstellungen in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Shade light</source>
+        <extracomment>tables</extracomment>
+        <translation>Schattenlicht</translation>
+    </message>
+    <message>
+        <source>Shadow</source>
+        <extracomment>tables</extracomment>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Shadow filter</source>
+        <extracomment>tables</extracomment>
+        <translation>Schattenfilter</translation>
+    </message>
+    <message>
+        <source>shadow k h / t</source>
+        <extracomment>tables</extracomment>
+        <translation>Schatten k h / t</translation>
+    </message>
+    <message>
+        <source>Shadow map size</source>
+        <extracomment>tables</extracomment>
+        <translation>Shadow-Map-Größe</translation>
+    </message>
+    <message>
+        <source>Shadow method</source>
+        <extracomment>tables</extracomment>
+        <translation>Schattenverfahren</translation>
+    </message>
+    <message>
+        <source>Shadow rays</source>
+        <extracomment>tables</extracomment>
+        <translation>Schattenstrahlen</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <extracomment>tables</extracomment>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>shadows are off</source>
+        <translation>Schatten sind aus</translation>
+    </message>
+    <message>
+        <source>shadows are switched off</source>
+        <translation>Schatten sind ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <extracomment>tables</extracomment>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>shapes</source>
+        <extracomment>tables</extracomment>
+        <translation>Formen</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>share of pixels off by more than 1/255</source>
+        <translation>Anteil der Pixel, die um mehr als 1/255 abweichen</translation>
+    </message>
+    <message>
+        <source>Share of that time in which the print rests; the rest of it is the roll.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil dieser Zeit, in der der Druck ruht; der Rest ist das Rollen.</translation>
+    </message>
+    <message>
+        <source>Share of the bounds of slope and curvature that strides go by, proven ones of the field, five and a half standard deviations of the sea: 1 passes nothing wide, less is quicker, for noise is seldom as steep.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil der Schranken von Steigung und Krümmung, nach denen Schritte gehen, beim Feld bewiesene, beim Meer fünfeinhalb Standardabweichungen: 1 übergeht nichts Breites, weniger ist schneller, denn Rauschen ist selten so steil.</translation>
+    </message>
+    <message>
+        <source>Share of the light that the dust scatters rather than swallows: white swallows none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil des Lichts, den der Staub streut statt schluckt: Weiß schluckt nichts.</translation>
+    </message>
+    <message>
+        <source>Share of the light that they scatter in the second lobe, back.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil des Lichts, den sie in der zweiten Keule streuen, zurück.</translation>
+    </message>
+    <message>
+        <source>share of the variance, cells</source>
+        <translation>Anteil der Varianz, Zellen</translation>
+    </message>
+    <message>
+        <source>Share of these cells that have one: at 0 the lake is empty.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil dieser Zellen, die eine haben: Bei 0 ist der See leer.</translation>
+    </message>
+    <message>
+        <source>sharp</source>
+        <extracomment>tables</extracomment>
+        <translation>scharf</translation>
+    </message>
+    <message>
+        <source>Sheen</source>
+        <extracomment>tables</extracomment>
+        <translation>Samtglanz</translation>
+    </message>
+    <message>
+        <source>Sheet</source>
+        <translation>Folie</translation>
+    </message>
+    <message>
+        <source>Sheet kind</source>
+        <extracomment>tables</extracomment>
+        <translation>Folienart</translation>
+    </message>
+    <message>
+        <source>Sheets to start from, and your own. Makers differ: measure yours with a pitch chart and save it.</source>
+        <translation>Folien als Ausgangspunkt, und Ihre eigenen. Hersteller unterscheiden sich: Messen Sie Ihre mit einem Pitch-Testchart, und speichern Sie sie.</translation>
+    </message>
+    <message>
+        <source>Shell count</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Shells</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Shift samples and steps by blue noise, so that too few of them look like grain and not like bands.</source>
+        <extracomment>tables</extracomment>
+        <translation>Versetzt Samples und Schritte durch blaues Rauschen, sodass zu wenige davon wie Korn aussehen und nicht wie Streifen.</translation>
+    </message>
+    <message>
+        <source>Shift the steps by blue noise, another at every supersample, so that few of them look like grain and not like shells.</source>
+        <extracomment>tables</extracomment>
+        <translation>Versetzt die Schritte durch blaues Rauschen, bei jedem Supersample ein anderes, sodass wenige davon wie Korn aussehen und nicht wie Schalen.</translation>
+    </message>
+    <message>
+        <source>Shininess</source>
+        <translation>Glanz</translation>
+    </message>
+    <message>
+        <source>Shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Show %1 alone</source>
+        <translation>Nur %1 zeigen</translation>
+    </message>
+    <message>
+        <source>Show a rasterized mesh of the same object to the right of the wipe.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeigt rechts der Wischblende ein rasterisiertes Netz desselben Objekts.</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Show all nodes</source>
+        <translation>Alle Knoten zeigen</translation>
+    </message>
+    <message>
+        <source>Show box</source>
+        <extracomment>tables</extracomment>
+        <translation>Quader zeigen</translation>
+    </message>
+    <message>
+        <source>Show in folder</source>
+        <translation>Im Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Show the file in its folder</source>
+        <translation>Die Datei in ihrem Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Shows B in place of A. Holding the key B in the picture does the same.</source>
+        <translation>Zeigt B statt A. Die Taste B im Bild zu halten, tut dasselbe.</translation>
+    </message>
+    <message>
+        <source>Shows only parameters whose name, group, help or choices contain these words (Ctrl+F). Enter goes to the first, Esc clears, Esc again leaves.</source>
+        <translation>Zeigt nur Parameter, deren Name, Gruppe, Hilfe oder Auswahl diese Wörter enthält (Strg+F). Eingabe geht zum ersten, Esc leert das Feld, noch einmal Esc verlässt es.</translation>
+    </message>
+    <message>
+        <source>Shows only parameters whose value is not the initial one.</source>
+        <translation>Zeigt nur Parameter, deren Wert nicht der Ausgangswert ist.</translation>
+    </message>
+    <message>
+        <source>Shows only presets whose name contains these words, or is “yours”. Enter loads the first, Esc clears.</source>
+        <translation>Zeigt nur Presets, deren Name diese Wörter enthält oder „eigene“ lautet. Eingabe lädt das erste, Esc leert das Feld.</translation>
+    </message>
+    <message>
+        <source>Shows or hides this panel.</source>
+        <translation>Blendet dieses Bedienfeld ein oder aus.</translation>
+    </message>
+    <message>
+        <source>Shows them so long after a jump and stops the clock there; 0 lets the button and the clock decide.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeigt sie so lange nach einem Sprung und hält die Uhr dort an; 0 überlässt es Knopf und Uhr.</translation>
+    </message>
+    <message>
+        <source>Shows them, and copies one from B to A.</source>
+        <translation>Zeigt sie und übernimmt eine von B nach A.</translation>
+    </message>
+    <message>
+        <source>Side by &amp;side</source>
+        <translation>&amp;Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Side of the wooden base.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seite des hölzernen Bodens.</translation>
+    </message>
+    <message>
+        <source>Sides of the drawn picture against the window's: less is quicker and blurred.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seiten des gezeichneten Bildes gegenüber denen des Fensters: Kleiner ist schneller und unschärfer.</translation>
+    </message>
+    <message>
+        <source>Signed</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>signed</source>
+        <extracomment>tables</extracomment>
+        <translation>vorzeichenbehaftet</translation>
+    </message>
+    <message>
+        <source>Signed &amp;difference</source>
+        <translation>Vorzeichenbehaftete &amp;Differenz</translation>
+    </message>
+    <message>
+        <source>Silhouette</source>
+        <extracomment>tables</extracomment>
+        <translation>Silhouette</translation>
+    </message>
+    <message>
+        <source>silhouettes are not filled with fins</source>
+        <translation>Silhouetten werden nicht mit Fins gefüllt</translation>
+    </message>
+    <message>
+        <source>simplex</source>
+        <extracomment>tables</extracomment>
+        <translation>Simplex</translation>
+    </message>
+    <message>
+        <source>Simulation</source>
+        <extracomment>tables</extracomment>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>simulation</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>sine</source>
+        <translation>Sinus</translation>
+    </message>
+    <message>
+        <source>six faces</source>
+        <translation>sechs Seiten</translation>
+    </message>
+    <message>
+        <source>Six square pictures.</source>
+        <translation>Sechs quadratische Bilder.</translation>
+    </message>
+    <message>
+        <source>Sixteen pictures in one print: the lenses choose, by where you stand.</source>
+        <translation>Sechzehn Bilder in einem Druck: Die Linsen wählen, je nachdem, wo man steht.</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size of the spot that a lens shows against what the model gives: 0 is one point of a strip, above 1 the neighbors bleed in.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größe des Flecks, den eine Linse zeigt, gegenüber dem des Modells: 0 ist ein Punkt eines Streifens, über 1 dringen die Nachbarn ein.</translation>
+    </message>
+    <message>
+        <source>skewed, from above</source>
+        <translation>schräg, von oben</translation>
+    </message>
+    <message>
+        <source>Skins are not supported; meshes keep their rest pose.</source>
+        <translation>Skins werden nicht unterstützt; Netze behalten ihre Ruhepose.</translation>
+    </message>
+    <message>
+        <source>skipped</source>
+        <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>Sky</source>
+        <extracomment>tables</extracomment>
+        <translation>Himmel</translation>
+    </message>
+    <message>
+        <source>Sky color</source>
+        <extracomment>tables</extracomment>
+        <translation>Himmelsfarbe</translation>
+    </message>
+    <message>
+        <source>Sky strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Himmelsstärke</translation>
+    </message>
+    <message>
+        <source>Sky temperature</source>
+        <extracomment>tables</extracomment>
+        <translation>Himmelstemperatur</translation>
+    </message>
+    <message>
+        <source>slerp</source>
+        <extracomment>tables</extracomment>
+        <translation>slerp</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <extracomment>tables</extracomment>
+        <translation>Scheiben</translation>
+    </message>
+    <message>
+        <source>Slides the camera to the right.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verschiebt die Kamera nach rechts.</translation>
+    </message>
+    <message>
+        <source>Slides the camera up.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verschiebt die Kamera nach oben.</translation>
+    </message>
+    <message>
+        <source>Slope of the small waves that the wind makes: it draws reflections out.</source>
+        <extracomment>tables</extracomment>
+        <translation>Steigung der kleinen Wellen, die der Wind macht: Sie zieht Spiegelungen in die Länge.</translation>
+    </message>
+    <message>
+        <source>smooth layers</source>
+        <extracomment>tables</extracomment>
+        <translation>glatte Schichten</translation>
+    </message>
+    <message>
+        <source>smooth wafer</source>
+        <extracomment>tables</extracomment>
+        <translation>glatte Waffel</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <extracomment>tables</extracomment>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>smoothing is 0</source>
+        <translation>die Glättung ist 0</translation>
+    </message>
+    <message>
+        <source>Snap</source>
+        <extracomment>tables</extracomment>
+        <translation>Einrasten</translation>
+    </message>
+    <message>
+        <source>so many numbers take too long to be built into a program</source>
+        <translation>so viele Zahlen brauchen zu lange, um in ein Programm gebaut zu werden</translation>
+    </message>
+    <message>
+        <source>Soft Serve</source>
+        <translation>Softeis</translation>
+    </message>
+    <message>
+        <source>Soft shadows</source>
+        <translation>Weiche Schatten</translation>
+    </message>
+    <message>
+        <source>Solo</source>
+        <translation>Solo</translation>
+    </message>
+    <message>
+        <source>some nodes are their own ancestors</source>
+        <translation>einige Knoten sind ihre eigenen Vorfahren</translation>
+    </message>
+    <message>
+        <source>something else stands on the floor</source>
+        <translation>etwas anderes steht auf dem Boden</translation>
+    </message>
+    <message>
+        <source>something follows {1} that is no chunk</source>
+        <translation>auf „{1}“ folgt etwas, das kein Block ist</translation>
+    </message>
+    <message>
+        <source>Source ambient</source>
+        <extracomment>tables</extracomment>
+        <translation>Umgebungslicht (Original)</translation>
+    </message>
+    <message>
+        <source>Source fog</source>
+        <extracomment>tables</extracomment>
+        <translation>Nebel (Original)</translation>
+    </message>
+    <message>
+        <source>Source sun</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonne (Original)</translation>
+    </message>
+    <message>
+        <source>Source sun color</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenfarbe (Original)</translation>
+    </message>
+    <message>
+        <source>Source sun strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenstärke (Original)</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>sparse indices must be unsigned integers</source>
+        <translation>dünn besetzte Indizes müssen vorzeichenlose ganze Zahlen sein</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Specular</source>
+        <extracomment>tables</extracomment>
+        <translation>Spiegelnd</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <extracomment>tables</extracomment>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Spin</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>spin of 120 degrees</source>
+        <translation>Drehung um 120 Grad</translation>
+    </message>
+    <message>
+        <source>Spin the candies, let those in the air float, and turn the whole.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dreht die Bonbons, lässt die in der Luft schweben und dreht das Ganze.</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <extracomment>tables</extracomment>
+        <translation>Teilung</translation>
+    </message>
+    <message>
+        <source>Spread what 8 bits cannot say over neighboring dots.</source>
+        <translation>Verteilt, was 8 Bits nicht sagen können, auf benachbarte Punkte.</translation>
+    </message>
+    <message>
+        <source>Spring model</source>
+        <extracomment>tables</extracomment>
+        <translation>Federmodell</translation>
+    </message>
+    <message>
+        <source>Spring rate</source>
+        <extracomment>tables</extracomment>
+        <translation>Federrate</translation>
+    </message>
+    <message>
+        <source>Spring steps a second: few make the first two methods fail.</source>
+        <extracomment>tables</extracomment>
+        <translation>Federschritte pro Sekunde: Bei wenigen versagen die ersten beiden Verfahren.</translation>
+    </message>
+    <message>
+        <source>Sprinkle color</source>
+        <extracomment>tables</extracomment>
+        <translation>Streuselfarbe</translation>
+    </message>
+    <message>
+        <source>Sprinkle colors</source>
+        <extracomment>tables</extracomment>
+        <translation>Streuselfarben</translation>
+    </message>
+    <message>
+        <source>Sprinkle length</source>
+        <extracomment>tables</extracomment>
+        <translation>Streusellänge</translation>
+    </message>
+    <message>
+        <source>Sprinkle seed</source>
+        <extracomment>tables</extracomment>
+        <translation>Streusel-Startwert</translation>
+    </message>
+    <message>
+        <source>Sprinkle thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Streuseldicke</translation>
+    </message>
+    <message>
+        <source>Sprinkles</source>
+        <extracomment>tables</extracomment>
+        <translation>Streusel</translation>
+    </message>
+    <message>
+        <source>sprinkles</source>
+        <extracomment>tables</extracomment>
+        <translation>Streusel</translation>
+    </message>
+    <message>
+        <source>squeezed</source>
+        <extracomment>tables</extracomment>
+        <translation>gestaucht</translation>
+    </message>
+    <message>
+        <source>Stacked panels</source>
+        <translation>Gestapelte Bedienfelder</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <extracomment>tables</extracomment>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Stage time</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeit je Stufe</translation>
+    </message>
+    <message>
+        <source>Stand it on a plinth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stellt es auf einen Sockel.</translation>
+    </message>
+    <message>
+        <source>standard</source>
+        <extracomment>tables</extracomment>
+        <translation>Standard</translation>
+    </message>
+    <message>
+        <source>Standard deviation of the ink's blur: cross-talk between views.</source>
+        <extracomment>tables</extracomment>
+        <translation>Standardabweichung der Unschärfe der Tinte: Übersprechen zwischen Ansichten.</translation>
+    </message>
+    <message>
+        <source>Stars</source>
+        <extracomment>tables</extracomment>
+        <translation>Sterne</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>start and end are the same point; move one of them</source>
+        <translation>Anfang und Ende sind derselbe Punkt; verschieben Sie einen davon</translation>
+    </message>
+    <message>
+        <source>Start radius</source>
+        <translation>Radius am Anfang</translation>
+    </message>
+    <message>
+        <source>Starting</source>
+        <translation>Beginnt</translation>
+    </message>
+    <message>
+        <source>starting the encoder</source>
+        <translation>das Starten des Encoders</translation>
+    </message>
+    <message>
+        <source>starting the file</source>
+        <translation>das Beginnen der Datei</translation>
+    </message>
+    <message>
+        <source>starting the filters</source>
+        <translation>das Starten der Filter</translation>
+    </message>
+    <message>
+        <source>Stay open</source>
+        <translation>Offen lassen</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>Step &amp;back</source>
+        <translation>Schritt &amp;zurück</translation>
+    </message>
+    <message>
+        <source>Step limit</source>
+        <extracomment>tables</extracomment>
+        <translation>Schrittgrenze</translation>
+    </message>
+    <message>
+        <source>Step of the differences that give the normal: small drowns in rounding, large rounds creases.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritt der Differenzen, die die Normale ergeben: Kleine ertrinken in der Rundung, große runden Falten.</translation>
+    </message>
+    <message>
+        <source>Step of those differences near the eye: too small drowns in rounding, too large rounds creases.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritt dieser Differenzen nahe dem Auge: Zu kleine ertrinken in der Rundung, zu große runden Falten.</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <extracomment>tables</extracomment>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Steps a ray may take in one lantern, or, by cells around it, in all.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritte, die ein Strahl in einer Laterne machen darf, oder, bei Zellen ringsum, insgesamt.</translation>
+    </message>
+    <message>
+        <source>Steps a ray may take to find the field, or the sea of the source.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritte, die ein Strahl machen darf, um das Feld zu finden, oder das Meer des Originals.</translation>
+    </message>
+    <message>
+        <source>Steps a ray may take; one that runs out ends on its best candidate.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritte, die ein Strahl machen darf; einer, dem sie ausgehen, endet auf seinem besten Kandidaten.</translation>
+    </message>
+    <message>
+        <source>Steps by which a ray finds the water.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritte, in denen ein Strahl das Wasser findet.</translation>
+    </message>
+    <message>
+        <source>Steps from there towards the sun.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritte von dort zur Sonne.</translation>
+    </message>
+    <message>
+        <source>Steps in which a ray crosses a beam of the volume.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritte, in denen ein Strahl einen Lichtstrahl des Volumens durchquert.</translation>
+    </message>
+    <message>
+        <source>Steps of a ray through the clouds.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritte eines Strahls durch die Wolken.</translation>
+    </message>
+    <message>
+        <source>Steps that a ray may take; towards a light at most 128.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritte, die ein Strahl machen darf; zu einem Licht hin höchstens 128.</translation>
+    </message>
+    <message>
+        <source>stiff fur in long steps</source>
+        <translation>steifes Fell in langen Schritten</translation>
+    </message>
+    <message>
+        <source>Still being written: %1.</source>
+        <translation>Wird noch geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>still: refined %1 of %1; what moves is drawn by itself, %2 × %3 pixels</source>
+        <translation>in Ruhe: verfeinert, %1 von %1; was sich bewegt, wird für sich gezeichnet, %2 × %3 Pixel</translation>
+    </message>
+    <message>
+        <source>Stop %1</source>
+        <translation>%1 beenden</translation>
+    </message>
+    <message>
+        <source>Stop here</source>
+        <translation>Hier beenden</translation>
+    </message>
+    <message>
+        <source>Stop writing and close</source>
+        <translation>Schreiben abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>Stopping</source>
+        <translation>Hält an</translation>
+    </message>
+    <message>
+        <source>Stops and starts the exhibits' clock.</source>
+        <translation>Hält die Uhr der Exponate an und lässt sie weiterlaufen.</translation>
+    </message>
+    <message>
+        <source>Strand roundness</source>
+        <extracomment>tables</extracomment>
+        <translation>Haarrundung</translation>
+    </message>
+    <message>
+        <source>Strands</source>
+        <extracomment>tables</extracomment>
+        <translation>Haare</translation>
+    </message>
+    <message>
+        <source>Strands along a side of one tuft.</source>
+        <extracomment>tables</extracomment>
+        <translation>Haare entlang einer Seite eines Büschels.</translation>
+    </message>
+    <message>
+        <source>Strands on a square meter.</source>
+        <extracomment>tables</extracomment>
+        <translation>Haare auf einem Quadratmeter.</translation>
+    </message>
+    <message>
+        <source>Streak</source>
+        <extracomment>tables</extracomment>
+        <translation>Haarglanz</translation>
+    </message>
+    <message>
+        <source>Strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke</translation>
+    </message>
+    <message>
+        <source>Strength of a draft over the pit: it keeps the fur moving.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke eines Luftzugs über der Grube: Er hält das Fell in Bewegung.</translation>
+    </message>
+    <message>
+        <source>Strength of an octave over that of the one before: low is smooth, high is rough.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke einer Oktave gegenüber der davor: Niedrige Werte sind glatt, hohe rau.</translation>
+    </message>
+    <message>
+        <source>Strength of each octave against the one before.</source>
+        <translation>Stärke jeder Oktave gegenüber der davor.</translation>
+    </message>
+    <message>
+        <source>Strength of the lamp before the niche.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der Lampe vor der Nische.</translation>
+    </message>
+    <message>
+        <source>Strength of the lamp in the vault above the pit.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der Lampe im Gewölbe über der Grube.</translation>
+    </message>
+    <message>
+        <source>Strength of the rays in the sun's initial light: 0 makes none. In the plain sum, of each sample.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der Strahlen im anfänglichen Licht der Sonne: 0 erzeugt keine. In der einfachen Summe die jedes Samples.</translation>
+    </message>
+    <message>
+        <source>Strewn over the cream, each by a seed of its own.</source>
+        <extracomment>tables</extracomment>
+        <translation>Über das Eis gestreut, jedes nach einem eigenen Startwert.</translation>
+    </message>
+    <message>
+        <source>Strips</source>
+        <extracomment>tables</extracomment>
+        <translation>Streifen</translation>
+    </message>
+    <message>
+        <source>Strips under each lens: views chosen evenly from those that the print has, no more than it has.</source>
+        <extracomment>tables</extracomment>
+        <translation>Streifen unter jeder Linse: Ansichten, gleichmäßig aus denen des Drucks gewählt, nicht mehr, als er hat.</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>study {1}: a parameter is the exhibit's own or the hall's, as in hall.supersamples.</source>
+        <translation>study {=1}: Ein Parameter ist der des Exponats oder der Halle, wie in hall.supersamples.</translation>
+    </message>
+    <message>
+        <source>study {1}: named twice; name each parameter once.</source>
+        <translation>study {=1}: zweimal genannt; nennen Sie jeden Parameter einmal.</translation>
+    </message>
+    <message>
+        <source>Sum</source>
+        <extracomment>tables</extracomment>
+        <translation>Summe</translation>
+    </message>
+    <message>
+        <source>Sun</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonne</translation>
+    </message>
+    <message>
+        <source>Sun azimuth</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenazimut</translation>
+    </message>
+    <message>
+        <source>sun beyond the edge</source>
+        <translation>Sonne jenseits des Randes</translation>
+    </message>
+    <message>
+        <source>Sun by</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonne nach</translation>
+    </message>
+    <message>
+        <source>Sun disk</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenscheibe</translation>
+    </message>
+    <message>
+        <source>Sun elevation</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenhöhe</translation>
+    </message>
+    <message>
+        <source>Sun light</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenlicht</translation>
+    </message>
+    <message>
+        <source>Sun shadows</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenschatten</translation>
+    </message>
+    <message>
+        <source>sun shadows are switched off</source>
+        <translation>Sonnenschatten sind ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Sun strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenstärke</translation>
+    </message>
+    <message>
+        <source>Sun temperature</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnentemperatur</translation>
+    </message>
+    <message>
+        <source>Sun width</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenbreite</translation>
+    </message>
+    <message>
+        <source>sun's disk</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenscheibe</translation>
+    </message>
+    <message>
+        <source>sun, sky or lamps have changed</source>
+        <translation>Sonne, Himmel oder Lampen haben sich geändert</translation>
+    </message>
+    <message>
+        <source>Sunbeams: smeared across the picture, or marched through the dust.</source>
+        <translation>Sonnenstrahlen: über das Bild verwischt oder durch den Staub abgeschritten.</translation>
+    </message>
+    <message>
+        <source>Supersamples</source>
+        <extracomment>tables</extracomment>
+        <translation>Supersamples</translation>
+    </message>
+    <message>
+        <source>Sw&amp;ap A and B</source>
+        <translation>A &amp;und B vertauschen</translation>
+    </message>
+    <message>
+        <source>Swap A and B</source>
+        <translation>A und B vertauschen</translation>
+    </message>
+    <message>
+        <source>Table saved to %1.</source>
+        <translation>Tabelle in %1 gespeichert.</translation>
+    </message>
+    <message>
+        <source>Tables and charts (*.csv *.json *.png *.svg)</source>
+        <translation>Tabellen und Diagramme (*.csv *.json *.png *.svg)</translation>
+    </message>
+    <message>
+        <source>Take %1</source>
+        <translation>%1 übernehmen</translation>
+    </message>
+    <message>
+        <source>Take the file's</source>
+        <translation>Die der Datei nehmen</translation>
+    </message>
+    <message>
+        <source>Takes it out of the tree, with all that is in it.</source>
+        <translation>Nimmt ihn aus dem Baum, mit allem, was er enthält.</translation>
+    </message>
+    <message>
+        <source>Tall</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>Target</source>
+        <translation>Ziel</translation>
+    </message>
+    <message>
+        <source>Technique</source>
+        <extracomment>tables</extracomment>
+        <translation>Technik</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <extracomment>tables</extracomment>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Temporal antialiasing</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeitliche Kantenglättung</translation>
+    </message>
+    <message>
+        <source>tent 3x3</source>
+        <extracomment>tables</extracomment>
+        <translation>Zelt 3x3</translation>
+    </message>
+    <message>
+        <source>tent 5x5</source>
+        <extracomment>tables</extracomment>
+        <translation>Zelt 5x5</translation>
+    </message>
+    <message>
+        <source>Tessellation</source>
+        <extracomment>tables</extracomment>
+        <translation>Tessellierung</translation>
+    </message>
+    <message>
+        <source>test scene</source>
+        <extracomment>tables</extracomment>
+        <translation>Testszene</translation>
+    </message>
+    <message>
+        <source>tetrahedron</source>
+        <extracomment>tables</extracomment>
+        <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Texels along each side of the volume it is baked to.</source>
+        <extracomment>tables</extracomment>
+        <translation>Texel entlang jeder Seite des Volumens, in das es gebacken wird.</translation>
+    </message>
+    <message>
+        <source>Texels along one face of the captured mirror image: fewer blur polished surfaces.</source>
+        <extracomment>tables</extracomment>
+        <translation>Texel entlang einer Seite des aufgenommenen Spiegelbilds: Wenige machen polierte Oberflächen unscharf.</translation>
+    </message>
+    <message>
+        <source>Texels along one side of the sun's depth map: fewer give coarser shadow edges.</source>
+        <extracomment>tables</extracomment>
+        <translation>Texel entlang einer Seite der Tiefenkarte der Sonne: Wenige geben gröbere Schattenränder.</translation>
+    </message>
+    <message>
+        <source>Texels around that faceted normals are averaged over, not across edges.</source>
+        <extracomment>tables</extracomment>
+        <translation>Texel ringsum, über die facettierte Normalen gemittelt werden, nicht über Kanten hinweg.</translation>
+    </message>
+    <message>
+        <source>Texels of depth between two surfaces that make a line; slopes are taken off first.</source>
+        <extracomment>tables</extracomment>
+        <translation>Texel Tiefe zwischen zwei Oberflächen, die eine Linie ergeben; Steigungen werden vorher abgezogen.</translation>
+    </message>
+    <message>
+        <source>texture fetches</source>
+        <translation>Texturzugriffe</translation>
+    </message>
+    <message>
+        <source>the air is clear</source>
+        <translation>die Luft ist klar</translation>
+    </message>
+    <message>
+        <source>the axis is 0, 0, 0; give a direction</source>
+        <translation>die Achse ist 0, 0, 0; geben Sie eine Richtung an</translation>
+    </message>
+    <message>
+        <source>the back, from above</source>
+        <translation>die Rückseite, von oben</translation>
+    </message>
+    <message>
+        <source>The background, below.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Hintergrund, unten.</translation>
+    </message>
+    <message>
+        <source>The background, high up.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Hintergrund, hoch oben.</translation>
+    </message>
+    <message>
+        <source>the ball grows and shrinks</source>
+        <translation>der Ball wächst und schrumpft</translation>
+    </message>
+    <message>
+        <source>The baseline's scale is {1}; give 0 or more, 1 for depth in its true measure.</source>
+        <translation>Der Maßstab der Basis ist {1}; geben Sie 0 oder mehr an, 1 für Tiefe in ihrem wahren Maß.</translation>
+    </message>
+    <message>
+        <source>the beams are out of view</source>
+        <translation>die Strahlen sind außer Sicht</translation>
+    </message>
+    <message>
+        <source>the beams lie over the picture</source>
+        <translation>die Strahlen liegen über dem Bild</translation>
+    </message>
+    <message>
+        <source>the bleed is {1}; give 0 or more</source>
+        <translation>der Anschnitt ist {1}; geben Sie 0 oder mehr an</translation>
+    </message>
+    <message>
+        <source>the block that says whose lesson this is is missing; write ```json, {&quot;format&quot;: &quot;vitrine-lesson&quot;, &quot;version&quot;: 1, &quot;exhibit&quot;: ...} and ``` below the title.</source>
+        <translation>der Block, der sagt, wessen Lektion das ist, fehlt; schreiben Sie ```json, {&quot;format&quot;: &quot;vitrine-lesson&quot;, &quot;version&quot;: 1, &quot;exhibit&quot;: ...} und ``` unter den Titel.</translation>
+    </message>
+    <message>
+        <source>the bodies keep light off the floor</source>
+        <translation>die Körper halten Licht vom Boden ab</translation>
+    </message>
+    <message>
+        <source>The bookmark &quot;{1}&quot; is inside of a wall or a piece of furniture; move it.</source>
+        <translation>Das Lesezeichen „{=1}“ liegt in einer Wand oder einem Möbel; versetzen Sie es.</translation>
+    </message>
+    <message>
+        <source>the border is {1}; give 0 or more</source>
+        <translation>der Rand ist {1}; geben Sie 0 oder mehr an</translation>
+    </message>
+    <message>
+        <source>The bounces of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Die Spiegelungen der rechten Hälfte.</translation>
+    </message>
+    <message>
+        <source>the buffer has {1} bytes, fewer than its byteLength of {2}; export the file again.</source>
+        <translation>der Puffer hat {1} Bytes, weniger als seine byteLength von {2}; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>the buffers together are larger than {1} bytes; simplify the model.</source>
+        <translation>die Puffer sind zusammen größer als {1} Bytes; vereinfachen Sie das Modell.</translation>
+    </message>
+    <message>
+        <source>the buffers without data are larger than {1} bytes; give them a uri.</source>
+        <translation>die Puffer ohne Daten sind größer als {1} Bytes; geben Sie ihnen ein uri.</translation>
+    </message>
+    <message>
+        <source>the build-up has not come so far: every sample is the pixel's middle</source>
+        <translation>der Aufbau ist noch nicht so weit: Jedes Sample ist die Mitte des Pixels</translation>
+    </message>
+    <message>
+        <source>the camera jumped</source>
+        <translation>die Kamera ist gesprungen</translation>
+    </message>
+    <message>
+        <source>the camera turned too far</source>
+        <translation>die Kamera hat sich zu weit gedreht</translation>
+    </message>
+    <message>
+        <source>The card as both eyes see it</source>
+        <translation>Die Karte, wie beide Augen sie sehen</translation>
+    </message>
+    <message>
+        <source>The card cannot show {1}: {2}</source>
+        <translation>Die Karte kann {=1} nicht zeigen: {2}</translation>
+    </message>
+    <message>
+        <source>The card is left out until it can be read.</source>
+        <translation>Die Karte wird weggelassen, bis sie gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>the channels of the picture have no names</source>
+        <translation>die Kanäle des Bildes haben keine Namen</translation>
+    </message>
+    <message>
+        <source>The charts are being made.</source>
+        <translation>Die Diagramme werden erstellt.</translation>
+    </message>
+    <message>
+        <source>The check mark shows or hides it. Drag to reorder, F2 renames.</source>
+        <translation>Das Häkchen blendet ein oder aus. Ziehen ordnet um, F2 benennt um.</translation>
+    </message>
+    <message>
+        <source>the child is so wide that {1} copies would be asked at every point; make it smaller or its copies fewer or farther apart</source>
+        <translation>das Kind ist so breit, dass an jedem Punkt {1} Kopien gefragt würden; machen Sie es kleiner, oder seine Kopien weniger oder weiter auseinander</translation>
+    </message>
+    <message>
+        <source>the clock jumped</source>
+        <translation>die Uhr ist gesprungen</translation>
+    </message>
+    <message>
+        <source>the clouds look their noise up</source>
+        <translation>die Wolken schlagen ihr Rauschen nach</translation>
+    </message>
+    <message>
+        <source>the comparison is switched off</source>
+        <translation>der Vergleich ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>the cone pre-pass is switched off</source>
+        <translation>der Kegel-Vorlauf ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>the conic constant is not a number</source>
+        <translation>die konische Konstante ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>The convergence plane is at {1} m; it must lie in front of the camera, farther than {2} m.</source>
+        <translation>Die Konvergenzebene liegt bei {1} m; sie muss vor der Kamera liegen, weiter als {2} m.</translation>
+    </message>
+    <message>
+        <source>the copies are nearer than 0.1 mm; give a larger spacing, or 0</source>
+        <translation>die Kopien liegen näher als 0.1 mm; geben Sie einen größeren Abstand an, oder 0</translation>
+    </message>
+    <message>
+        <source>the corners lie on one line, so it has no area; move one of them aside</source>
+        <translation>die Ecken liegen auf einer Geraden, daher hat es keine Fläche; rücken Sie eine davon zur Seite</translation>
+    </message>
+    <message>
+        <source>The count that is shown white.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Zählwert, der weiß gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>the cut leaves nothing; raise it above -radius</source>
+        <translation>der Schnitt lässt nichts übrig; heben Sie ihn über -radius</translation>
+    </message>
+    <message>
+        <source>the density of the rays is 0</source>
+        <translation>die Dichte der Strahlen ist 0</translation>
+    </message>
+    <message>
+        <source>the depth is stored as it is drawn</source>
+        <translation>die Tiefe wird gespeichert, wie sie gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>the direction is {1} degrees; give -90 to 90</source>
+        <translation>die Richtung ist {1} Grad; geben Sie -90 bis 90 an</translation>
+    </message>
+    <message>
+        <source>The dots as they will be printed; lines are the edges between lenses.
+The wheel, + and - zoom; dragging and the arrows move; Home goes to the middle.</source>
+        <translation>Die Punkte, wie sie gedruckt werden; Linien sind die Grenzen zwischen Linsen.
+Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte.</translation>
+    </message>
+    <message>
+        <source>the environment is behind the exhibit</source>
+        <translation>die Umgebung liegt hinter dem Exponat</translation>
+    </message>
+    <message>
+        <source>The evaluation of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Die Auswertung der rechten Hälfte.</translation>
+    </message>
+    <message>
+        <source>the evaluations channel is asked for</source>
+        <translation>der Kanal der Auswertungen ist verlangt</translation>
+    </message>
+    <message>
+        <source>The exhibit alone, in the hall's light; around it the picture is transparent.</source>
+        <translation>Das Exponat allein, im Licht der Halle; um es herum ist das Bild transparent.</translation>
+    </message>
+    <message>
+        <source>the exhibit is shown alone</source>
+        <translation>das Exponat wird allein gezeigt</translation>
+    </message>
+    <message>
+        <source>The extension {1} is not supported and was ignored.</source>
+        <translation>Die Erweiterung {=1} wird nicht unterstützt und wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>The eye must be farther away than the sheet is thick.</source>
+        <translation>Das Auge muss weiter weg sein, als die Folie dick ist.</translation>
+    </message>
+    <message>
+        <source>The eye's angle must lie between -85 and 85 degrees.</source>
+        <translation>Der Winkel des Auges muss zwischen -85 und 85 Grad liegen.</translation>
+    </message>
+    <message>
+        <source>the field of view changed</source>
+        <translation>der Sichtwinkel hat sich geändert</translation>
+    </message>
+    <message>
+        <source>The field's normal: by six further evaluations, or by its derivative.</source>
+        <extracomment>tables</extracomment>
+        <translation>Die Normale des Felds: durch sechs weitere Auswertungen, oder durch seine Ableitung.</translation>
+    </message>
+    <message>
+        <source>the file cannot be shown without {1}, which is not supported; export it without that.</source>
+        <translation>die Datei kann ohne {=1} nicht gezeigt werden, was nicht unterstützt wird; exportieren Sie sie ohne das.</translation>
+    </message>
+    <message>
+        <source>the file ends too early</source>
+        <translation>die Datei endet zu früh</translation>
+    </message>
+    <message>
+        <source>the file has {1} bytes, more than the {2} allowed for JSON</source>
+        <translation>die Datei hat {1} Bytes, mehr als die für JSON erlaubten {2}</translation>
+    </message>
+    <message>
+        <source>the file holds more than {1} values</source>
+        <translation>die Datei enthält mehr als {1} Werte</translation>
+    </message>
+    <message>
+        <source>the file is empty; it should hold JSON</source>
+        <translation>die Datei ist leer; sie sollte JSON enthalten</translation>
+    </message>
+    <message>
+        <source>the file is read-only; choose another name.</source>
+        <translation>die Datei ist schreibgeschützt; wählen Sie einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>the file is UTF-16; save it as UTF-8</source>
+        <translation>die Datei ist UTF-16; speichern Sie sie als UTF-8</translation>
+    </message>
+    <message>
+        <source>the file lost a channel</source>
+        <translation>die Datei hat einen Kanal verloren</translation>
+    </message>
+    <message>
+        <source>the file starts with a byte order mark; save it as UTF-8 without one</source>
+        <translation>die Datei beginnt mit einer Byte-Reihenfolge-Markierung; speichern Sie sie als UTF-8 ohne diese</translation>
+    </message>
+    <message>
+        <source>The film: .mp4, .webm, .gif, .webp or .apng, or frames as in frames/%04d.png.</source>
+        <translation>Der Film: .mp4, .webm, .gif, .webp oder .apng, oder Frames wie in frames/%04d.png.</translation>
+    </message>
+    <message>
+        <source>The finished picture, the mask with its occluders black, or the added light without the hall.</source>
+        <extracomment>tables</extracomment>
+        <translation>Das fertige Bild, die Maske mit schwarzen Verdeckern, oder das zugefügte Licht ohne die Halle.</translation>
+    </message>
+    <message>
+        <source>The first child without the others.</source>
+        <translation>Das erste Kind ohne die anderen.</translation>
+    </message>
+    <message>
+        <source>The first view on the left under each lens: turns depth inside out, or a reversed sequence right.</source>
+        <translation>Die erste Ansicht links unter jeder Linse: kehrt die Tiefe um, oder berichtigt eine umgekehrte Folge.</translation>
+    </message>
+    <message>
+        <source>the floor is in view</source>
+        <translation>der Boden ist im Blick</translation>
+    </message>
+    <message>
+        <source>the floor is out of view</source>
+        <translation>der Boden ist außer Sicht</translation>
+    </message>
+    <message>
+        <source>The former A</source>
+        <translation>Das frühere A</translation>
+    </message>
+    <message>
+        <source>the free plinth is empty</source>
+        <translation>der freie Sockel ist leer</translation>
+    </message>
+    <message>
+        <source>The generated shader {1}, line {2}: {3}</source>
+        <translation>Der erzeugte Shader {=1}, Zeile {2}: {=3}</translation>
+    </message>
+    <message>
+        <source>The graphics driver cannot store the buffer &quot;{1}&quot; of {2} bytes; choose fewer or smaller things.</source>
+        <translation>Der Grafiktreiber kann den Puffer „{=1}“ von {2} Bytes nicht speichern; wählen Sie weniger oder Kleineres.</translation>
+    </message>
+    <message>
+        <source>The graphics driver cannot store the image &quot;{1}&quot; of {2} × {3} pixels; choose a smaller size.</source>
+        <translation>Der Grafiktreiber kann das Bild „{=1}“ von {2} × {3} Pixeln nicht speichern; wählen Sie eine kleinere Größe.</translation>
+    </message>
+    <message>
+        <source>The graphics driver makes no second context that shares with the first.</source>
+        <translation>Der Grafiktreiber legt keinen zweiten Kontext an, der mit dem ersten teilt.</translation>
+    </message>
+    <message>
+        <source>the ground is switched off</source>
+        <translation>der Boden ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>the guard is {1}; give a part of a strip, 0 to 1</source>
+        <translation>der Übergang ist {1}; geben Sie einen Teil eines Streifens an, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>The half with positive coordinates, and its mirror image.</source>
+        <translation>Die Hälfte mit positiven Koordinaten, und ihr Spiegelbild.</translation>
+    </message>
+    <message>
+        <source>The hall</source>
+        <translation>Die Halle</translation>
+    </message>
+    <message>
+        <source>The hall cannot be turned; name an exhibit.</source>
+        <translation>Die Halle lässt sich nicht drehen; nennen Sie ein Exponat.</translation>
+    </message>
+    <message>
+        <source>the hall is around the visitor</source>
+        <translation>die Halle umgibt den Besucher</translation>
+    </message>
+    <message>
+        <source>the hall's</source>
+        <extracomment>tables</extracomment>
+        <translation>die der Halle</translation>
+    </message>
+    <message>
+        <source>the hall's air is out of view</source>
+        <translation>die Luft der Halle ist außer Sicht</translation>
+    </message>
+    <message>
+        <source>the handle, from near</source>
+        <translation>der Henkel, aus der Nähe</translation>
+    </message>
+    <message>
+        <source>the height</source>
+        <translation>die Höhe</translation>
+    </message>
+    <message>
+        <source>The hit tolerance of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Die Treffertoleranz der rechten Hälfte.</translation>
+    </message>
+    <message>
+        <source>the hole takes all of it; make it smaller</source>
+        <translation>das Loch nimmt alles weg; machen Sie es kleiner</translation>
+    </message>
+    <message>
+        <source>the horizon</source>
+        <translation>zum Horizont</translation>
+    </message>
+    <message>
+        <source>The hull of two balls on the y axis, the lower one at the origin.</source>
+        <translation>Die Hülle zweier Kugeln auf der y-Achse, die untere im Ursprung.</translation>
+    </message>
+    <message>
+        <source>The hull of two balls.</source>
+        <translation>Die Hülle zweier Kugeln.</translation>
+    </message>
+    <message>
+        <source>the image has another form</source>
+        <translation>das Bild hat eine andere Form</translation>
+    </message>
+    <message>
+        <source>the ink's spread is {1}; give 0 or more</source>
+        <translation>der Tintenverlauf ist {1}; geben Sie 0 oder mehr an</translation>
+    </message>
+    <message>
+        <source>the key &quot;{1}&quot; is missing; add it.</source>
+        <translation>der Schlüssel „{=1}“ fehlt; fügen Sie ihn hinzu.</translation>
+    </message>
+    <message>
+        <source>the lamps are switched off</source>
+        <translation>die Lampen sind ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>the largest radius is more than 1000 times the smallest; bring them nearer</source>
+        <translation>der größte Radius ist mehr als das 1000-fache des kleinsten; bringen Sie sie näher zusammen</translation>
+    </message>
+    <message>
+        <source>The lesson's next step.</source>
+        <translation>Der nächste Schritt der Lektion.</translation>
+    </message>
+    <message>
+        <source>The lesson's step before this one.</source>
+        <translation>Der vorige Schritt der Lektion.</translation>
+    </message>
+    <message>
+        <source>the light in the air does not fit its points</source>
+        <translation>das Licht in der Luft passt nicht zu seinen Punkten</translation>
+    </message>
+    <message>
+        <source>the light of its sources does not fit its directions</source>
+        <translation>das Licht ihrer Quellen passt nicht zu seinen Richtungen</translation>
+    </message>
+    <message>
+        <source>the look</source>
+        <translation>das Aussehen</translation>
+    </message>
+    <message>
+        <source>the look's shader reads a map</source>
+        <translation>der Shader des Aussehens liest eine Karte</translation>
+    </message>
+    <message>
+        <source>the mask is made of the occluders</source>
+        <translation>die Maske wird aus den Verdeckern gemacht</translation>
+    </message>
+    <message>
+        <source>The material &quot;{1}&quot; is transparent, which pixel art does not blend: it is drawn where its opacity is at least its cutoff, and left out elsewhere.</source>
+        <translation>Das Material „{=1}“ ist transparent, was Pixel-Art nicht mischt: Es wird gezeichnet, wo seine Deckkraft mindestens sein Schwellwert ist, und sonst weggelassen.</translation>
+    </message>
+    <message>
+        <source>The mean over the way, which no number of samples makes brighter or darker; or the plain sum of the museum that this exhibit follows, which grows with them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Das Mittel über den Weg, das keine Zahl von Samples heller oder dunkler macht; oder die einfache Summe des Museums, dem dieses Exponat folgt, die mit ihnen wächst.</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed or no manifold ({1} edges, {2} vertices, {3} triangles); nothing was written. Give a slightly different --cell.</source>
+        <translation>Das Netz ist nicht geschlossen oder keine Mannigfaltigkeit ({1} Kanten, {2} Ecken, {3} Dreiecke); nichts wurde geschrieben. Geben Sie ein etwas anderes --cell an.</translation>
+    </message>
+    <message>
+        <source>the model has more than 200,000 triangles, too many for fins; a march fills its silhouette as well</source>
+        <translation>das Modell hat mehr als 200 000 Dreiecke, zu viele für Fins; ein Raymarching füllt seine Silhouette ebenso</translation>
+    </message>
+    <message>
+        <source>the model has no animation</source>
+        <translation>das Modell hat keine Animation</translation>
+    </message>
+    <message>
+        <source>The moment of the round that is shown, or begun with.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Augenblick der Runde, der gezeigt wird oder mit dem begonnen wird.</translation>
+    </message>
+    <message>
+        <source>The moment that is shown, or begun with.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Augenblick, der gezeigt wird oder mit dem begonnen wird.</translation>
+    </message>
+    <message>
+        <source>The museum</source>
+        <translation>Das Museum</translation>
+    </message>
+    <message>
+        <source>The museum itself: its sun, its sky, its reflections and the exposure of the picture.</source>
+        <translation>Das Museum selbst: seine Sonne, sein Himmel, seine Spiegelungen und die Belichtung des Bildes.</translation>
+    </message>
+    <message>
+        <source>the name of a choice</source>
+        <translation>der Name einer Auswahl</translation>
+    </message>
+    <message>
+        <source>the new content is in place, but the disk did not confirm it ({1}); save once more.</source>
+        <translation>der neue Inhalt steht an seinem Platz, aber der Datenträger hat ihn nicht bestätigt ({=1}); speichern Sie noch einmal.</translation>
+    </message>
+    <message>
+        <source>the next motion begins with the picture at rest</source>
+        <translation>die nächste Bewegung beginnt mit dem Bild in Ruhe</translation>
+    </message>
+    <message>
+        <source>The night sky stays until it can be read.</source>
+        <translation>Der Nachthimmel bleibt, bis es gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>the normal is 0, 0, 0; give a direction</source>
+        <translation>die Normale ist 0, 0, 0; geben Sie eine Richtung an</translation>
+    </message>
+    <message>
+        <source>the number {1} is too large; numbers end at 1.8e308</source>
+        <translation>die Zahl {=1} ist zu groß; Zahlen enden bei 1.8e308</translation>
+    </message>
+    <message>
+        <source>The occlusion method of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Das Verdeckungsverfahren der rechten Hälfte.</translation>
+    </message>
+    <message>
+        <source>The only colors there are: made for the isle, those of old machines, or the main ones of a picture of the hall.</source>
+        <extracomment>tables</extracomment>
+        <translation>Die einzigen Farben, die es gibt: für die Insel gemacht, die alter Geräte, oder die Hauptfarben eines Bildes der Halle.</translation>
+    </message>
+    <message>
+        <source>The other edge.</source>
+        <translation>Die andere Kante.</translation>
+    </message>
+    <message>
+        <source>The other end.</source>
+        <translation>Das andere Ende.</translation>
+    </message>
+    <message>
+        <source>the overlay is on</source>
+        <translation>die Überlagerung ist eingeschaltet</translation>
+    </message>
+    <message>
+        <source>the overlay is on; the box clips the object</source>
+        <translation>die Überlagerung ist eingeschaltet; der Quader beschneidet das Objekt</translation>
+    </message>
+    <message>
+        <source>the overlay is switched off</source>
+        <translation>die Überlagerung ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>the phase is {1}; give a part of a lens, 0 to 1</source>
+        <translation>die Phase ist {1}; geben Sie einen Teil einer Linse an, 0 bis 1</translation>
+    </message>
+    <message>
+        <source>the picture has {1} channels and this format holds {2}; choose OpenEXR</source>
+        <translation>das Bild hat {1} Kanäle, und dieses Format fasst {2}; wählen Sie OpenEXR</translation>
+    </message>
+    <message>
+        <source>the picture is asked for as linear light</source>
+        <translation>das Bild wird als lineares Licht verlangt</translation>
+    </message>
+    <message>
+        <source>the picture is empty</source>
+        <translation>das Bild ist leer</translation>
+    </message>
+    <message>
+        <source>the picture is not divided</source>
+        <translation>das Bild ist nicht geteilt</translation>
+    </message>
+    <message>
+        <source>The picture is not finished yet: drawing it for the screenshot, %1 %</source>
+        <translation>Das Bild ist noch nicht fertig: Es wird für das Bildschirmfoto gezeichnet, %1 %</translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard, %1 × %2 pixels.</source>
+        <translation>Das Bild liegt in der Zwischenablage, %1 × %2 Pixel.</translation>
+    </message>
+    <message>
+        <source>the picture moves</source>
+        <translation>das Bild bewegt sich</translation>
+    </message>
+    <message>
+        <source>the picture was abandoned</source>
+        <translation>das Bild wurde aufgegeben</translation>
+    </message>
+    <message>
+        <source>the picture was cut</source>
+        <translation>das Bild wurde geschnitten</translation>
+    </message>
+    <message>
+        <source>The picture, or what it is made of: the water's height, its normals, or the parts of the lanterns by color.</source>
+        <extracomment>tables</extracomment>
+        <translation>Das Bild, oder woraus es gemacht ist: die Höhe des Wassers, seine Normalen, oder die Teile der Laternen nach Farbe.</translation>
+    </message>
+    <message>
+        <source>The picture. W A S D walk, dragging looks around, a click visits an exhibit.</source>
+        <translation>Das Bild. W A S D gehen, Ziehen schaut sich um, ein Klick besucht ein Exponat.</translation>
+    </message>
+    <message>
+        <source>the pictures together are larger than {1} bytes; simplify the model.</source>
+        <translation>die Bilder sind zusammen größer als {1} Bytes; vereinfachen Sie das Modell.</translation>
+    </message>
+    <message>
+        <source>The point that the description gives: the object's origin, the middle of the frame, or the middle of its lower edge.</source>
+        <translation>Der Punkt, den die Beschreibung nennt: der Ursprung des Objekts, die Mitte des Frames, oder die Mitte seines unteren Rands.</translation>
+    </message>
+    <message>
+        <source>The preset that is selected in the list becomes B.</source>
+        <translation>Das in der Liste gewählte Preset wird zu B.</translation>
+    </message>
+    <message>
+        <source>The print has {1} x {2} pixels, and its description says {3} x {4}; look at the unscaled, uncut file.</source>
+        <translation>Der Druck hat {1} x {2} Pixel, und seine Beschreibung nennt {3} x {4}; sehen Sie die unskalierte, unbeschnittene Datei an.</translation>
+    </message>
+    <message>
+        <source>The print is laid out for {1} views, and there are {2}.</source>
+        <translation>Der Druck ist für {1} Ansichten angelegt, und es gibt {2}.</translation>
+    </message>
+    <message>
+        <source>The print {1} has {2} x {3} pixels, and its description says {4} x {5}; look at the unscaled, uncut file, or at all its tiles.</source>
+        <translation>Der Druck {=1} hat {2} x {3} Pixel, und seine Beschreibung nennt {4} x {5}; sehen Sie die unskalierte, unbeschnittene Datei an, oder alle ihre Kacheln.</translation>
+    </message>
+    <message>
+        <source>the print's description</source>
+        <translation>die Beschreibung des Drucks</translation>
+    </message>
+    <message>
+        <source>The print: .tif, or .png. Its settings are written inside and beside it.</source>
+        <translation>Der Druck: .tif oder .png. Seine Einstellungen werden hinein und daneben geschrieben.</translation>
+    </message>
+    <message>
+        <source>The program's assets were not found beside it (looked last in {1}); reinstall it, or set VITRINE_ASSETS to the folder that holds models/materials.json.</source>
+        <translation>Die Assets des Programms wurden neben ihm nicht gefunden (zuletzt gesucht in {=1}); installieren Sie es neu, oder setzen Sie VITRINE_ASSETS auf den Ordner, der models/materials.json enthält.</translation>
+    </message>
+    <message>
+        <source>the radius</source>
+        <translation>der Radius</translation>
+    </message>
+    <message>
+        <source>The red button of the exhibit that you look at; E does the same while the picture has the focus.</source>
+        <translation>Der rote Knopf des Exponats, das Sie ansehen; E tut dasselbe, während das Bild den Fokus hat.</translation>
+    </message>
+    <message>
+        <source>The reference is exact by the meaning of the parameter.</source>
+        <translation>Die Referenz ist nach der Bedeutung des Parameters exakt.</translation>
+    </message>
+    <message>
+        <source>The reference is the picture at rest, whose own error is not checked.</source>
+        <translation>Die Referenz ist das ruhende Bild, dessen eigener Fehler nicht geprüft wird.</translation>
+    </message>
+    <message>
+        <source>The reference was made twice as exact {1} time, the last time changing it by {2}</source>
+        <translation>Die Referenz wurde {1}-mal doppelt so genau gemacht, was sie zuletzt um {2} änderte</translation>
+    </message>
+    <message>
+        <source>The reference was made twice as exact {1} times, the last time changing it by {2}</source>
+        <translation>Die Referenz wurde {1}-mal doppelt so genau gemacht, was sie zuletzt um {2} änderte</translation>
+    </message>
+    <message>
+        <source>the reflection probe is switched off</source>
+        <translation>die Reflexionssonde ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>the refractive index is {1}; plastics have 1.49 to 1.6, and it must be above 1</source>
+        <translation>der Brechungsindex ist {1}; Kunststoffe haben 1.49 bis 1.6, und er muss über 1 liegen</translation>
+    </message>
+    <message>
+        <source>The ring is shown in its place until it can be read.</source>
+        <translation>Der Ring wird an seiner Stelle gezeigt, bis es gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>The root cannot be deleted, a scene shows something; change its kind.</source>
+        <translation>Die Wurzel kann nicht gelöscht werden, eine Szene zeigt etwas; ändern Sie ihre Art.</translation>
+    </message>
+    <message>
+        <source>The root of another scene, here.</source>
+        <translation>Die Wurzel einer anderen Szene, hier.</translation>
+    </message>
+    <message>
+        <source>the same in both</source>
+        <translation>in beiden gleich</translation>
+    </message>
+    <message>
+        <source>The same of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dasselbe für die rechte Hälfte.</translation>
+    </message>
+    <message>
+        <source>The scene as it was edited here, as JSON: what is not in its file yet. Reset gives it up.</source>
+        <extracomment>tables</extracomment>
+        <translation>Die Szene, wie sie hier bearbeitet wurde, als JSON: was noch nicht in ihrer Datei steht. Zurücksetzen gibt es auf.</translation>
+    </message>
+    <message>
+        <source>the scene has more than {1} nodes, counting what instances and includes bring; leave some out</source>
+        <translation>die Szene hat mehr als {1} Knoten, mitgezählt, was Instanzen und Einbindungen bringen; lassen Sie einige weg</translation>
+    </message>
+    <message>
+        <source>the scene has no end, so no cells hold it</source>
+        <translation>die Szene hat kein Ende, daher fassen sie keine Zellen</translation>
+    </message>
+    <message>
+        <source>the scene has no lights</source>
+        <translation>die Szene hat keine Lichter</translation>
+    </message>
+    <message>
+        <source>The scene has {1} lights; the first {2} shine.</source>
+        <translation>Die Szene hat {1} Lichter; die ersten {2} leuchten.</translation>
+    </message>
+    <message>
+        <source>the scene includes more than {1} files; join some</source>
+        <translation>die Szene bindet mehr als {1} Dateien ein; fassen Sie einige zusammen</translation>
+    </message>
+    <message>
+        <source>The scene reaches from {1} to {2}, and the print holds {3} to {4} without doubled contours: what lies beyond will show steps. A baseline scale of {5} holds all of it.</source>
+        <translation>Die Szene reicht von {1} bis {2}, und der Druck fasst {3} bis {4} ohne doppelte Konturen: Was darüber hinausgeht, wird Stufen zeigen. Ein Maßstab der Basis von {5} fasst alles.</translation>
+    </message>
+    <message>
+        <source>the screen shows less than the eye sees</source>
+        <translation>der Bildschirm zeigt weniger, als das Auge sieht</translation>
+    </message>
+    <message>
+        <source>the shadow method is none</source>
+        <translation>das Schattenverfahren ist „keines“</translation>
+    </message>
+    <message>
+        <source>The shadow method of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Das Schattenverfahren der rechten Hälfte.</translation>
+    </message>
+    <message>
+        <source>The share of a frame's time for which it is exposed, by eight pictures; 0: none.</source>
+        <translation>Der Anteil der Dauer eines Frames, in dem belichtet wird, durch acht Bilder; 0: keiner.</translation>
+    </message>
+    <message>
+        <source>The sheet &quot;{1}&quot; cannot be: {2}.</source>
+        <translation>Die Folie „{1}“ kann nicht sein: {2}.</translation>
+    </message>
+    <message>
+        <source>The sheet cannot be: {1}.</source>
+        <translation>Die Folie kann nicht sein: {1}.</translation>
+    </message>
+    <message>
+        <source>The sheet would be more than 16384 pixels wide or high; ask for fewer or smaller frames.</source>
+        <translation>Das Blatt wäre mehr als 16384 Pixel breit oder hoch; verlangen Sie weniger oder kleinere Frames.</translation>
+    </message>
+    <message>
+        <source>The sheet would have more than 67 million pixels; ask for fewer or smaller frames.</source>
+        <translation>Das Blatt hätte mehr als 67 Millionen Pixel; verlangen Sie weniger oder kleinere Frames.</translation>
+    </message>
+    <message>
+        <source>The sheet {1} is {2} mm thick and its lenses have a radius of {3} mm: it cannot show views to different directions; choose a thicker sheet.</source>
+        <translation>Die Folie {=1} ist {2} mm dick, und ihre Linsen haben einen Radius von {3} mm: Sie kann keine Ansichten in verschiedene Richtungen zeigen; wählen Sie eine dickere Folie.</translation>
+    </message>
+    <message>
+        <source>The sheet: .png. Further sheets and the description take its name.</source>
+        <translation>Das Blatt: .png. Weitere Blätter und die Beschreibung richten sich nach seinem Namen.</translation>
+    </message>
+    <message>
+        <source>the size of the picture changed</source>
+        <translation>die Größe des Bildes hat sich geändert</translation>
+    </message>
+    <message>
+        <source>the sky is in view</source>
+        <translation>der Himmel ist im Blick</translation>
+    </message>
+    <message>
+        <source>the sky shines into the picture</source>
+        <translation>der Himmel scheint ins Bild</translation>
+    </message>
+    <message>
+        <source>The small world is shown in its place.</source>
+        <translation>An seiner Stelle wird die kleine Welt gezeigt.</translation>
+    </message>
+    <message>
+        <source>the source has no glass</source>
+        <translation>das Original hat kein Glas</translation>
+    </message>
+    <message>
+        <source>the source shows no lamps</source>
+        <translation>das Original zeigt keine Lampen</translation>
+    </message>
+    <message>
+        <source>the source's</source>
+        <translation>des Originals</translation>
+    </message>
+    <message>
+        <source>The source's factor of its soft shadows; 0 is a hard edge.</source>
+        <translation>Der Faktor des Originals für seine weichen Schatten; 0 ist ein harter Rand.</translation>
+    </message>
+    <message>
+        <source>The span of a pitch chart must lie between 0 and 50 %.</source>
+        <translation>Die Spanne eines Pitch-Testcharts muss zwischen 0 und 50 % liegen.</translation>
+    </message>
+    <message>
+        <source>the speed of the model's animation is 0</source>
+        <translation>die Geschwindigkeit der Animation des Modells ist 0</translation>
+    </message>
+    <message>
+        <source>The sprite from all its sides. The cross is its pivot.</source>
+        <translation>Der Sprite von all seinen Seiten. Das Kreuz ist sein Drehpunkt.</translation>
+    </message>
+    <message>
+        <source>The step by which it turns.</source>
+        <extracomment>tables</extracomment>
+        <translation>Der Schritt, um den sie sich dreht.</translation>
+    </message>
+    <message>
+        <source>The step limit of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Die Schrittgrenze der rechten Hälfte.</translation>
+    </message>
+    <message>
+        <source>the strength of the lamps is 0</source>
+        <translation>die Stärke der Lampen ist 0</translation>
+    </message>
+    <message>
+        <source>the sun does not reach it through window or oculus</source>
+        <translation>die Sonne erreicht es weder durch Fenster noch durch Oculus</translation>
+    </message>
+    <message>
+        <source>the sun does not shine through the window</source>
+        <translation>die Sonne scheint nicht durch das Fenster</translation>
+    </message>
+    <message>
+        <source>the sun has moved</source>
+        <translation>die Sonne ist gewandert</translation>
+    </message>
+    <message>
+        <source>the sun has set</source>
+        <translation>die Sonne ist untergegangen</translation>
+    </message>
+    <message>
+        <source>the sun is not in front of the camera</source>
+        <translation>die Sonne steht nicht vor der Kamera</translation>
+    </message>
+    <message>
+        <source>the sun is too far beyond the picture's edge</source>
+        <translation>die Sonne steht zu weit außerhalb des Bildrandes</translation>
+    </message>
+    <message>
+        <source>the sun is too high for lamps</source>
+        <translation>die Sonne steht zu hoch für Lampen</translation>
+    </message>
+    <message>
+        <source>the sun makes no beam</source>
+        <translation>die Sonne wirft keinen Strahl</translation>
+    </message>
+    <message>
+        <source>the sun or the tint is black</source>
+        <translation>die Sonne oder die Tönung ist schwarz</translation>
+    </message>
+    <message>
+        <source>the sun or the walls have changed</source>
+        <translation>die Sonne oder die Wände haben sich geändert</translation>
+    </message>
+    <message>
+        <source>the sun reaches it and its shadow may be seen</source>
+        <translation>die Sonne erreicht es, und sein Schatten könnte zu sehen sein</translation>
+    </message>
+    <message>
+        <source>the sun shines in neither through the window nor through the oculus</source>
+        <translation>die Sonne scheint weder durch das Fenster noch durch den Oculus herein</translation>
+    </message>
+    <message>
+        <source>the sun shines neither through the window nor through the oculus</source>
+        <translation>die Sonne scheint weder durch das Fenster noch durch den Oculus</translation>
+    </message>
+    <message>
+        <source>the sun's beams are in view</source>
+        <translation>die Strahlen der Sonne sind im Blick</translation>
+    </message>
+    <message>
+        <source>the sun's strength is 0</source>
+        <translation>die Stärke der Sonne ist 0</translation>
+    </message>
+    <message>
+        <source>the text below this heading has {1} bytes and the strip has room for {2}; shorten it, or make two steps of it.</source>
+        <translation>der Text unter dieser Überschrift hat {1} Bytes, und die Leiste hat Platz für {2}; kürzen Sie ihn, oder machen Sie zwei Schritte daraus.</translation>
+    </message>
+    <message>
+        <source>the thickness</source>
+        <translation>die Dicke</translation>
+    </message>
+    <message>
+        <source>the three formats are little-endian</source>
+        <translation>die drei Formate sind little-endian</translation>
+    </message>
+    <message>
+        <source>the time is no number, or lies before the press of the button; the bodies are shown at rest until it is right</source>
+        <translation>die Zeit ist keine Zahl oder liegt vor dem Druck auf den Knopf; die Körper werden in Ruhe gezeigt, bis sie stimmt</translation>
+    </message>
+    <message>
+        <source>the torus, nearly edge-on</source>
+        <translation>der Torus, fast von der Kante</translation>
+    </message>
+    <message>
+        <source>the tour is of a newer Vitrine (version {1}, this one reads {2}); update Vitrine.</source>
+        <translation>der Rundgang stammt von einem neueren Vitrine (Version {1}, dieses liest {2}); aktualisieren Sie Vitrine.</translation>
+    </message>
+    <message>
+        <source>the tree is nested too deep for lists</source>
+        <translation>der Baum ist für Listen zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>The turn is not finite; give an angle.</source>
+        <translation>Die Drehung ist nicht endlich; geben Sie einen Winkel an.</translation>
+    </message>
+    <message>
+        <source>The twelve edges of a box.</source>
+        <translation>Die zwölf Kanten eines Quaders.</translation>
+    </message>
+    <message>
+        <source>The vertex attribute {1} is not supported and was ignored.</source>
+        <translation>Das Vertexattribut {=1} wird nicht unterstützt und wurde übergangen.</translation>
+    </message>
+    <message>
+        <source>the view of the beams alone is on</source>
+        <translation>die Ansicht der Strahlen allein ist eingeschaltet</translation>
+    </message>
+    <message>
+        <source>the viewing distance is {1} mm; the eye must be farther away than the sheet is thick, {2} mm</source>
+        <translation>der Betrachtungsabstand ist {1} mm; das Auge muss weiter weg sein, als die Folie dick ist, {2} mm</translation>
+    </message>
+    <message>
+        <source>The views are not shaped as the print is and are stretched to it.</source>
+        <translation>Die Ansichten haben nicht das Format des Drucks und werden darauf gestreckt.</translation>
+    </message>
+    <message>
+        <source>The views come from one place: give only one of --views, --quilt and --exhibit.</source>
+        <translation>Die Ansichten kommen aus einer Quelle: Geben Sie nur eines von --views, --quilt und --exhibit an.</translation>
+    </message>
+    <message>
+        <source>The views differ in size; each is scaled to the print.</source>
+        <translation>Die Ansichten sind verschieden groß; jede wird auf den Druck skaliert.</translation>
+    </message>
+    <message>
+        <source>The views in the wrong order: the picture turns inside out.</source>
+        <extracomment>tables</extracomment>
+        <translation>Die Ansichten in falscher Reihenfolge: Das Bild kehrt sein Inneres nach außen.</translation>
+    </message>
+    <message>
+        <source>the visual LPI is {1}; give lenses per inch, or 0 to let the viewing distance decide</source>
+        <translation>der visuelle LPI-Wert ist {1}; geben Sie Linsen pro Zoll an, oder 0, um den Betrachtungsabstand entscheiden zu lassen</translation>
+    </message>
+    <message>
+        <source>The visual LPI {1} is far from the sheet's {2}.</source>
+        <translation>Der visuelle LPI-Wert {1} liegt weit von dem der Folie, {2}.</translation>
+    </message>
+    <message>
+        <source>the waffle, from below</source>
+        <translation>die Waffel, von unten</translation>
+    </message>
+    <message>
+        <source>the water</source>
+        <extracomment>tables</extracomment>
+        <translation>das Wasser</translation>
+    </message>
+    <message>
+        <source>the water is a mirror: its plane is met in one step</source>
+        <translation>das Wasser ist ein Spiegel: Seine Ebene wird in einem Schritt getroffen</translation>
+    </message>
+    <message>
+        <source>the weight of the rays is 0</source>
+        <translation>das Gewicht der Strahlen ist 0</translation>
+    </message>
+    <message>
+        <source>The whole pictures of A and B beside each other.</source>
+        <translation>Die ganzen Bilder von A und B nebeneinander.</translation>
+    </message>
+    <message>
+        <source>the width</source>
+        <translation>die Breite</translation>
+    </message>
+    <message>
+        <source>the window opens, and others come first</source>
+        <translation>das Fenster öffnet sich, und andere kommen zuerst</translation>
+    </message>
+    <message>
+        <source>The window speaks %1 from the next start.</source>
+        <translation>Das Fenster spricht ab dem nächsten Start %1.</translation>
+    </message>
+    <message>
+        <source>the written file cannot be opened ({1})</source>
+        <translation>die geschriebene Datei lässt sich nicht öffnen ({=1})</translation>
+    </message>
+    <message>
+        <source>the written file has another resolution</source>
+        <translation>die geschriebene Datei hat eine andere Auflösung</translation>
+    </message>
+    <message>
+        <source>the written file has another size</source>
+        <translation>die geschriebene Datei hat eine andere Größe</translation>
+    </message>
+    <message>
+        <source>the {1} is less than a pixel</source>
+        <translation>Zu klein: {1} misst weniger als ein Pixel</translation>
+    </message>
+    <message>
+        <source>The {1} is missing and is left out.</source>
+        <translation>Es fehlt und wird weggelassen: {1}.</translation>
+    </message>
+    <message>
+        <source>the {1} is {2} pixels; picture files end at 2147483647</source>
+        <translation>Zu groß: {1} misst {2} Pixel; Bilddateien enden bei 2147483647</translation>
+    </message>
+    <message>
+        <source>there are more than 16 lights; leave some out</source>
+        <translation>es gibt mehr als 16 Lichter; lassen Sie einige weg</translation>
+    </message>
+    <message>
+        <source>there are more than {1} indices</source>
+        <translation>es gibt mehr als {1} Indizes</translation>
+    </message>
+    <message>
+        <source>there are more than {1} primitives</source>
+        <translation>es gibt mehr als {1} Primitive</translation>
+    </message>
+    <message>
+        <source>there are more than {1} vertices</source>
+        <translation>es gibt mehr als {1} Ecken</translation>
+    </message>
+    <message>
+        <source>There are no pictures in {1}; give a folder with the views as PNG, JPEG, TIFF, EXR or HDR.</source>
+        <translation>In {=1} gibt es keine Bilder; geben Sie einen Ordner mit den Ansichten als PNG, JPEG, TIFF, EXR oder HDR an.</translation>
+    </message>
+    <message>
+        <source>there are no rows</source>
+        <translation>es gibt keine Zeilen</translation>
+    </message>
+    <message>
+        <source>there are no views</source>
+        <translation>es gibt keine Ansichten</translation>
+    </message>
+    <message>
+        <source>There are no views; choose a folder or pictures.</source>
+        <translation>Es gibt keine Ansichten; wählen Sie einen Ordner oder Bilder.</translation>
+    </message>
+    <message>
+        <source>There are no views; give a folder or files with --views.</source>
+        <translation>Es gibt keine Ansichten; geben Sie mit --views einen Ordner oder Dateien an.</translation>
+    </message>
+    <message>
+        <source>There are no views; give pictures with --views or --quilt, or an --exhibit.</source>
+        <translation>Es gibt keine Ansichten; geben Sie mit --views oder --quilt Bilder an, oder mit --exhibit ein Exponat.</translation>
+    </message>
+    <message>
+        <source>there are too few; export the file again.</source>
+        <translation>es sind zu wenige; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>there are {1} views, and {2} is the most</source>
+        <translation>es gibt {1} Ansichten, und {2} sind das Höchste</translation>
+    </message>
+    <message>
+        <source>There are {1} views, and {2} is the most; take fewer with --every {3} or --count {4}.</source>
+        <translation>Es gibt {1} Ansichten, und {2} sind das Höchste; nehmen Sie weniger, mit --every {3} oder --count {4}.</translation>
+    </message>
+    <message>
+        <source>there are {1}, more than the {2} allowed; simplify the model.</source>
+        <translation>es sind {1}, mehr als die erlaubten {2}; vereinfachen Sie das Modell.</translation>
+    </message>
+    <message>
+        <source>there is a block under this heading already; put both into one.</source>
+        <translation>unter dieser Überschrift steht bereits ein Block; legen Sie beide zusammen.</translation>
+    </message>
+    <message>
+        <source>There is a preset &quot;%1&quot; already; this one was saved as &quot;%2&quot;.</source>
+        <translation>Ein Preset „%1“ gibt es bereits; dieses wurde als „%2“ gespeichert.</translation>
+    </message>
+    <message>
+        <source>There is neither a file nor a preset of {1} named {2}; give a preset file.</source>
+        <translation>Es gibt weder eine Datei noch ein Preset von {=1} namens {=2}; geben Sie eine Preset-Datei an.</translation>
+    </message>
+    <message>
+        <source>There is neither a file nor a preset of {1} named {2}; its presets are {3}.</source>
+        <translation>Es gibt weder eine Datei noch ein Preset von {=1} namens {=2}; die Presets sind {=3}.</translation>
+    </message>
+    <message>
+        <source>There is no animation &quot;{1}&quot;; the file has none.</source>
+        <translation>Eine Animation „{=1}“ gibt es nicht; die Datei hat keine.</translation>
+    </message>
+    <message>
+        <source>There is no animation &quot;{1}&quot;; the file has {2}.</source>
+        <translation>Eine Animation „{=1}“ gibt es nicht; die Datei hat {=2}.</translation>
+    </message>
+    <message>
+        <source>There is no bookmark %1 yet: Ctrl+Alt+%1 makes one of where you are.</source>
+        <translation>Ein Lesezeichen %1 gibt es noch nicht: Strg+Alt+%1 setzt es dorthin, wo Sie sind.</translation>
+    </message>
+    <message>
+        <source>There is no exhibit &quot;{1}&quot;; `vitrine list` names them.</source>
+        <translation>Ein Exponat „{=1}“ gibt es nicht; `vitrine list` nennt sie.</translation>
+    </message>
+    <message>
+        <source>there is no exhibit of that name; `vitrine list` names them.</source>
+        <translation>ein Exponat dieses Namens gibt es nicht; `vitrine list` nennt sie.</translation>
+    </message>
+    <message>
+        <source>There is no folder for temporary files ({1}); let TMPDIR name one that you may write to.</source>
+        <translation>Es gibt keinen Ordner für temporäre Dateien ({=1}); lassen Sie TMPDIR einen nennen, in den Sie schreiben dürfen.</translation>
+    </message>
+    <message>
+        <source>there is no hall</source>
+        <translation>es gibt keine Halle</translation>
+    </message>
+    <message>
+        <source>there is no hall to bounce it</source>
+        <translation>es gibt keine Halle, die es zurückwirft</translation>
+    </message>
+    <message>
+        <source>there is no hall to cast it</source>
+        <translation>es gibt keine Halle, die ihn wirft</translation>
+    </message>
+    <message>
+        <source>There is no kind of node &quot;{1}&quot;.</source>
+        <translation>Eine Knotenart „{=1}“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>there is no light to reflect</source>
+        <translation>es gibt kein Licht zu spiegeln</translation>
+    </message>
+    <message>
+        <source>There is no node {1} any more; choose another one.</source>
+        <translation>Einen Knoten {=1} gibt es nicht mehr; wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>There is no quilt; choose a picture with a grid of views.</source>
+        <translation>Es gibt keinen Quilt; wählen Sie ein Bild mit einem Raster von Ansichten.</translation>
+    </message>
+    <message>
+        <source>there is no row &quot;{1}&quot;; `vitrine list --manual {2}` names those of {3}.</source>
+        <translation>eine Zeile „{=1}“ gibt es nicht; `vitrine list --manual {=2}` nennt die von {=3}.</translation>
+    </message>
+    <message>
+        <source>There is no sheet &quot;{1}&quot;; choose one of the list.</source>
+        <translation>Eine Folie „{=1}“ gibt es nicht; wählen Sie eine aus der Liste.</translation>
+    </message>
+    <message>
+        <source>There is no sheet &quot;{1}&quot;; known are {2}.</source>
+        <translation>Eine Folie „{=1}“ gibt es nicht; bekannt sind {=2}.</translation>
+    </message>
+    <message>
+        <source>there is no step in it; write &quot;## Title&quot; for each.</source>
+        <translation>sie enthält keinen Schritt; schreiben Sie „## Titel“ für jeden.</translation>
+    </message>
+    <message>
+        <source>there is no such buffer.</source>
+        <translation>einen solchen Puffer gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>there is no such file; check the name.</source>
+        <translation>eine solche Datei gibt es nicht; prüfen Sie den Namen.</translation>
+    </message>
+    <message>
+        <source>There is no such number any more; choose another node.</source>
+        <translation>Diese Zahl gibt es nicht mehr; wählen Sie einen anderen Knoten.</translation>
+    </message>
+    <message>
+        <source>there is no text to show</source>
+        <translation>es gibt keinen Text zu zeigen</translation>
+    </message>
+    <message>
+        <source>there is not enough memory for fins</source>
+        <translation>für Fins reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>There was not enough memory for this, and nothing was changed. Choose a smaller size, or close another program.</source>
+        <translation>Der Speicher reichte dafür nicht aus, und nichts wurde geändert. Wählen Sie eine kleinere Größe, oder schließen Sie ein anderes Programm.</translation>
+    </message>
+    <message>
+        <source>There was not enough memory for this; ask for a smaller size, or fewer samples or views.</source>
+        <translation>Der Speicher reichte dafür nicht aus; verlangen Sie eine kleinere Größe, oder weniger Samples oder Ansichten.</translation>
+    </message>
+    <message>
+        <source>These are: %1.</source>
+        <translation>Möglich sind: %1.</translation>
+    </message>
+    <message>
+        <source>these must rise and stay below the accessor's count</source>
+        <translation>diese müssen steigen und unter der Anzahl des Accessors bleiben</translation>
+    </message>
+    <message>
+        <source>they fill the gaps between shells seen from the side</source>
+        <translation>sie füllen die Lücken zwischen seitlich gesehenen Shells</translation>
+    </message>
+    <message>
+        <source>they stand on something</source>
+        <translation>sie stehen auf etwas</translation>
+    </message>
+    <message>
+        <source>Thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Dicke</translation>
+    </message>
+    <message>
+        <source>Thickness of its wall.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dicke der Wand.</translation>
+    </message>
+    <message>
+        <source>Thickness variation</source>
+        <extracomment>tables</extracomment>
+        <translation>Dickenstreuung</translation>
+    </message>
+    <message>
+        <source>thin bars</source>
+        <extracomment>tables</extracomment>
+        <translation>dünne Stäbe</translation>
+    </message>
+    <message>
+        <source>Thirty-five solids make one ice cream; each point asks the few that decide.</source>
+        <translation>Fünfunddreißig Körper sind ein Eis; jeder Punkt fragt die wenigen, die entscheiden.</translation>
+    </message>
+    <message>
+        <source>this block is not closed; end it with ```.</source>
+        <translation>dieser Block ist nicht geschlossen; beenden Sie ihn mit ```.</translation>
+    </message>
+    <message>
+        <source>This cannot be done.</source>
+        <translation>Das geht nicht.</translation>
+    </message>
+    <message>
+        <source>this data: URI is not base 64; export the file again.</source>
+        <translation>dieses data:-URI ist nicht base64; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>this direction has no length; give it one.</source>
+        <translation>diese Richtung hat keine Länge; geben Sie ihr eine.</translation>
+    </message>
+    <message>
+        <source>this does not describe a lenticular print of version 1; give a print, or the JSON beside it.</source>
+        <translation>das beschreibt keinen Linsendruck der Version 1; geben Sie einen Druck an, oder das JSON daneben.</translation>
+    </message>
+    <message>
+        <source>This exhibit has no charts.</source>
+        <translation>Dieses Exponat hat keine Diagramme.</translation>
+    </message>
+    <message>
+        <source>This exhibit is made of light alone: there is nothing to cut out.</source>
+        <translation>Dieses Exponat besteht nur aus Licht: Es gibt nichts freizustellen.</translation>
+    </message>
+    <message>
+        <source>this expression gives no number; it must be {1}</source>
+        <translation>dieser Ausdruck ergibt keine Zahl; hier muss {1} stehen</translation>
+    </message>
+    <message>
+        <source>this file is not opened: {1}; name one of the scene's folder or below it</source>
+        <translation>diese Datei wird nicht geöffnet: {1}; nennen Sie eine im Ordner der Szene oder darunter</translation>
+    </message>
+    <message>
+        <source>this holds settings of the whole exhibition; open it as such.</source>
+        <translation>das enthält Einstellungen der ganzen Ausstellung; öffnen Sie es als solche.</translation>
+    </message>
+    <message>
+        <source>this is a preset of one exhibit; open it there.</source>
+        <translation>das ist ein Preset eines einzelnen Exponats; öffnen Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this is glTF {1}, and version 2 is read; export it as glTF 2.0.</source>
+        <translation>das ist glTF {=1}, und gelesen wird Version 2; exportieren Sie es als glTF 2.0.</translation>
+    </message>
+    <message>
+        <source>this is no lesson; write &quot;vitrine-lesson&quot;.</source>
+        <translation>das ist keine Lektion; schreiben Sie „vitrine-lesson“.</translation>
+    </message>
+    <message>
+        <source>this is no list of lens sheets of version 1; move it away, and a new one is begun.</source>
+        <translation>das ist keine Liste von Linsenfolien der Version 1; legen Sie sie beiseite, und eine neue wird begonnen.</translation>
+    </message>
+    <message>
+        <source>this is no preset of Vitrine: it says neither format nor version.</source>
+        <translation>das ist kein Preset von Vitrine: Es nennt weder Format noch Version.</translation>
+    </message>
+    <message>
+        <source>this is no preset: it must be a JSON object.</source>
+        <translation>das ist kein Preset: Es muss ein JSON-Objekt sein.</translation>
+    </message>
+    <message>
+        <source>this is no scene; one begins with &quot;format&quot;: &quot;{1}</source>
+        <translation>das ist keine Szene; eine beginnt mit &quot;format&quot;: &quot;{=1}</translation>
+    </message>
+    <message>
+        <source>this is not a finite number</source>
+        <translation>das ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON</source>
+        <translation>das ist kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>this is not valid JSON ({1}); correct it there</source>
+        <translation>das ist kein gültiges JSON ({=1}); korrigieren Sie es dort</translation>
+    </message>
+    <message>
+        <source>this is required and missing; export the file again.</source>
+        <translation>das ist nötig und fehlt; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>this is {1}; give {2}</source>
+        <translation>hier steht {1}; geben Sie {2} an</translation>
+    </message>
+    <message>
+        <source>this key is longer than {1}</source>
+        <translation>dieser Schlüssel ist länger als {1}</translation>
+    </message>
+    <message>
+        <source>this key means nothing here; take it out, or write one of {1}.</source>
+        <translation>dieser Schlüssel bedeutet hier nichts; entfernen Sie ihn, oder schreiben Sie einen von {=1}.</translation>
+    </message>
+    <message>
+        <source>this key stands twice; remove one of the two</source>
+        <translation>dieser Schlüssel steht zweimal da; entfernen Sie einen der beiden</translation>
+    </message>
+    <message>
+        <source>This kind of video keeps one color for two by two pixels and needs even sizes, and not {1}; give {2}x{3}, or choose .gif, .webp or .apng.</source>
+        <translation>Diese Art von Video speichert eine Farbe für zwei mal zwei Pixel und braucht gerade Größen, und nicht {=1}; geben Sie {2}x{3} an, oder wählen Sie .gif, .webp oder .apng.</translation>
+    </message>
+    <message>
+        <source>this lesson is of a newer Vitrine; update the program.</source>
+        <translation>diese Lektion stammt von einem neueren Vitrine; aktualisieren Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>this machine's FFmpeg has no encoder {1}</source>
+        <translation>das FFmpeg dieses Rechners hat keinen Encoder {=1}</translation>
+    </message>
+    <message>
+        <source>this must be </source>
+        <translation>hier muss stehen: </translation>
+    </message>
+    <message>
+        <source>this must be &quot;best&quot;, or an object with eye, target and fov.</source>
+        <translation>hier muss „best“ stehen, oder ein Objekt mit eye, target und fov.</translation>
+    </message>
+    <message>
+        <source>this must be 1 to 256; correct it there.</source>
+        <translation>hier muss 1 bis 256 stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be 1 to the accessor's count</source>
+        <translation>hier muss 1 bis zur Anzahl des Accessors stehen</translation>
+    </message>
+    <message>
+        <source>this must be 1 to {1}</source>
+        <translation>hier muss 1 bis {1} stehen</translation>
+    </message>
+    <message>
+        <source>this must be a list of file names; correct it there.</source>
+        <translation>hier muss eine Liste von Dateinamen stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be a number</source>
+        <translation>hier muss eine Zahl stehen</translation>
+    </message>
+    <message>
+        <source>this must be a number, or three as [x, y, z]</source>
+        <translation>hier muss eine Zahl stehen, oder drei als [x, y, z]</translation>
+    </message>
+    <message>
+        <source>this must be a number; correct it there.</source>
+        <translation>hier muss eine Zahl stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be a sheet with a name; correct it there, or move the file away, and a new list is begun.</source>
+        <translation>hier muss eine Folie mit einem Namen stehen; korrigieren Sie es dort, oder legen Sie die Datei beiseite, und eine neue Liste wird begonnen.</translation>
+    </message>
+    <message>
+        <source>this must be a text in quotes</source>
+        <translation>hier muss ein Text in Anführungszeichen stehen</translation>
+    </message>
+    <message>
+        <source>this must be a whole number from 1; correct it there.</source>
+        <translation>hier muss eine ganze Zahl ab 1 stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be a whole number, not {1}</source>
+        <translation>hier muss eine ganze Zahl stehen, nicht {1}</translation>
+    </message>
+    <message>
+        <source>this must be a whole number; correct it there.</source>
+        <translation>hier muss eine ganze Zahl stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be an array of at least one bookmark; correct it there.</source>
+        <translation>hier muss ein Array mit mindestens einem Lesezeichen stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be an array of {1} numbers</source>
+        <translation>hier muss ein Array von {1} Zahlen stehen</translation>
+    </message>
+    <message>
+        <source>this must be an array; export the file again.</source>
+        <translation>hier muss ein Array stehen; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>this must be an object with &quot;values&quot;; correct it there.</source>
+        <translation>hier muss ein Objekt mit „values“ stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be an object; correct it there.</source>
+        <translation>hier muss ein Objekt stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be an object; export the file again.</source>
+        <translation>hier muss ein Objekt stehen; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>this must be text; correct it there.</source>
+        <translation>hier muss Text stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be three numbers: [x, y, z]</source>
+        <translation>hier müssen drei Zahlen stehen: [x, y, z]</translation>
+    </message>
+    <message>
+        <source>this must be true or false</source>
+        <translation>hier muss true oder false stehen</translation>
+    </message>
+    <message>
+        <source>this must be true or false; correct it there.</source>
+        <translation>hier muss true oder false stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be {1}</source>
+        <translation>hier muss {1} stehen</translation>
+    </message>
+    <message>
+        <source>this must be {1} numbers</source>
+        <translation>hier müssen {1} Zahlen stehen</translation>
+    </message>
+    <message>
+        <source>this must be {1}; correct it there.</source>
+        <translation>hier muss {1} stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be {1}; export the file again.</source>
+        <translation>hier muss {1} stehen; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>this must have {1} components; export the file again.</source>
+        <translation>hier müssen {1} Komponenten stehen; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>this must not be negative</source>
+        <translation>das darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>this name is taken: expressions know it already; choose another</source>
+        <translation>dieser Name ist vergeben: Ausdrücke kennen ihn bereits; wählen Sie einen anderen</translation>
+    </message>
+    <message>
+        <source>this names nothing; export the file again.</source>
+        <translation>das nennt nichts; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>This node has no &quot;children&quot;; mend the file.</source>
+        <translation>Dieser Knoten hat keine „children“; bessern Sie die Datei aus.</translation>
+    </message>
+    <message>
+        <source>this node has no &quot;kind&quot;; say what it is: &quot;kind&quot;: &quot;sphere&quot;</source>
+        <translation>dieser Knoten hat keine „kind“; sagen Sie, was er ist: &quot;kind&quot;: &quot;sphere&quot;</translation>
+    </message>
+    <message>
+        <source>this node has no &quot;{1}&quot;; name what takes its place</source>
+        <translation>dieser Knoten hat kein „{=1}“; nennen Sie, was an seine Stelle tritt</translation>
+    </message>
+    <message>
+        <source>this OpenImageIO cannot read the format from memory</source>
+        <translation>dieses OpenImageIO kann das Format nicht aus dem Speicher lesen</translation>
+    </message>
+    <message>
+        <source>this OpenImageIO cannot write the format</source>
+        <translation>dieses OpenImageIO kann das Format nicht schreiben</translation>
+    </message>
+    <message>
+        <source>this OpenImageIO cannot write TIFF</source>
+        <translation>dieses OpenImageIO kann kein TIFF schreiben</translation>
+    </message>
+    <message>
+        <source>this parameter has no &quot;value&quot;; give the one it has at first</source>
+        <translation>dieser Parameter hat kein „value“; geben Sie das an, was er anfangs hat</translation>
+    </message>
+    <message>
+        <source>This place waits for an exhibit.</source>
+        <translation>Dieser Platz wartet auf ein Exponat.</translation>
+    </message>
+    <message>
+        <source>this preset is for {1}, not for {2}; choose another.</source>
+        <translation>dieses Preset ist für {=1}, nicht für {=2}; wählen Sie ein anderes.</translation>
+    </message>
+    <message>
+        <source>This print cannot be made: {1}.</source>
+        <translation>Dieser Druck ist nicht möglich: {1}.</translation>
+    </message>
+    <message>
+        <source>this reference is refused because {1}; put the file beside the model and name it relatively.</source>
+        <translation>dieser Verweis wird abgelehnt: {1}; legen Sie die Datei neben das Modell, und nennen Sie sie relativ.</translation>
+    </message>
+    <message>
+        <source>this scene has no &quot;root&quot;; it is the node that is drawn</source>
+        <translation>diese Szene hat keine „root“; das ist der Knoten, der gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>this scene has no shapes; give it some under &quot;primitives&quot;</source>
+        <translation>diese Szene hat keine Formen; geben Sie ihr einige unter „primitives“</translation>
+    </message>
+    <message>
+        <source>This sheet is made for flips, and its lenses stand upright: each eye sees another picture. For a flip, lay them across (direction 90°).</source>
+        <translation>Diese Folie ist für Wechselbilder gemacht, und ihre Linsen stehen aufrecht: Jedes Auge sieht ein anderes Bild. Legen Sie sie für einen Wechsel quer (Richtung 90°).</translation>
+    </message>
+    <message>
+        <source>this step has no preset; write ```json, {&quot;values&quot;: {}} and ``` below its text.</source>
+        <translation>dieser Schritt hat kein Preset; schreiben Sie ```json, {&quot;values&quot;: {}} und ``` unter seinen Text.</translation>
+    </message>
+    <message>
+        <source>this step says nothing; write a sentence below its heading.</source>
+        <translation>dieser Schritt sagt nichts; schreiben Sie einen Satz unter seine Überschrift.</translation>
+    </message>
+    <message>
+        <source>this string contains the character U+0000; remove it</source>
+        <translation>diese Zeichenkette enthält das Zeichen U+0000; entfernen Sie es</translation>
+    </message>
+    <message>
+        <source>this string is longer than {1}</source>
+        <translation>diese Zeichenkette ist länger als {1}</translation>
+    </message>
+    <message>
+        <source>this text is longer than {1} bytes; shorten it.</source>
+        <translation>dieser Text ist länger als {1} Bytes; kürzen Sie ihn.</translation>
+    </message>
+    <message>
+        <source>this version is not known; give &quot;version&quot;: {1}</source>
+        <translation>diese Version ist nicht bekannt; geben Sie &quot;version&quot;: {1} an</translation>
+    </message>
+    <message>
+        <source>this view reaches beyond its buffer, which has {1} bytes</source>
+        <translation>diese View reicht über ihren Puffer hinaus, der {1} Bytes hat</translation>
+    </message>
+    <message>
+        <source>this view reaches beyond its buffer.</source>
+        <translation>diese View reicht über ihren Puffer hinaus.</translation>
+    </message>
+    <message>
+        <source>Three colors from the ground up.</source>
+        <translation>Drei Farben vom Boden aufwärts.</translation>
+    </message>
+    <message>
+        <source>Three numbers are: x, y, z.</source>
+        <translation>Drei Zahlen wären einer: x, y, z.</translation>
+    </message>
+    <message>
+        <source>three passes</source>
+        <extracomment>tables</extracomment>
+        <translation>drei Passes</translation>
+    </message>
+    <message>
+        <source>Threshold</source>
+        <extracomment>tables</extracomment>
+        <translation>Schwelle</translation>
+    </message>
+    <message>
+        <source>TIFF (*.tif);;PNG (*.png)</source>
+        <translation>TIFF (*.tif);;PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Tile width</source>
+        <translation>Kachelbreite</translation>
+    </message>
+    <message>
+        <source>Tiles of {1} mm are narrower than a lens, {2} mm.</source>
+        <translation>Kacheln von {1} mm sind schmaler als eine Linse, {2} mm.</translation>
+    </message>
+    <message>
+        <source>Tilt</source>
+        <extracomment>tables</extracomment>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>time does not run</source>
+        <translation>die Zeit läuft nicht</translation>
+    </message>
+    <message>
+        <source>time of a picture</source>
+        <translation>Zeit eines Bildes</translation>
+    </message>
+    <message>
+        <source>Time of day</source>
+        <extracomment>tables</extracomment>
+        <translation>Tageszeit</translation>
+    </message>
+    <message>
+        <source>time of day</source>
+        <extracomment>tables</extracomment>
+        <translation>Tageszeit</translation>
+    </message>
+    <message>
+        <source>Time of the clock</source>
+        <translation>Zeit der Uhr</translation>
+    </message>
+    <message>
+        <source>Time of the frame</source>
+        <translation>Zeit des Frames</translation>
+    </message>
+    <message>
+        <source>Time of the frame, by %1</source>
+        <translation>Zeit des Frames, nach %1</translation>
+    </message>
+    <message>
+        <source>Times of the last frames</source>
+        <translation>Zeiten der letzten Frames</translation>
+    </message>
+    <message>
+        <source>Tint</source>
+        <extracomment>tables</extracomment>
+        <translation>Tönung</translation>
+    </message>
+    <message>
+        <source>Tip</source>
+        <extracomment>tables</extracomment>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Bis</translation>
+    </message>
+    <message>
+        <source>to the cell's wall</source>
+        <extracomment>tables</extracomment>
+        <translation>bis zur Zellwand</translation>
+    </message>
+    <message>
+        <source>To the middle of the tube.</source>
+        <translation>Bis zur Mitte des Rohrs.</translation>
+    </message>
+    <message>
+        <source>To the middle of the wall.</source>
+        <translation>Bis zur Mitte der Wand.</translation>
+    </message>
+    <message>
+        <source>To where you stood before; Backspace does the same while the picture has the focus.</source>
+        <translation>Dorthin, wo Sie vorher standen; die Rücktaste tut dasselbe, während das Bild den Fokus hat.</translation>
+    </message>
+    <message>
+        <source>To {1}</source>
+        <translation>Zu {1}</translation>
+    </message>
+    <message>
+        <source>together</source>
+        <extracomment>tables</extracomment>
+        <translation>gemeinsam</translation>
+    </message>
+    <message>
+        <source>Tones from shade to light, as an artist lays them; 1 is without steps.</source>
+        <extracomment>tables</extracomment>
+        <translation>Töne von Schatten bis Licht, wie ein Künstler sie legt; 1 ist ohne Stufen.</translation>
+    </message>
+    <message>
+        <source>Top radius</source>
+        <translation>Radius oben</translation>
+    </message>
+    <message>
+        <source>Torus to Mug</source>
+        <translation>Vom Torus zur Tasse</translation>
+    </message>
+    <message>
+        <source>Toss</source>
+        <extracomment>tables</extracomment>
+        <translation>Wurf</translation>
+    </message>
+    <message>
+        <source>Tours (*.json)</source>
+        <translation>Rundgänge (*.json)</translation>
+    </message>
+    <message>
+        <source>Towards it.</source>
+        <translation>Zu ihm hin.</translation>
+    </message>
+    <message>
+        <source>Trace red, green and blue apart, by Cauchy's formula.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfolgt Rot, Grün und Blau getrennt, nach Cauchys Formel.</translation>
+    </message>
+    <message>
+        <source>Translate</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Transmission</source>
+        <translation>Transmission</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Transparent</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>Baum</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Trimmed</source>
+        <translation>Beschnitten</translation>
+    </message>
+    <message>
+        <source>true</source>
+        <extracomment>tables</extracomment>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>trusted</source>
+        <translation>verlässlich</translation>
+    </message>
+    <message>
+        <source>try another folder or disk</source>
+        <translation>versuchen Sie einen anderen Ordner oder Datenträger</translation>
+    </message>
+    <message>
+        <source>Try: build it up stage by stage, then strew sprinkles.</source>
+        <translation>Probieren: Stufe um Stufe aufbauen, dann Streusel streuen.</translation>
+    </message>
+    <message>
+        <source>Try: let the sea roll, then look at the clouds.</source>
+        <translation>Probieren: das Meer rollen lassen, dann die Wolken ansehen.</translation>
+    </message>
+    <message>
+        <source>Try: load a preset, then drag what is its own.</source>
+        <translation>Probieren: ein Preset laden, dann an dem ziehen, was ihm eigen ist.</translation>
+    </message>
+    <message>
+        <source>Try: melt it, then look for the window in its side.</source>
+        <translation>Probieren: es schmelzen, dann das Fenster in seiner Seite suchen.</translation>
+    </message>
+    <message>
+        <source>Try: press the button, then look along the backs towards the window.</source>
+        <translation>Probieren: den Knopf drücken und dann über die Rücken zum Fenster schauen.</translation>
+    </message>
+    <message>
+        <source>Try: set one free, then let the moon rise higher.</source>
+        <translation>Probieren: eine freilassen, dann den Mond höher steigen lassen.</translation>
+    </message>
+    <message>
+        <source>Try: step aside, then change the palette.</source>
+        <translation>Probieren: zur Seite gehen, dann die Palette wechseln.</translation>
+    </message>
+    <message>
+        <source>Try: walk past it, then go so near that you see its lenses.</source>
+        <translation>Probieren: vorbeigehen, dann so nah heran, dass die Linsen zu sehen sind.</translation>
+    </message>
+    <message>
+        <source>Try: walk until the banner breaks the beam.</source>
+        <translation>Probieren: gehen, bis das Banner den Strahl bricht.</translation>
+    </message>
+    <message>
+        <source>Try: {1}</source>
+        <translation>Probieren: {1}</translation>
+    </message>
+    <message>
+        <source>Tumble</source>
+        <translation>Taumeln</translation>
+    </message>
+    <message>
+        <source>turbulence</source>
+        <extracomment>tables</extracomment>
+        <translation>Turbulenz</translation>
+    </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Turn %1</source>
+        <translation>%1 drehen</translation>
+    </message>
+    <message>
+        <source>Turn speed</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehtempo</translation>
+    </message>
+    <message>
+        <source>Turn step</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehschritt</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <extracomment>tables</extracomment>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>Turned about the y axis, the more the higher.</source>
+        <translation>Um die y-Achse gedreht, je höher, desto mehr.</translation>
+    </message>
+    <message>
+        <source>Turned about the z axis, the more the farther along x.</source>
+        <translation>Um die z-Achse gedreht, je weiter entlang x, desto mehr.</translation>
+    </message>
+    <message>
+        <source>Turns a second, as if the camera went round it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Umdrehungen pro Sekunde, als ginge die Kamera darum herum.</translation>
+    </message>
+    <message>
+        <source>Turns of a curl from skin to tip.</source>
+        <extracomment>tables</extracomment>
+        <translation>Windungen einer Locke von der Haut zur Spitze.</translation>
+    </message>
+    <message>
+        <source>Turns of the mobile in a second, while it is animated.</source>
+        <extracomment>tables</extracomment>
+        <translation>Umdrehungen des Mobiles pro Sekunde, während es sich bewegt.</translation>
+    </message>
+    <message>
+        <source>Turns the panorama around the vertical.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dreht das Panorama um die Senkrechte.</translation>
+    </message>
+    <message>
+        <source>Turns the visitor's object around the vertical.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dreht das Objekt des Besuchers um die Senkrechte.</translation>
+    </message>
+    <message>
+        <source>Twist</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdrillung</translation>
+    </message>
+    <message>
+        <source>twisted</source>
+        <extracomment>tables</extracomment>
+        <translation>gedreht</translation>
+    </message>
+    <message>
+        <source>Two halves</source>
+        <extracomment>tables</extracomment>
+        <translation>Zwei Hälften</translation>
+    </message>
+    <message>
+        <source>two passes share a name</source>
+        <translation>zwei Passes haben denselben Namen</translation>
+    </message>
+    <message>
+        <source>two rows share a name</source>
+        <translation>zwei Zeilen haben denselben Namen</translation>
+    </message>
+    <message>
+        <source>type of shape</source>
+        <translation>Art von Form</translation>
+    </message>
+    <message>
+        <source>Type: 1/3, 2*pi, 30deg</source>
+        <translation>Tippen: 1/3, 2*pi, 30deg</translation>
+    </message>
+    <message>
+        <source>unchanged since it last ran</source>
+        <translation>unverändert, seit er zuletzt lief</translation>
+    </message>
+    <message>
+        <source>Uncompressed.</source>
+        <translation>Unkomprimiert.</translation>
+    </message>
+    <message>
+        <source>under a high sun</source>
+        <translation>unter hoher Sonne</translation>
+    </message>
+    <message>
+        <source>Uniformity</source>
+        <extracomment>tables</extracomment>
+        <translation>Gleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>unknown error</source>
+        <translation>unbekannter Fehler</translation>
+    </message>
+    <message>
+        <source>Unlock</source>
+        <translation>Entsperren</translation>
+    </message>
+    <message>
+        <source>Unlock the group</source>
+        <translation>Die Gruppe entsperren</translation>
+    </message>
+    <message>
+        <source>Unwrap</source>
+        <translation>Auspacken</translation>
+    </message>
+    <message>
+        <source>Unwrap %1</source>
+        <translation>%1 auspacken</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Oben</translation>
+    </message>
+    <message>
+        <source>up into the vault</source>
+        <translation>hinauf ins Gewölbe</translation>
+    </message>
+    <message>
+        <source>Up the side of the foot.</source>
+        <extracomment>tables</extracomment>
+        <translation>An der Seite des Fußes hinauf.</translation>
+    </message>
+    <message>
+        <source>Up, Down, wheel</source>
+        <translation>Auf, Ab, Mausrad</translation>
+    </message>
+    <message>
+        <source>Upper blend</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Übergang</translation>
+    </message>
+    <message>
+        <source>Upper color</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Farbe</translation>
+    </message>
+    <message>
+        <source>Upper corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Ecke</translation>
+    </message>
+    <message>
+        <source>upper cream</source>
+        <extracomment>tables</extracomment>
+        <translation>oberes Eis</translation>
+    </message>
+    <message>
+        <source>Upper height</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Höhe</translation>
+    </message>
+    <message>
+        <source>upper layer</source>
+        <extracomment>tables</extracomment>
+        <translation>obere Schicht</translation>
+    </message>
+    <message>
+        <source>Upper layer of cream</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Eisschicht</translation>
+    </message>
+    <message>
+        <source>Upper lobes</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Keulen</translation>
+    </message>
+    <message>
+        <source>Upper offset x</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Versatz x</translation>
+    </message>
+    <message>
+        <source>Upper offset z</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Versatz z</translation>
+    </message>
+    <message>
+        <source>Upper radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Radius</translation>
+    </message>
+    <message>
+        <source>Upper raise</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Anheben</translation>
+    </message>
+    <message>
+        <source>Upper tilt</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Neigung</translation>
+    </message>
+    <message>
+        <source>Upper twist</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Verdrillung</translation>
+    </message>
+    <message>
+        <source>Upper yaw</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Gieren</translation>
+    </message>
+    <message>
+        <source>Upscale</source>
+        <extracomment>tables</extracomment>
+        <translation>Hochskalieren</translation>
+    </message>
+    <message>
+        <source>Usual sizes</source>
+        <translation>Übliche Größen</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <extracomment>tables</extracomment>
+        <translation>Value</translation>
+    </message>
+    <message>
+        <source>Vary at random, seed %1</source>
+        <translation>Zufällig variieren, Startwert %1</translation>
+    </message>
+    <message>
+        <source>Version, libraries, license.</source>
+        <translation>Version, Bibliotheken, Lizenz.</translation>
+    </message>
+    <message>
+        <source>vertical</source>
+        <extracomment>tables</extracomment>
+        <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>View width</source>
+        <translation>Ansichtsbreite</translation>
+    </message>
+    <message>
+        <source>Viewing zone</source>
+        <translation>Betrachtungszone</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Views of the first print: a folder of pictures, or a print that vitrine print wrote. Empty: the turning mug.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ansichten des ersten Drucks: ein Ordner mit Bildern, oder ein Druck, den vitrine print geschrieben hat. Leer: die sich drehende Tasse.</translation>
+    </message>
+    <message>
+        <source>Views of the second print, in the same ways. Empty: the melting torus.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ansichten des zweiten Drucks, auf dieselbe Weise. Leer: der schmelzende Torus.</translation>
+    </message>
+    <message>
+        <source>Views rendered from the picture in the window, read from a folder or a list of pictures,
+or cut from one picture with a grid of views. A folder or pictures can also be dropped here.</source>
+        <translation>Ansichten, die aus dem Bild des Fensters gerendert, aus einem Ordner oder einer Liste von Bildern gelesen
+oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordner oder Bilder lassen sich auch hier ablegen.</translation>
+    </message>
+    <message>
+        <source>Views side by side in a quilt.</source>
+        <translation>Ansichten nebeneinander in einem Quilt.</translation>
+    </message>
+    <message>
+        <source>Views that show</source>
+        <translation>Sichtbare Ansichten</translation>
+    </message>
+    <message>
+        <source>Views, interlaced.</source>
+        <translation>Verschachtelte Ansichten.</translation>
+    </message>
+    <message>
+        <source>Visit %1</source>
+        <translation>%1 besuchen</translation>
+    </message>
+    <message>
+        <source>Visit an exhibit first: lessons are about one of them.</source>
+        <translation>Besuchen Sie zuerst ein Exponat: Jede Lektion handelt von einem.</translation>
+    </message>
+    <message>
+        <source>Visit an exhibit first: the hall has nothing around it that could be left out.</source>
+        <translation>Besuchen Sie zuerst ein Exponat: Um die Halle herum ist nichts, was wegbleiben könnte.</translation>
+    </message>
+    <message>
+        <source>Visit an exhibit, press a button</source>
+        <translation>Ein Exponat besuchen, einen Knopf drücken</translation>
+    </message>
+    <message>
+        <source>Visitor's object</source>
+        <extracomment>tables</extracomment>
+        <translation>Objekt des Besuchers</translation>
+    </message>
+    <message>
+        <source>Visual per inch</source>
+        <translation>Visuell pro Zoll</translation>
+    </message>
+    <message>
+        <source>Vitrine %1
+A workbench for real-time rendering techniques, in a museum.
+
+Made with Qt %2, QCustomPlot, OpenGL 4.5 through libepoxy, GLM, Bullet,
+OpenImageIO, tinygltf, nlohmann JSON, libpng and CLI11.
+&quot;vitrine doctor&quot; tells their versions and what this machine can do.
+
+Free software under the GNU General Public License, version 3 or later;
+it comes without any warranty. Where models, textures and fonts come from
+is written in assets/SOURCES.md.</source>
+        <translation>Vitrine %1
+Eine Werkbank für Echtzeit-Rendering, in einem Museum.
+
+Gemacht mit Qt %2, QCustomPlot, OpenGL 4.5 über libepoxy, GLM, Bullet,
+OpenImageIO, tinygltf, nlohmann JSON, libpng und CLI11.
+„vitrine doctor“ nennt ihre Versionen, und was dieser Rechner kann.
+
+Freie Software unter der GNU General Public License, Version 3 oder neuer;
+ohne jede Gewährleistung. Woher Modelle, Texturen und Schriften stammen,
+steht in assets/SOURCES.md.</translation>
+    </message>
+    <message>
+        <source>Vitrine crashed or was stopped; your last state was restored.</source>
+        <translation>Vitrine ist abgestürzt oder wurde beendet; Ihr letzter Stand wurde wiederhergestellt.</translation>
+    </message>
+    <message>
+        <source>Vitrine has a fault: %1. What you asked for was not done; everything else goes on.</source>
+        <translation>Vitrine hat einen Fehler: %1. Das Verlangte wurde nicht ausgeführt; alles andere läuft weiter.</translation>
+    </message>
+    <message>
+        <source>Vitrine scene</source>
+        <translation>Vitrine-Szene</translation>
+    </message>
+    <message>
+        <source>volume</source>
+        <extracomment>tables</extracomment>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Volume steps</source>
+        <extracomment>tables</extracomment>
+        <translation>Volumenschritte</translation>
+    </message>
+    <message>
+        <source>vote</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstimmung</translation>
+    </message>
+    <message>
+        <source>W A S D to walk, click an exhibit to tune it</source>
+        <translation>W A S D zum Gehen; klicken Sie ein Exponat an, um es einzustellen</translation>
+    </message>
+    <message>
+        <source>W A S D, arrows</source>
+        <translation>W A S D, Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Wafer</source>
+        <extracomment>tables</extracomment>
+        <translation>Waffel</translation>
+    </message>
+    <message>
+        <source>Wafer blend</source>
+        <extracomment>tables</extracomment>
+        <translation>Waffelübergang</translation>
+    </message>
+    <message>
+        <source>Wafer color</source>
+        <extracomment>tables</extracomment>
+        <translation>Waffelfarbe</translation>
+    </message>
+    <message>
+        <source>Wafer roughness</source>
+        <extracomment>tables</extracomment>
+        <translation>Waffelrauheit</translation>
+    </message>
+    <message>
+        <source>waiting for the disk</source>
+        <translation>das Warten auf den Datenträger</translation>
+    </message>
+    <message>
+        <source>Walk; Shift runs</source>
+        <translation>Gehen; Umschalt läuft</translation>
+    </message>
+    <message>
+        <source>Walks you through the exhibit that you visit, step by step.</source>
+        <translation>Führt Schritt für Schritt durch das Exponat, das Sie besuchen.</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Wandstärke</translation>
+    </message>
+    <message>
+        <source>wall time around glFinish</source>
+        <translation>Zeit der Wanduhr um glFinish</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Warp</source>
+        <extracomment>tables</extracomment>
+        <translation>Verzerrung</translation>
+    </message>
+    <message>
+        <source>Water</source>
+        <extracomment>tables</extracomment>
+        <translation>Wasser</translation>
+    </message>
+    <message>
+        <source>Water color</source>
+        <extracomment>tables</extracomment>
+        <translation>Wasserfarbe</translation>
+    </message>
+    <message>
+        <source>Water steps</source>
+        <extracomment>tables</extracomment>
+        <translation>Wasserschritte</translation>
+    </message>
+    <message>
+        <source>Wave height</source>
+        <extracomment>tables</extracomment>
+        <translation>Wellenhöhe</translation>
+    </message>
+    <message>
+        <source>Wave speed</source>
+        <extracomment>tables</extracomment>
+        <translation>Wellentempo</translation>
+    </message>
+    <message>
+        <source>Waves</source>
+        <extracomment>tables</extracomment>
+        <translation>Wellen</translation>
+    </message>
+    <message>
+        <source>waves per cell</source>
+        <translation>Wellen pro Zelle</translation>
+    </message>
+    <message>
+        <source>Waves that are summed, from the longest on.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wellen, die summiert werden, von der längsten an.</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <extracomment>tables</extracomment>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>What 10 cm of the glass leave of white.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was 10 cm des Glases von Weiß übrig lassen.</translation>
+    </message>
+    <message>
+        <source>What a meter of the air at the water hides.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was ein Meter der Luft am Wasser verbirgt.</translation>
+    </message>
+    <message>
+        <source>What a meter of the thickest cloud takes out of a ray.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was ein Meter der dicksten Wolke einem Strahl nimmt.</translation>
+    </message>
+    <message>
+        <source>What all children share.</source>
+        <translation>Was alle Kinder gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>What an octave is: numbers at the corners of cells, slopes there, slopes on a lattice without axes, or the distance to the nearest of scattered points.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was eine Oktave ist: Zahlen an den Ecken von Zellen, Steigungen dort, Steigungen auf einem Gitter ohne Achsen, oder die Distanz zum nächsten verstreuter Punkte.</translation>
+    </message>
+    <message>
+        <source>What counts as exact is not checked: {1}</source>
+        <translation>Was als exakt gilt, ist nicht geprüft: {1}</translation>
+    </message>
+    <message>
+        <source>What deep water sends back of the daylight.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was tiefes Wasser vom Tageslicht zurückgibt.</translation>
+    </message>
+    <message>
+        <source>What deep water sends back.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was tiefes Wasser zurückwirft.</translation>
+    </message>
+    <message>
+        <source>What differences are multiplied by</source>
+        <translation>Womit Unterschiede multipliziert werden</translation>
+    </message>
+    <message>
+        <source>What does accuracy cost?</source>
+        <translation>Was kostet Genauigkeit?</translation>
+    </message>
+    <message>
+        <source>What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells where they are seen at an angle, or a march from shell to shell.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was die Lücken zwischen seitlich gesehenen Shells füllt: nichts, Fins entlang der Kanten, mehr Shells, wo sie schräg gesehen werden, oder ein Raymarching von Shell zu Shell.</translation>
+    </message>
+    <message>
+        <source>what hangs here has turned</source>
+        <translation>was hier hängt, hat sich gedreht</translation>
+    </message>
+    <message>
+        <source>What is brought from elsewhere has no kind of its own; change it where it is written.</source>
+        <translation>Was von anderswo kommt, hat keine eigene Art; ändern Sie es dort, wo es geschrieben steht.</translation>
+    </message>
+    <message>
+        <source>What is drawn and why</source>
+        <translation>Was gezeichnet wird, und warum</translation>
+    </message>
+    <message>
+        <source>What is farther away keeps no light away. The source knows no such limit.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was weiter weg ist, hält kein Licht ab. Das Original kennt keine solche Grenze.</translation>
+    </message>
+    <message>
+        <source>What is in an odd number of children.</source>
+        <translation>Was in einer ungeraden Zahl von Kindern liegt.</translation>
+    </message>
+    <message>
+        <source>What is in the middle of the picture.</source>
+        <translation>Was in der Mitte des Bildes ist.</translation>
+    </message>
+    <message>
+        <source>What is made of each octave: itself, sharp ridges, round lumps, or its absolute value.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was aus jeder Oktave gemacht wird: sie selbst, scharfe Grate, runde Klumpen, oder ihr Betrag.</translation>
+    </message>
+    <message>
+        <source>what is near</source>
+        <extracomment>tables</extracomment>
+        <translation>was nah ist</translation>
+    </message>
+    <message>
+        <source>what is near is still being found</source>
+        <translation>was nah ist, wird noch gesucht</translation>
+    </message>
+    <message>
+        <source>What is on show becomes as B is; one undo brings it back.</source>
+        <translation>Das Gezeigte wird, wie B ist; ein Schritt rückgängig bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>What is reflected.</source>
+        <translation>Was gespiegelt wird.</translation>
+    </message>
+    <message>
+        <source>What is seen now, as the last picture was exported, under the next free name.</source>
+        <translation>Was jetzt zu sehen ist, wie das letzte Bild exportiert wurde, unter dem nächsten freien Namen.</translation>
+    </message>
+    <message>
+        <source>What is shown</source>
+        <translation>Was gezeigt wird</translation>
+    </message>
+    <message>
+        <source>what is shown</source>
+        <translation>das Gezeigte</translation>
+    </message>
+    <message>
+        <source>What is shown to the right of the wipe.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was rechts der Wischblende gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>What is shown: the finished picture, or a step on the way there.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was gezeigt wird: das fertige Bild, oder ein Schritt auf dem Weg dorthin.</translation>
+    </message>
+    <message>
+        <source>What is up in the picture.</source>
+        <translation>Was im Bild oben ist.</translation>
+    </message>
+    <message>
+        <source>What it is made of; what is in it, too, unless it says another.</source>
+        <translation>Woraus es besteht; auch, was darin ist, wenn es nichts anderes sagt.</translation>
+    </message>
+    <message>
+        <source>What roughness means for the source's sun: a lobe of microfacets, or the exponent 2^(10 (1 - roughness)).</source>
+        <extracomment>tables</extracomment>
+        <translation>Was Rauheit für die Sonne des Originals bedeutet: eine Keule aus Mikrofacetten, oder den Exponenten 2^(10 (1 - Rauheit)).</translation>
+    </message>
+    <message>
+        <source>What surrounds the scene is black until it can be read.</source>
+        <translation>Was die Szene umgibt, ist schwarz, bis es gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>What the child has in its plane z = 0, drawn out along z.</source>
+        <translation>Was das Kind in seiner Ebene z = 0 hat, entlang z ausgezogen.</translation>
+    </message>
+    <message>
+        <source>What the child has in its plane z = 0, turned around the y axis.</source>
+        <translation>Was das Kind in seiner Ebene z = 0 hat, um die y-Achse gedreht.</translation>
+    </message>
+    <message>
+        <source>What the depth buffer stores.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was der Tiefenpuffer speichert.</translation>
+    </message>
+    <message>
+        <source>What the description tells; 0: as long as the animation.</source>
+        <translation>Was die Beschreibung nennt; 0: so lang wie die Animation.</translation>
+    </message>
+    <message>
+        <source>What the frame cost</source>
+        <translation>Was der Frame gekostet hat</translation>
+    </message>
+    <message>
+        <source>What the lantern does that the button sets free.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was die Laterne tut, die der Knopf freilässt.</translation>
+    </message>
+    <message>
+        <source>What the paper does not absorb.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was das Papier nicht schluckt.</translation>
+    </message>
+    <message>
+        <source>What the parameters were before or after an edit becomes B.</source>
+        <translation>Was die Parameter vor oder nach einer Bearbeitung waren, wird zu B.</translation>
+    </message>
+    <message>
+        <source>What the polished floor mirrors: the probe's soft picture of the room, or in front of it the window, its bars and what stands on the floor, each where a ray finds it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was der polierte Boden spiegelt: das weiche Bild der Sonde vom Raum, oder davor das Fenster, seine Sprossen und was auf dem Boden steht, jedes dort, wo ein Strahl es findet.</translation>
+    </message>
+    <message>
+        <source>what the probe sees has changed</source>
+        <translation>was die Sonde sieht, hat sich geändert</translation>
+    </message>
+    <message>
+        <source>What the same step takes with the settings B, in a finished frame that is drawn anew: nothing is taken over from the frame before, and nothing is left for the next one.</source>
+        <translation>Was derselbe Schritt mit den Einstellungen B braucht, in einem fertigen Frame, der neu gezeichnet wird: Nichts wird aus dem Frame davor übernommen, und nichts bleibt für den nächsten.</translation>
+    </message>
+    <message>
+        <source>What the shader asks at a point: the shapes that matter there, or all of them; written out for this scene with its numbers beside it or in it, or as lists that it walks, of this scene's kinds or of all.</source>
+        <extracomment>tables</extracomment>
+        <translation>Was der Shader an einem Punkt fragt: die Formen, auf die es dort ankommt, oder alle; ausgeschrieben für diese Szene, mit ihren Zahlen daneben oder darin, oder als Listen, die er durchgeht, mit den Arten dieser Szene oder mit allen.</translation>
+    </message>
+    <message>
+        <source>what the small world's sun reaches</source>
+        <translation>was die Sonne der kleinen Welt erreicht</translation>
+    </message>
+    <message>
+        <source>what the water sends of the moon is too little to show shadows</source>
+        <translation>was das Wasser vom Mond zurückwirft, ist zu wenig, um Schatten zu zeigen</translation>
+    </message>
+    <message>
+        <source>What they float on: a wave that the water does not have, or the water under their base.</source>
+        <extracomment>tables</extracomment>
+        <translation>Worauf sie schwimmen: auf einer Welle, die das Wasser nicht hat, oder auf dem Wasser unter ihrem Boden.</translation>
+    </message>
+    <message>
+        <source>What to measure</source>
+        <translation>Was gemessen wird</translation>
+    </message>
+    <message>
+        <source>What to print</source>
+        <translation>Was gedruckt wird</translation>
+    </message>
+    <message>
+        <source>What to see</source>
+        <translation>Was zu sehen ist</translation>
+    </message>
+    <message>
+        <source>What to see in this step</source>
+        <translation>Was in diesem Schritt zu sehen ist</translation>
+    </message>
+    <message>
+        <source>What white reflects that faces it, linear.</source>
+        <translation>Was Weiß zurückwirft, das ihm zugewandt ist, linear.</translation>
+    </message>
+    <message>
+        <source>What white reflects where the camera looks, linear; as in the source, at any distance.</source>
+        <translation>Was Weiß zurückwirft, wo die Kamera hinschaut, linear; wie im Original, in jeder Entfernung.</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>Where an eye that flips between A and B sees a difference: black none, white a large one.</source>
+        <translation>Wo ein Auge, das zwischen A und B wechselt, einen Unterschied sieht: schwarz keinen, weiß einen großen.</translation>
+    </message>
+    <message>
+        <source>Where B comes from</source>
+        <translation>Woher B kommt</translation>
+    </message>
+    <message>
+        <source>Where every frame lies, in the JSON that Aseprite exports.</source>
+        <translation>Wo jeder Frame liegt, in dem JSON, das Aseprite exportiert.</translation>
+    </message>
+    <message>
+        <source>Where it hangs, seen from the ice cream.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo sie hängt, vom Eis aus gesehen.</translation>
+    </message>
+    <message>
+        <source>Where it hangs, seen from the pit.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo er hängt, von der Grube aus gesehen.</translation>
+    </message>
+    <message>
+        <source>Where it is, across.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo es liegt, quer.</translation>
+    </message>
+    <message>
+        <source>Where it is, towards the front.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo es liegt, nach vorn.</translation>
+    </message>
+    <message>
+        <source>Where it is.</source>
+        <translation>Wo es ist.</translation>
+    </message>
+    <message>
+        <source>Where it shines.</source>
+        <translation>Wohin es scheint.</translation>
+    </message>
+    <message>
+        <source>Where it stands, seen through the frame: negative is to the left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo er steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
+    </message>
+    <message>
+        <source>Where its base is, across.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo seine Grundfläche liegt, quer.</translation>
+    </message>
+    <message>
+        <source>Where its base is, towards the front.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo seine Grundfläche liegt, nach vorn.</translation>
+    </message>
+    <message>
+        <source>Where its own sun stands, seen through the frame: negative is to the left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo die eigene Sonne steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
+    </message>
+    <message>
+        <source>Where smooth noise is below a level; endless.</source>
+        <translation>Wo glattes Rauschen unter einem Pegel liegt; ohne Ende.</translation>
+    </message>
+    <message>
+        <source>Where the camera stands around the middle.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo die Kamera um die Mitte herum steht.</translation>
+    </message>
+    <message>
+        <source>Where the color changes from root to tip: low near the root, high near the tip.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo die Farbe von der Wurzel zur Spitze wechselt: niedrige Werte nahe der Wurzel, hohe nahe der Spitze.</translation>
+    </message>
+    <message>
+        <source>Where the comparison begins: 0 is the left edge of the picture, 1 the right.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo der Vergleich beginnt: 0 ist der linke Bildrand, 1 der rechte.</translation>
+    </message>
+    <message>
+        <source>Where the draft blows.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wohin der Luftzug weht.</translation>
+    </message>
+    <message>
+        <source>Where the mesh begins: 0 is the left edge of the picture, 1 the right.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo das Netz beginnt: 0 ist der linke Bildrand, 1 der rechte.</translation>
+    </message>
+    <message>
+        <source>Where the right half begins, as a share of the opening.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo die rechte Hälfte beginnt, als Anteil der Öffnung.</translation>
+    </message>
+    <message>
+        <source>Where the right half begins.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo die rechte Hälfte beginnt.</translation>
+    </message>
+    <message>
+        <source>Where the source's sun stands.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo die Sonne des Originals steht.</translation>
+    </message>
+    <message>
+        <source>Where the sun stands, from the camera's side: negative is to the left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo die Sonne steht, von der Seite der Kamera: Negative Werte liegen links.</translation>
+    </message>
+    <message>
+        <source>Where the sun stands, seen through the window: negative is to the left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo die Sonne steht, durch das Fenster gesehen: Negative Werte liegen links.</translation>
+    </message>
+    <message>
+        <source>Where the views come from</source>
+        <translation>Woher die Ansichten kommen</translation>
+    </message>
+    <message>
+        <source>Where the views come from: rendered from the picture in the window, read from pictures, or cut from a grid of views.</source>
+        <translation>Woher die Ansichten kommen: aus dem Bild des Fensters gerendert, aus Bildern gelesen, oder aus einem Raster von Ansichten geschnitten.</translation>
+    </message>
+    <message>
+        <source>Where the wind blows to, from straight ahead: negative is to the left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wohin der Wind weht, von geradeaus: Negative Werte liegen links.</translation>
+    </message>
+    <message>
+        <source>Whether colors are those of what it is made of, or tell the parts from each other.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob Farben die des Materials sind, oder die Teile voneinander unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Whether distance makes things smaller. Pixel art is mostly orthographic.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob Entfernung Dinge kleiner macht. Pixel-Art ist meist orthografisch.</translation>
+    </message>
+    <message>
+        <source>Whether empty space is crossed, and light told, by evaluated noise or by noise that is looked up: the surface itself is always evaluated.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob leerer Raum und Licht durch ausgewertetes oder durch nachgeschlagenes Rauschen gefunden werden: Die Oberfläche selbst wird immer ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Whether near is 1 and far 0, or the other way round.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob nah 1 und fern 0 ist, oder umgekehrt.</translation>
+    </message>
+    <message>
+        <source>Whether radius and thickness follow from LPI, zone and index, focused on the back, or are as given below.</source>
+        <translation>Ob Radius und Dicke aus LPI, Zone und Index folgen, auf die Rückseite fokussiert, oder wie unten angegeben sind.</translation>
+    </message>
+    <message>
+        <source>Whether steps may be longer than the distance: by a fixed factor, or as long as the field's slope promises.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob Schritte länger als die Distanz sein dürfen: um einen festen Faktor, oder so lang, wie die Steigung des Felds verspricht.</translation>
+    </message>
+    <message>
+        <source>Whether the clouds' noise is evaluated at every step or looked up.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob das Rauschen der Wolken bei jedem Schritt ausgewertet oder nachgeschlagen wird.</translation>
+    </message>
+    <message>
+        <source>Whether the lamps in the vault burn: as the sun sinks below eight degrees, always, or never.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Lampen im Gewölbe brennen: sobald die Sonne unter acht Grad sinkt, immer oder nie.</translation>
+    </message>
+    <message>
+        <source>Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Sonne durch Winkel und Farbe darunter gesetzt wird, oder mit der Stunde wandert, sich rötet und untergeht.</translation>
+    </message>
+    <message>
+        <source>Whether the work has a sun of its own or the direction of the hall's.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob das Werk eine eigene Sonne hat, oder die Richtung der Sonne der Halle.</translation>
+    </message>
+    <message>
+        <source>Whether they flicker in step.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob sie im Gleichtakt flackern.</translation>
+    </message>
+    <message>
+        <source>Whether they have the colors of the first five candies, or one.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob sie die Farben der ersten fünf Bonbons haben, oder eine.</translation>
+    </message>
+    <message>
+        <source>Which lanterns a step of a ray looks at: those of some cells around it, which cuts what lies beyond, or all that the ray can touch, cell by cell.</source>
+        <extracomment>tables</extracomment>
+        <translation>Welche Laternen ein Schritt eines Strahls ansieht: die einiger Zellen ringsum, was Weiteres abschneidet, oder alle, die der Strahl berühren kann, Zelle für Zelle.</translation>
+    </message>
+    <message>
+        <source>Which of many ways it lies; 0 is upright.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auf welche von vielen Arten es liegt; 0 ist aufrecht.</translation>
+    </message>
+    <message>
+        <source>Which of many ways they are tossed: the same number is the same jump.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auf welche von vielen Arten sie geworfen werden: Dieselbe Zahl ist derselbe Sprung.</translation>
+    </message>
+    <message>
+        <source>Which of the model's animations is played, by its number in the file, beyond which there is the last; 0: none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Welche Animation des Modells abgespielt wird, nach ihrer Nummer in der Datei; über die letzte hinaus die letzte; 0: keine.</translation>
+    </message>
+    <message>
+        <source>Which one?</source>
+        <translation>Welche soll gelten?</translation>
+    </message>
+    <message>
+        <source>Which print rests in the card before it scrolls.</source>
+        <extracomment>tables</extracomment>
+        <translation>Welcher Druck in der Karte ruht, bevor sie rollt.</translation>
+    </message>
+    <message>
+        <source>while the new program is being built</source>
+        <translation>während das neue Programm gebaut wird</translation>
+    </message>
+    <message>
+        <source>While two settings are compared</source>
+        <translation>Während zwei Einstellungen verglichen werden</translation>
+    </message>
+    <message>
+        <source>White paper around the pictures.</source>
+        <extracomment>tables</extracomment>
+        <translation>Weißes Papier um die Bilder.</translation>
+    </message>
+    <message>
+        <source>White paper around trim and bleed, on every side.</source>
+        <translation>Weißes Papier um Beschnitt und Anschnitt, auf jeder Seite.</translation>
+    </message>
+    <message>
+        <source>whole numbers only)</source>
+        <translation>nur ganze Zahlen)</translation>
+    </message>
+    <message>
+        <source>Whose parameters</source>
+        <translation>Wessen Parameter</translation>
+    </message>
+    <message>
+        <source>Whose view is drawn: the camera's, one eye's, or both, the left one in red and the right one in cyan.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wessen Ansicht gezeichnet wird: die der Kamera, die eines Auges oder beide, die linke in Rot und die rechte in Cyan.</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>Warum</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>Width of a cell; never less than a lantern needs.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite einer Zelle; nie weniger, als eine Laterne braucht.</translation>
+    </message>
+    <message>
+        <source>Width of the fillet between cream and wafer: wide runs down.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite der Rundung zwischen Eis und Waffel: Breit läuft herunter.</translation>
+    </message>
+    <message>
+        <source>Width of the fillet between neighbors: wide makes soft folds.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite der Rundung zwischen Nachbarn: Breit macht weiche Falten.</translation>
+    </message>
+    <message>
+        <source>Width of the fillet between the two layers.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite der Rundung zwischen den beiden Schichten.</translation>
+    </message>
+    <message>
+        <source>Width of the fillet between them and the foot.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite der Rundung zwischen ihnen und dem Fuß.</translation>
+    </message>
+    <message>
+        <source>Width of the fillet where bars cross rings; 0 joins them hard.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite der Rundung, wo Stäbe Ringe kreuzen; 0 verbindet sie hart.</translation>
+    </message>
+    <message>
+        <source>Width of the fillet where the handle meets the cup; 0 joins them hard.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite der Rundung, wo der Henkel auf die Tasse trifft; 0 verbindet sie hart.</translation>
+    </message>
+    <message>
+        <source>Wind</source>
+        <extracomment>tables</extracomment>
+        <translation>Wind</translation>
+    </message>
+    <message>
+        <source>Wind direction</source>
+        <extracomment>tables</extracomment>
+        <translation>Windrichtung</translation>
+    </message>
+    <message>
+        <source>Wind speed</source>
+        <extracomment>tables</extracomment>
+        <translation>Windtempo</translation>
+    </message>
+    <message>
+        <source>window ahead</source>
+        <translation>Fenster voraus</translation>
+    </message>
+    <message>
+        <source>Wipe</source>
+        <translation>Wischblende</translation>
+    </message>
+    <message>
+        <source>With --order reverse the depth of rendered views is inside out.</source>
+        <translation>Mit --order reverse kehrt sich die Tiefe gerenderter Ansichten um.</translation>
+    </message>
+    <message>
+        <source>with its border it has more than 2147483647 pixels on a side</source>
+        <translation>mit seinem Rand hat er mehr als 2147483647 Pixel auf einer Seite</translation>
+    </message>
+    <message>
+        <source>with its numbers folded, which rest</source>
+        <translation>mit eingerechneten Zahlen, die ruhen</translation>
+    </message>
+    <message>
+        <source>With one view the print shows the same picture from everywhere.</source>
+        <translation>Mit einer Ansicht zeigt der Druck von überall dasselbe Bild.</translation>
+    </message>
+    <message>
+        <source>With the best of the settings, halving</source>
+        <translation>Mit den besten der Einstellungen kostet es, den Fehler zu halbieren,</translation>
+    </message>
+    <message>
+        <source>With {1} pixels per lens the printer cannot separate views.</source>
+        <translation>Mit {1} Pixeln pro Linse kann der Drucker Ansichten nicht trennen.</translation>
+    </message>
+    <message>
+        <source>woken by the button {1} ago</source>
+        <translation>vom Knopf geweckt vor {1}</translation>
+    </message>
+    <message>
+        <source>Work</source>
+        <translation>Werk</translation>
+    </message>
+    <message>
+        <source>work for several frames needs a key</source>
+        <translation>Arbeit für mehrere Frames braucht einen Schlüssel</translation>
+    </message>
+    <message>
+        <source>World</source>
+        <extracomment>tables</extracomment>
+        <translation>Welt</translation>
+    </message>
+    <message>
+        <source>Wrap</source>
+        <translation>Einpacken</translation>
+    </message>
+    <message>
+        <source>Wrap %1 in %2</source>
+        <translation>%1 in %2 einpacken</translation>
+    </message>
+    <message>
+        <source>Wrap in</source>
+        <translation>Einpacken in</translation>
+    </message>
+    <message>
+        <source>write &quot;milliseconds&quot;, &quot;row:NAME&quot; or &quot;counter:NAME&quot; here.</source>
+        <translation>schreiben Sie hier „milliseconds“, „row:NAME“ oder „counter:NAME“.</translation>
+    </message>
+    <message>
+        <source>Writes the bookmarks to a file that `vitrine record` follows.</source>
+        <translation>Schreibt die Lesezeichen in eine Datei, der `vitrine record` folgt.</translation>
+    </message>
+    <message>
+        <source>Writes the selected preset to a file.</source>
+        <translation>Schreibt das gewählte Preset in eine Datei.</translation>
+    </message>
+    <message>
+        <source>Writes the tree to another file.</source>
+        <translation>Schreibt den Baum in eine andere Datei.</translation>
+    </message>
+    <message>
+        <source>writes videos</source>
+        <translation>schreibt Videos</translation>
+    </message>
+    <message>
+        <source>Writes what you edited in the tree to the file that the exhibit was read from.</source>
+        <translation>Schreibt, was Sie im Baum geändert haben, in die Datei, aus der das Exponat gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Writes what you edited to the file that the exhibit was read from.</source>
+        <translation>Schreibt Ihre Änderungen in die Datei, aus der das Exponat gelesen wurde.</translation>
+    </message>
+    <message>
+        <source>Writing</source>
+        <translation>Schreibt</translation>
+    </message>
+    <message>
+        <source>writing a frame</source>
+        <translation>das Schreiben eines Frames</translation>
+    </message>
+    <message>
+        <source>writing failed ({1})</source>
+        <translation>das Schreiben ist misslungen ({=1})</translation>
+    </message>
+    <message>
+        <source>writing the comment failed</source>
+        <translation>das Schreiben des Kommentars ist misslungen</translation>
+    </message>
+    <message>
+        <source>Writing {1} was stopped; nothing was changed.</source>
+        <translation>Das Schreiben von {=1} wurde angehalten; nichts wurde geändert.</translation>
+    </message>
+    <message>
+        <source>X</source>
+        <translation>X</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>Yaw</source>
+        <extracomment>tables</extracomment>
+        <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>Your bookmarks are kept for this session only: %1</source>
+        <translation>Ihre Lesezeichen bleiben nur für diese Sitzung erhalten: %1</translation>
+    </message>
+    <message>
+        <source>Your last state was restored %1 times, and each time Vitrine crashed or was stopped soon after. It is not restored again; File &gt; Open brings it back from %2.</source>
+        <translation>Ihr letzter Stand wurde %1-mal wiederhergestellt, und jedes Mal ist Vitrine bald danach abgestürzt oder wurde beendet. Er wird nicht noch einmal wiederhergestellt; Datei &gt; Öffnen holt ihn aus %2 zurück.</translation>
+    </message>
+    <message>
+        <source>Your object</source>
+        <translation>Ihr Objekt</translation>
+    </message>
+    <message>
+        <source>Your own object</source>
+        <translation>Ihr eigenes Objekt</translation>
+    </message>
+    <message>
+        <source>Yours</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Z</source>
+        <translation>Z</translation>
+    </message>
+    <message>
+        <source>Zenith</source>
+        <extracomment>tables</extracomment>
+        <translation>Zenit</translation>
+    </message>
+    <message>
+        <source>Zone</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>zstd</source>
+        <translation>zstd</translation>
+    </message>
+    <message>
+        <source>ZX Spectrum</source>
+        <extracomment>tables</extracomment>
+        <translation>ZX Spectrum</translation>
+    </message>
+    <message>
+        <source>{1} &quot;{2}&quot; is no metric; give one of {3}.</source>
+        <translation>{=1} „{=2}“ ist kein Maß; geben Sie eines von {=3} an.</translation>
+    </message>
+    <message>
+        <source>{1} &quot;{2}&quot;: give a length, such as 5mm.</source>
+        <translation>{=1} „{=2}“: Geben Sie eine Länge an, etwa 5mm.</translation>
+    </message>
+    <message>
+        <source>{1} &quot;{2}&quot;: give three numbers, such as {3} 1.5,2,-0.5.</source>
+        <translation>{=1} „{=2}“: Geben Sie drei Zahlen an, etwa {=3} 1.5,2,-0.5.</translation>
+    </message>
+    <message>
+        <source>{1} &quot;{2}&quot;: give width x height in whole pixels, each from 1 to 1000000, such as {3} 640x360.</source>
+        <translation>{=1} „{=2}“: Geben Sie Breite x Höhe in ganzen Pixeln an, jede von 1 bis 1000000, etwa {=3} 640x360.</translation>
+    </message>
+    <message>
+        <source>{1} (better)</source>
+        <translation>{1} (besser)</translation>
+    </message>
+    <message>
+        <source>{1} (while building {2}); correct the shader or reinstall the program.</source>
+        <translation>{=1} (beim Bauen von {=2}); korrigieren Sie den Shader, oder installieren Sie das Programm neu.</translation>
+    </message>
+    <message>
+        <source>{1} and others</source>
+        <translation>{=1} und andere</translation>
+    </message>
+    <message>
+        <source>{1} belongs to another version; </source>
+        <translation>{=1} gehört zu einer anderen Version; </translation>
+    </message>
+    <message>
+        <source>{1} between {2} and {3}, period {4} s</source>
+        <translation>{1} zwischen {2} und {3}, Periode {4} s</translation>
+    </message>
+    <message>
+        <source>{1} bytes; shorten it</source>
+        <translation>{1} Bytes; kürzen Sie sie</translation>
+    </message>
+    <message>
+        <source>{1} failed ({2})</source>
+        <translation>{1} ist misslungen ({=2})</translation>
+    </message>
+    <message>
+        <source>{1} from {2} to {3} at {4} to {5} m</source>
+        <translation>{1} von {2} bis {3} bei {4} bis {5} m</translation>
+    </message>
+    <message>
+        <source>{1} from {2} to {3} within {4} s</source>
+        <translation>{1} von {2} bis {3} innerhalb von {4} s</translation>
+    </message>
+    <message>
+        <source>{1} has no parameter on which accuracy depends; name one of the hall, such as hall.supersamples.</source>
+        <translation>{=1} hat keinen Parameter, von dem Genauigkeit abhängt; nennen Sie einen der Halle, etwa hall.supersamples.</translation>
+    </message>
+    <message>
+        <source>{1} has no surface that could wear a coat. Give a model with triangles.</source>
+        <translation>{=1} hat keine Oberfläche, die ein Fell tragen könnte. Geben Sie ein Modell mit Dreiecken an.</translation>
+    </message>
+    <message>
+        <source>{1} has no triangle with an area that could wear a coat. Give a model with triangles.</source>
+        <translation>{=1} hat kein Dreieck mit einer Fläche, die ein Fell tragen könnte. Geben Sie ein Modell mit Dreiecken an.</translation>
+    </message>
+    <message>
+        <source>{1} has no values between two others; let a number, a color or a direction run.</source>
+        <translation>{1} hat keine Werte zwischen zwei anderen; lassen Sie eine Zahl, eine Farbe oder eine Richtung laufen.</translation>
+    </message>
+    <message>
+        <source>{1} is missing; make all parts anew.</source>
+        <translation>{=1} fehlt; erzeugen Sie alle Teile neu.</translation>
+    </message>
+    <message>
+        <source>{1} is no {2}</source>
+        <translation>{1} ist kein {2}</translation>
+    </message>
+    <message>
+        <source>{1} is not known here; it is kept</source>
+        <translation>{=1} ist hier nicht bekannt; es bleibt erhalten</translation>
+    </message>
+    <message>
+        <source>{1} is not known here; it is left out</source>
+        <translation>{=1} ist hier nicht bekannt; es wird weggelassen</translation>
+    </message>
+    <message>
+        <source>{1} is {2} × {3} pixels and {4} {5} × {6}; give two pictures of one size.</source>
+        <translation>{=1} hat {2} × {3} Pixel und {=4} {5} × {6}; geben Sie zwei Bilder gleicher Größe an.</translation>
+    </message>
+    <message>
+        <source>{1} is {2}; give a positive number</source>
+        <translation>{1}: Der Wert ist {2}; geben Sie eine positive Zahl an</translation>
+    </message>
+    <message>
+        <source>{1} LPI</source>
+        <translation>{1} LPI</translation>
+    </message>
+    <message>
+        <source>{1} LPI  {2} X {3} DPI</source>
+        <translation>{1} LPI  {2} X {3} DPI</translation>
+    </message>
+    <message>
+        <source>{1} LPI at {2} dpi leaves no more than one pixel for a lens; choose a finer printer or a coarser sheet</source>
+        <translation>{1} LPI bei {2} dpi lassen nicht mehr als ein Pixel pro Linse; wählen Sie einen feineren Drucker oder eine gröbere Folie</translation>
+    </message>
+    <message>
+        <source>{1} ms</source>
+        <translation>{1} ms</translation>
+    </message>
+    <message>
+        <source>{1} must be above 0</source>
+        <translation>{=1} muss über 0 liegen</translation>
+    </message>
+    <message>
+        <source>{1} must be an object: { ... }</source>
+        <translation>{=1} muss ein Objekt sein: { ... }</translation>
+    </message>
+    <message>
+        <source>{1} names nothing: there are {2}</source>
+        <translation>{1} nennt nichts: Es gibt {2}</translation>
+    </message>
+    <message>
+        <source>{1} needs &quot;children&quot;: an array of the nodes that it combines</source>
+        <translation>{=1} braucht „children“: ein Array der Knoten, die es verbindet</translation>
+    </message>
+    <message>
+        <source>{1} needs a &quot;child&quot;: the node that it changes</source>
+        <translation>{=1} braucht ein „child“: den Knoten, den es ändert</translation>
+    </message>
+    <message>
+        <source>{1} needs a &quot;{2}</source>
+        <translation>{=1} braucht „{=2}</translation>
+    </message>
+    <message>
+        <source>{1} needs a &quot;{2}&quot;: the name of a picture</source>
+        <translation>{=1} braucht „{=2}“: den Namen eines Bildes</translation>
+    </message>
+    <message>
+        <source>{1} needs a &quot;{2}&quot;: {3}</source>
+        <translation>{=1} braucht „{=2}“: {3}</translation>
+    </message>
+    <message>
+        <source>{1} needs two &quot;children&quot;: an array of the nodes that it combines</source>
+        <translation>{=1} braucht zwei „children“: ein Array der Knoten, die es verbindet</translation>
+    </message>
+    <message>
+        <source>{1} of the light of white</source>
+        <translation>{1} des Lichts von Weiß</translation>
+    </message>
+    <message>
+        <source>{1} of {2}</source>
+        <translation>{=1} von {=2}</translation>
+    </message>
+    <message>
+        <source>{1} of {2}: {3}</source>
+        <translation>{1} von {2}: {3}</translation>
+    </message>
+    <message>
+        <source>{1} of {2}: {3}.</source>
+        <translation>{1} von {2}: {3}.</translation>
+    </message>
+    <message>
+        <source>{1} places had no outward side and were given one</source>
+        <translation>{1} Stellen hatten keine Außenseite und bekamen eine</translation>
+    </message>
+    <message>
+        <source>{1} samples were not finite numbers and were replaced.</source>
+        <translation>{1} Samples waren keine endlichen Zahlen und wurden ersetzt.</translation>
+    </message>
+    <message>
+        <source>{1} the error costs {2} times the {3}</source>
+        <translation>{1} kostet das Halbieren des Fehlers das {2}-fache an: {3}</translation>
+    </message>
+    <message>
+        <source>{1} thickness raised to {2} mm, as deep as its lenses are</source>
+        <translation>{1} Dicke auf {2} mm erhöht, so tief, wie ihre Linsen sind</translation>
+    </message>
+    <message>
+        <source>{1} times the work takes {2} times as long by this clock</source>
+        <translation>das {1}-fache der Arbeit dauert nach dieser Uhr {2}-mal so lange</translation>
+    </message>
+    <message>
+        <source>{1} to {2}</source>
+        <translation>{1} bis {2}</translation>
+    </message>
+    <message>
+        <source>{1} triangles without area were left out</source>
+        <translation>{1} Dreiecke ohne Fläche wurden weggelassen</translation>
+    </message>
+    <message>
+        <source>{1} uses the buffer &quot;{2}&quot;, which the plan does not declare</source>
+        <translation>{=1} benutzt den Puffer „{=2}“, den der Plan nicht deklariert</translation>
+    </message>
+    <message>
+        <source>{1} uses the image &quot;{2}&quot;, which the plan does not declare</source>
+        <translation>{=1} benutzt das Bild „{=2}“, das der Plan nicht deklariert</translation>
+    </message>
+    <message>
+        <source>{1} VIEWS</source>
+        <translation>{1} VIEWS</translation>
+    </message>
+    <message>
+        <source>{1} views share {2} pixels per lens: no more than {3} of them can be told apart.</source>
+        <translation>{1} Ansichten teilen sich {2} Pixel pro Linse: Nicht mehr als {3} davon lassen sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>{1} within {2}: {3}; error {4} at worst, {5}</source>
+        <translation>{1} innerhalb von {2}: {3}; Fehler {4} im schlechtesten Fall, {5}</translation>
+    </message>
+    <message>
+        <source>{1} within {2}: {3}; error {4} at worst, {5} ms a frame</source>
+        <translation>{1} innerhalb von {2}: {3}; Fehler {4} im schlechtesten Fall, {5} ms pro Frame</translation>
+    </message>
+    <message>
+        <source>{1} {2}: give {3}.</source>
+        <translation>{=1} {=2}: Geben Sie {=3} an.</translation>
+    </message>
+    <message>
+        <source>{1}&quot;? Known are {2}</source>
+        <translation>{=1}“? Bekannt sind {=2}</translation>
+    </message>
+    <message>
+        <source>{1}, files</source>
+        <translation>{1}, Dateien</translation>
+    </message>
+    <message>
+        <source>{1}, held</source>
+        <translation>{1}, angehalten</translation>
+    </message>
+    <message>
+        <source>{1}, line {2}, column {3}, {4}: {5}.</source>
+        <translation>{=1}, Zeile {2}, Spalte {3}, {=4}: {5}.</translation>
+    </message>
+    <message>
+        <source>{1}, line {2}, column {3}: {4}.</source>
+        <translation>{=1}, Zeile {2}, Spalte {3}: {4}.</translation>
+    </message>
+    <message>
+        <source>{1}, line {2}: {3}</source>
+        <translation>{=1}, Zeile {2}: {3}</translation>
+    </message>
+    <message>
+        <source>{1}, shipped</source>
+        <translation>{1}, mitgeliefert</translation>
+    </message>
+    <message>
+        <source>{1}: give a name that ends in .png, .exr or .tif.</source>
+        <translation>{=1}: Geben Sie einen Namen an, der auf .png, .exr oder .tif endet.</translation>
+    </message>
+    <message>
+        <source>{1}: give one of {2}.</source>
+        <translation>{=1}: Geben Sie eines von {=2} an.</translation>
+    </message>
+    <message>
+        <source>{1}: it is a preset of &quot;{2}&quot;, which is not in this museum.</source>
+        <translation>{=1}: Das ist ein Preset von „{=2}“, das es in diesem Museum nicht gibt.</translation>
+    </message>
+    <message>
+        <source>{1}: its rows that move ask for no pictures</source>
+        <translation>{1}: Seine bewegten Zeilen verlangen keine Bilder</translation>
+    </message>
+    <message>
+        <source>{1}: the chart could not be drawn; check that Qt's offscreen platform and a font are installed.</source>
+        <translation>{=1}: Das Diagramm konnte nicht gezeichnet werden; prüfen Sie, ob Qts Offscreen-Plattform und eine Schrift installiert sind.</translation>
+    </message>
+    <message>
+        <source>{1}: the folder cannot be made ({2}); choose another with --out.</source>
+        <translation>{=1}: Der Ordner lässt sich nicht anlegen ({=2}); wählen Sie mit --out einen anderen.</translation>
+    </message>
+    <message>
+        <source>{1}: the folder cannot be made ({2}); choose another.</source>
+        <translation>{=1}: Der Ordner lässt sich nicht anlegen ({2}); wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>{1}: the folder cannot be put in place ({2}); choose another with --out.</source>
+        <translation>{=1}: Der Ordner lässt sich nicht an seinen Platz bringen ({=2}); wählen Sie mit --out einen anderen.</translation>
+    </message>
+    <message>
+        <source>{1}: there is no exhibit &quot;{2}&quot;; `vitrine list` names them.</source>
+        <translation>{=1}: Ein Exponat „{=2}“ gibt es nicht; `vitrine list` nennt sie.</translation>
+    </message>
+    <message>
+        <source>{1}: this frame is missing or of other settings; draw it anew.</source>
+        <translation>{=1}: Dieser Frame fehlt oder hat andere Einstellungen; zeichnen Sie ihn neu.</translation>
+    </message>
+    <message>
+        <source>{1}: this picture carries no preset; give a preset file, or a picture that Vitrine made.</source>
+        <translation>{=1}: In diesem Bild steckt kein Preset; geben Sie eine Preset-Datei an, oder ein Bild, das Vitrine erzeugt hat.</translation>
+    </message>
+    <message>
+        <source>{1}: {2} has no parameter of that name; `vitrine list --json` names them.</source>
+        <translation>{=1}: {=2} hat keinen Parameter dieses Namens; `vitrine list --json` nennt sie.</translation>
+    </message>
+    <message>
+        <source>{1}; check the name and your permissions.</source>
+        <translation>{1}; prüfen Sie den Namen und Ihre Rechte.</translation>
+    </message>
+    <message>
+        <source>{1}; choose another folder or free some space.</source>
+        <translation>{1}; wählen Sie einen anderen Ordner, oder geben Sie Platz frei.</translation>
+    </message>
+    <message>
+        <source>{1}; did you mean &quot;</source>
+        <translation>{1}; meinten Sie „</translation>
+    </message>
+    <message>
+        <source>{1}; export the file again.</source>
+        <translation>{1}; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>{1}; name the file itself.</source>
+        <translation>{1}; nennen Sie die Datei selbst.</translation>
+    </message>
+    <message>
+        <source>{1}; the old content is untouched; free some space or choose another disk</source>
+        <translation>{1}; der alte Inhalt ist unberührt; geben Sie Platz frei, oder wählen Sie einen anderen Datenträger</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>× %1</source>
+        <translation>× %1</translation>
+    </message>
+    <message>
+        <source>“{1}” is above {2}</source>
+        <translation>„{1}“ über {2} liegt</translation>
+    </message>
+    <message>
+        <source>“{1}” is not {2}</source>
+        <translation>„{1}“ nicht auf {2} steht</translation>
+    </message>
+    <message>
+        <source>“{1}” is {2}</source>
+        <translation>„{1}“ auf {2} steht</translation>
+    </message>
+    <message>
+        <source>“{1}” names a file</source>
+        <translation>„{1}“ eine Datei nennt</translation>
+    </message>
+    <message>
+        <source>… and %1 more</source>
+        <translation>… und %1 weitere</translation>
+    </message>
+    <message>
+        <source>◂ Back</source>
+        <translation>◂ Zurück</translation>
+    </message>
+    <message>
+        <source>✕ Leave</source>
+        <translation>✕ Verlassen</translation>
+    </message>
+</context>
+</TS>

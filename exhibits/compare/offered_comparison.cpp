@@ -1,0 +1,40 @@
+#include "exhibits/compare/offered_comparison.h"
+
+#include "exhibits/framework/subject.h"
+#include "render/failure.h"
+
+namespace vitrine {
+
+std::vector<OfferedComparison> offeredComparisons(const Subject& subject)
+{
+    const auto* offers = capability<OffersComparisons>(subject);
+    return offers ? offers->comparisons() : std::vector<OfferedComparison>();
+}
+
+OfferedComparison offeredComparison(const Subject& subject, std::string_view name)
+{
+    std::string names;
+    for (const OfferedComparison& offered : offeredComparisons(subject)) {
+        if (offered.name == name) return offered;
+        (names += names.empty() ? "" : ", ") += offered.name;
+    }
+    const std::string who(subject.name());
+    throw Failure(Blame::usage, names.empty() ? who + " offers no comparisons; name two settings."
+                                              : who + " offers no comparison \"" + std::string(name) +
+                                                    "\"; choose one of " + names + ".");
+}
+
+SceneState otherSide(const SceneState& a, std::size_t subject, const OfferedComparison& offered)
+{
+    SceneState b = a;
+    ParameterValues& values = b.values[subject];
+    for (const auto& [name, value] : offered.rows) {
+        const auto row = values.table().find(name);
+        if (!row) continue;
+        values.setRow(*row, value);
+        values.setMotion(*row, std::nullopt);
+    }
+    return b;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,158 @@
+#include "exhibits/study/study_store.h"
+
+#include "exhibits/framework/slug.h"
+#include "exhibits/framework/state_folder.h"
+#include "render/files/atomic_write.h"
+#include "render/files/read_file.h"
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+namespace fs = std::filesystem;
+using render::Json;
+
+/// The files of a folder that may be studies.
+std::vector<fs::path> filesIn(const fs::path& folder)
+{
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (const fs::directory_entry& file : fs::directory_iterator(folder, error))
+        if (file.path().extension() == ".json" && !file.path().filename().string().starts_with('.'))
+            files.push_back(file.path());
+    return files;
+}
+
+std::uintmax_t sizeOf(const fs::path& path)
+{
+    std::error_code error;
+    const std::uintmax_t size = fs::file_size(path, error);
+    return error ? 0 : size;
+}
+
+void move(const fs::path& from, const fs::path& to)
+{
+    std::error_code error;
+    fs::create_directories(to.parent_path(), error);
+    fs::rename(from, to, error);
+    if (error)
+        throw Failure(Blame::file, "Cannot move " + from.string() + " to " + to.string() + ": " + error.message() +
+                                       "; check your permissions.");
+}
+
+bool isNewer(const StudyEntry& a, const StudyEntry& b)
+{
+    if (a.problem.empty() != b.problem.empty()) return a.problem.empty();
+    return std::tie(a.study.measured, a.path) > std::tie(b.study.measured, b.path);
+}
+
+}  // namespace
+
+std::string nameOfStudyFile(const fs::path& file)
+{
+    if (file.stem() != "study") return file.stem().string();
+    std::error_code error;
+    const std::string folder = fs::absolute(file, error).parent_path().filename().string();
+    return folder.empty() ? file.stem().string() : folder;
+}
+
+StudyStore StudyStore::standard()
+{
+    return {stateFolder() / "studies", stateFolder() / "trash"};
+}
+
+std::vector<StudyEntry> StudyStore::list() const
+{
+    std::vector<StudyEntry> entries;
+    for (const fs::path& path : filesIn(folder_)) {
+        StudyEntry entry{path, {}, {}};
+        try {
+            entry.study = readStudy(path);
+        } catch (const Failure& failure) {
+            entry.problem = failure.what();
+        }
+        entries.push_back(std::move(entry));
+    }
+    std::sort(entries.begin(), entries.end(), isNewer);
+    return entries;
+}
+
+void StudyStore::makeRoomFor(std::uintmax_t bytes) const
+{
+    const std::vector<fs::path> files = filesIn(folder_);
+    std::uintmax_t taken = bytes;
+    std::size_t count = files.size() + 1;
+    for (const fs::path& path : files) taken += sizeOf(path);
+    const auto fits = [&] { return count <= limits_.studies && taken <= limits_.bytes; };
+    if (fits()) return;
+    const std::vector<StudyEntry> entries = list();
+    std::vector<fs::path> leaving;
+    for (auto entry = entries.rbegin(); entry != entries.rend() && !fits(); ++entry) {
+        if (!entry->problem.empty() || !entry->study.name.empty()) continue;
+        leaving.push_back(entry->path);
+        taken -= std::min(taken, sizeOf(entry->path));
+        --count;
+    }
+    if (!fits())
+        throw Failure(Blame::file,
+                      "This study was not kept: those with names in " + folder_.string() +
+                          " take all the room that there is; delete one of them, or save this one elsewhere.");
+    std::error_code ignored;
+    for (const fs::path& path : leaving) fs::remove(path, ignored);
+}
+
+fs::path StudyStore::write(const Json& study) const
+{
+    const std::string text = render::writeJson(study);
+    const KeptStudy read = parseStudy(render::parseJson(text, "the study", studyLimits));  // Only what can come back.
+    makeRoomFor(text.size());
+    fs::path path = freePath(folder_, slugFor(read.measured + ' ' + read.exhibit + ' ' + read.parameterNames()));
+    render::atomicWriteMakingFolder(path, text);
+    return path;
+}
+
+fs::path StudyStore::keep(Json study, const std::string& measured, bool complete) const
+{
+    study["measured"] = measured;
+    study["complete"] = complete;
+    return write(study);
+}
+
+std::vector<fs::path> StudyStore::add(const fs::path& from) const
+{
+    std::vector<fs::path> added;
+    for (const auto& [study, json] : parseStudies(render::readJson(from, studyLimits))) {
+        const Json kept = study.name.empty() ? named(json, nameOfStudyFile(from)) : json;
+        const std::string text = render::writeJson(kept);
+        const std::vector<fs::path> there = filesIn(folder_);
+        const auto same = std::find_if(there.begin(), there.end(), [&](const fs::path& path) {
+            return sizeOf(path) == text.size() && render::readFile(path, studyLimits.bytes) == text;
+        });
+        added.push_back(same != there.end() ? *same : write(kept));
+    }
+    return added;
+}
+
+void StudyStore::rename(const fs::path& path, const std::string& name) const
+{
+    const render::JsonDocument document = render::readJson(path, studyLimits);
+    (void)parseStudy(document);
+    render::atomicWrite(path, render::writeJson(named(document.root(), name)));
+}
+
+RemovedStudy StudyStore::remove(const fs::path& path) const
+{
+    const fs::path trashed = freePath(trash_, path.stem().string());
+    move(path, trashed);
+    return {path, trashed};
+}
+
+fs::path StudyStore::restore(const RemovedStudy& removed) const
+{
+    const fs::path to = freePath(removed.original.parent_path(), removed.original.stem().string());
+    move(removed.trashed, to);
+    return to;
+}
+
+}  // namespace vitrine

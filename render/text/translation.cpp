@@ -1,0 +1,219 @@
+#include "render/text/translation.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <unordered_map>
+
+namespace vitrine {
+
+/// A sentence with places: what stands before, between and behind them, and which place each is.
+struct SentencePattern {
+    std::vector<std::string> pieces;  ///< One more than `places`.
+    std::vector<int> places;
+    std::string translation;
+    std::size_t letters = 0;  ///< Of all pieces: how much has to fit.
+};
+
+namespace {
+
+constexpr int deepest = 6;                 ///< Sentences within sentences.
+constexpr std::size_t mostKept = 4096;     ///< Answers that are remembered.
+constexpr std::size_t longestText = 8192;  ///< Bytes: what is longer is no text of the program.
+
+/// "{1}" at `at`, or nothing.
+std::optional<int> placeAt(std::string_view text, std::size_t at)
+{
+    if (at + 2 >= text.size() || text[at] != '{' || text[at + 2] != '}') return std::nullopt;
+    return text[at + 1] >= '1' && text[at + 1] <= '9' ? std::optional(text[at + 1] - '0') : std::nullopt;
+}
+
+std::optional<SentencePattern> patternOf(std::string_view english, std::string translation)
+{
+    SentencePattern made{{{}}, {}, std::move(translation), 0};
+    for (std::size_t i = 0; i < english.size(); ++i) {
+        if (const auto place = placeAt(english, i)) {
+            made.places.push_back(*place);
+            made.pieces.emplace_back();
+            i += 2;
+        } else {
+            made.pieces.back() += english[i];
+            if (std::isalpha(static_cast<unsigned char>(english[i])) != 0) ++made.letters;
+        }
+    }
+    return made.places.empty() || made.letters == 0 ? std::nullopt : std::optional(std::move(made));
+}
+
+/// What stands in the places, or nothing where the text is another one. Between two places the first fit counts.
+std::optional<std::map<int, std::string_view>> found(const SentencePattern& pattern, std::string_view text)
+{
+    const std::string& first = pattern.pieces.front();
+    const std::string& last = pattern.pieces.back();
+    if (text.size() < first.size() + last.size() || !text.starts_with(first) || !text.ends_with(last))
+        return std::nullopt;
+    std::map<int, std::string_view> places;
+    std::size_t at = first.size();
+    const std::size_t end = text.size() - last.size();
+    for (std::size_t k = 0; k < pattern.places.size(); ++k) {
+        std::size_t next = end;
+        if (k + 1 < pattern.places.size()) {
+            next = text.substr(0, end).find(pattern.pieces[k + 1], at);
+            if (next == std::string_view::npos) return std::nullopt;
+        }
+        const std::string_view here = text.substr(at, next - at);
+        const auto [known, added] = places.emplace(pattern.places[k], here);
+        if (!added && known->second != here) return std::nullopt;
+        at = next + (k + 1 < pattern.places.size() ? pattern.pieces[k + 1].size() : 0);
+    }
+    return places;
+}
+
+bool hasLetter(std::string_view text)
+{
+    return std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
+}
+
+}  // namespace
+
+struct Catalog::Texts {
+    std::unordered_map<std::string, std::string> whole;
+    std::vector<SentencePattern> patterns;  ///< Those that ask for most letters first.
+    mutable std::mutex mutex;
+    mutable std::unordered_map<std::string, std::string> kept;
+
+    [[nodiscard]] std::optional<std::string> wholeOf(std::string_view english, int depth) const;
+    [[nodiscard]] std::optional<std::string> inParts(std::string_view english, std::string_view between,
+                                                     std::size_t keptBefore, int depth) const;
+    [[nodiscard]] std::optional<std::string> of(std::string_view english, int depth) const;
+};
+
+/// As one entry of the catalog.
+std::optional<std::string> Catalog::Texts::wholeOf(std::string_view english, int depth) const
+{
+    if (const auto known = whole.find(std::string(english)); known != whole.end()) return known->second;
+    for (const SentencePattern& pattern : patterns) {
+        const auto places = found(pattern, english);
+        if (!places) continue;
+        std::string made;
+        const std::string& into = pattern.translation;
+        for (std::size_t i = 0; i < into.size(); ++i) {
+            const bool asIs = into.compare(i, 2, "{=") == 0;
+            const auto place = asIs ? placeAt("{" + into.substr(i + 2, 2), 0) : placeAt(into, i);
+            const auto here = place ? places->find(*place) : places->end();
+            if (here == places->end()) {
+                made += into[i];
+                continue;
+            }
+            const bool translate = !asIs && depth < deepest && hasLetter(here->second);
+            const auto translation = translate ? of(here->second, depth + 1) : std::nullopt;
+            made += translation ? *translation : std::string(here->second);
+            i += asIs ? 3 : 2;
+        }
+        return made;
+    }
+    return std::nullopt;
+}
+
+/// As two texts with `between` between them, of which at least the first is known.
+std::optional<std::string> Catalog::Texts::inParts(std::string_view english, std::string_view between,
+                                                   std::size_t keptBefore, int depth) const
+{
+    for (std::size_t at = english.find(between); at != std::string_view::npos; at = english.find(between, at + 1)) {
+        const std::string_view rest = english.substr(at + between.size());
+        const auto first = wholeOf(english.substr(0, at + keptBefore), depth);
+        if (!first || rest.empty()) continue;
+        return *first + std::string(between.substr(keptBefore)) + of(rest, depth).value_or(std::string(rest));
+    }
+    return std::nullopt;
+}
+
+std::optional<std::string> Catalog::Texts::of(std::string_view english, int depth) const
+{
+    if (english.find('\n') != std::string_view::npos) {
+        const std::size_t line = english.find('\n');
+        const std::string_view first = english.substr(0, line), rest = english.substr(line + 1);
+        return of(first, depth).value_or(std::string(first)) + '\n' + of(rest, depth).value_or(std::string(rest));
+    }
+    if (const auto known = whole.find(std::string(english)); known != whole.end()) return known->second;
+    // A text of several sentences first: a pattern's place would take the second along.
+    if (auto sentences = inParts(english, ". ", 1, depth)) return sentences;
+    return wholeOf(english, depth);
+}
+
+Catalog::Catalog(Entries entries)
+{
+    auto texts = std::make_unique<Texts>();
+    for (auto& [english, translation] : entries) {
+        if (translation.empty()) continue;
+        if (auto pattern = patternOf(english, translation))
+            texts->patterns.push_back(std::move(*pattern));
+        else
+            texts->whole.emplace(std::move(english), std::move(translation));
+    }
+    std::stable_sort(texts->patterns.begin(), texts->patterns.end(),
+                     [](const SentencePattern& a, const SentencePattern& b) { return a.letters > b.letters; });
+    texts_ = std::move(texts);
+}
+
+Catalog::~Catalog() = default;
+
+std::string Catalog::translated(std::string_view english) const
+{
+    if (english.empty() || english.size() > longestText) return std::string(english);
+    const std::string key(english);
+    {
+        const std::lock_guard lock(texts_->mutex);
+        if (const auto known = texts_->kept.find(key); known != texts_->kept.end()) return known->second;
+    }
+    std::string made = texts_->of(english, 0).value_or(key);
+    const std::lock_guard lock(texts_->mutex);
+    if (texts_->kept.size() >= mostKept) texts_->kept.clear();
+    texts_->kept.emplace(key, made);
+    return made;
+}
+
+namespace {
+
+struct Language {
+    std::mutex mutex;
+    std::string code = "en";
+    std::shared_ptr<const Catalog> texts;
+};
+
+Language& chosenLanguage()
+{
+    static Language chosen;
+    return chosen;
+}
+
+}  // namespace
+
+void setLanguage(std::string code, std::shared_ptr<const Catalog> texts)
+{
+    Language& chosen = chosenLanguage();
+    const std::lock_guard lock(chosen.mutex);
+    chosen.code = std::move(code);
+    chosen.texts = std::move(texts);
+}
+
+std::string language()
+{
+    Language& chosen = chosenLanguage();
+    const std::lock_guard lock(chosen.mutex);
+    return chosen.code;
+}
+
+std::string translated(std::string_view english)
+{
+    std::shared_ptr<const Catalog> texts;
+    {
+        Language& chosen = chosenLanguage();
+        const std::lock_guard lock(chosen.mutex);
+        texts = chosen.texts;
+    }
+    return texts ? texts->translated(english) : std::string(english);
+}
+
+}  // namespace vitrine

@@ -1,0 +1,133 @@
+#include "exhibits/framework/lesson.h"
+
+#include "exhibits/exhibits.h"
+#include "exhibits/hall/hall_table.h"
+#include "render/files/assets.h"
+#include "render/files/read_file.h"
+
+#include "tests/exhibits/translated_text.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <set>
+
+namespace {
+
+using namespace vitrine;
+
+/// Every lesson that comes with the program, in all languages.
+class ShippedLessons : public testing::Test {
+protected:
+    ShippedLessons()
+    {
+        tables_.emplace_back("hall", hall_.initial());
+        for (const auto& exhibit : exhibits_)
+            tables_.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
+    }
+    [[nodiscard]] Lesson read(const Exhibit& exhibit) const
+    {
+        return readLesson(shippedLesson(exhibit.name()), tables_);
+    }
+
+    /// Of the lesson as it stands in its file.
+    static std::string bytes(const std::string& folder, const Exhibit& exhibit)
+    {
+        return render::readFile(render::asset(folder + '/' + std::string(exhibit.name()) + ".md"), lessonBytes);
+    }
+
+    const HallTable hall_;
+    const std::vector<std::unique_ptr<Exhibit>> exhibits_ = allExhibits();
+    NamedValues tables_;
+};
+
+TEST_F(ShippedLessons, ThereIsOneForEveryExhibitAndNothingInItIsChanged)
+{
+    for (const auto& exhibit : exhibits_) {
+        const Lesson lesson = read(*exhibit);
+        EXPECT_EQ(lesson.exhibit, exhibit->name());
+        EXPECT_TRUE(lesson.notes.empty()) << exhibit->name() << ": " << lesson.notes.front();
+        EXPECT_GE(lesson.steps.size(), 5U) << exhibit->name();
+        EXPECT_LE(lesson.steps.size(), 8U) << exhibit->name();
+        EXPECT_TRUE(lesson.steps.front().bestView || lesson.steps.front().camera) << exhibit->name();
+        EXPECT_FALSE(lesson.intro.empty()) << exhibit->name();
+    }
+    std::size_t files = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(shippedLesson("hall").parent_path()))
+        files += entry.path().extension() == ".md" ? 1 : 0;
+    EXPECT_EQ(files, exhibits_.size()) << "a lesson that belongs to no exhibit";
+}
+
+TEST_F(ShippedLessons, EveryStepShowsSomethingElseAndNamesARowOrANumber)
+{
+    for (const auto& exhibit : exhibits_) {
+        const Lesson lesson = read(*exhibit);
+        for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+            const LessonStep& step = lesson.steps[i];
+            EXPECT_TRUE(step.text.find("[row:") != std::string::npos || step.read)
+                << exhibit->name() << ", line " << step.line;
+            if (i == 0) continue;
+            const LessonStep& before = lesson.steps[i - 1];
+            EXPECT_FALSE(step.values == before.values && step.hall == before.hall && step.camera == before.camera)
+                << exhibit->name() << ", line " << step.line << ": the same as the step before";
+        }
+    }
+}
+
+/// What stands between ``` and ```, marks and all, in order.
+std::vector<std::string> blocksOf(const std::string& lesson)
+{
+    std::vector<std::string> blocks;
+    for (std::size_t at = lesson.find("```"); at != std::string::npos; at = lesson.find("```", at)) {
+        const std::size_t end = std::min(lesson.find("```", at + 3), lesson.size() - 3) + 3;
+        blocks.push_back(lesson.substr(at, end - at));
+        at = end;
+    }
+    return blocks;
+}
+
+/// The rows that a text names, sorted, each once.
+std::set<std::string> rowsIn(const std::string& text)
+{
+    static const std::regex mark(R"(\[row:([^\]]*)\])");
+    return {std::sregex_token_iterator(text.begin(), text.end(), mark, 1), std::sregex_token_iterator()};
+}
+
+TEST_F(ShippedLessons, AreTheSameStepsInEveryLanguage)
+{
+    for (const std::string& language : test::languagesUnder("lessons")) {
+        const std::string folder = "lessons/" + language;
+        for (const auto& exhibit : exhibits_) {
+            SCOPED_TRACE(folder + '/' + std::string(exhibit->name()));
+            const std::string english = bytes("lessons", *exhibit), other = bytes(folder, *exhibit);
+            EXPECT_EQ(blocksOf(other), blocksOf(english));
+            const Lesson model = parseLesson(english, "English", tables_);
+            const Lesson lesson = parseLesson(other, language, tables_);
+            EXPECT_TRUE(lesson.notes.empty());
+            EXPECT_NE(lesson.title, model.title);
+            EXPECT_NE(lesson.intro, model.intro);
+            ASSERT_EQ(lesson.steps.size(), model.steps.size());
+            for (std::size_t i = 0; i < model.steps.size(); ++i) {
+                const LessonStep &step = lesson.steps[i], &of = model.steps[i];
+                EXPECT_NE(step.title, of.title);
+                EXPECT_NE(step.text, of.text);
+                EXPECT_EQ(rowsIn(step.text), rowsIn(of.text)) << step.title;
+                EXPECT_EQ(test::numbersIn(step.text), test::numbersIn(of.text)) << step.title;
+            }
+        }
+    }
+}
+
+TEST_F(ShippedLessons, BelongToAnExhibitAndAreUtf8InEveryLanguage)
+{
+    for (const std::string& language : test::languagesUnder("lessons")) {
+        const std::string folder = "lessons/" + language;
+        EXPECT_EQ(test::filesIn(folder, ".md").size(), exhibits_.size()) << folder;
+        for (const auto& exhibit : exhibits_)
+            EXPECT_EQ(test::faultOfText(bytes(folder, *exhibit)), "") << folder << '/' << exhibit->name();
+    }
+}
+
+}  // namespace

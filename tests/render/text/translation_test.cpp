@@ -1,0 +1,84 @@
+// What is shown in another language: whole texts, sentences with places, and what stands in these.
+
+#include "render/text/translation.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace vitrine {
+namespace {
+
+const Catalog& german()
+{
+    static const Catalog catalog({{"Roughness", "Rauheit"},
+                                  {"it is empty", "es ist leer"},
+                                  {"Cannot read {1}: {2}", "{=1} kann nicht gelesen werden: {2}"},
+                                  {"Cannot read {1}: {2}; choose another picture.",
+                                   "{=1} kann nicht gelesen werden: {2}; wählen Sie ein anderes Bild."},
+                                  {"{1} of {2}", "{2}: {1}"},
+                                  {"It is left out until it can be read.", "Sie bleibt weg, bis sie lesbar ist."},
+                                  {"{1}", "nothing"},
+                                  {"not yet", ""}});
+    return catalog;
+}
+
+TEST(Translation, GivesWholeTextsAndLeavesWhatItDoesNotKnow)
+{
+    EXPECT_EQ(german().translated("Roughness"), "Rauheit");
+    EXPECT_EQ(german().translated("/home/x/Roughness.json"), "/home/x/Roughness.json");
+    EXPECT_EQ(german().translated(""), "");
+    EXPECT_EQ(german().translated("not yet"), "not yet") << "an empty translation is none";
+    EXPECT_EQ(german().translated("Roughnes"), "Roughnes");
+}
+
+TEST(Translation, FillsThePlacesOfASentenceAndTranslatesWhatStandsThere)
+{
+    EXPECT_EQ(german().translated("Cannot read a.png: it is empty; choose another picture."),
+              "a.png kann nicht gelesen werden: es ist leer; wählen Sie ein anderes Bild.");
+    EXPECT_EQ(german().translated("3 of Roughness"), "Rauheit: 3") << "places may change their order";
+}
+
+TEST(Translation, LeavesNamesAsTheyAreWhereTheTranslationSaysSo)
+{
+    EXPECT_EQ(german().translated("Cannot read Roughness: it is empty"),
+              "Roughness kann nicht gelesen werden: es ist leer");
+}
+
+TEST(Translation, PrefersTheSentenceThatSaysMore)
+{
+    EXPECT_EQ(german().translated("Cannot read a: b; choose another picture."),
+              "a kann nicht gelesen werden: b; wählen Sie ein anderes Bild.");
+    EXPECT_EQ(german().translated("Cannot read a: b; choose another."),
+              "a kann nicht gelesen werden: b; choose another.");
+}
+
+TEST(Translation, TakesSentencesAndLinesOneByOne)
+{
+    EXPECT_EQ(german().translated("Cannot read a: it is empty. It is left out until it can be read."),
+              "a kann nicht gelesen werden: it is empty. Sie bleibt weg, bis sie lesbar ist.");
+    EXPECT_EQ(german().translated("Roughness\nx\nRoughness"), "Rauheit\nx\nRauheit");
+}
+
+TEST(Translation, OfAHostileTextEndsSoon)
+{
+    std::string deep = "x";
+    for (int i = 0; i < 200; ++i) deep = "1 of " + deep;
+    EXPECT_FALSE(german().translated(deep).empty());
+    EXPECT_EQ(german().translated(std::string(1 << 20, ':')), std::string(1 << 20, ':'));
+}
+
+TEST(Translation, IsEnglishUntilALanguageIsSetAndFromAnyThread)
+{
+    EXPECT_EQ(language(), "en");
+    EXPECT_EQ(translated("Roughness"), "Roughness");
+    setLanguage("de", std::make_shared<const Catalog>(Catalog::Entries{{"Roughness", "Rauheit"}}));
+    std::string elsewhere;
+    std::thread([&] { elsewhere = language() + ' ' + translated("Roughness"); }).join();
+    EXPECT_EQ(elsewhere, "de Rauheit");
+    setLanguage("en", nullptr);
+    EXPECT_EQ(translated("Roughness"), "Roughness");
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,150 @@
+// The window as a screen reader has it: its tree over AT-SPI, on a session bus of its own, asked by a script.
+#include "tests/ui/access/every_part.h"
+
+#include "ui/compare/compare_desk.h"
+
+#include <QCheckBox>
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QToolButton>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+class ScreenReaderTest : public test::EveryPart {
+    Q_OBJECT
+
+    QProcess reader_;
+
+    /// The next line that the script says; the window goes on meanwhile, as it is asked by it.
+    QJsonObject line()
+    {
+        QElapsedTimer time;
+        time.start();
+        while (!reader_.canReadLine() && reader_.state() != QProcess::NotRunning && time.elapsed() < test::patience)
+            QTest::qWait(5);
+        return QJsonDocument::fromJson(reader_.readLine()).object();
+    }
+    QJsonObject ask(QJsonObject request)
+    {
+        request["pid"] = QCoreApplication::applicationPid();
+        reader_.write(QJsonDocument(request).toJson(QJsonDocument::Compact) + '\n');
+        return line();
+    }
+    QJsonObject ask(const char* what, const char* name) { return ask({{"do", what}, {"name", name}}); }
+    static QStringList strings(const QJsonValue& list)
+    {
+        QStringList all;
+        for (const QJsonValue& each : list.toArray()) all << each.toString();
+        return all;
+    }
+
+private slots:
+    void initTestCase()
+    {
+        prepare();
+        reader_.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+        reader_.start(QStringLiteral("python3"), {QStringLiteral(VITRINE_SCREEN_READER)});
+        const QJsonObject first = line();
+        if (!first.contains("ready"))
+            QSKIP(qPrintable(QString("AT-SPI cannot be asked here: %1").arg(first["missing"].toString())));
+    }
+    void init()
+    {
+        start();
+        QTRY_VERIFY(!ask({{"do", "heard"}}).contains("app"));  // The bridge to the bus comes a moment after the window.
+    }
+    void cleanup() { finish(); }
+    void cleanupTestCase()
+    {
+        reader_.closeWriteChannel();
+        reader_.waitForFinished();
+    }
+
+    void theWholeTreeOfEveryPanelAndDialogIsNamed()
+    {
+        window_->say(MessageStrip::Mood::problem, "Something went wrong.");
+        window_->comparison().holdPresent();
+        QStringList complaints;
+        int parts = 0;
+        const auto look = [&](const QString& name) {
+            const QJsonObject told = ask({{"do", "tree"}});
+            for (const QString& each : strings(told["complaints"])) complaints << name + ": " + each;
+            for (const QJsonValue& count : told["roles"].toObject()) parts += count.toInt();
+        };
+        forEveryDock([&](QDockWidget& dock) { look(dock.objectName()); });
+        forEveryDialog([&](const QString& name, QWidget&) { look(name); });
+        complaints.removeDuplicates();
+        QVERIFY2(complaints.isEmpty(), qPrintable('\n' + complaints.join('\n')));
+        QVERIFY2(parts > 2000, qPrintable(QString::number(parts)));
+    }
+
+    void numbersAreReadAndSetAsOneStep()
+    {
+        window_->choose(1);
+        for (const char* name : {"Roughness", "Roughness, slider"}) {
+            const QJsonObject before = ask("number", name);
+            QCOMPARE(before["value"].toDouble(), 0.25);
+            QVERIFY(before["least"].toDouble() < 0.25 && before["most"].toDouble() >= 1);
+            QVERIFY(before["step"].toDouble() > 0);
+            const int steps = window_->history().stack().count();
+            QCOMPARE(ask({{"do", "set"}, {"name", name}, {"value", 0.5}})["done"].toBool(), true);
+            QCOMPARE(roughness(), 0.5);
+            QTRY_COMPARE(gallery_->drawn().values[1][gallery_->table().roughness], 0.5);
+            QCOMPARE(window_->history().stack().count(), steps + 1);
+            window_->history().stack().undo();
+            QCOMPARE(ask("number", name)["value"].toDouble(), 0.25);
+        }
+    }
+
+    void buttonsSwitchesAndChoicesDoWhatTheyAreFor()
+    {
+        window_->choose(1);
+        auto* dock = window_->findChild<QDockWidget*>("presets");
+        QVERIFY(ask({{"do", "press"}, {"name", "Close Presets"}, {"action", "Press"}})["done"].toBool());
+        QTRY_VERIFY(!dock->isVisible());
+        dragRoughness(60);
+        QVERIFY(ask({{"do", "press"}, {"name", "Reset Roughness"}, {"action", "Press"}})["done"].toBool());
+        QTRY_COMPARE(roughness(), 0.25);
+        const auto toggled = [this] {
+            return window_->history().sceneState().values[1].row(
+                window_->history().sceneState().values[1].table().find("animated").value());
+        };
+        const Value was = toggled();
+        const QJsonObject box = ask("describe", "Animated");
+        QCOMPARE(box["role"].toString(), QString("check box"));
+        QVERIFY(ask({{"do", "press"}, {"name", "Animated"}, {"action", strings(box["actions"]).value(0)}})["done"]
+                    .toBool());
+        QTRY_VERIFY(toggled() != was);
+        QVERIFY(
+            ask({{"do", "press"}, {"name", "Pause"}, {"role", "push button"}, {"action", "Press"}})["done"].toBool());
+        QTRY_VERIFY(window_->viewport().paused());
+    }
+
+    void listsNameTheirEntriesAndPicturesSayWhatTheyShow()
+    {
+        const QStringList exhibits = strings(ask("entries", "Exhibits")["entries"]);
+        QVERIFY2(exhibits.contains("Torus to mug") && exhibits.contains("The hall"), qPrintable(exhibits.join('|')));
+        window_->choose(1);
+        QVERIFY(strings(ask({{"do", "entries"}, {"name", "Presets"}, {"role", "list"}})["entries"]).size() > 1);
+        QVERIFY2(ask("describe", "Museum")["description"].toString().contains("look at Torus to mug"),
+                 qPrintable(ask("describe", "Museum")["description"].toString()));
+    }
+
+    void messagesAreAnnounced()
+    {
+        (void)ask({{"do", "heard"}});
+        window_->say(MessageStrip::Mood::notice, "A picture was saved.");
+        window_->say(MessageStrip::Mood::problem, "Something went wrong.");
+        QStringList heard;
+        QTRY_VERIFY((heard += strings(ask({{"do", "heard"}})["heard"])).contains("Something went wrong."));
+        QVERIFY2(heard.contains("A picture was saved."), qPrintable(heard.join('|')));
+    }
+};
+
+QTEST_MAIN(ScreenReaderTest)
+
+#include "screen_reader_test.moc"

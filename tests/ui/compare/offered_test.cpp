@@ -1,0 +1,151 @@
+// What the visited exhibit offers to be compared with, in the real window.
+
+#include "tests/ui/compare/open_comparison.h"
+
+#include "ui/compare/compare_actions.h"
+#include "ui/compare/compare_bar.h"
+
+#include <QMenu>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+class OfferedTest : public test::OpenComparison {
+    Q_OBJECT
+
+    [[nodiscard]] QAction* offer()
+    {
+        for (QAction* each : desk().actions().all())
+            if (each && each->text() == QLatin1String("Compare with: Chalk && dust")) return each;
+        return nullptr;
+    }
+    [[nodiscard]] QImage grabbed() { return view().grab().toImage(); }
+    /// Where the two differ in a column, beside the line and what it is dragged by.
+    [[nodiscard]] static bool sameWithin(const QImage& a, const QImage& b, double from, double to)
+    {
+        if (a.size() != b.size()) return false;
+        for (int y = a.height() / 2; y < a.height(); ++y)
+            for (int x = static_cast<int>(from * a.width()); x < static_cast<int>(to * a.width()); ++x)
+                if (a.pixel(x, y) != b.pixel(x, y)) return false;
+        return true;
+    }
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init() { start(); }
+    void cleanup() { finish(); }
+
+    void theMenuListsWhatTheVisitedExhibitOffers()
+    {
+        QVERIFY(offer());
+        QVERIFY2(!offer()->isVisible() && !offer()->isEnabled(), "nothing is visited yet");
+        window_->visit(1);
+        QVERIFY(offer()->isVisible() && offer()->isEnabled());
+        QVERIFY(!offer()->toolTip().isEmpty());
+        emit desk().actions().sources().aboutToShow();
+        QVERIFY(desk().actions().sources().actions().contains(offer()));
+        window_->visit(0);
+        QVERIFY(!offer()->isVisible() && !offer()->isEnabled());
+        emit desk().actions().sources().aboutToShow();
+        QVERIFY(!desk().actions().sources().actions().contains(offer()));
+    }
+
+    void oneCommandSetsBAndAWipeOfWhichEachSideIsItsPictureToTheBit()
+    {
+        window_->choose(1);
+        setRoughness(0.2);
+        rest();
+        const int steps = window_->history().stack().count();
+        offer()->trigger();
+        rest();
+        QCOMPARE(otherRoughness(), 0.8);
+        QCOMPARE(desk().other().name(), QString("Chalk & dust"));
+        QVERIFY(action("Wipe")->isChecked());
+        QVERIFY(desk().bar().isVisible());
+        QCOMPARE(window_->history().stack().count(), steps);
+        const QImage both = grabbed();
+        action("B alone")->trigger();
+        rest();
+        const QImage b = grabbed();
+        action("B alone")->trigger();
+        action("Flicker")->trigger();  // A alone, in a picture of the same size: the bar stays below it.
+        rest();
+        const QImage a = grabbed();
+        QVERIFY(sameWithin(both, a, 0, 0.48));
+        QVERIFY(sameWithin(both, b, 0.52, 1));
+        QVERIFY2(!sameWithin(a, b, 0, 0.48), "a control: A and B differ");
+    }
+
+    void theLineIsDraggedInThePicture()
+    {
+        window_->choose(1);
+        setRoughness(0.2);
+        offer()->trigger();
+        rest();
+        dragInPicture(0.5, 0.25);
+        QVERIFY(std::abs(desk().overlay().wipe() - 0.25) < 0.01);
+        QVERIFY(std::abs(shownAt(0.2).red() - 51) <= 1);
+        QVERIFY(std::abs(shownAt(0.3).red() - 204) <= 1);
+    }
+
+    void bFollowsWhatIsOnShowUntilItIsEditedItself()
+    {
+        window_->choose(1);
+        setRoughness(0.2);
+        offer()->trigger();
+        const auto& table = gallery_->table();
+        const auto otherMorph = [&] { return desk().other().sceneState().values[1][table.morph]; };
+        const auto setMorph = [&](double to) { window_->history().set(1, table.morph.row, to, newGesture()); };
+        setMorph(0.9);
+        QCOMPARE(otherMorph(), 0.9);
+        QCOMPARE(otherRoughness(), 0.8);
+        QCOMPARE(desk().bar().differenceText(), QString("1 row differs"));
+        window_->history().stack().undo();
+        QCOMPARE(otherMorph(), 0.5);
+        setRoughness(0.3);
+        QCOMPARE(otherRoughness(), 0.8);
+        // Its own edit ends that, and undone it follows again.
+        setMorph(0.7);
+        desk().other().give(1, "roughness");
+        QCOMPARE(otherRoughness(), 0.3);
+        setMorph(0.6);
+        QCOMPARE(otherMorph(), 0.7);
+        window_->history().stack().undo();
+        window_->history().stack().undo();
+        QCOMPARE(otherRoughness(), 0.8);
+        setMorph(0.1);
+        QCOMPARE(otherMorph(), 0.1);
+        // Another B follows nothing.
+        action("Hold what is on show as B")->trigger();
+        setMorph(0.4);
+        QCOMPARE(otherMorph(), 0.1);
+    }
+
+    void whoHasItOnShowAlreadyIsTold()
+    {
+        window_->choose(1);
+        setRoughness(0.8);
+        offer()->trigger();
+        QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("“Chalk & dust” is on show already"));
+        QCOMPARE(desk().bar().differenceText(), QString("no row differs"));
+    }
+
+    void itIsInThePaletteAndCanBeSwapped()
+    {
+        QVERIFY(window_->findChildren<QAction*>().contains(offer()));
+        window_->choose(1);
+        setRoughness(0.2);
+        offer()->trigger();
+        rest();
+        action("Swap A and B")->trigger();
+        QCOMPARE(roughness(), 0.8);
+        QCOMPARE(otherRoughness(), 0.2);
+        window_->history().stack().undo();
+        QCOMPARE(roughness(), 0.2);
+        QCOMPARE(otherRoughness(), 0.8);
+    }
+};
+
+QTEST_MAIN(OfferedTest)
+
+#include "offered_test.moc"

@@ -1,0 +1,133 @@
+// The real window in German: menus, panel and messages; what it writes is what it writes in English.
+
+#include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
+
+#include "exhibits/framework/state_folder.h"
+#include "ui/kit/language.h"
+#include "ui/kit/message_strip.h"
+#include "ui/parameters/shown_text.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/window/file_opener.h"
+
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QMenuBar>
+
+#include <map>
+
+using namespace vitrine;
+
+class GermanWindowTest final : public test::OpenWindow {
+    Q_OBJECT
+
+private:
+    void startIn(const QString& language)
+    {
+        ui::speak(language);
+        start();
+    }
+    /// Drags a slider, saves what came of it, and returns the file's bytes.
+    [[nodiscard]] QByteArray savedPreset(const QString& language)
+    {
+        startIn(language);
+        window_->visit(1);
+        settle();
+        dragRoughness(40);
+        const double dragged = roughness();
+        window_->shelf().saveUnder(QStringLiteral("Rough one"));
+        QByteArray bytes;
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(userPresetFolder()))
+            if (QFile saved(QString::fromStdString(entry.path().string()));
+                entry.is_regular_file() && saved.open(QIODevice::ReadOnly))
+                bytes += saved.readAll();
+        // It loads again, in either language.
+        window_->resetEverything();
+        if (roughness() == dragged) return {};
+        presets()->setCurrentItem(rowsNamed("Rough one").front());
+        emit presets()->itemActivated(rowsNamed("Rough one").front());
+        return roughness() == dragged ? bytes : QByteArray();
+    }
+
+private slots:
+    void initTestCase() { prepare(); }
+    void cleanup()
+    {
+        finish();
+        ui::speak(QStringLiteral("en"));
+    }
+
+    void menusAndPanelAreGerman()
+    {
+        startIn(QStringLiteral("de"));
+        QStringList menus;
+        for (const QAction* action : window_->menuBar()->actions()) menus << action->text().remove(QLatin1Char('&'));
+        for (const char* title :
+             {"Datei", "Bearbeiten", "Preset", "Ansicht", "Vergleich", "Exponat", "Lektion", "Hilfe"})
+            QVERIFY2(menus.contains(QString::fromUtf8(title)), title);
+        QVERIFY(action("Alle Parameter zurücksetzen"));
+        QVERIFY(!action("Reset all parameters"));
+        window_->visit(1);
+        settle();
+        QVERIFY(window_->panel().row("roughness"));
+        QVERIFY2(window_->panel().row("roughness")->toolTip().startsWith(QStringLiteral("Rauheit\n")),
+                 qPrintable(window_->panel().row("roughness")->toolTip()));
+        QVERIFY(window_->panel().row("roughness")->toolTip().contains(QStringLiteral("Ausgangswert: ")));
+    }
+
+    void noTwoActionsOfAMenuHaveOneMnemonic()
+    {
+        startIn(QStringLiteral("de"));
+        QList<QList<QAction*>> menus{window_->menuBar()->actions()};
+        for (const QMenu* menu : window_->menuBar()->findChildren<QMenu*>()) menus << menu->actions();
+        for (const QList<QAction*>& menu : menus) {
+            std::map<QChar, QString> taken;
+            for (const QAction* each : menu) {
+                const QString words = QString(each->text()).remove(QStringLiteral("&&"));
+                const qsizetype mark = words.indexOf(QLatin1Char('&'));
+                if (mark < 0) continue;
+                const auto [known, added] = taken.emplace(words[mark + 1].toLower(), each->text());
+                QVERIFY2(added, qPrintable(known->second + QStringLiteral(" / ") + each->text()));
+            }
+        }
+    }
+
+    void presetsAreTheSameBytesAsInEnglish()
+    {
+        const QByteArray german = savedPreset(QStringLiteral("de"));
+        finish();
+        const QByteArray english = savedPreset(QStringLiteral("en"));
+        QVERIFY(!english.isEmpty());
+        QCOMPARE(german, english);
+    }
+
+    void messagesAboutFilesAreGerman()
+    {
+        startIn(QStringLiteral("de"));
+        const QString file = home_->path() + QStringLiteral("/broken.json");
+        QFile broken(file);
+        QVERIFY(broken.open(QIODevice::WriteOnly));
+        broken.write("{\"format\": ");
+        broken.close();
+        window_->files().open(file);
+        auto* strip = window_->findChild<ui::MessageStrip*>();
+        QTRY_VERIFY(strip->texts().join(QLatin1Char(' ')).contains(QStringLiteral("kein gültiges JSON")));
+    }
+
+    void aNumberMayHaveADecimalComma()
+    {
+        startIn(QStringLiteral("de"));
+        const QLocale before;
+        QLocale::setDefault(QLocale(QLocale::German));
+        QString problem;
+        const auto value =
+            ui::typedValue(gallery_->table().rows()[gallery_->table().roughness.row], QStringLiteral("0,25"), &problem);
+        QLocale::setDefault(before);
+        QVERIFY2(value.has_value(), qPrintable(problem));
+        QCOMPARE(std::get<double>(*value), 0.25);
+    }
+};
+
+VITRINE_TEST_MAIN(GermanWindowTest)
+#include "german_window_test.moc"

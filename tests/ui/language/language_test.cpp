@@ -1,0 +1,208 @@
+// The German translation: complete, alike in its places and mnemonics, and chosen by the locale or by the visitor.
+
+#include "ui/kit/language.h"
+
+#include "exhibits/exhibits.h"
+#include "exhibits/museum/museum.h"
+#include "render/text/translation.h"
+#include "tests/ui/patience.h"
+
+#include <QMenu>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+
+#include <set>
+
+using namespace vitrine;
+
+namespace {
+
+struct Message {
+    QString source, comment;
+    QStringList translations;  ///< Two where numbers stand.
+    bool finished = true;
+};
+
+QList<Message> messagesOfTheFile()
+{
+    QFile file(QStringLiteral(VITRINE_SOURCE_DIR "/assets/translations/vitrine_de.ts"));
+    if (!file.open(QIODevice::ReadOnly)) return {};
+    QXmlStreamReader xml(&file);
+    QList<Message> all;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+        if (xml.name() == QLatin1String("message")) all << Message{};
+        if (xml.name() == QLatin1String("source")) all.last().source = xml.readElementText();
+        if (xml.name() == QLatin1String("comment")) all.last().comment = xml.readElementText();
+        if (xml.name() == QLatin1String("numerusform")) all.last().translations << xml.readElementText();
+        if (xml.name() == QLatin1String("translation")) {
+            all.last().finished = xml.attributes().value(QLatin1String("type")).isEmpty();
+            const QString text = xml.readElementText(QXmlStreamReader::SkipChildElements);
+            if (!text.isEmpty() && !text.trimmed().isEmpty()) all.last().translations << text;
+        }
+    }
+    return xml.hasError() ? QList<Message>{} : all;
+}
+
+/// "%1", "%n", "{1}": each as often as it stands there; "{=1}" counts as "{1}".
+QStringList placesOf(QString text)
+{
+    text.replace(QStringLiteral("{="), QStringLiteral("{"));
+    QStringList found;
+    static const QRegularExpression place(QStringLiteral("%(\\d|n\\b|L\\d)|\\{\\d\\}"));
+    for (auto match = place.globalMatch(text); match.hasNext();) found << match.next().captured();
+    found.sort();
+    return found;
+}
+
+qsizetype mnemonicsOf(QString text)
+{
+    static const QRegularExpression mark(QStringLiteral("&(?=\\w)"));
+    return text.remove(QStringLiteral("&&")).count(mark);
+}
+
+/// What a table says to people.
+std::set<std::string> textsOf(const Parameters& table)
+{
+    std::set<std::string> texts;
+    for (const ParameterInfo& row : table.rows()) {
+        texts.insert({label(row), labelInGroup(row), std::string(row.group), std::string(row.help)});
+        for (const std::string_view choice : row.choices) texts.emplace(choice);
+        if (row.word) texts.emplace(row.word->text);
+    }
+    texts.erase("");
+    return texts;
+}
+
+std::set<std::string> knownTexts()
+{
+    std::set<std::string> known;
+    for (const Message& message : messagesOfTheFile()) known.insert(message.source.toStdString());
+    return known;
+}
+
+}  // namespace
+
+class LanguageTest final : public QObject {
+    Q_OBJECT
+
+private slots:
+    void cleanup() { ui::speak(QStringLiteral("en")); }
+
+    void everyMessageIsFinishedWithTheSamePlacesAndMnemonics()
+    {
+        const QList<Message> all = messagesOfTheFile();
+        QVERIFY(all.size() > 2000);
+        for (const Message& message : all) {
+            QVERIFY2(message.finished, qPrintable(message.source));
+            QVERIFY2(!message.translations.isEmpty(), qPrintable(message.source));
+            for (const QString& translation : message.translations) {
+                QVERIFY2(!translation.isEmpty(), qPrintable(message.source));
+                QVERIFY2(placesOf(translation) == placesOf(message.source), qPrintable(translation));
+                QVERIFY2(mnemonicsOf(translation) == mnemonicsOf(message.source), qPrintable(translation));
+            }
+        }
+    }
+
+    void everyTextOfTheTablesHasAGermanOne()
+    {
+        const std::set<std::string> known = knownTexts();
+        const Museum museum{allExhibits()};
+        for (const Subject* subject : museum.subjects()) {
+            std::set<std::string> texts = textsOf(subject->parameters());
+            texts.emplace(subject->title());
+            texts.emplace(subject->summary());
+            for (const std::string& text : texts) QVERIFY2(known.count(text) == 1, text.c_str());
+        }
+        for (const auto& [index, exhibit] : museum.exhibits()) {
+            const std::string advice = "Try: " + std::string(exhibit.tryThis());
+            QVERIFY2(exhibit.tryThis().empty() || known.count(advice) == 1, advice.c_str());
+            if (const auto* button = capability<HasButton>(exhibit)) {
+                const std::string line = "E – " + std::string(button->buttonText());
+                QVERIFY2(known.count(line) == 1, line.c_str());
+            }
+        }
+    }
+
+    void reasonsOfTheLedgerAreGerman()
+    {
+        ui::speak(QStringLiteral("de"));
+        const Museum museum{allExhibits()};
+        const SceneState initial = museum.initialSceneState();
+        std::set<std::string> english;
+        for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
+            FrameRequest request;
+            request.raster.size = {64, 48};
+            request.camera = museum.bestView(i, initial.values[i]);
+            const Prepared prepared = museum.prepare(initial, request);
+            const render::FramePlan plan = museum.plan(prepared, request);
+            for (const render::Pass& pass : plan.passes())
+                if (translated(pass.reason) == pass.reason) english.insert(pass.name + ": " + pass.reason);
+            for (const render::CulledPass& pass : plan.skipped())
+                if (translated(pass.reason) == pass.reason) english.insert(pass.name + ": " + pass.reason);
+        }
+        QString all;
+        for (const std::string& reason : english) all += QString::fromStdString(reason) + QLatin1Char('\n');
+        QVERIFY2(english.empty(), qPrintable(all));
+    }
+
+    void theLocaleChoosesUnlessTheVisitorDid()
+    {
+        const QTemporaryDir home;
+        for (const char* name : {"HOME", "XDG_CONFIG_HOME"}) qputenv(name, home.path().toLocal8Bit());
+        for (const char* name : {"LC_ALL", "LC_MESSAGES", "LANG"}) qunsetenv(name);
+        QCOMPARE(ui::languageOfWindow(), QStringLiteral("en"));
+        qputenv("LANG", "de_AT.UTF-8");
+        QCOMPARE(ui::languageOfWindow(), QStringLiteral("de"));
+        qputenv("LC_MESSAGES", "fr_FR");
+        QCOMPARE(ui::languageOfWindow(), QStringLiteral("en"));
+        qputenv("LC_ALL", "de");
+        QCOMPARE(ui::languageOfWindow(), QStringLiteral("de"));
+        ui::keepLanguage(QStringLiteral("en"));
+        QCOMPARE(ui::languageOfWindow(), QStringLiteral("en"));
+        QCOMPARE(ui::savedLanguage(), QStringLiteral("en"));
+        ui::keepLanguage({});
+        QCOMPARE(ui::savedLanguage(), QString());
+        QCOMPARE(ui::languageOfWindow(), QStringLiteral("de"));
+        qputenv("LC_ALL", "C.UTF-8");
+        QCOMPARE(ui::languageOfWindow(), QStringLiteral("en"));
+    }
+
+    void theMenuKeepsTheChoiceAndSaysWhenItCounts()
+    {
+        const QTemporaryDir home;
+        for (const char* name : {"HOME", "XDG_CONFIG_HOME"}) qputenv(name, home.path().toLocal8Bit());
+        qputenv("LC_ALL", "C.UTF-8");
+        QString message;
+        const std::unique_ptr<QMenu> menu(ui::languageMenu(nullptr, [&](const QString& said) { message = said; }));
+        QStringList names;
+        for (const QAction* action : menu->actions()) names << action->text().remove(QLatin1Char('&'));
+        QCOMPARE(names, QStringList({"As the system", "English", "Deutsch"}));
+        QVERIFY(menu->actions().front()->isChecked());
+        menu->actions().back()->trigger();
+        QCOMPARE(ui::savedLanguage(), QStringLiteral("de"));
+        QVERIFY2(message.contains(QStringLiteral("Deutsch")), qPrintable(message));
+        message.clear();
+        menu->actions().front()->trigger();
+        QCOMPARE(ui::savedLanguage(), QString());
+        QVERIFY2(message.isEmpty(), "English is what it speaks already");
+    }
+
+    void aLanguageIsSpokenAtOnceAndAnUnknownOneIsEnglish()
+    {
+        ui::speak(QStringLiteral("de"));
+        QCOMPARE(ui::spokenLanguage(), QStringLiteral("de"));
+        QCOMPARE(ui::said("Shadow method"), QStringLiteral("Schattenverfahren"));
+        QCOMPARE(ui::within(ui::said("Roughness")), QStringLiteral("Rauheit"));
+        QCOMPARE(QObject::tr("&File"), QStringLiteral("&Datei"));
+        ui::speak(QStringLiteral("xx"));
+        QCOMPARE(ui::spokenLanguage(), QStringLiteral("en"));
+        QCOMPARE(ui::said("Shadow method"), QStringLiteral("Shadow method"));
+        QCOMPARE(ui::within(ui::said("Roughness")), QStringLiteral("roughness"));
+        QCOMPARE(QObject::tr("&File"), QStringLiteral("&File"));
+    }
+};
+
+QTEST_MAIN(LanguageTest)
+#include "language_test.moc"

@@ -1,0 +1,196 @@
+#include "tests/ui/cut_off.h"
+#include "tests/ui/few_samples.h"
+#include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
+
+#include "ui/compare/compare_desk.h"
+#include "ui/kit/appearance.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/name_dialog.h"
+#include "ui/lessons/lesson_desk.h"
+#include "ui/parameters/color_picker.h"
+#include "ui/preferences/preferences_dialog.h"
+#include "ui/window/window_docks.h"
+#include "ui/window/window_preferences.h"
+
+#include <QDialog>
+#include <QDir>
+#include <QDockWidget>
+#include <QScreen>
+#include <QTabWidget>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+/// The window, its panels and its dialogs with type of every size, on the screen that the test is given: nothing is cut
+/// off, everything can be reached, and it all fits.
+class TypeSizeTest : public test::OpenWindow {
+    Q_OBJECT
+
+    void setType(int percent)
+    {
+        PreferenceValues values = window_->preferences().values().values();
+        values.typeSize = percent;
+        window_->preferences().values().set(values);
+    }
+    /// Says what is cut off once the widget has its layout; where VITRINE_PICTURES names a folder, it is drawn there.
+    void look(QWidget& widget, const QString& name)
+    {
+        widget.ensurePolished();
+        if (widget.layout()) widget.layout()->activate();
+        QCoreApplication::processEvents();
+        QTRY_VERIFY2(test::cutOff(widget).isEmpty(), qPrintable(name + ":\n" + test::cutOff(widget).join('\n')));
+        picture(widget, name);
+    }
+    void picture(QWidget& widget, const QString& name)
+    {
+        const QString folder = qEnvironmentVariable("VITRINE_PICTURES");
+        if (folder.isEmpty()) return;
+        QDir().mkpath(folder);
+        QVERIFY(widget.grab().save(QStringLiteral("%1/%2-%3-%4.png")
+                                       .arg(folder)
+                                       .arg(window_->screen()->size().width())
+                                       .arg(window_->preferences().values().values().typeSize)
+                                       .arg(name)));
+    }
+    void fits(const QWidget& widget, const QString& name)
+    {
+        const QSize room = widget.screen()->availableSize();
+        const QSize least = widget.minimumSizeHint().expandedTo(widget.minimumSize());
+        QVERIFY2(least.width() <= room.width() && least.height() <= room.height(),
+                 qPrintable(QString("%1 needs %2 x %3 at least").arg(name).arg(least.width()).arg(least.height())));
+        QVERIFY2(widget.width() <= room.width() && widget.height() <= room.height(),
+                 qPrintable(QString("%1 is %2 x %3").arg(name).arg(widget.width()).arg(widget.height())));
+    }
+    void lookAtDialog(QDialog* dialog, const QString& name)
+    {
+        QVERIFY2(dialog, qPrintable(name));
+        QVERIFY(QTest::qWaitForWindowExposed(dialog, test::patience));
+        fits(*dialog, name);
+        look(*dialog, name);
+        delete dialog;
+    }
+    template <typename T> T* opened(const char* command)
+    {
+        action(command)->trigger();
+        return window_->findChild<T*>();
+    }
+    [[nodiscard]] QDialog* newest()
+    {
+        QDialog* found = nullptr;
+        for (QDialog* dialog : window_->findChildren<QDialog*>())
+            if (dialog->isVisible()) found = dialog;
+        return found;
+    }
+    void lookAtDialogOf(const char* command)
+    {
+        action(command)->trigger();
+        lookAtDialog(newest(), QString(command).remove(QStringLiteral("…")));
+    }
+
+private slots:
+    void initTestCase() { prepare(); }
+    void init()
+    {
+        start();
+        test::takeFewSamples(*window_, 1);
+        window_->resize(window_->screen()->availableSize());
+        window_->choose(1);
+        settle();
+    }
+    void cleanup()
+    {
+        finish();
+        applyAppearance(*qApp, {}, {});
+        applyTheme(*qApp, darkTheme());
+    }
+
+    void theWindowAndItsPanels_data() { sizes(); }
+    void theWindowAndItsPanels()
+    {
+        QFETCH(int, percent);
+        setType(percent);
+        fits(*window_, "window");
+        look(*window_, "window");
+        for (const char* name : {"study", "charts", "ledger", "log"}) {
+            auto* dock = window_->findChild<QDockWidget*>(name);
+            dock->show();
+            dock->raise();
+            settle();
+            fits(*window_, name);
+            look(*window_, name);
+        }
+    }
+
+    void theStripsAroundThePicture_data() { sizes(); }
+    void theStripsAroundThePicture()
+    {
+        QFETCH(int, percent);
+        setType(percent);
+        window_->say(MessageStrip::Mood::problem,
+                     "A file that was named and cannot be read is left out until it can be read again.");
+        window_->comparison().holdPresent();
+        action("Signed difference")->trigger();
+        settle();
+        fits(*window_, "strips");
+        look(*window_, "strips");
+        window_->comparison().letGo();
+        window_->lessons().start(1);
+        settle();
+        fits(*window_, "lesson");
+        look(*window_, "lesson");
+    }
+
+    void theDialogs_data() { sizes(); }
+    void theDialogs()
+    {
+        QFETCH(int, percent);
+        setType(percent);
+        for (const char* command : {"Export picture…", "Record…", "Export lenticular print…", "Commands…",
+                                    "Keyboard and mouse", "How this works", "About Vitrine", "Preferences…"})
+            lookAtDialogOf(command);
+        action("Preferences…")->trigger();
+        auto* preferences = window_->findChild<PreferencesDialog*>();
+        auto* tabs = preferences->findChild<QTabWidget*>();
+        for (int tab = 0; tab < tabs->count(); ++tab) {
+            tabs->setCurrentIndex(tab);
+            look(*preferences, "Preferences, " + tabs->tabText(tab));
+        }
+        delete preferences;
+        auto* name = new NameDialog("Save the preset under another name", "Old gold", window_.get());
+        name->openOver(window_->panel());
+        lookAtDialog(name, "Name");
+        for (auto* button : window_->panel().row("baseColor")->findChildren<QAbstractButton*>())
+            if (button->accessibleName().contains("choose a color")) button->click();
+        lookAtDialog(window_->findChild<ColorDialog*>(), "Color");
+    }
+
+    void whatIsCutOffIsSeen()
+    {
+        QWidget room;
+        auto* label = new QLabel("Quite a few words", &room);
+        room.resize(400, 100);
+        label->setGeometry(0, 0, 300, 40);
+        room.show();
+        QVERIFY(test::cutOff(room).isEmpty());
+        label->resize(40, 40);
+        QCOMPARE(test::cutOff(room).size(), 1);
+        label->resize(300, 5);
+        QCOMPARE(test::cutOff(room).size(), 1);
+        label->resize(300, 40);
+        label->move(300, 0);  // Beyond the edge.
+        QCOMPARE(test::cutOff(room).size(), 1);
+        label->hide();
+        QVERIFY(test::cutOff(room).isEmpty());
+    }
+
+private:
+    static void sizes()
+    {
+        QTest::addColumn<int>("percent");
+        for (const int percent : {100, 150, 200}) QTest::newRow(qPrintable(QString("%1 %").arg(percent))) << percent;
+    }
+};
+
+VITRINE_TEST_MAIN(TypeSizeTest)
+#include "type_size_test.moc"

@@ -1,0 +1,167 @@
+#include "ui/explore/variations.h"
+
+#include "exhibits/framework/random_values.h"
+#include "ui/model/workbench.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/viewport/viewport.h"
+
+#include <algorithm>
+#include <limits>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr int widest = 256;     // Pixels of a small picture.
+constexpr int mostSamples = 4;  // Of each of its pixels.
+
+}  // namespace
+
+Variations::Variations(Workbench& workbench, const ParameterPanel& panel, QObject* parent)
+    : QObject(parent), workbench_(workbench), panel_(panel)
+{
+    connect(&workbench.history(), &History::changed, this, &Variations::changed);
+    connect(&workbench.history(), &History::replaced, this, &Variations::changed);
+    connect(&panel, &ParameterPanel::locksChanged, this, &Variations::changed);
+    // Before the first picture of the viewport there is none to see as it does.
+    connect(&workbench.viewport(), &Viewport::drawn, this, [this] {
+        if (waiting_) order();
+    });
+}
+
+const ParameterValues& Variations::shownValues() const
+{
+    return workbench_.history().sceneState().values[exhibit_];
+}
+
+void Variations::setSeen(bool seen)
+{
+    if (seen == seen_) return;
+    seen_ = seen;
+    if (seen) {
+        order();
+        return;
+    }
+    task_.cancel();
+    workbench_.viewport().renderThread().post([&renderers = workbench_.renderers()] {
+        renderers.forgetSmall();
+        return std::function<void()>();
+    });
+}
+
+std::uint64_t Variations::seedOf(int variation) const
+{
+    return static_cast<std::uint64_t>(count) * static_cast<std::uint64_t>(number_ - 1) +
+           static_cast<std::uint64_t>(variation) + 1;
+}
+
+void Variations::drawAnew()
+{
+    clear();
+    exhibit_ = workbench_.shown();
+    base_ = shownValues();
+    locked_ = panel_.lockedRows();
+    for (int i = 0; i < count; ++i)
+        made_.at(static_cast<std::size_t>(i)) = variation(
+            *base_, seedOf(i), [this](std::size_t row) { return panel_.isLocked(row); }, strength_);
+    order();
+    emit changed();
+}
+
+void Variations::clear()
+{
+    task_.cancel();
+    base_.reset();
+    made_ = {};
+    images_ = {};
+    finished_ = 0;
+    failure_.clear();
+    emit changed();
+}
+
+void Variations::order()
+{
+    task_.cancel();
+    Viewport& viewport = workbench_.viewport();
+    const bool wanted = seen_ && made() && finished_ < count;
+    waiting_ = wanted && viewport.shown().isNull();
+    if (!wanted || waiting_) return;
+    struct Work {
+        std::vector<SceneState> looks;
+        int next;  // Its number among the nine.
+        FrameRequest request;
+        QSize screen;
+    };
+    auto work = std::make_shared<Work>(Work{{}, finished_, viewport.shownRequest(), viewport.shown().size()});
+    for (int i = finished_; i < count; ++i) {
+        work->looks.push_back(workbench_.history().sceneState());
+        work->looks.back().values[exhibit_] = values(i);
+    }
+    if (work->screen.width() > widest) work->screen.scale(widest, 4 * widest, Qt::KeepAspectRatio);
+    FrameRequest& request = work->request;
+    request.raster = {};
+    request.raster.size = {work->screen.width(), std::max(work->screen.height(), 1)};
+    request.sample = 0;
+    request.samples = std::min(pictureQuality(work->looks.front().hall()).supersamples, mostSamples);
+    request.movingFrame = 0;
+    request.mostExhibits = std::numeric_limits<int>::max();
+    request.cut = request.finished = true;
+    request.rests = request.waitless = request.runEverything = false;
+    auto step = [this, work, &renderers = workbench_.renderers()](const RenderThread::Tell& tell) {
+        const auto left = static_cast<std::size_t>(count - work->next);
+        const SceneState& look = work->looks[work->looks.size() - left];
+        QImage image = renderers.drawSmall(look, work->request, work->screen);
+        const bool whole = ++work->request.sample >= work->request.samples;
+        tell([this, number = work->next, image = std::move(image), whole] {
+            images_.at(static_cast<std::size_t>(number)) = image;
+            if (whole) finished_ = number + 1;
+            emit changed();
+        });
+        if (whole) {
+            work->request.sample = 0;
+            ++work->next;
+        }
+        return work->next < count;
+    };
+    task_ = viewport.renderThread().start(std::move(step), [this](const QString& failure) {
+        if (failure.isEmpty()) return;
+        failure_ = failure;
+        emit changed();
+    });
+}
+
+std::optional<int> Variations::onShow() const
+{
+    if (!made()) return std::nullopt;
+    for (int i = 0; i < count; ++i)
+        if (values(i) == shownValues()) return i;
+    return std::nullopt;
+}
+
+bool Variations::stale() const
+{
+    if (!made()) return false;
+    return panel_.lockedRows() != locked_ || (!(*base_ == shownValues()) && !onShow());
+}
+
+void Variations::pick(int i)
+{
+    if (!made()) return;
+    SceneState next = workbench_.history().sceneState();
+    next.values[exhibit_] = values(i);
+    workbench_.history().change(tr("Take variation %1 of nine %2").arg(i + 1).arg(number_), next);
+}
+
+void Variations::goOnFrom(int i)
+{
+    if (!made()) return;
+    pick(i);
+    ++number_;
+    drawAnew();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_variations.cpp"

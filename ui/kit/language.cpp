@@ -1,0 +1,214 @@
+#include "ui/kit/language.h"
+
+#include "exhibits/framework/state_folder.h"
+#include "render/text/translation.h"
+#include "ui/kit/text.h"
+
+#include <QActionGroup>
+#include <QCoreApplication>
+#include <QFile>
+#include <QLibraryInfo>
+#include <QMenu>
+#include <QSettings>
+#include <QTranslator>
+
+#include <memory>
+
+// Outside of any namespace, as Qt asks for it: the linker leaves out resources of libraries that nobody names.
+static void initializeTranslations()
+{
+    Q_INIT_RESOURCE(translations);
+}
+
+namespace vitrine::ui {
+namespace {
+
+constexpr const char* context = "vitrine";
+
+/// All texts stand in one context, whatever class shows them: the same words are the same everywhere.
+class OneContext final : public QTranslator {
+public:
+    using QTranslator::QTranslator;
+
+    [[nodiscard]] QString translate(const char* /*asked*/, const char* source, const char* disambiguation,
+                                    int n) const override
+    {
+        const QString plain = QTranslator::translate(context, source, nullptr, n);
+        return plain.isEmpty() && disambiguation ? QTranslator::translate(context, source, disambiguation, n) : plain;
+    }
+};
+
+struct Spoken {
+    QString code = QStringLiteral("en");
+    bool asked = false;
+    std::unique_ptr<QTranslator> ours, qts;
+};
+
+Spoken& spoken()
+{
+    static Spoken now;
+    return now;
+}
+
+QSettings languageSettings()
+{
+    return QSettings(QString::fromStdString((configFolder() / "window.ini").string()), QSettings::IniFormat);
+}
+
+QString languageKey()
+{
+    return QStringLiteral("language");
+}
+
+QString resource(const QString& code, const char* ending)
+{
+    return QStringLiteral(":/translations/vitrine_%1.%2").arg(code, QLatin1String(ending));
+}
+
+/// Null where there is no such language, or it is English.
+std::unique_ptr<QTranslator> translatorFor(const QString& code)
+{
+    initializeTranslations();
+    auto translator = std::make_unique<OneContext>();
+    if (code == QLatin1String("en") || !languages().contains(code) || !translator->load(resource(code, "qm")))
+        return nullptr;
+    return translator;
+}
+
+/// What the layers below say, of the translator's texts: their list stands beside them.
+std::shared_ptr<const Catalog> catalogOf(const QString& code, const QTranslator& translator)
+{
+    QFile list(resource(code, "txt"));
+    if (!list.open(QIODevice::ReadOnly)) return nullptr;
+    Catalog::Entries entries;
+    for (const QByteArray& line : list.readAll().split('\n')) {
+        if (line.isEmpty()) continue;
+        QByteArray english = line;
+        english.replace("&lt;", "<").replace("&gt;", ">").replace("&quot;", "\"").replace("&apos;", "'");
+        english.replace("&amp;", "&");
+        const QString translation = translator.translate(context, english.constData(), nullptr, -1);
+        if (!translation.isEmpty()) entries.emplace_back(english.toStdString(), translation.toStdString());
+    }
+    return std::make_shared<const Catalog>(std::move(entries));
+}
+
+}  // namespace
+
+const QStringList& languages()
+{
+    static const QStringList all{QStringLiteral("en"), QStringLiteral("de")};
+    return all;
+}
+
+QString nameOfLanguage(const QString& code)
+{
+    if (code == QLatin1String("en")) return QStringLiteral("English");
+    return code == QLatin1String("de") ? QStringLiteral("Deutsch") : QString();
+}
+
+QString languageOfLocale()
+{
+    for (const char* variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
+        const QString value = qEnvironmentVariable(variable);
+        if (value.isEmpty()) continue;
+        const QString code = value.section(QLatin1Char('.'), 0, 0).section(QLatin1Char('_'), 0, 0).toLower();
+        return languages().contains(code) ? code : QStringLiteral("en");
+    }
+    return QStringLiteral("en");
+}
+
+QString savedLanguage()
+{
+    const QString saved = languageSettings().value(languageKey()).toString();
+    return languages().contains(saved) ? saved : QString();
+}
+
+void keepLanguage(const QString& code)
+{
+    QSettings kept = languageSettings();
+    if (code.isEmpty())
+        kept.remove(languageKey());
+    else
+        kept.setValue(languageKey(), code);
+}
+
+QString languageOfWindow()
+{
+    const QString saved = savedLanguage();
+    return saved.isEmpty() ? languageOfLocale() : saved;
+}
+
+void speak(const QString& code)
+{
+    Spoken& now = spoken();
+    now.asked = true;
+    for (auto* old : {&now.ours, &now.qts})
+        if (*old) {
+            QCoreApplication::removeTranslator(old->get());
+            old->reset();
+        }
+    now.ours = translatorFor(code);
+    now.code = now.ours ? code : QStringLiteral("en");
+    setLanguage(now.code.toStdString(), now.ours ? catalogOf(code, *now.ours) : nullptr);
+    if (!now.ours || !QCoreApplication::instance()) return;
+    auto qts = std::make_unique<QTranslator>();
+    if (qts->load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
+        now.qts = std::move(qts);
+        QCoreApplication::installTranslator(now.qts.get());
+    }
+    QCoreApplication::installTranslator(now.ours.get());  // Asked first.
+}
+
+QString spokenLanguage()
+{
+    return spoken().code;
+}
+
+bool languageAsked()
+{
+    return spoken().asked;
+}
+
+QString said(std::string_view english)
+{
+    return text(translated(english));
+}
+
+QString within(const QString& name)
+{
+    return spoken().code == QLatin1String("en") ? name.toLower() : name;
+}
+
+std::string saidInLocale(std::string_view english)
+{
+    const QString code = spoken().code == QLatin1String("en") ? languageOfLocale() : spoken().code;
+    const std::unique_ptr<QTranslator> translator = translatorFor(code);
+    const std::shared_ptr<const Catalog> texts = translator ? catalogOf(code, *translator) : nullptr;
+    return texts ? texts->translated(english) : std::string(english);
+}
+
+QMenu* languageMenu(QWidget* parent, const std::function<void(const QString& message)>& chosen)
+{
+    auto* menu = new QMenu(QMenu::tr("&Language"), parent);
+    auto* group = new QActionGroup(menu);
+    const auto add = [&](const QString& words, const QString& code) {
+        QAction* action = menu->addAction(words, menu, [code, chosen] {
+            keepLanguage(code);
+            if (chosen && languageOfWindow() != spokenLanguage())
+                chosen(QMenu::tr("The window speaks %1 from the next start.").arg(nameOfLanguage(languageOfWindow())));
+        });
+        action->setCheckable(true);
+        action->setData(code);
+        group->addAction(action);
+    };
+    add(QMenu::tr("As the &system"), {});
+    for (const QString& code : languages()) add(nameOfLanguage(code), code);
+    const auto check = [group] {
+        for (QAction* action : group->actions()) action->setChecked(action->data().toString() == savedLanguage());
+    };
+    check();
+    QObject::connect(menu, &QMenu::aboutToShow, menu, check);
+    return menu;
+}
+
+}  // namespace vitrine::ui

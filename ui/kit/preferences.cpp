@@ -1,0 +1,219 @@
+#include "ui/kit/preferences.h"
+
+#include "exhibits/framework/state_folder.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QKeySequence>
+#include <QSettings>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr qint64 largestFile = 1 << 20;  // Bytes; ours has a few hundred.
+constexpr int mostKeys = 1000;           // Actions with shortcuts of the visitor's.
+constexpr int mostShortcuts = 4;         // Of one action.
+constexpr int longestShortcut = 60;      // Characters.
+
+constexpr std::array themeNames{"desktop", "light", "dark", "highContrast"};
+constexpr std::array motionNames{"desktop", "reduced", "full"};
+
+struct NumberKey {
+    const char* name;
+    int PreferenceValues::*value;
+    PreferenceRange range;
+};
+constexpr std::array<NumberKey, 6> numberKeys{
+    {{"typeSize", &PreferenceValues::typeSize, PreferenceValues::typeSizes},
+     {"lookSpeed", &PreferenceValues::lookSpeed, PreferenceValues::lookSpeeds},
+     {"wheelSpeed", &PreferenceValues::wheelSpeed, PreferenceValues::wheelSpeeds},
+     {"mostSamples", &PreferenceValues::mostSamples, PreferenceValues::sampleLimits},
+     {"leastScale", &PreferenceValues::leastScale, PreferenceValues::movingScales},
+     {"recentCount", &PreferenceValues::recentFiles, PreferenceValues::recentCounts}}};
+
+QString filePath()
+{
+    return QString::fromStdString((configFolder() / "window.ini").string());
+}
+
+/// Why the file cannot be one of preferences; empty when it may be one, or is not there.
+QString damage(const QString& path)
+{
+    QFile file(path);
+    if (!file.exists()) return {};
+    if (!QFileInfo(path).isFile()) return Preferences::tr("it is no file");
+    if (file.size() > largestFile) return Preferences::tr("it is too large");
+    if (!file.open(QIODevice::ReadOnly)) return file.errorString();
+    // Everything of ours is words and numbers. These would have Qt make objects of bytes that anyone may have written.
+    const QByteArray bytes = file.read(largestFile + 1);
+    for (const char* maker : {"@Variant(", "@DateTime("})
+        if (bytes.contains(maker)) return Preferences::tr("it holds what no preference is");
+    if (bytes.contains('\0')) return Preferences::tr("it is no text");
+    const QSettings settings(path, QSettings::IniFormat);
+    (void)settings.allKeys();
+    return settings.status() == QSettings::FormatError ? Preferences::tr("it is not written as settings are")
+                                                       : QString();
+}
+
+template <typename Choice, std::size_t count>
+void readChoice(const QSettings& settings, const char* key, const std::array<const char*, count>& names, Choice& value,
+                QStringList& wrong)
+{
+    if (!settings.contains(QLatin1String(key))) return;
+    const QString saved = settings.value(QLatin1String(key)).toString();
+    for (std::size_t i = 0; i < count; ++i)
+        if (saved == QLatin1String(names[i])) {
+            value = static_cast<Choice>(i);
+            return;
+        }
+    wrong << QLatin1String(key);
+}
+
+void readNumber(const QSettings& settings, const NumberKey& key, PreferenceValues& values, QStringList& wrong)
+{
+    if (!settings.contains(QLatin1String(key.name))) return;
+    bool isNumber = false;
+    const int number = settings.value(QLatin1String(key.name)).toString().toInt(&isNumber);
+    if (isNumber && number >= key.range.least && number <= key.range.most)
+        values.*key.value = number;
+    else
+        wrong << QLatin1String(key.name);
+}
+
+bool isShortcut(const QString& text)
+{
+    if (text.size() > longestShortcut) return false;
+    const QKeySequence keys = QKeySequence::fromString(text, QKeySequence::PortableText);
+    for (int i = 0; i < keys.count(); ++i)
+        if (keys[static_cast<uint>(i)].key() == Qt::Key_unknown) return false;
+    return keys.count() == 1;
+}
+
+void readKeys(QSettings& settings, PreferenceValues& values, QStringList& wrong)
+{
+    settings.beginGroup(QStringLiteral("keys"));
+    for (const QString& id : settings.childKeys().mid(0, mostKeys)) {
+        QStringList shortcuts = settings.value(id).toStringList();
+        shortcuts.removeAll(QString());
+        const bool good =
+            shortcuts.size() <= mostShortcuts && std::all_of(shortcuts.begin(), shortcuts.end(), isShortcut);
+        if (good)
+            values.keys.insert(id, shortcuts);
+        else
+            wrong << QStringLiteral("keys/") + id.left(longestShortcut);
+    }
+    settings.endGroup();
+}
+
+PreferenceValues readFrom(const QString& path, QStringList& wrong)
+{
+    PreferenceValues values;
+    QSettings settings(path, QSettings::IniFormat);
+    readChoice(settings, "theme", themeNames, values.theme, wrong);
+    readChoice(settings, "motion", motionNames, values.motion, wrong);
+    for (const NumberKey& key : numberKeys) readNumber(settings, key, values, wrong);
+    if (settings.contains(QStringLiteral("invertedLook"))) {
+        const QString saved = settings.value(QStringLiteral("invertedLook")).toString();
+        values.invertedLook = saved == QLatin1String("true");
+        if (saved != QLatin1String("true") && saved != QLatin1String("false")) wrong << QStringLiteral("invertedLook");
+    }
+    readKeys(settings, values, wrong);
+    return values;
+}
+
+PreferenceValues within(PreferenceValues values)
+{
+    for (const NumberKey& key : numberKeys)
+        values.*key.value = std::clamp(values.*key.value, key.range.least, key.range.most);
+    return values;
+}
+
+}  // namespace
+
+Preferences::Preferences(QObject* parent) : QObject(parent)
+{
+    read();
+}
+
+void Preferences::read()
+{
+    const QString path = filePath();
+    if (const QString why = damage(path); !why.isEmpty()) {
+        const QString aside = path + QStringLiteral(".damaged");
+        QFile::remove(aside);
+        complaint_ =
+            QFile::rename(path, aside)
+                ? tr("The preferences in %1 could not be read: %2. They are the initial ones now, and the file "
+                     "was kept as %3.")
+                      .arg(path, why, aside)
+                : tr("The preferences in %1 could not be read: %2. They are the initial ones now.").arg(path, why);
+        return;
+    }
+    QStringList wrong;
+    values_ = readFrom(path, wrong);
+    if (wrong.isEmpty()) return;
+    constexpr int mostNamed = 5;
+    const QString names = wrong.mid(0, mostNamed).join(QStringLiteral(", ")) +
+                          (wrong.size() > mostNamed ? QStringLiteral(", …") : QString());
+    complaint_ = tr("Some preferences in %1 are not valid and are the initial ones now: %2. Edit > Preferences sets "
+                    "them anew.")
+                     .arg(path, names);
+}
+
+PreferenceValues Preferences::saved()
+{
+    QStringList ignored;
+    const QString path = filePath();
+    return damage(path).isEmpty() ? readFrom(path, ignored) : PreferenceValues();
+}
+
+void Preferences::set(PreferenceValues values)
+{
+    values = within(std::move(values));
+    if (values == values_) return;
+    const PreferenceValues before = std::exchange(values_, std::move(values));
+    write();
+    emit changed(before);
+    if (!failure_.isEmpty()) emit notWritten(failure_);
+}
+
+void Preferences::write()
+{
+    const QString path = filePath();
+    QDir().mkpath(QFileInfo(path).path());
+    QSettings settings(path, QSettings::IniFormat);
+    // What is initial is not written, so that a later version may have better initial values.
+    const PreferenceValues initial;
+    const auto keep = [&](const QString& key, const QVariant& value, bool differs) {
+        if (differs)
+            settings.setValue(key, value);
+        else
+            settings.remove(key);
+    };
+    keep(QStringLiteral("theme"), QLatin1String(themeNames[static_cast<std::size_t>(values_.theme)]),
+         values_.theme != initial.theme);
+    keep(QStringLiteral("motion"), QLatin1String(motionNames[static_cast<std::size_t>(values_.motion)]),
+         values_.motion != initial.motion);
+    for (const NumberKey& key : numberKeys)
+        keep(QLatin1String(key.name), values_.*key.value, values_.*key.value != initial.*key.value);
+    keep(QStringLiteral("invertedLook"), values_.invertedLook, values_.invertedLook);
+    settings.remove(QStringLiteral("keys"));
+    settings.beginGroup(QStringLiteral("keys"));
+    for (auto key = values_.keys.begin(); key != values_.keys.end(); ++key)
+        // An empty list would be written as one of Qt's objects.
+        settings.setValue(key.key(), key.value().isEmpty() ? QVariant(QString()) : QVariant(key.value()));
+    settings.endGroup();
+    settings.sync();
+    failure_ = settings.status() == QSettings::NoError
+                   ? QString()
+                   : tr("The preferences could not be written to %1. They hold until the program ends.").arg(path);
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_preferences.cpp"

@@ -1,0 +1,42 @@
+#include "ui/kit/spoken_plot.h"
+
+#include "ui/kit/theme.h"
+
+namespace vitrine::ui {
+
+SpokenPlot::SpokenPlot(QWidget* parent) : QCustomPlot(parent)
+{
+    setFocusPolicy(Qt::StrongFocus);
+}
+
+void SpokenPlot::setSentences(const QString& sentences)
+{
+    if (sentences == sentences_) return;
+    sentences_ = sentences;
+    tellText(*this);
+}
+
+void SpokenPlot::paintEvent(QPaintEvent* event)
+{
+    QCustomPlot::paintEvent(event);
+    if (!hasFocus()) return;
+    QPainter painter(this);
+    painter.setPen(theme().accent);
+    painter.drawRect(rect().adjusted(0, 0, -1, -1));
+}
+
+void SpokenPlot::focusInEvent(QFocusEvent* event)
+{
+    QCustomPlot::focusInEvent(event);
+    update();
+}
+
+void SpokenPlot::focusOutEvent(QFocusEvent* event)
+{
+    QCustomPlot::focusOutEvent(event);
+    update();
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_spoken_plot.cpp"

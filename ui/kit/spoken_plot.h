@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ui/kit/spoken.h"
+
+#include <qcustomplot.h>
+
+namespace vitrine::ui {
+
+/// A plot that says what it shows, takes the focus, so that it can be heard, and shows that it has it.
+class SpokenPlot : public QCustomPlot, public Spoken {
+    Q_OBJECT
+
+public:
+    explicit SpokenPlot(QWidget* parent = nullptr);
+
+    void setSentences(const QString&);
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
+    [[nodiscard]] QString spokenText() const override { return sentences_; }
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void focusInEvent(QFocusEvent*) override;
+    void focusOutEvent(QFocusEvent*) override;
+
+private:
+    QString sentences_;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,243 @@
+#include "ui/preferences/preferences_dialog.h"
+
+#include "ui/kit/language.h"
+#include "ui/kit/scroll_room.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/preferences/keys_page.h"
+#include "ui/viewport/draw_schedule.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::ui {
+
+PreferencesDialog::PreferencesDialog(Preferences& preferences, KeyBindings& keys, QWidget* parent)
+    : QDialog(parent), preferences_(preferences), tabs_(new QTabWidget(this))
+{
+    setAttribute(Qt::WA_DeleteOnClose);
+    setWindowTitle(tr("Preferences"));
+    tabs_->setAccessibleName(tr("Preferences"));
+    tabs_->setDocumentMode(true);
+    addWindowPage();
+    addPicturePage();
+    tabs_->addTab(new KeysPage(keys, this), tr("Keys"));
+    addFilesPage();
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter ends a number, nothing else.
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
+    buttons->setContentsMargins(8, 0, 8, 0);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 8);
+    layout->addWidget(tabs_, 1);
+    layout->addWidget(buttons);
+    connect(&preferences_, &Preferences::changed, this, &PreferencesDialog::showAll);
+    showAll();
+}
+
+QGridLayout* PreferencesDialog::page(const QString& title)
+{
+    auto* content = new QWidget;
+    auto* whole = new QVBoxLayout(content);
+    whole->setContentsMargins(16, 16, 16, 16);
+    auto* lines = new QGridLayout;
+    lines->setHorizontalSpacing(8);
+    lines->setVerticalSpacing(8);
+    lines->setColumnStretch(1, 1);
+    whole->addLayout(lines);
+    whole->addStretch(1);
+    tabs_->addTab(new ScrollRoom(content), title);
+    return lines;
+}
+
+void PreferencesDialog::addWindowPage()
+{
+    QGridLayout& lines = *page(tr("Window"));
+    addChoice(
+        lines, tr("Theme"),
+        tr("Colors of panels and dialogs. As the desktop also takes its wish for more contrast; high contrast is light "
+           "or dark as the desktop is."),
+        {{0, tr("As the desktop")}, {1, tr("Light")}, {2, tr("Dark")}, {3, tr("High contrast")}},
+        [](const PreferenceValues& values) { return static_cast<int>(values.theme); },
+        [](PreferenceValues& values, int choice) { values.theme = static_cast<ThemeChoice>(choice); });
+    addLanguage(lines);
+    addNumber(lines, tr("Size of type"), tr("Of all words in the window, as a share of the desktop's."), tr(" %"), 10,
+              PreferenceValues::typeSizes, &PreferenceValues::typeSize);
+    addChoice(
+        lines, tr("Motion"),
+        tr("Reduced: the camera cuts to where it would glide, panels do not slide, messages do not fade, and the "
+           "exhibits' clock stands still until you start it (Space in the picture) or press an exhibit's button. What "
+           "you do yourself, as walking and dragging, moves as ever."),
+        {{0, tr("As the desktop")}, {1, tr("Reduced")}, {2, tr("Full")}},
+        [](const PreferenceValues& values) { return static_cast<int>(values.motion); },
+        [](PreferenceValues& values, int choice) { values.motion = static_cast<MotionChoice>(choice); });
+}
+
+void PreferencesDialog::addPicturePage()
+{
+    QGridLayout& lines = *page(tr("Picture and mouse"));
+    const auto number = [](int PreferenceValues::*member) {
+        return std::pair([member](const PreferenceValues& values) { return values.*member; },
+                         [member](PreferenceValues& values, int value) { values.*member = value; });
+    };
+    Choices samples{{PreferenceValues::sampleLimits.initial, tr("As many as the hall says")}};
+    for (const int most : {64, 32, 16, 8, 4, 2, 1}) samples.emplace_back(most, tr("%n at most", nullptr, most));
+    const auto [samplesOf, setSamples] = number(&PreferenceValues::mostSamples);
+    addChoice(lines, tr("Samples at rest"),
+              tr("Per pixel of a picture in the window, once nothing moves: fewer are finished sooner and leave edges "
+                 "rougher. Exports, films and prints have numbers of their own."),
+              samples, samplesOf, setSamples);
+    Choices scales;
+    for (const double scale : DrawSchedule::scales) {
+        const int percent = static_cast<int>(std::lround(scale * 100));
+        scales.insert(scales.begin(), {percent, tr("%1 % at least").arg(percent)});
+    }
+    const auto [scaleOf, setScale] = number(&PreferenceValues::leastScale);
+    addChoice(
+        lines, tr("Resolution in motion"),
+        tr("Of the picture's own, while something moves: the higher, the sharper, and the fewer pictures a second "
+           "on a slow machine."),
+        scales, scaleOf, setScale);
+    addNumber(lines, tr("Speed of looking"), tr("How far dragging turns you, or takes you round an exhibit."), tr(" %"),
+              5, PreferenceValues::lookSpeeds, &PreferenceValues::lookSpeed);
+    addSwitch(lines, tr("Dragging down looks up"), tr("Turns the other way round when you drag up or down."),
+              &PreferenceValues::invertedLook);
+    addNumber(lines, tr("Speed of the wheel"), tr("How much nearer one step of the wheel takes you to an exhibit."),
+              tr(" %"), 5, PreferenceValues::wheelSpeeds, &PreferenceValues::wheelSpeed);
+}
+
+void PreferencesDialog::addFilesPage()
+{
+    QGridLayout& lines = *page(tr("Files"));
+    addNumber(lines, tr("Recent files"), tr("How many are kept in File > Open recent; 0 keeps none."), {}, 1,
+              PreferenceValues::recentCounts, &PreferenceValues::recentFiles);
+    auto* forget = new QPushButton(tr("Clear the list now"), this);
+    forget->setToolTip(tr("Forgets which files were opened; the files stay."));
+    forget->setAutoDefault(false);
+    connect(forget, &QPushButton::clicked, this, &PreferencesDialog::forgetRecentAsked);
+    lines.addWidget(forget, lines.rowCount(), 1, Qt::AlignLeft);
+}
+
+void PreferencesDialog::addLine(QGridLayout& lines, const QString& label, const QString& tip, QWidget& control,
+                                std::function<void(const PreferenceValues&)> show,
+                                std::function<bool(const PreferenceValues&)> differs,
+                                std::function<void(PreferenceValues&)> reset)
+{
+    const int row = lines.rowCount();
+    if (!label.isEmpty()) {
+        auto* words = new QLabel(label, this);
+        words->setBuddy(&control);
+        words->setToolTip(tip);
+        control.setAccessibleName(label);
+        lines.addWidget(words, row, 0);
+    }
+    control.setToolTip(tip);
+    control.setAccessibleDescription(tip);
+    control.setFocusPolicy(Qt::StrongFocus);
+    lines.addWidget(&control, row, 1);
+    auto* dot = new ResetDot(this);
+    dot->setAccessibleName(tr("Reset %1").arg(control.accessibleName()));
+    dot->setToolTip(dot->accessibleName());
+    lines.addWidget(dot, row, 2);
+    connect(dot, &QAbstractButton::clicked, this, [this, reset = std::move(reset)] { change(reset); });
+    shows_.push_back(
+        [&control, dot, show = std::move(show), differs = std::move(differs)](const PreferenceValues& values) {
+            const QSignalBlocker quiet(&control);
+            show(values);
+            dot->setDiffers(differs(values));
+        });
+}
+
+void PreferencesDialog::addChoice(QGridLayout& lines, const QString& label, const QString& tip, const Choices& choices,
+                                  std::function<int(const PreferenceValues&)> value,
+                                  std::function<void(PreferenceValues&, int)> set)
+{
+    auto* box = new QComboBox(this);
+    for (const auto& [number, words] : choices) box->addItem(words, number);
+    connect(box, &QComboBox::activated, this, [this, box, set](int index) {
+        change([&](PreferenceValues& values) { set(values, box->itemData(index).toInt()); });
+    });
+    const int initial = value(PreferenceValues());
+    addLine(
+        lines, label, tip, *box,
+        [box, value](const PreferenceValues& values) {
+            const int number = value(values);
+            // One that somebody wrote into the file by hand.
+            if (box->findData(number) < 0) box->addItem(QString::number(number), number);
+            box->setCurrentIndex(box->findData(number));
+        },
+        [value, initial](const PreferenceValues& values) { return value(values) != initial; },
+        [set, initial](PreferenceValues& values) { set(values, initial); });
+}
+
+void PreferencesDialog::addNumber(QGridLayout& lines, const QString& label, const QString& tip, const QString& unit,
+                                  int step, PreferenceRange range, int PreferenceValues::*member)
+{
+    auto* box = new QSpinBox(this);
+    box->setRange(range.least, range.most);
+    box->setSingleStep(step);
+    box->setSuffix(unit);
+    box->setKeyboardTracking(false);  // A number that is being typed is none yet.
+    connect(box, &QSpinBox::valueChanged, this,
+            [this, member](int value) { change([&](PreferenceValues& values) { values.*member = value; }); });
+    addLine(
+        lines, label, tip, *box, [box, member](const PreferenceValues& values) { box->setValue(values.*member); },
+        [member, range](const PreferenceValues& values) { return values.*member != range.initial; },
+        [member, range](PreferenceValues& values) { values.*member = range.initial; });
+}
+
+void PreferencesDialog::addSwitch(QGridLayout& lines, const QString& words, const QString& tip,
+                                  bool PreferenceValues::*member)
+{
+    auto* box = new QCheckBox(words, this);
+    box->setAccessibleName(words);
+    connect(box, &QCheckBox::clicked, this,
+            [this, member](bool on) { change([&](PreferenceValues& values) { values.*member = on; }); });
+    addLine(
+        lines, {}, tip, *box, [box, member](const PreferenceValues& values) { box->setChecked(values.*member); },
+        [member](const PreferenceValues& values) { return values.*member != PreferenceValues().*member; },
+        [member](PreferenceValues& values) { values.*member = PreferenceValues().*member; });
+}
+
+void PreferencesDialog::addLanguage(QGridLayout& lines)
+{
+    auto* box = new QComboBox(this);
+    box->addItem(tr("As the system"), QString());
+    for (const QString& code : languages()) box->addItem(nameOfLanguage(code), code);
+    const auto keep = [this](const QString& code) {
+        keepLanguage(code);
+        showAll();
+    };
+    connect(box, &QComboBox::activated, this, [box, keep](int index) { keep(box->itemData(index).toString()); });
+    addLine(
+        lines, tr("Language"),
+        tr("Of the window, from its next start. Files and the numbers in them stay as they are."), *box,
+        [box](const PreferenceValues&) { box->setCurrentIndex(std::max(box->findData(savedLanguage()), 0)); },
+        [](const PreferenceValues&) { return !savedLanguage().isEmpty(); }, [keep](PreferenceValues&) { keep({}); });
+}
+
+void PreferencesDialog::change(const std::function<void(PreferenceValues&)>& how)
+{
+    PreferenceValues values = preferences_.values();
+    how(values);
+    preferences_.set(values);
+}
+
+void PreferencesDialog::showAll()
+{
+    for (const auto& show : shows_) show(preferences_.values());
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_preferences_dialog.cpp"

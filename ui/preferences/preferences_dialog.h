@@ -1,0 +1,56 @@
+#pragma once
+
+#include "ui/kit/preferences.h"
+
+#include <QDialog>
+
+#include <functional>
+#include <utility>
+#include <vector>
+
+class QGridLayout;
+class QTabWidget;
+
+namespace vitrine::ui {
+
+class KeyBindings;
+
+/// Everything that the visitor prefers of the program, applied at once; each line has a dot that resets it.
+class PreferencesDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    /// Both must outlive it.
+    PreferencesDialog(Preferences&, KeyBindings&, QWidget* parent);
+
+signals:
+    void forgetRecentAsked();
+
+private:
+    using Choices = std::vector<std::pair<int, QString>>;
+
+    /// A page of lines, in a tab.
+    QGridLayout* page(const QString& title);
+    void addWindowPage();
+    void addPicturePage();
+    void addFilesPage();
+    void addChoice(QGridLayout&, const QString& label, const QString& tip, const Choices&,
+                   std::function<int(const PreferenceValues&)> value, std::function<void(PreferenceValues&, int)> set);
+    void addNumber(QGridLayout&, const QString& label, const QString& tip, const QString& unit, int step,
+                   PreferenceRange, int PreferenceValues::*);
+    void addSwitch(QGridLayout&, const QString& words, const QString& tip, bool PreferenceValues::*);
+    /// What the language menu offers; it is kept by itself.
+    void addLanguage(QGridLayout&);
+    /// Puts the label, the control and a dot into the next line.
+    void addLine(QGridLayout&, const QString& label, const QString& tip, QWidget& control,
+                 std::function<void(const PreferenceValues&)> show,
+                 std::function<bool(const PreferenceValues&)> differs, std::function<void(PreferenceValues&)> reset);
+    void change(const std::function<void(PreferenceValues&)>& how);
+    void showAll();
+
+    Preferences& preferences_;
+    QTabWidget* tabs_;
+    std::vector<std::function<void(const PreferenceValues&)>> shows_;
+};
+
+}  // namespace vitrine::ui

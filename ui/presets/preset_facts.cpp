@@ -1,0 +1,60 @@
+#include "ui/presets/preset_facts.h"
+
+#include "exhibits/framework/value_text.h"
+#include "ui/kit/language.h"
+#include "ui/kit/message_of.h"
+#include "ui/kit/text.h"
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QLocale>
+
+namespace vitrine::ui {
+namespace {
+
+QString wordsOf(const ParameterInfo& row, const Value& value)
+{
+    if (row.kind == Kind::toggle)
+        return std::get<double>(value) != 0 ? PresetPreview::tr("on") : PresetPreview::tr("off");
+    const QString unit = text(info(row.unit).symbol);
+    const QString shown = said(formatValue(row, value));
+    return unit.isEmpty() || !row.isNumeric() ? shown : shown + QLatin1Char(' ') + unit;
+}
+
+}  // namespace
+
+PresetFacts presetFacts(const PresetStore& store, const std::filesystem::path& path, const std::string& exhibit,
+                        const Parameters& table)
+{
+    PresetFacts facts;
+    const QString file = QString::fromStdString(path.string());
+    facts.name = QString::fromStdString(path.stem().string());
+    facts.picture.load(QString::fromStdString(PresetStore::thumbnailPath(path).string()));
+    try {
+        const StoredPreset stored = store.load(path, exhibit, table);
+        const Preset& preset = stored.preset;
+        if (!preset.name.empty()) facts.name = QString::fromStdString(preset.name);
+        facts.origin = stored.shipped
+                           ? PresetPreview::tr("Comes with the exhibit: can be duplicated, not changed.")
+                           : PresetPreview::tr("Yours, saved on %1.")
+                                 .arg(QLocale().toString(QFileInfo(file).lastModified(), QLocale::ShortFormat));
+        for (const std::string& tag : preset.tags) facts.tags << QString::fromStdString(tag);
+        const auto& rows = preset.values.rows();
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (preset.values.motion(i))
+                facts.differences << PresetPreview::tr("%1 moves").arg(said(label(rows[i])));
+            else if (!preset.values.isInitial(i))
+                facts.differences << PresetPreview::tr("%1: %2").arg(said(label(rows[i])),
+                                                                     wordsOf(rows[i], preset.values.row(i)));
+        }
+        // Rows that a file will give the table.
+        for (const auto& [name, json] : preset.values.pending())
+            facts.differences << PresetPreview::tr("%1: %2").arg(QString::fromStdString(name),
+                                                                 QString::fromStdString(json).trimmed());
+    } catch (const std::exception& thrown) {
+        facts.problem = messageOf(thrown);
+    }
+    return facts;
+}
+
+}  // namespace vitrine::ui

@@ -1,0 +1,366 @@
+#include "ui/study/kept_studies.h"
+
+#include "render/failure.h"
+#include "render/files/read_file.h"
+#include "ui/kit/language.h"
+#include "ui/kit/message_of.h"
+#include "ui/kit/name_dialog.h"
+#include "ui/kit/picture_file.h"
+#include "ui/kit/text.h"
+#include "ui/model/history.h"
+#include "ui/study/comparison_chart.h"
+#include "ui/study/comparison_dialog.h"
+#include "ui/study/study_chart.h"
+#include "ui/study/study_export.h"
+#include "ui/study/two_line_delegate.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDateTime>
+#include <QFileDialog>
+#include <QKeyEvent>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <exception>
+
+namespace vitrine::ui {
+namespace {
+
+constexpr int pathRole = Qt::UserRole;
+constexpr int mostCompared = 8;  // As many marks and colors as can be told apart.
+const QSize exportedChart(960, 600);
+
+QString words(const std::string& s)
+{
+    return QString::fromStdString(s);
+}
+
+/// "2026-11-25 01:43".
+QString dayAndMinute(const std::string& measured)
+{
+    return words(measured).left(16).replace(QLatin1Char('T'), QLatin1Char(' '));
+}
+
+}  // namespace
+
+KeptStudies::KeptStudies(Subjects subjects, History& history, StudyStore store, QWidget* parent)
+    : QWidget(parent), subjects_(subjects), history_(history), store_(std::move(store)), list_(new QListWidget(this)),
+      compare_(new QPushButton(tr("Compare"), this))
+{
+    list_->setAccessibleName(tr("Kept studies"));
+    list_->setAccessibleDescription(tr("Enter shows one, Space ticks it, F2 renames it, Delete deletes it."));
+    list_->setItemDelegate(new TwoLineDelegate(list_));
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setContextMenuPolicy(Qt::ActionsContextMenu);
+    list_->setMinimumWidth(180);
+    list_->installEventFilter(this);
+    auto* all = new QVBoxLayout(this);
+    all->setContentsMargins(0, 0, 0, 0);
+    all->setSpacing(4);
+    all->addWidget(list_, 1);
+    addButtons();
+    connect(list_, &QListWidget::itemActivated, this,
+            [this](QListWidgetItem* item) { show(item->data(pathRole).toString()); });
+    connect(list_, &QListWidget::itemChanged, this, &KeptStudies::noteTicks);
+    noteTicks();
+}
+
+void KeptStudies::addButtons()
+{
+    auto* row = new QHBoxLayout;
+    row->setSpacing(4);
+    compare_->setToolTip(tr("Shows the fronts of the ticked studies over each other, and how they differ."));
+    connect(compare_, &QPushButton::clicked, this, &KeptStudies::compare);
+    auto* open = new QPushButton(tr("Open…"), this);
+    open->setToolTip(tr("Keeps a copy of a study from elsewhere: the study.json of “vitrine study”."));
+    open->setAccessibleName(tr("Open a study"));
+    connect(open, &QPushButton::clicked, this, &KeptStudies::askForFile);
+    auto* more = new QToolButton(this);
+    more->setText(QStringLiteral("⋯"));
+    more->setAccessibleName(tr("More for kept studies"));
+    more->setToolTip(tr("Show, rename, delete, copy, save"));
+    more->setPopupMode(QToolButton::InstantPopup);
+    more->setFocusPolicy(Qt::StrongFocus);
+    more->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+    auto* menu = new QMenu(more);
+    const auto add = [&](const QString& text, void (KeptStudies::*work)()) {
+        QAction* action = menu->addAction(text);
+        connect(action, &QAction::triggered, this, work);
+        list_->addAction(action);
+    };
+    QAction* showIt = menu->addAction(tr("Show"));
+    connect(showIt, &QAction::triggered, this, [this] { show(selected()); });
+    list_->addAction(showIt);
+    add(tr("Rename…"), &KeptStudies::rename);
+    add(tr("Delete"), &KeptStudies::remove);
+    add(tr("Copy the ticked as a table"), &KeptStudies::copy);
+    add(tr("Save the ticked…"), &KeptStudies::save);
+    more->setMenu(menu);
+    row->addWidget(compare_, 1);
+    row->addWidget(open, 1);
+    row->addWidget(more);
+    for (QWidget* button : std::initializer_list<QWidget*>{compare_, open, more}) button->setFixedHeight(26);
+    static_cast<QVBoxLayout*>(layout())->addLayout(row);
+}
+
+void KeptStudies::trySafely(const std::function<void()>& work)
+{
+    try {
+        work();
+    } catch (const std::exception& thrown) {
+        emit failed(messageOf(thrown));
+    }
+}
+
+QString KeptStudies::titleOf(const KeptStudy& study) const
+{
+    if (!study.name.empty()) return words(study.name);
+    QString exhibit = words(study.exhibit);
+    for (const auto& subject : subjects_)
+        if (subject->name() == study.exhibit) exhibit = text(subject->title());
+    return study.parameters.size() > 2 ? tr("%1: all parameters").arg(exhibit)
+                                       : tr("%1: %2").arg(exhibit, words(study.parameterNames()));
+}
+
+QListWidgetItem* KeptStudies::itemFor(const StudyEntry& entry) const
+{
+    auto* item = new QListWidgetItem;
+    item->setData(pathRole, words(entry.path.string()));
+    if (!entry.problem.empty()) {
+        item->setText(words(entry.path.filename().string()));
+        item->setData(TwoLineDelegate::secondLine, tr("Cannot be opened"));
+        item->setToolTip(words(entry.problem));
+        return item;
+    }
+    const KeptStudy& study = entry.study;
+    item->setText(titleOf(study));
+    QStringList facts{dayAndMinute(study.measured),
+                      tr("%n point(s)", nullptr, static_cast<int>(study.measuredPoints())),
+                      study.complete ? QString() : tr("stopped early"), words(study.renderer)};
+    facts.removeAll(QString());
+    item->setData(TwoLineDelegate::secondLine, facts.join(QStringLiteral(" · ")));
+    QStringList lines{titleOf(study), tr("Exhibit: %1").arg(words(study.exhibit)),
+                      tr("Rows: %1").arg(words(study.parameterNames())), facts.join(QStringLiteral(" · ")),
+                      tr("%1 × %2 pixels, clock: %3").arg(study.size.x).arg(study.size.y).arg(words(study.clock))};
+    item->setToolTip(lines.join(QLatin1Char('\n')));
+    item->setData(Qt::AccessibleTextRole, titleOf(study) + QStringLiteral(", ") + facts.join(QStringLiteral(", ")));
+    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
+    item->setCheckState(Qt::Unchecked);
+    return item;
+}
+
+void KeptStudies::refresh()
+{
+    const QString current = selected();
+    const QSignalBlocker quiet(list_);
+    QStringList ticked;
+    for (int i = 0; i < list_->count(); ++i)
+        if (list_->item(i)->checkState() == Qt::Checked) ticked << list_->item(i)->data(pathRole).toString();
+    list_->clear();
+    for (const StudyEntry& entry : store_.list()) {
+        QListWidgetItem* item = itemFor(entry);
+        const QString path = item->data(pathRole).toString();
+        if (ticked.contains(path)) item->setCheckState(Qt::Checked);
+        list_->addItem(item);
+        if (path == current) list_->setCurrentItem(item);
+    }
+    if (!list_->currentItem()) list_->setCurrentRow(0);
+    noteTicks();
+}
+
+void KeptStudies::showEvent(QShowEvent* event)
+{
+    refresh();
+    QWidget::showEvent(event);
+}
+
+int KeptStudies::count() const
+{
+    return list_->count();
+}
+
+bool KeptStudies::eventFilter(QObject* object, QEvent* event)
+{
+    const bool asks = event->type() == QEvent::ShortcutOverride;
+    if (object == list_ && (asks || event->type() == QEvent::KeyPress)) {
+        const int key = static_cast<QKeyEvent*>(event)->key();
+        if (asks && key == Qt::Key_Space) {
+            event->accept();  // It ticks, and does not stop the clock.
+            return true;
+        }
+        if (key == Qt::Key_F2 || key == Qt::Key_Delete) {
+            event->accept();  // Not those of the window, which are of presets.
+            if (!asks) key == Qt::Key_F2 ? rename() : remove();
+            return true;
+        }
+        if (!asks && (key == Qt::Key_Return || key == Qt::Key_Enter)) {
+            show(selected());
+            return true;
+        }
+    }
+    return QWidget::eventFilter(object, event);
+}
+
+QString KeptStudies::selected() const
+{
+    const QListWidgetItem* item = list_->currentItem();
+    return item ? item->data(pathRole).toString() : QString();
+}
+
+QStringList KeptStudies::chosen() const
+{
+    QStringList paths;
+    for (int i = 0; i < list_->count(); ++i)
+        if (list_->item(i)->checkState() == Qt::Checked) paths << list_->item(i)->data(pathRole).toString();
+    if (paths.isEmpty() && !selected().isEmpty()) paths << selected();
+    return paths;
+}
+
+std::vector<KeptStudy> KeptStudies::chosenStudies() const
+{
+    std::vector<KeptStudy> studies;
+    for (const QString& path : chosen()) studies.push_back(readStudy(path.toStdString()));
+    return studies;
+}
+
+void KeptStudies::noteTicks()
+{
+    int ticked = 0;
+    for (int i = 0; i < list_->count(); ++i) ticked += list_->item(i)->checkState() == Qt::Checked ? 1 : 0;
+    compare_->setEnabled(ticked >= 2 && ticked <= mostCompared);
+    compare_->setText(ticked >= 2 ? tr("Compare %n", nullptr, ticked) : tr("Compare"));
+    compare_->setAccessibleName(tr("Compare the ticked studies"));
+}
+
+void KeptStudies::keep(render::Json study, bool complete)
+{
+    trySafely([&] {
+        const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-ddTHH:mm:ss"));
+        store_.keep(std::move(study), now.toStdString(), complete);
+    });
+    if (isVisible()) refresh();
+}
+
+void KeptStudies::show(const QString& path)
+{
+    if (path.isEmpty()) return;
+    trySafely([&] {
+        const std::string json = render::readFile(path.toStdString(), studyLimits.bytes);
+        emit showAsked(parseStudy(render::parseJson(json, path.toStdString(), studyLimits)), json);
+    });
+}
+
+void KeptStudies::askForFile()
+{
+    auto* dialog = new QFileDialog(window(), tr("Open a study"), QString(), tr("Studies (*.json)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setFileMode(QFileDialog::ExistingFile);
+    connect(dialog, &QFileDialog::fileSelected, this, &KeptStudies::openFile);
+    dialog->open();
+}
+
+void KeptStudies::openFile(const QString& path)
+{
+    trySafely([&] {
+        const QString kept = words(store_.add(path.toStdString()).front().string());
+        refresh();
+        for (int i = 0; i < list_->count(); ++i)
+            if (list_->item(i)->data(pathRole).toString() == kept) list_->setCurrentRow(i);
+        show(kept);
+    });
+}
+
+void KeptStudies::rename()
+{
+    const QString path = selected();
+    if (path.isEmpty()) return;
+    trySafely([&] {
+        const QString before = titleOf(readStudy(path.toStdString()));
+        auto* ask = new NameDialog(tr("Rename the study"), before, window());
+        connect(ask, &NameDialog::named, this, [this, path](const QString& name) {
+            trySafely([&] { store_.rename(path.toStdString(), name.toStdString()); });
+            refresh();
+        });
+        ask->openOver(*list_);
+    });
+}
+
+void KeptStudies::remove()
+{
+    const QString path = selected();
+    if (path.isEmpty()) return;
+    trySafely([&] {
+        // Fails here, before there is a step to undo, when the file may not be deleted.
+        const QString title = list_->currentItem()->text();
+        auto removed = std::make_shared<RemovedStudy>(store_.remove(path.toStdString()));
+        auto first = std::make_shared<bool>(true);
+        history_.record(
+            tr("Delete the study %1").arg(title),
+            [this, removed, first] {
+                if (!std::exchange(*first, false)) trySafely([&] { *removed = store_.remove(removed->original); });
+                refresh();
+            },
+            [this, removed] {
+                trySafely([&] { removed->original = store_.restore(*removed); });
+                refresh();
+            });
+    });
+}
+
+void KeptStudies::compare()
+{
+    trySafely([&] {
+        auto* dialog = new ComparisonDialog(chosenStudies(), window());
+        connect(dialog, &ComparisonDialog::failed, this, &KeptStudies::failed);
+        dialog->show();
+    });
+}
+
+QByteArray KeptStudies::exported(const QString& suffix) const
+{
+    const std::vector<KeptStudy> studies = chosenStudies();
+    if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(keptCsv(studies));
+    if (suffix == QLatin1String("json")) {
+        if (studies.size() == 1)
+            return QByteArray::fromStdString(render::readFile(chosen().front().toStdString(), studyLimits.bytes));
+        std::vector<render::Json> all;
+        for (const QString& path : chosen()) all.push_back(render::readJson(path.toStdString(), studyLimits).root());
+        return QByteArray::fromStdString(render::writeJson(studiesJson(all)));
+    }
+    std::unique_ptr<LogChart> chart;
+    if (studies.size() == 1) {
+        auto one = std::make_unique<StudyChart>();
+        one->setTitles(studyCostTitle(studies[0].cost), said(title(studies[0].metric)));
+        one->setPoints(chartPoints(studies[0]));
+        chart = std::move(one);
+    } else {
+        const std::vector<std::string> costs = sharedCosts(studies);
+        if (costs.empty())
+            throw Failure(Blame::check, "These studies share no count of work, so no chart can show them together.");
+        auto several = std::make_unique<ComparisonChart>();
+        several->setComparison(compareStudies(studies, labelsOf(studies), costs.front()));
+        chart = std::move(several);
+    }
+    return suffix == QLatin1String("svg") ? chart->svg(exportedChart) : pngOf(chart->picture(exportedChart, 2));
+}
+
+void KeptStudies::save()
+{
+    if (chosen().isEmpty()) return;
+    const QString why = askAndSaveStudy(this, [this](const QString& suffix) { return exported(suffix); });
+    if (!why.isEmpty()) emit failed(why);
+}
+
+void KeptStudies::copy()
+{
+    if (chosen().isEmpty()) return;
+    trySafely([&] { QApplication::clipboard()->setText(QString::fromUtf8(exported(QStringLiteral("csv")))); });
+}
+
+}  // namespace vitrine::ui
+
+#include "moc_kept_studies.cpp"
