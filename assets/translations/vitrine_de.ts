@@ -4,14 +4,8 @@
 <context>
     <name>vitrine</name>
     <message>
-        <source>
-first,other,setting of the first,cost,error,other's error at this cost,other's cost at this error,ratio of costs from,to,confidence,uncertain
-</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source> %</source>
-        <translation type="unfinished"></translation>
+        <translation> %</translation>
     </message>
     <message>
         <source> (allowed 1 to 175 degrees, in radians)</source>
@@ -127,7 +121,7 @@ first,other,setting of the first,cost,error,other's error at this cost,other's c
     </message>
     <message>
         <source>&quot;{1}&quot; is no metric; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{=1}“ ist kein Maß; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>&quot;{1}&quot; is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or frames/%04d.png.</source>
@@ -163,11 +157,11 @@ first,other,setting of the first,cost,error,other's error at this cost,other's c
     </message>
     <message>
         <source>&quot;{1}&quot; stands twice; take one away.</source>
-        <translation type="unfinished"></translation>
+        <translation>„{=1}“ steht zweimal da; entfernen Sie eines.</translation>
     </message>
     <message>
         <source>&quot;{1}&quot; was not taken: {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>„{=1}“ wurde nicht übernommen: {2}</translation>
     </message>
     <message>
         <source>#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.</source>
@@ -175,28 +169,28 @@ first,other,setting of the first,cost,error,other's error at this cost,other's c
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1 % %2</source>
         <comment>share of a setting, and its name</comment>
-        <translation type="unfinished"></translation>
+        <translation>%1 % %2</translation>
     </message>
     <message>
         <source>%1 % at least</source>
-        <translation type="unfinished"></translation>
+        <translation>mindestens %1 %</translation>
     </message>
     <message>
         <source>%1 % the setting</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % die Einstellung</translation>
     </message>
     <message>
         <source>%1 (%2 times)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2-mal)</translation>
     </message>
     <message>
         <source>%1 (%2 times; %3 to %4 with %5 % confidence)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2-mal; %3 bis %4 mit %5 % Konfidenz)</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -208,15 +202,15 @@ first,other,setting of the first,cost,error,other's error at this cost,other's c
     </message>
     <message>
         <source>%1 alone is for typing and for walking. Take it with Ctrl or Alt, or take a function key.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 allein ist zum Tippen und Gehen da. Nehmen Sie es mit Strg oder Alt, oder nehmen Sie eine Funktionstaste.</translation>
     </message>
     <message>
         <source>%1 B goes on following what is on show; drag the line between the two.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 B folgt weiter dem Gezeigten; ziehen Sie an der Linie zwischen beiden.</translation>
     </message>
     <message>
         <source>%1 belongs to “%2”. Take it from there?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gehört zu „%2“. Dort wegnehmen?</translation>
     </message>
     <message>
         <source>%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.</source>
@@ -232,7 +226,7 @@ first,other,setting of the first,cost,error,other's error at this cost,other's c
     </message>
     <message>
         <source>%1 comes with the exhibit. Duplicate it, and tag the copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 gehört zum Exponat. Duplizieren Sie es, und geben Sie der Kopie Tags.</translation>
     </message>
     <message>
         <source>%1 copy</source>
@@ -240,7 +234,7 @@ first,other,setting of the first,cost,error,other's error at this cost,other's c
     </message>
     <message>
         <source>%1 directions of %2 frames, each %3 × %4 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Richtungen zu %2 Frames, jeder %3 × %4 Pixel.</translation>
     </message>
     <message>
         <source>%1 dots : 1 px</source>
@@ -268,7 +262,7 @@ first,other,setting of the first,cost,error,other's error at this cost,other's c
     </message>
     <message>
         <source>%1 moves</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bewegt sich</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -284,18 +278,18 @@ first,other,setting of the first,cost,error,other's error at this cost,other's c
     </message>
     <message>
         <source>%1 of %2 are drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 sind gezeichnet.</translation>
     </message>
     <message numerus="yes">
         <source>%1 over %2, both logarithmic: %n points.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%1 über %2, beide logarithmisch: %n Punkt.</numerusform>
+            <numerusform>%1 über %2, beide logarithmisch: %n Punkte.</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 over %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 über %2.</translation>
     </message>
     <message>
         <source>%1 passes ran, %2 skipped</source>
@@ -303,7 +297,7 @@ first,other,setting of the first,cost,error,other's error at this cost,other's c
     </message>
     <message>
         <source>%1 per pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 pro Pixel</translation>
     </message>
     <message>
         <source>%1 pictures</source>
@@ -379,11 +373,11 @@ first,other,setting of the first,cost,error,other's error at this cost,other's c
     </message>
     <message>
         <source>%1 × %2 dots, seen around the one at %3, %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 Punkte, gesehen um den bei %3, %4.</translation>
     </message>
     <message>
         <source>%1 × %2 pixels, clock: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 × %2 Pixel, Uhr: %3</translation>
     </message>
     <message>
         <source>%1 × %2 px</source>
@@ -429,7 +423,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>%1. Its pictures were not kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1. Ihre Bilder wurden nicht aufbewahrt.</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -445,15 +439,15 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>%1: all parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: alle Parameter</translation>
     </message>
     <message>
         <source>%1: another metric, left out</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: anderes Maß, weggelassen</translation>
     </message>
     <message>
         <source>%1: from %2 at %3 to %4 at %5.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: von %2 bei %3 bis %4 bei %5.</translation>
     </message>
     <message>
         <source>%1: what does accuracy cost?</source>
@@ -461,7 +455,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>%1: what is on show, a preset, or a look that is kept there.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: das Gezeigte, ein Preset, oder ein dort gemerktes Aussehen.</translation>
     </message>
     <message>
         <source>%1; a part of them is shown here</source>
@@ -469,27 +463,27 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>%1; the references are not surer than that</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; sicherer sind die Referenzen nicht</translation>
     </message>
     <message numerus="yes">
         <source>%n at most</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>höchstens %n</numerusform>
+            <numerusform>höchstens %n</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n point(s)</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>%n preset(s) with this tag</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Preset mit diesem Tag</numerusform>
+            <numerusform>%n Presets mit diesem Tag</numerusform>
         </translation>
     </message>
     <message>
@@ -510,7 +504,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>&amp;Clear the list</source>
-        <translation type="unfinished"></translation>
+        <translation>Liste &amp;leeren</translation>
     </message>
     <message>
         <source>&amp;Commands…</source>
@@ -526,11 +520,11 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>&amp;Cost</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kosten</translation>
     </message>
     <message>
         <source>&amp;Draw anew</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu zeichnen</translation>
     </message>
     <message>
         <source>&amp;Duplicate preset</source>
@@ -570,7 +564,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>&amp;Go on from this</source>
-        <translation type="unfinished"></translation>
+        <translation>Von hier &amp;weiter</translation>
     </message>
     <message>
         <source>&amp;Help</source>
@@ -578,7 +572,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>&amp;High contrast</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoher &amp;Kontrast</translation>
     </message>
     <message>
         <source>&amp;Hold what is on show as B</source>
@@ -594,7 +588,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>&amp;Keyboard, mouse and gamepad</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tastatur, Maus und Gamepad</translation>
     </message>
     <message>
         <source>&amp;Language</source>
@@ -618,15 +612,15 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>&amp;Move panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedienfeld verschi&amp;eben</translation>
     </message>
     <message>
         <source>&amp;Narrower</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Schmaler</translation>
     </message>
     <message>
         <source>&amp;Next panel</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächstes Be&amp;dienfeld</translation>
     </message>
     <message>
         <source>&amp;Next step</source>
@@ -674,7 +668,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>&amp;Seed</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Startwert</translation>
     </message>
     <message>
         <source>&amp;Start its lesson</source>
@@ -686,11 +680,11 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>&amp;Tags of preset…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tags des Presets…</translation>
     </message>
     <message>
         <source>&amp;Taller</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Höher</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
@@ -718,7 +712,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>&amp;Wider</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Breiter</translation>
     </message>
     <message>
         <source>&amp;Wipe</source>
@@ -885,7 +879,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>100 %</source>
-        <translation type="unfinished"></translation>
+        <translation>100 %</translation>
     </message>
     <message>
         <source>100-3d</source>
@@ -1175,11 +1169,11 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A click makes a variation the look on show, as one undo step; so does Enter, and arrows go from one to another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Klick macht eine Variation zum gezeigten Aussehen, als ein Bearbeitungsschritt; die Eingabetaste tut dasselbe, und Pfeiltasten gehen von einer zur anderen.</translation>
     </message>
     <message>
         <source>A click makes one the look. Rows and groups that are locked in their menus stay as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Klick macht eine zum Aussehen. Zeilen und Gruppen, die in ihren Menüs gesperrt sind, bleiben, wie sie sind.</translation>
     </message>
     <message>
         <source>a combination needs two &quot;shapes&quot;</source>
@@ -1299,7 +1293,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A left of the line, at %1 %; right of it %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links der Linie A, bei %1 %; rechts davon %2.</translation>
     </message>
     <message>
         <source>A lens drawn out to points at start and end.</source>
@@ -1331,7 +1325,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>a mesh is on show in place of the field</source>
-        <translation type="unfinished"></translation>
+        <translation>anstelle des Felds wird ein Netz gezeigt</translation>
     </message>
     <message>
         <source>a name that ends in &quot;{1}&quot; does not fit the format {2}</source>
@@ -1379,7 +1373,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A on the left; on the right %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links A; rechts %1.</translation>
     </message>
     <message>
         <source>A page about the exhibit that you visit: its technique, figures, formulas, sources.</source>
@@ -1454,11 +1448,11 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A preset has at most {1} tags; these are {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Preset hat höchstens {1} Tags; es sind {2}</translation>
     </message>
     <message>
         <source>A preset is being read.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Preset wird gelesen.</translation>
     </message>
     <message>
         <source>A preset, a picture with one inside, a scene of shapes, a model or a panorama.</source>
@@ -1609,19 +1603,19 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>a tag has at least one character</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Tag hat mindestens ein Zeichen</translation>
     </message>
     <message>
         <source>a tag has at most {1} bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Tag hat höchstens {1} Bytes</translation>
     </message>
     <message>
         <source>a tag has neither commas nor control characters</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Tag enthält weder Kommas noch Steuerzeichen</translation>
     </message>
     <message>
         <source>a tag neither begins nor ends with a blank</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Tag beginnt und endet nicht mit einem Leerzeichen</translation>
     </message>
     <message>
         <source>a text</source>
@@ -1665,7 +1659,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A up to %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>A bis %1 %</translation>
     </message>
     <message>
         <source>a value changed</source>
@@ -1738,7 +1732,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>About the shortcut</source>
-        <translation type="unfinished"></translation>
+        <translation>Über das Tastenkürzel</translation>
     </message>
     <message>
         <source>About the y axis.</source>
@@ -1846,9 +1840,9 @@ Zeiten nach: %2.</translation>
     </message>
     <message numerus="yes">
         <source>all %n together</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n zusammen</numerusform>
+            <numerusform>alle %n zusammen</numerusform>
         </translation>
     </message>
     <message>
@@ -1865,11 +1859,11 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>All its rows are locked against varying.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle seine Zeilen sind gegen Variieren gesperrt.</translation>
     </message>
     <message>
         <source>all parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Parameter</translation>
     </message>
     <message>
         <source>All parameters together</source>
@@ -2018,9 +2012,9 @@ Zeiten nach: %2.</translation>
     </message>
     <message numerus="yes">
         <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
         </translation>
     </message>
     <message>
@@ -2096,7 +2090,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Another one gives nine others; the same one gives the same again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderer gibt neun andere; derselbe gibt wieder dieselben.</translation>
     </message>
     <message>
         <source>another tile is drawn</source>
@@ -2139,11 +2133,11 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Arrows go from one to another, Enter makes it the look.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiltasten gehen von einer zur anderen, Eingabe macht sie zum Aussehen.</translation>
     </message>
     <message>
         <source>Arrows go from point to point, Enter applies one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pfeiltasten gehen von Punkt zu Punkt, Eingabe wendet einen an.</translation>
     </message>
     <message>
         <source>as around it</source>
@@ -2177,7 +2171,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>As many as the hall says</source>
-        <translation type="unfinished"></translation>
+        <translation>So viele, wie die Halle sagt</translation>
     </message>
     <message>
         <source>As the &amp;desktop</source>
@@ -2189,7 +2183,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>As the desktop</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie der Desktop</translation>
     </message>
     <message>
         <source>as the look has it</source>
@@ -2451,7 +2445,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Beams of the light itself, wherever one looks, with the shadows of what hangs in them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Strahlen aus dem Licht selbst, wohin man auch schaut, mit den Schatten dessen, was in ihnen hängt.</translation>
     </message>
     <message>
         <source>because the new program does not build: {1}</source>
@@ -2491,7 +2485,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Between four settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen vier Einstellungen</translation>
     </message>
     <message>
         <source>Between the axis and the side.</source>
@@ -3456,7 +3450,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Cannot move {1} to {2}: {3}; check your permissions.</source>
-        <translation type="unfinished"></translation>
+        <translation>{=1} kann nicht nach {=2} verschoben werden: {3}; prüfen Sie Ihre Rechte.</translation>
     </message>
     <message>
         <source>Cannot open {1}, which {2}: it is not beside the program; install {3} or build Vitrine again.</source>
@@ -3612,11 +3606,11 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Change %1 of all together</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 aller zusammen ändern</translation>
     </message>
     <message>
         <source>Change it, as the arrows do</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihn ändern, wie die Pfeiltasten es tun</translation>
     </message>
     <message>
         <source>Change it; Shift ten times finer, Ctrl ten times coarser</source>
@@ -3724,7 +3718,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Choose a parameter</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Parameter wählen</translation>
     </message>
     <message>
         <source>Choose a parameter and measure it: its errors are those against its most exact value, its costs are work and time.</source>
@@ -3753,7 +3747,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Chosen: %1, error %2, cost %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gewählt: %1, Fehler %2, Kosten %3.</translation>
     </message>
     <message>
         <source>chunk number {1}</source>
@@ -3766,7 +3760,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Clear the list now</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Liste jetzt leeren</translation>
     </message>
     <message>
         <source>Click</source>
@@ -3956,7 +3950,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Colors of panels and dialogs. As the desktop also takes its wish for more contrast; high contrast is light or dark as the desktop is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben von Bedienfeldern und Dialogen. „Wie der Desktop“ übernimmt auch dessen Wunsch nach mehr Kontrast; hoher Kontrast ist hell oder dunkel, wie der Desktop es ist.</translation>
     </message>
     <message>
         <source>Comb</source>
@@ -3969,7 +3963,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Come nearer to the exhibit, or step back</source>
-        <translation type="unfinished"></translation>
+        <translation>Näher an das Exponat heran, oder zurück</translation>
     </message>
     <message>
         <source>Comes with the exhibit: can be duplicated, not changed.</source>
@@ -3977,7 +3971,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>Commands</source>
@@ -3985,7 +3979,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Commands and their shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehle und ihre Tastenkürzel</translation>
     </message>
     <message>
         <source>Compare</source>
@@ -3993,9 +3987,9 @@ Zeiten nach: %2.</translation>
     </message>
     <message numerus="yes">
         <source>Compare %n</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n vergleichen</numerusform>
+            <numerusform>%n vergleichen</numerusform>
         </translation>
     </message>
     <message>
@@ -4005,7 +3999,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Compare the ticked studies</source>
-        <translation type="unfinished"></translation>
+        <translation>Die angehakten Studien vergleichen</translation>
     </message>
     <message>
         <source>Compare with</source>
@@ -4014,27 +4008,27 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Compare with other beams or none, in the Compare menu.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Menü „Vergleich“ lässt sich mit anderen oder keinen Strahlen vergleichen.</translation>
     </message>
     <message>
         <source>Compare with “The rasterized mesh”, in the Compare menu.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Menü „Vergleich“ lässt sich mit „Das rasterisierte Netz“ vergleichen.</translation>
     </message>
     <message>
         <source>Compare with: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen mit: %1</translation>
     </message>
     <message>
         <source>compare-settings: give either a second setting or --with, not both.</source>
-        <translation type="unfinished"></translation>
+        <translation>compare-settings: Geben Sie entweder eine zweite Einstellung oder --with an, nicht beides.</translation>
     </message>
     <message>
         <source>compare-settings: name a second setting, or what A is compared --with.</source>
-        <translation type="unfinished"></translation>
+        <translation>compare-settings: Nennen Sie eine zweite Einstellung, oder mit --with, womit A verglichen wird.</translation>
     </message>
     <message>
         <source>Compared with</source>
-        <translation type="unfinished"></translation>
+        <translation>Verglichen mit</translation>
     </message>
     <message>
         <source>Comparison</source>
@@ -4129,7 +4123,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Copies points and differences as a table (CSV).</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopiert Punkte und Unterschiede als Tabelle (CSV).</translation>
     </message>
     <message>
         <source>Copies the selected preset to one of your own.</source>
@@ -4153,11 +4147,11 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Copy a group</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Gruppe kopieren</translation>
     </message>
     <message>
         <source>Copy a group to the others</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Gruppe in die anderen kopieren</translation>
     </message>
     <message>
         <source>Copy all &amp;to B</source>
@@ -4185,7 +4179,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Copy from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Von %1 kopieren</translation>
     </message>
     <message>
         <source>Copy from B: %1</source>
@@ -4197,7 +4191,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Copy the ticked as a table</source>
-        <translation type="unfinished"></translation>
+        <translation>Die angehakten als Tabelle kopieren</translation>
     </message>
     <message>
         <source>Copy this message</source>
@@ -4209,7 +4203,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Copy to the others</source>
-        <translation type="unfinished"></translation>
+        <translation>In die anderen kopieren</translation>
     </message>
     <message>
         <source>Copy value</source>
@@ -4265,11 +4259,11 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Cross left, right</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuz links, rechts</translation>
     </message>
     <message>
         <source>Cross up, down</source>
-        <translation type="unfinished"></translation>
+        <translation>Kreuz auf, ab</translation>
     </message>
     <message>
         <source>Cross-talk</source>
@@ -4294,7 +4288,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Ctrl and arrows</source>
-        <translation type="unfinished"></translation>
+        <translation>Strg und Pfeiltasten</translation>
     </message>
     <message>
         <source>cube map of the source</source>
@@ -4356,7 +4350,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>Dunkel</translation>
     </message>
     <message>
         <source>Darken the floor around what stands on it: without it, feet and plinths seem to float.</source>
@@ -4404,7 +4398,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Delete the study %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Studie %1 löschen</translation>
     </message>
     <message>
         <source>Deletes the selected preset; undo brings it back.</source>
@@ -4484,7 +4478,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschied</translation>
     </message>
     <message>
         <source>differences</source>
@@ -4634,7 +4628,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Drag the handle between the four corners: numbers go evenly or by factors, colors as they look, angles the shorter way; what has nothing between is that of the nearest corner. One drag is one undo step, Esc takes it back. Arrows move it, Shift finer, Ctrl coarser.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen Sie den Griff zwischen den vier Ecken: Zahlen gehen gleichmäßig oder um Faktoren, Farben nach ihrem Aussehen, Winkel den kürzeren Weg; was kein Dazwischen hat, ist das der nächsten Ecke. Ein Ziehen ist ein Bearbeitungsschritt, Esc nimmt es zurück. Pfeiltasten bewegen ihn, Umschalt feiner, Strg gröber.</translation>
     </message>
     <message>
         <source>Drag the label or the number</source>
@@ -4648,7 +4642,7 @@ Umschalt ist zehnmal feiner, Strg zehnmal gröber.</translation>
     </message>
     <message>
         <source>Drag the line; comma, period</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Linie ziehen; Komma, Punkt</translation>
     </message>
     <message>
         <source>Drag to the side to look from there, up and down to tilt; the arrows move by a degree, Shift by a tenth.
@@ -4658,11 +4652,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Drag; Ctrl and arrows</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziehen; Strg und Pfeiltasten</translation>
     </message>
     <message>
         <source>Dragging down looks up</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach unten ziehen schaut nach oben</translation>
     </message>
     <message>
         <source>Draw order</source>
@@ -4802,16 +4796,16 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message numerus="yes">
         <source>Edit all %n together</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Alle %n zusammen bearbeiten</numerusform>
+            <numerusform>Alle %n zusammen bearbeiten</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Edited together: a change here changes all %n groups.</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>Zusammen bearbeitet: Eine Änderung hier ändert %n Gruppe.</numerusform>
+            <numerusform>Zusammen bearbeitet: Eine Änderung hier ändert alle %n Gruppen.</numerusform>
         </translation>
     </message>
     <message>
@@ -4850,11 +4844,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe</translation>
     </message>
     <message>
         <source>Enter shows one, Space ticks it, F2 renames it, Delete deletes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eingabe zeigt eine, die Leertaste hakt sie an, F2 benennt sie um, Entf löscht sie.</translation>
     </message>
     <message>
         <source>Enter, Esc</source>
@@ -4903,7 +4897,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Errors over cost of several studies</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler über Kosten mehrerer Studien</translation>
     </message>
     <message>
         <source>evaluated</source>
@@ -4944,11 +4938,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Everything has its initial value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles hat seinen Ausgangswert.</translation>
     </message>
     <message>
         <source>Everything stays as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles bleibt, wie es war.</translation>
     </message>
     <message>
         <source>Everything that is set here, as JSON.</source>
@@ -4965,7 +4959,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Exhibit: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Exponat: %1</translation>
     </message>
     <message>
         <source>Exhibitions (*.json)</source>
@@ -4982,7 +4976,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Explore</source>
-        <translation type="unfinished"></translation>
+        <translation>Erkunden</translation>
     </message>
     <message>
         <source>Export</source>
@@ -5002,7 +4996,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Export le&amp;nticular print…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Linsendruck exportieren…</translation>
     </message>
     <message>
         <source>Export lenticular print</source>
@@ -5022,7 +5016,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Export spr&amp;ites…</source>
-        <translation type="unfinished"></translation>
+        <translation>Sp&amp;rites exportieren…</translation>
     </message>
     <message>
         <source>Export sprites</source>
@@ -5058,7 +5052,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>F6, Shift+F6</source>
-        <translation type="unfinished"></translation>
+        <translation>F6, Umschalt+F6</translation>
     </message>
     <message>
         <source>Face</source>
@@ -5102,7 +5096,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Field evaluations of every pixel, black to white: “Heat scale” says how many are white.</source>
-        <translation type="unfinished"></translation>
+        <translation>Feldauswertungen jedes Pixels, von Schwarz bis Weiß: „Heatmap-Skala“ sagt, wie viele weiß sind.</translation>
     </message>
     <message>
         <source>Field noise</source>
@@ -5119,7 +5113,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Files</source>
-        <translation type="unfinished"></translation>
+        <translation>Dateien</translation>
     </message>
     <message>
         <source>files</source>
@@ -5186,7 +5180,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Fit</source>
-        <translation type="unfinished"></translation>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Fit depth</source>
@@ -5277,7 +5271,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Fold or unfold %1; a right click, or the dots at its end, offers more.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 auf- oder zuklappen; ein Rechtsklick, oder die Punkte am Ende, bieten mehr.</translation>
     </message>
     <message>
         <source>Folder with views</source>
@@ -5340,7 +5334,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Forgets which files were opened; the files stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergisst, welche Dateien geöffnet wurden; die Dateien bleiben.</translation>
     </message>
     <message>
         <source>Format</source>
@@ -5478,7 +5472,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>From the picture to the next panel, and on to the one before</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Bild zum nächsten Bedienfeld, und zu dem davor</translation>
     </message>
     <message>
         <source>from the side</source>
@@ -5521,7 +5515,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Full</source>
-        <translation type="unfinished"></translation>
+        <translation>Voll</translation>
     </message>
     <message>
         <source>full</source>
@@ -5544,7 +5538,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Gathered in screen space</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Bildraum gesammelt</translation>
     </message>
     <message>
         <source>GGX</source>
@@ -5553,7 +5547,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Gives all commands their usual shortcuts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt allen Befehlen ihre üblichen Tastenkürzel.</translation>
     </message>
     <message>
         <source>Gives all parameters in the panel other values within their comfortable ranges, but for files, accuracy and locked rows (see their menus); one undo brings yours back.</source>
@@ -5565,15 +5559,15 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Gives the command its usual shortcuts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt dem Befehl seine üblichen Tastenkürzel.</translation>
     </message>
     <message>
         <source>Gives the focus to the next part of the window: the picture, the panels, the clock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt den Fokus dem nächsten Teil des Fensters: dem Bild, den Bedienfeldern, der Uhr.</translation>
     </message>
     <message>
         <source>Gives the focus to the part of the window before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt den Fokus dem Teil des Fensters davor.</translation>
     </message>
     <message>
         <source>Gives the selected preset another name.</source>
@@ -5581,7 +5575,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Gives the selected preset words by which it is found.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gibt dem gewählten Preset Wörter, nach denen es zu finden ist.</translation>
     </message>
     <message>
         <source>glass</source>
@@ -5796,7 +5790,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Handles of the selected shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Griffe der gewählten Form</translation>
     </message>
     <message>
         <source>Hangings</source>
@@ -5891,7 +5885,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>High contrast</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoher Kontrast</translation>
     </message>
     <message>
         <source>Highlight</source>
@@ -6039,7 +6033,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How far dragging turns you, or takes you round an exhibit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit Ziehen Sie dreht, oder um ein Exponat herumführt.</translation>
     </message>
     <message>
         <source>How far from the origin of the noise the picture is: ten thousand kilometers off, it is as sharp as at home.</source>
@@ -6249,7 +6243,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How many are kept in File &gt; Open recent; 0 keeps none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele unter Datei &gt; Zuletzt geöffnet bleiben; 0 behält keine.</translation>
     </message>
     <message>
         <source>How many cells a further noise moves the first ones by: 0 leaves them, high folds and swirls.</source>
@@ -6324,7 +6318,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How much nearer one step of the wheel takes you to an exhibit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel näher ein Schritt des Mausrads an ein Exponat heranführt.</translation>
     </message>
     <message>
         <source>How much of all this is seen: 0 keeps every strand upright.</source>
@@ -6490,7 +6484,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How the other studies stand to the first</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie die anderen Studien zur ersten stehen</translation>
     </message>
     <message>
         <source>How the scene is lit.</source>
@@ -6549,7 +6543,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Hue %1 degrees, saturation %2 %, brightness %3 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbton %1 Grad, Sättigung %2 %, Helligkeit %3 %.</translation>
     </message>
     <message>
         <source>ICC profile</source>
@@ -6576,7 +6570,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>In dialogs and menus</source>
-        <translation type="unfinished"></translation>
+        <translation>In Dialogen und Menüs</translation>
     </message>
     <message>
         <source>In linear light.</source>
@@ -6620,7 +6614,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>In the tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Baum</translation>
     </message>
     <message>
         <source>in view</source>
@@ -6765,7 +6759,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>it holds what no preference is</source>
-        <translation type="unfinished"></translation>
+        <translation>sie enthält, was keine Einstellung ist</translation>
     </message>
     <message>
         <source>it is a deep picture; flatten it first</source>
@@ -6821,11 +6815,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>it is no file</source>
-        <translation type="unfinished"></translation>
+        <translation>sie ist keine Datei</translation>
     </message>
     <message>
         <source>it is no text</source>
-        <translation type="unfinished"></translation>
+        <translation>sie ist kein Text</translation>
     </message>
     <message>
         <source>it is not a PNG, JPEG, TIFF, OpenEXR or HDR picture</source>
@@ -6845,11 +6839,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>it is not written as settings are</source>
-        <translation type="unfinished"></translation>
+        <translation>sie ist nicht so geschrieben, wie Einstellungen es sind</translation>
     </message>
     <message>
         <source>it is too large</source>
-        <translation type="unfinished"></translation>
+        <translation>sie ist zu groß</translation>
     </message>
     <message>
         <source>it is too short for a GLB container</source>
@@ -6949,7 +6943,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Its error</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihr Fehler</translation>
     </message>
     <message>
         <source>its first chunk is not JSON</source>
@@ -7011,7 +7005,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Its outline is nearly good, its reflections break at every edge: “Tessellation” says how many there are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sein Umriss ist fast gut, seine Spiegelungen brechen an jeder Kante: „Tessellierung“ sagt, wie viele es gibt.</translation>
     </message>
     <message>
         <source>its own</source>
@@ -7020,7 +7014,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Its pictures were not kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Bilder wurden nicht aufbewahrt.</translation>
     </message>
     <message>
         <source>its pixels are of an unknown kind</source>
@@ -7137,7 +7131,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Keep what is on show here</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gezeigte hier merken</translation>
     </message>
     <message>
         <source>keeping its permissions</source>
@@ -7145,7 +7139,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Keeps a copy of a study from elsewhere: the study.json of “vitrine study”.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewahrt eine Kopie einer Studie von anderswo auf: die study.json von „vitrine study“.</translation>
     </message>
     <message>
         <source>Keeps where you are, in place of what was kept there.</source>
@@ -7153,15 +7147,15 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Kept</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufbewahrt</translation>
     </message>
     <message>
         <source>Kept studies</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufbewahrte Studien</translation>
     </message>
     <message>
         <source>Kept: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufbewahrt: %1.</translation>
     </message>
     <message>
         <source>key of {1}</source>
@@ -7169,11 +7163,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Keyboard, mouse and gamepad</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastatur, Maus und Gamepad</translation>
     </message>
     <message>
         <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -7186,7 +7180,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>L&amp;ower</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Niedriger</translation>
     </message>
     <message>
         <source>Lacunarity</source>
@@ -7267,7 +7261,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Leave it</source>
-        <translation type="unfinished"></translation>
+        <translation>Dort lassen</translation>
     </message>
     <message>
         <source>Leave the exhibit and walk on</source>
@@ -7279,7 +7273,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Leaves nothing but the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lässt nur das Bild übrig.</translation>
     </message>
     <message>
         <source>Ledger</source>
@@ -7295,7 +7289,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Left of the line the setting, right of it the reference; arrows move the line, Enter opens a large view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links der Linie die Einstellung, rechts die Referenz; Pfeiltasten bewegen die Linie, Eingabe öffnet eine große Ansicht.</translation>
     </message>
     <message>
         <source>Left of the line the setting, right of it the reference; arrows move the line.</source>
@@ -7304,7 +7298,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Left of the line: the setting. Right of it: the reference. Beside it: where they differ.
 A double click, or Enter, opens them large, to zoom into.</source>
-        <translation type="unfinished"></translation>
+        <translation>Links der Linie: die Einstellung. Rechts davon: die Referenz. Daneben: wo sie sich unterscheiden.
+Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</translation>
     </message>
     <message>
         <source>Left out.</source>
@@ -7312,7 +7307,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Left stick</source>
-        <translation type="unfinished"></translation>
+        <translation>Linker Stick</translation>
     </message>
     <message>
         <source>Length</source>
@@ -7708,7 +7703,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Lower left corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecke unten links</translation>
     </message>
     <message>
         <source>Lower lobes</source>
@@ -7737,7 +7732,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Lower right corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecke unten rechts</translation>
     </message>
     <message>
         <source>Lower tilt</source>
@@ -7790,7 +7785,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Makes the marked variation the look, and draws the next nine around it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Macht die markierte Variation zum Aussehen und zeichnet die nächsten neun um sie herum.</translation>
     </message>
     <message>
         <source>March</source>
@@ -7808,7 +7803,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Marched through the air</source>
-        <translation type="unfinished"></translation>
+        <translation>Durch die Luft abgeschritten</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -7909,11 +7904,11 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Menu of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Menü von %1</translation>
     </message>
     <message>
         <source>mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Netz</translation>
     </message>
     <message>
         <source>Mesh {1} has a normal map but no texture coordinates.</source>
@@ -7976,7 +7971,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>milliseconds of a picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Millisekunden eines Bildes</translation>
     </message>
     <message>
         <source>Milliseconds that a skipped step took when it last ran. “Run everything” measures them all.</source>
@@ -8052,7 +8047,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>More for kept studies</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr zu aufbewahrten Studien</translation>
     </message>
     <message>
         <source>More for presets</source>
@@ -8073,7 +8068,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegung</translation>
     </message>
     <message>
         <source>Motion blur</source>
@@ -8098,7 +8093,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Move between four settings</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwischen vier Einstellungen bewegen</translation>
     </message>
     <message>
         <source>Move on</source>
@@ -8111,7 +8106,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Move the node: up, down, out of its parent, into the one above</source>
-        <translation type="unfinished"></translation>
+        <translation>Den Knoten verschieben: auf, ab, aus seinem Elternknoten, in den darüber</translation>
     </message>
     <message>
         <source>Move the wipe</source>
@@ -8199,15 +8194,15 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>New shortcut</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Tastenkürzel</translation>
     </message>
     <message>
         <source>New shortcut for “%1”; usually %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Tastenkürzel für „%1“; üblich ist %2.</translation>
     </message>
     <message>
         <source>New shortcut for “%1”; usually it has none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neues Tastenkürzel für „%1“; üblich ist keines.</translation>
     </message>
     <message>
         <source>Next ▸</source>
@@ -8215,11 +8210,11 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>night, water</source>
-        <translation type="unfinished"></translation>
+        <translation>Nacht, Wasser</translation>
     </message>
     <message>
         <source>Nine variations</source>
-        <translation type="unfinished"></translation>
+        <translation>Neun Variationen</translation>
     </message>
     <message>
         <source>nlerp</source>
@@ -8232,7 +8227,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>No beams</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Strahlen</translation>
     </message>
     <message>
         <source>no bounce is asked for</source>
@@ -8324,7 +8319,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>No preset has these words and tags.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Preset hat diese Wörter und Tags.</translation>
     </message>
     <message>
         <source>no ray is followed that the water mirrors</source>
@@ -8405,7 +8400,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>None</source>
-        <translation type="unfinished"></translation>
+        <translation>Keines</translation>
     </message>
     <message>
         <source>none</source>
@@ -8464,11 +8459,11 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Not all files say on which machine they were measured, so their times cannot be compared: their work is, which counts the same anywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht alle Dateien sagen, auf welchem Rechner sie gemessen wurden, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
     <message>
         <source>Not all settings were timed: their work is compared, which counts the same anywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht bei allen Einstellungen wurde die Zeit gemessen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
     <message>
         <source>Not at all</source>
@@ -8504,7 +8499,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Nothing is drawn yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist nichts gezeichnet.</translation>
     </message>
     <message>
         <source>nothing is made of glass</source>
@@ -8512,7 +8507,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Nothing is measured yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch ist nichts gemessen.</translation>
     </message>
     <message>
         <source>nothing measurable</source>
@@ -8532,11 +8527,11 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>nothing so cheap was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts so Billiges wurde gemessen</translation>
     </message>
     <message>
         <source>nothing so exact was measured</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts so Genaues wurde gemessen</translation>
     </message>
     <message>
         <source>Nothing to look at yet</source>
@@ -8674,7 +8669,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Of all words in the window, as a share of the desktop's.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aller Wörter im Fenster, als Anteil der des Desktops.</translation>
     </message>
     <message>
         <source>Of candies and sprinkles.</source>
@@ -8999,7 +8994,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Of the picture's own, while something moves: the higher, the sharper, and the fewer pictures a second on a slow machine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der des Bildes, während sich etwas bewegt: Je höher, desto schärfer, und desto weniger Bilder pro Sekunde auf einem langsamen Rechner.</translation>
     </message>
     <message>
         <source>Of the picture: a factor of all light; not as in the source.</source>
@@ -9211,7 +9206,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>on show in place of the field</source>
-        <translation type="unfinished"></translation>
+        <translation>anstelle des Felds gezeigt</translation>
     </message>
     <message>
         <source>Once more, behind it.</source>
@@ -9358,7 +9353,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Open a study</source>
-        <translation type="unfinished"></translation>
+        <translation>Studie öffnen</translation>
     </message>
     <message>
         <source>Open as B</source>
@@ -9406,7 +9401,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen…</translation>
     </message>
     <message>
         <source>Orbit</source>
@@ -9448,7 +9443,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Other than initial:</source>
-        <translation type="unfinished"></translation>
+        <translation>Anders als am Ausgang:</translation>
     </message>
     <message>
         <source>Our own is shown in its place until it can be read.</source>
@@ -9671,7 +9666,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Per pixel of a picture in the window, once nothing moves: fewer are finished sooner and leave edges rougher. Exports, films and prints have numbers of their own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pro Pixel eines Bildes im Fenster, sobald sich nichts bewegt: Wenige sind eher fertig und lassen Kanten rauer. Exporte, Filme und Drucke haben eigene Zahlen.</translation>
     </message>
     <message>
         <source>Period</source>
@@ -9721,7 +9716,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Picture and mouse</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild und Maus</translation>
     </message>
     <message>
         <source>Picture and reference</source>
@@ -9754,7 +9749,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Pictures of the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Bilder der Studie</translation>
     </message>
     <message>
         <source>Pictures…</source>
@@ -9779,7 +9774,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Pixel %1, %2: setting %3; reference %4; error %5</source>
-        <translation type="unfinished"></translation>
+        <translation>Pixel %1, %2: Einstellung %3; Referenz %4; Fehler %5</translation>
     </message>
     <message>
         <source>Pixel Art</source>
@@ -9853,7 +9848,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Plus and minus zoom, 0 fits, 1 shows pixel for pixel, arrows move, Ctrl with an arrow moves the line of the wipe.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plus und Minus zoomen, 0 passt ein, 1 zeigt Pixel für Pixel, Pfeiltasten verschieben, Strg mit einer Pfeiltaste bewegt die Linie der Wischblende.</translation>
     </message>
     <message>
         <source>PNG (*.png)</source>
@@ -9893,15 +9888,15 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Pre&amp;ferences…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einstellungen…</translation>
     </message>
     <message>
         <source>Pre&amp;vious panel</source>
-        <translation type="unfinished"></translation>
+        <translation>V&amp;origes Bedienfeld</translation>
     </message>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Prefilter</source>
@@ -9910,7 +9905,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Present: %1, error %2, cost %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt: %1, Fehler %2, Kosten %3.</translation>
     </message>
     <message>
         <source>Presets</source>
@@ -9930,11 +9925,11 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Press the keys that the command shall have.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drücken Sie die Tasten, die der Befehl haben soll.</translation>
     </message>
     <message>
         <source>Press the red button</source>
-        <translation type="unfinished"></translation>
+        <translation>Den roten Knopf drücken</translation>
     </message>
     <message>
         <source>Press the red button you look at, or that of the exhibit you visit</source>
@@ -9946,7 +9941,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Preview of a preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorschau eines Presets</translation>
     </message>
     <message>
         <source>Print</source>
@@ -10210,11 +10205,11 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Recent files</source>
-        <translation type="unfinished"></translation>
+        <translation>Zuletzt geöffnete Dateien</translation>
     </message>
     <message>
         <source>Recor&amp;d…</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Aufnehmen…</translation>
     </message>
     <message>
         <source>Record</source>
@@ -10230,15 +10225,15 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Reduced</source>
-        <translation type="unfinished"></translation>
+        <translation>Reduziert</translation>
     </message>
     <message>
         <source>Reduced: the camera cuts to where it would glide, panels do not slide, messages do not fade, and the exhibits' clock stands still until you start it (Space in the picture) or press an exhibit's button. What you do yourself, as walking and dragging, moves as ever.</source>
-        <translation type="unfinished"></translation>
+        <translation>Reduziert: Die Kamera springt, wohin sie gleiten würde, Bedienfelder gleiten nicht, Meldungen blenden nicht aus, und die Uhr der Exponate steht, bis Sie sie starten (Leertaste im Bild) oder den Knopf eines Exponats drücken. Was Sie selbst tun, wie Gehen und Ziehen, bewegt sich wie immer.</translation>
     </message>
     <message>
         <source>Reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>reference of {1}</source>
@@ -10303,15 +10298,15 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Rename the study</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Studie umbenennen</translation>
     </message>
     <message>
         <source>Rename, tags, duplicate, delete, import, export</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbenennen, Tags, duplizieren, löschen, importieren, exportieren</translation>
     </message>
     <message>
         <source>Rename…</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbenennen…</translation>
     </message>
     <message>
         <source>Render again</source>
@@ -10349,7 +10344,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Reset</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurücksetzen</translation>
     </message>
     <message>
         <source>Reset %1</source>
@@ -10361,7 +10356,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Reset all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle zurücksetzen</translation>
     </message>
     <message>
         <source>Reset to %1</source>
@@ -10373,7 +10368,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Resolution in motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Auflösung in Bewegung</translation>
     </message>
     <message>
         <source>Resolution scale</source>
@@ -10463,7 +10458,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Right stick</source>
-        <translation type="unfinished"></translation>
+        <translation>Rechter Stick</translation>
     </message>
     <message>
         <source>Right view</source>
@@ -10663,7 +10658,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Rows: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeilen: %1</translation>
     </message>
     <message>
         <source>Run everything</source>
@@ -10679,7 +10674,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>S&amp;trength</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;tärke</translation>
     </message>
     <message>
         <source>sample {1} of {2}</source>
@@ -10696,7 +10691,7 @@ A double click, or Enter, opens them large, to zoom into.</source>
     </message>
     <message>
         <source>Samples at rest</source>
-        <translation type="unfinished"></translation>
+        <translation>Samples in Ruhe</translation>
     </message>
     <message>
         <source>Samples between</source>
@@ -10815,7 +10810,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Save the ticked…</source>
-        <translation type="unfinished"></translation>
+        <translation>Die angehakten speichern…</translation>
     </message>
     <message>
         <source>Saved</source>
@@ -10847,7 +10842,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Saves the comparison as a table (CSV) or JSON, or the chart as PNG or SVG.</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichert den Vergleich als Tabelle (CSV) oder JSON, oder das Diagramm als PNG oder SVG.</translation>
     </message>
     <message>
         <source>Saves the numbers below as a sheet of your own.</source>
@@ -10978,7 +10973,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Set two bookmarks at least: one where you stand, then another elsewhere (Bookmarks menu).</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzen Sie mindestens zwei Lesezeichen: eines, wo Sie stehen, dann ein anderes anderswo (Menü „Lesezeichen“).</translation>
     </message>
     <message>
         <source>Set what the study found</source>
@@ -10986,15 +10981,15 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Setting</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellung</translation>
     </message>
     <message>
         <source>Setting and reference in one place, with a line between them to drag</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellung und Referenz an einer Stelle, mit einer Linie dazwischen zum Ziehen</translation>
     </message>
     <message>
         <source>Setting of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellung von %1</translation>
     </message>
     <message>
         <source>setting {1}, {2}</source>
@@ -11002,11 +10997,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Setting | reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellung | Referenz</translation>
     </message>
     <message>
         <source>Setting, reference and difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellung, Referenz und Unterschied</translation>
     </message>
     <message>
         <source>Settings (*.json)</source>
@@ -11163,7 +11158,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shortcut</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
         <source>Shortcuts</source>
@@ -11171,11 +11166,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shortcuts are one stroke long here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastenkürzel sind hier nur einen Anschlag lang.</translation>
     </message>
     <message>
         <source>Shoulders</source>
-        <translation type="unfinished"></translation>
+        <translation>Schultertasten</translation>
     </message>
     <message>
         <source>Show</source>
@@ -11204,7 +11199,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Show all of it (0)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles davon zeigen (0)</translation>
     </message>
     <message>
         <source>Show box</source>
@@ -11217,7 +11212,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Show pixel for pixel (1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pixel für Pixel zeigen (1)</translation>
     </message>
     <message>
         <source>Show the file in its folder</source>
@@ -11225,15 +11220,15 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Show the kept studies</source>
-        <translation type="unfinished"></translation>
+        <translation>Die aufbewahrten Studien zeigen</translation>
     </message>
     <message>
         <source>Show, rename, delete, copy, save</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigen, umbenennen, löschen, kopieren, speichern</translation>
     </message>
     <message>
         <source>Shown as</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigt als</translation>
     </message>
     <message>
         <source>Shows B in place of A. Holding the key B in the picture does the same.</source>
@@ -11241,11 +11236,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shows only commands whose name or shortcut contains these words.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt nur Befehle, deren Name oder Tastenkürzel diese Wörter enthält.</translation>
     </message>
     <message>
         <source>Shows only parameters whose name, group, help or choices contain these words. Enter goes to the first, Esc clears, Esc again leaves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt nur Parameter, deren Name, Gruppe, Hilfe oder Auswahl diese Wörter enthält. Eingabe geht zum ersten, Esc leert das Feld, noch einmal Esc verlässt es.</translation>
     </message>
     <message>
         <source>Shows only parameters whose value is not the initial one.</source>
@@ -11253,7 +11248,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shows only presets whose name or tags contain these words, or which are “yours”. Enter loads the first, Esc clears.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt nur Presets, deren Name oder Tags diese Wörter enthalten, oder die „eigene“ sind. Eingabe lädt das erste, Esc leert das Feld.</translation>
     </message>
     <message>
         <source>Shows or hides this panel.</source>
@@ -11261,11 +11256,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shows the fronts of the ticked studies over each other, and how they differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt die Fronten der angehakten Studien übereinander, und worin sie sich unterscheiden.</translation>
     </message>
     <message>
         <source>Shows the studies that were kept: to look at again, compare, rename, delete, open and save.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeigt die aufbewahrten Studien: zum Wiederansehen, Vergleichen, Umbenennen, Löschen, Öffnen und Speichern.</translation>
     </message>
     <message>
         <source>Shows them so long after a jump and stops the clock there; 0 lets the button and the clock decide.</source>
@@ -11353,7 +11348,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Size of type</source>
-        <translation type="unfinished"></translation>
+        <translation>Schriftgröße</translation>
     </message>
     <message>
         <source>skewed, from above</source>
@@ -11458,11 +11453,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Some preferences in %1 are not valid and are the initial ones now: %2. Edit &gt; Preferences sets them anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einige Programmeinstellungen in %1 sind ungültig und haben jetzt ihre Ausgangswerte: %2. Bearbeiten &gt; Einstellungen setzt sie neu.</translation>
     </message>
     <message>
         <source>Some were measured in the hall and some alone, so their times cannot be compared: their work is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einige wurden in der Halle gemessen und einige allein, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit.</translation>
     </message>
     <message>
         <source>something else stands on the floor</source>
@@ -11499,7 +11494,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Space opens a large preview.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Leertaste öffnet eine große Vorschau.</translation>
     </message>
     <message>
         <source>Spacing</source>
@@ -11526,11 +11521,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Speed of looking</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo beim Umschauen</translation>
     </message>
     <message>
         <source>Speed of the wheel</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo des Mausrads</translation>
     </message>
     <message>
         <source>Spin</source>
@@ -11765,7 +11760,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Stop and start the exhibits' clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Uhr der Exponate anhalten und starten</translation>
     </message>
     <message>
         <source>Stop here</source>
@@ -11777,7 +11772,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>stopped early</source>
-        <translation type="unfinished"></translation>
+        <translation>vorzeitig angehalten</translation>
     </message>
     <message>
         <source>Stopping</source>
@@ -11862,11 +11857,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Studies (*.json)</source>
-        <translation type="unfinished"></translation>
+        <translation>Studien (*.json)</translation>
     </message>
     <message>
         <source>Studies compared</source>
-        <translation type="unfinished"></translation>
+        <translation>Verglichene Studien</translation>
     </message>
     <message>
         <source>Study</source>
@@ -11979,27 +11974,27 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Tag %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Tag %1</translation>
     </message>
     <message>
         <source>Tag a preset</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset mit Tags versehen</translation>
     </message>
     <message>
         <source>Tags</source>
-        <translation type="unfinished"></translation>
+        <translation>Tags</translation>
     </message>
     <message>
         <source>Tags of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Tags von %1</translation>
     </message>
     <message>
         <source>Tags, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>Tags, durch Kommas getrennt</translation>
     </message>
     <message>
         <source>Tags: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Tags: %1</translation>
     </message>
     <message>
         <source>Take %1</source>
@@ -12007,7 +12002,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Take it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wegnehmen</translation>
     </message>
     <message>
         <source>Take the file's</source>
@@ -12015,11 +12010,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Take variation %1 of nine %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Variation %1 von neun übernehmen %2</translation>
     </message>
     <message>
         <source>Takes all shortcuts from the command.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nimmt dem Befehl alle Tastenkürzel.</translation>
     </message>
     <message>
         <source>Takes it out of the tree, with all that is in it.</source>
@@ -12212,7 +12207,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>The check mark shows or hides it. Drag it, or press Ctrl and the arrows, to reorder; F2 renames.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Häkchen blendet ein oder aus. Ziehen, oder Strg mit den Pfeiltasten, ordnet um; F2 benennt um.</translation>
     </message>
     <message>
         <source>the child is so wide that {1} copies would be asked at every point; make it smaller or its copies fewer or farther apart</source>
@@ -12253,11 +12248,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>The cross moves, A presses, B closes</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Kreuz bewegt, A drückt, B schließt</translation>
     </message>
     <message>
         <source>The curve</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kurve</translation>
     </message>
     <message>
         <source>the cut leaves nothing; raise it above -radius</source>
@@ -12316,7 +12311,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>the field is on show</source>
-        <translation type="unfinished"></translation>
+        <translation>das Feld wird gezeigt</translation>
     </message>
     <message>
         <source>the field of view changed</source>
@@ -12329,7 +12324,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The field, marched ray by ray, or a mesh of the same object, rasterized.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Feld, Strahl für Strahl abgeschritten, oder ein rasterisiertes Netz desselben Objekts.</translation>
     </message>
     <message>
         <source>the file cannot be shown without {1}, which is not supported; export it without that.</source>
@@ -12438,7 +12433,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The hall in clear air: all else is what beams and dust make of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Halle in klarer Luft: Alles andere ist, was Strahlen und Staub aus ihr machen.</translation>
     </message>
     <message>
         <source>the hall is around the visitor</source>
@@ -12459,7 +12454,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The heat map goes from 0 to %1 (%2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Heatmap geht von 0 bis %1 (%2).</translation>
     </message>
     <message>
         <source>the height</source>
@@ -12496,7 +12491,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The kept look</source>
-        <translation type="unfinished"></translation>
+        <translation>Das gemerkte Aussehen</translation>
     </message>
     <message>
         <source>the key &quot;{1}&quot; is missing; add it.</source>
@@ -12504,11 +12499,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>the key &quot;{1}&quot; is missing; it is no study that Vitrine wrote.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Schlüssel „{=1}“ fehlt; das ist keine Studie, die Vitrine geschrieben hat.</translation>
     </message>
     <message>
         <source>The knee: %1, error %2, cost %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Knie: %1, Fehler %2, Kosten %3.</translation>
     </message>
     <message>
         <source>the lamps are switched off</source>
@@ -12544,7 +12539,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The marched field</source>
-        <translation type="unfinished"></translation>
+        <translation>Das abgeschrittene Feld</translation>
     </message>
     <message>
         <source>the mask is made of the occluders</source>
@@ -12561,7 +12556,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>the median is not in this interval; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>der Median liegt nicht in diesem Intervall; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>The mesh is not closed or no manifold ({1} edges, {2} vertices, {3} triangles); nothing was written. Give a slightly different --cell.</source>
@@ -12619,7 +12614,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The object itself, ray by ray, beside what stands in its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Objekt selbst, Strahl für Strahl, neben dem, was an seiner Stelle steht.</translation>
     </message>
     <message>
         <source>The occlusion method of the right half.</source>
@@ -12633,7 +12628,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The other command loses it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der andere Befehl verliert es.</translation>
     </message>
     <message>
         <source>The other edge.</source>
@@ -12645,11 +12640,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The other's cost at this error</source>
-        <translation type="unfinished"></translation>
+        <translation>Kosten der anderen bei diesem Fehler</translation>
     </message>
     <message>
         <source>The other's error at this cost</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler der anderen bei diesen Kosten</translation>
     </message>
     <message>
         <source>the overlay is on</source>
@@ -12710,7 +12705,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The picture. W A S D walk, Ctrl and the arrows look around, Enter visits.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild. W A S D gehen, Strg mit den Pfeiltasten schaut sich um, Eingabe besucht.</translation>
     </message>
     <message>
         <source>the pictures together are larger than {1} bytes; simplify the model.</source>
@@ -12722,15 +12717,15 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The preferences could not be written to %1. They hold until the program ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Programmeinstellungen konnten nicht in %1 geschrieben werden. Sie gelten, bis das Programm endet.</translation>
     </message>
     <message>
         <source>The preferences in %1 could not be read: %2. They are the initial ones now, and the file was kept as %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie haben jetzt ihre Ausgangswerte, und die Datei wurde als %3 aufbewahrt.</translation>
     </message>
     <message>
         <source>The preferences in %1 could not be read: %2. They are the initial ones now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie haben jetzt ihre Ausgangswerte.</translation>
     </message>
     <message>
         <source>The preset that is selected in the list becomes B.</source>
@@ -12766,7 +12761,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The rasterized mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Das rasterisierte Netz</translation>
     </message>
     <message>
         <source>The red button of the exhibit that you look at; E does the same while the picture has the focus.</source>
@@ -12819,7 +12814,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The same with what is in the middle of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Dasselbe mit dem, was in der Mitte des Bildes ist</translation>
     </message>
     <message>
         <source>The scene as it was edited here, as JSON: what is not in its file yet. Reset gives it up.</source>
@@ -12951,7 +12946,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>the study</source>
-        <translation type="unfinished"></translation>
+        <translation>die Studie</translation>
     </message>
     <message>
         <source>the sun does not reach it through window or oculus</source>
@@ -13145,15 +13140,15 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Their pictures are of different sizes, so their times cannot be compared: their work per pixel is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Bilder sind verschieden groß, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit pro Pixel.</translation>
     </message>
     <message>
         <source>Theme</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbschema</translation>
     </message>
     <message>
         <source>Theme, size of type, motion, mouse, what a picture may cost, keys, recent files.</source>
-        <translation type="unfinished"></translation>
+        <translation>Farbschema, Schriftgröße, Bewegung, Maus, was ein Bild kosten darf, Tasten, zuletzt geöffnete Dateien.</translation>
     </message>
     <message>
         <source>there are more than 16 lights; leave some out</source>
@@ -13237,7 +13232,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>There is no bookmark %1 yet: Bookmarks &gt; Set bookmark %1 makes one of where you are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Lesezeichen %1 gibt es noch nicht: Lesezeichen &gt; Lesezeichen %1 setzen macht eines von dort, wo Sie sind.</translation>
     </message>
     <message>
         <source>There is no exhibit &quot;{1}&quot;; `vitrine list` names them.</source>
@@ -13249,7 +13244,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>There is no exhibit “%1” here, so its numbers are shown, but cannot be applied.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Exponat „%1“ gibt es hier nicht, daher werden seine Zahlen gezeigt, lassen sich aber nicht anwenden.</translation>
     </message>
     <message>
         <source>There is no folder for temporary files ({1}); let TMPDIR name one that you may write to.</source>
@@ -13281,15 +13276,15 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>there is no parameter; it is no study that Vitrine wrote.</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Parameter; das ist keine Studie, die Vitrine geschrieben hat.</translation>
     </message>
     <message>
         <source>there is no point; nothing was measured.</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keinen Punkt; nichts wurde gemessen.</translation>
     </message>
     <message>
         <source>There is no print yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch keinen Druck.</translation>
     </message>
     <message>
         <source>There is no quilt; choose a picture with a grid of views.</source>
@@ -13301,7 +13296,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>There is no row “%1” now, so its numbers are shown, but cannot be applied.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Zeile „%1“ gibt es jetzt nicht, daher werden ihre Zahlen gezeigt, lassen sich aber nicht anwenden.</translation>
     </message>
     <message>
         <source>There is no sheet &quot;{1}&quot;; choose one of the list.</source>
@@ -13317,7 +13312,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>there is no study; choose another file.</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Studie; wählen Sie eine andere Datei.</translation>
     </message>
     <message>
         <source>there is no such buffer.</source>
@@ -13337,7 +13332,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>there is no view; it is no study that Vitrine wrote.</source>
-        <translation type="unfinished"></translation>
+        <translation>es gibt keine Ansicht; das ist keine Studie, die Vitrine geschrieben hat.</translation>
     </message>
     <message>
         <source>there is not enough memory for fins</source>
@@ -13353,15 +13348,15 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>these are more than {1} tags; take some away.</source>
-        <translation type="unfinished"></translation>
+        <translation>das sind mehr als {1} Tags; entfernen Sie einige.</translation>
     </message>
     <message>
         <source>these are more than {1}; take some away.</source>
-        <translation type="unfinished"></translation>
+        <translation>das sind mehr als {1}; entfernen Sie einige.</translation>
     </message>
     <message>
         <source>these are too many; take some away.</source>
-        <translation type="unfinished"></translation>
+        <translation>das sind zu viele; entfernen Sie einige.</translation>
     </message>
     <message>
         <source>These are: %1.</source>
@@ -13373,11 +13368,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>These studies share no count of work that tells their settings apart{1}; measure them by the same counter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Studien haben keinen gemeinsamen Zählwert der Arbeit, der ihre Einstellungen unterscheidet{1}; messen Sie sie mit demselben Zähler.</translation>
     </message>
     <message>
         <source>These vary an older look, or under other locks. Draw anew varies this one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese variieren ein älteres Aussehen, oder mit anderen Sperren. „Neu zeichnen“ variiert dieses.</translation>
     </message>
     <message>
         <source>they fill the gaps between shells seen from the side</source>
@@ -13385,7 +13380,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>They share no count of work that tells their settings apart, so there is nothing to compare them by.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie haben keinen gemeinsamen Zählwert der Arbeit, der ihre Einstellungen unterscheidet, daher gibt es nichts, wonach sie sich vergleichen lassen.</translation>
     </message>
     <message>
         <source>they stand on something</source>
@@ -13393,11 +13388,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>They were measured on different machines, so their times cannot be compared: their work is, which counts the same anywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wurden auf verschiedenen Rechnern gemessen, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
     <message>
         <source>They were timed by different clocks, so their times cannot be compared: their work is, which counts the same anywhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Zeiten wurden mit verschiedenen Uhren gemessen, daher lassen sie sich nicht vergleichen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -13493,7 +13488,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>this is no study; choose a file that `vitrine study` wrote.</source>
-        <translation type="unfinished"></translation>
+        <translation>das ist keine Studie; wählen Sie eine Datei, die `vitrine study` geschrieben hat.</translation>
     </message>
     <message>
         <source>this is not a finite number</source>
@@ -13589,7 +13584,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>this must be a whole number from {1} to {2}; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>hier muss eine ganze Zahl von {1} bis {2} stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be a whole number, not {1}</source>
@@ -13605,7 +13600,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>this must be an array of texts; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>hier muss ein Array von Texten stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be an array of {1} numbers</source>
@@ -13613,7 +13608,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>this must be an array; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>hier muss ein Array stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be an array; export the file again.</source>
@@ -13633,19 +13628,19 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>this must be an object; it is no study that Vitrine wrote.</source>
-        <translation type="unfinished"></translation>
+        <translation>hier muss ein Objekt stehen; das ist keine Studie, die Vitrine geschrieben hat.</translation>
     </message>
     <message>
         <source>this must be at most 1; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>hier muss höchstens 1 stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be from 0 to 1e15; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>hier muss ein Wert von 0 bis 1e15 stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be like 2026-11-25T01:43:23; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>hier muss etwas wie 2026-11-25T01:43:23 stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be text; correct it there.</source>
@@ -13665,11 +13660,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>this must be two numbers; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>hier müssen zwei Zahlen stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be width and height; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>hier müssen Breite und Höhe stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be {1}</source>
@@ -13757,7 +13752,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>This setting was not applied: its value of “%1” is none that the row takes now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Einstellung wurde nicht angewendet: Ihren Wert von „%1“ nimmt die Zeile jetzt nicht an.</translation>
     </message>
     <message>
         <source>This sheet is made for flips, and its lenses stand upright: each eye sees another picture. For a flip, lay them across (direction 90°).</source>
@@ -13781,7 +13776,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>This study was not kept: those with names in {1} take all the room that there is; delete one of them, or save this one elsewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Studie wurde nicht aufbewahrt: Die benannten in {=1} nehmen allen Platz ein, den es gibt; löschen Sie eine davon, oder speichern Sie diese anderswo.</translation>
     </message>
     <message>
         <source>this text is longer than {1} bytes; shorten it.</source>
@@ -13801,7 +13796,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>this was written by a newer Vitrine; open it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>das wurde von einem neueren Vitrine geschrieben; öffnen Sie es dort.</translation>
     </message>
     <message>
         <source>Three colors from the ground up.</source>
@@ -13888,15 +13883,15 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>To the &amp;bottom</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach &amp;unten</translation>
     </message>
     <message>
         <source>To the &amp;left</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach &amp;links</translation>
     </message>
     <message>
         <source>To the &amp;right</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach &amp;rechts</translation>
     </message>
     <message>
         <source>to the cell's wall</source>
@@ -13981,7 +13976,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Triggers</source>
-        <translation type="unfinished"></translation>
+        <translation>Trigger</translation>
     </message>
     <message>
         <source>Trimmed</source>
@@ -14101,7 +14096,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Turns the other way round when you drag up or down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dreht andersherum, wenn Sie nach oben oder unten ziehen.</translation>
     </message>
     <message>
         <source>Turns the panorama around the vertical.</source>
@@ -14235,7 +14230,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Upper left corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecke oben links</translation>
     </message>
     <message>
         <source>Upper lobes</source>
@@ -14264,7 +14259,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Upper right corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Ecke oben rechts</translation>
     </message>
     <message>
         <source>Upper tilt</source>
@@ -14297,27 +14292,27 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Values of the pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte des Pixels</translation>
     </message>
     <message>
         <source>Variation %1 is on show.</source>
-        <translation type="unfinished"></translation>
+        <translation>Variation %1 wird gezeigt.</translation>
     </message>
     <message>
         <source>Variation %1, seed %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Variation %1, Startwert %2</translation>
     </message>
     <message>
         <source>Variation %1, seed %2, not drawn yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Variation %1, Startwert %2, noch nicht gezeichnet</translation>
     </message>
     <message>
         <source>Variation %1, seed %2, on show</source>
-        <translation type="unfinished"></translation>
+        <translation>Variation %1, Startwert %2, wird gezeigt</translation>
     </message>
     <message>
         <source>Varies the look that is on show now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Variiert das Aussehen, das jetzt gezeigt wird.</translation>
     </message>
     <message>
         <source>Vary at random, seed %1</source>
@@ -14338,7 +14333,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>view %1: %2 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht %1: %2 %</translation>
     </message>
     <message>
         <source>View width</source>
@@ -14402,11 +14397,11 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
     </message>
     <message>
         <source>Visit the exhibit before, or the next one</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Exponat davor besuchen, oder das nächste</translation>
     </message>
     <message>
         <source>Visit what is in the middle of the picture, or press its button</source>
-        <translation type="unfinished"></translation>
+        <translation>Besuchen, was in der Mitte des Bildes ist, oder dessen Knopf drücken</translation>
     </message>
     <message>
         <source>Visitor's object</source>
@@ -14500,7 +14495,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Walk until the sun leaves the picture: these beams fade, because what is not seen cannot shine.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehen Sie, bis die Sonne das Bild verlässt: Diese Strahlen verblassen, denn was nicht zu sehen ist, kann nicht scheinen.</translation>
     </message>
     <message>
         <source>Walk; Shift runs</source>
@@ -14508,7 +14503,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Walk; the right trigger, or pressing the stick, runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehen; der rechte Trigger, oder ein Druck auf den Stick, läuft</translation>
     </message>
     <message>
         <source>Walks you through the exhibit that you visit, step by step.</source>
@@ -14602,7 +14597,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What costs are counted in</source>
-        <translation type="unfinished"></translation>
+        <translation>Worin Kosten gezählt werden</translation>
     </message>
     <message>
         <source>What counts as exact is not checked: {1}</source>
@@ -14628,7 +14623,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What each ray costs</source>
-        <translation type="unfinished"></translation>
+        <translation>Was jeder Strahl kostet</translation>
     </message>
     <message>
         <source>What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells where they are seen at an angle, or a march from shell to shell.</source>
@@ -14676,7 +14671,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What is on show</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gezeigte</translation>
     </message>
     <message>
         <source>What is on show becomes as B is; one undo brings it back.</source>
@@ -14817,7 +14812,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Wheel, + and −</source>
-        <translation type="unfinished"></translation>
+        <translation>Mausrad, + und −</translation>
     </message>
     <message>
         <source>Where an eye that flips between A and B sees a difference: black none, white a large one.</source>
@@ -15124,7 +15119,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Window</source>
-        <translation type="unfinished"></translation>
+        <translation>Fenster</translation>
     </message>
     <message>
         <source>window ahead</source>
@@ -15136,7 +15131,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Wipe between setting and reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Wischblende zwischen Einstellung und Referenz</translation>
     </message>
     <message>
         <source>With --order reverse the depth of rendered views is inside out.</source>
@@ -15144,7 +15139,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>With a gamepad</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit einem Gamepad</translation>
     </message>
     <message>
         <source>with its border it has more than 2147483647 pixels on a side</source>
@@ -15258,19 +15253,19 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>You look at %1, from %2 m away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie sehen %1 an, aus %2 m Entfernung.</translation>
     </message>
     <message>
         <source>You walk through the hall and look at %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie gehen durch die Halle und sehen %1 an.</translation>
     </message>
     <message>
         <source>You walk through the hall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie gehen durch die Halle.</translation>
     </message>
     <message>
         <source>You walk through the hall. Before you: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie gehen durch die Halle. Vor Ihnen: %1.</translation>
     </message>
     <message>
         <source>Your bookmarks are kept for this session only: %1</source>
@@ -15294,7 +15289,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Yours, saved on %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigenes, gespeichert am %1.</translation>
     </message>
     <message>
         <source>Z</source>
@@ -15311,11 +15306,11 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Zoom in (+)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergrößern (+)</translation>
     </message>
     <message>
         <source>Zoom out (-)</source>
-        <translation type="unfinished"></translation>
+        <translation>Verkleinern (-)</translation>
     </message>
     <message>
         <source>zstd</source>
@@ -15356,7 +15351,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>{1} and {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{1} und {2}</translation>
     </message>
     <message>
         <source>{1} belongs to another version; </source>
@@ -15404,7 +15399,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>{1} is no parameter any more: {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{=1} ist kein Parameter mehr: {2}</translation>
     </message>
     <message>
         <source>{1} is no {2}</source>
@@ -15496,11 +15491,11 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>{1} offers no comparison &quot;{2}&quot;; choose one of {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{=1} bietet keinen Vergleich „{=2}“; wählen Sie einen von {=3}.</translation>
     </message>
     <message>
         <source>{1} offers no comparisons; name two settings.</source>
-        <translation type="unfinished"></translation>
+        <translation>{=1} bietet keine Vergleiche; nennen Sie zwei Einstellungen.</translation>
     </message>
     <message>
         <source>{1} places had no outward side and were given one</source>
@@ -15644,7 +15639,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>{1}; correct it there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{1}; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>{1}; did you mean &quot;</source>
@@ -15672,7 +15667,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>“%1” is on show already: both sides are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ wird bereits gezeigt: Beide Seiten sind gleich.</translation>
     </message>
     <message>
         <source>“{1}” is above {2}</source>
