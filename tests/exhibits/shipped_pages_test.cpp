@@ -83,8 +83,9 @@ TEST(ShippedPages, SaySomethingElseThanTheEnglishOnesInUtf8)
             std::string all;
             for (std::size_t i = 0; i < std::min(english.size(), other.size()); ++i) {
                 all += other[i] + '\n';
-                if (english[i].starts_with("<p>") || english[i].starts_with("<h"))
+                if (english[i].starts_with("<p>") || english[i].starts_with("<h")) {
                     EXPECT_NE(other[i], english[i]) << language << '/' << page << ", line " << i + 1;
+                }
             }
             EXPECT_EQ(test::faultOfText(all), "") << language << '/' << page;
         }
