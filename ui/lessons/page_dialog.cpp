@@ -77,6 +77,8 @@ void PageDialog::follow(const QUrl& link)
         emit lessonAsked(link.path());
     else if (link.scheme().startsWith(QLatin1String("http")))
         QDesktopServices::openUrl(link);
+    else if (link.isRelative() && link.path().endsWith(QLatin1String(".html")))
+        showPage(QFileInfo(link.path()).baseName());  // In the language in use, even from a page that is not.
     else
         browser_->setSource(browser_->source().resolved(link));
 }

@@ -4,6 +4,7 @@
 #include "exhibits/hall/hall_table.h"
 #include "render/files/assets.h"
 #include "render/files/read_file.h"
+#include "render/text/translation.h"
 
 #include "tests/exhibits/translated_text.h"
 
@@ -118,6 +119,19 @@ TEST_F(ShippedLessons, AreTheSameStepsInEveryLanguage)
             }
         }
     }
+}
+
+TEST_F(ShippedLessons, AreTakenInTheLanguageInUseElseInEnglish)
+{
+    const std::filesystem::path english = shippedLesson("fur");
+    EXPECT_EQ(english, render::asset("lessons/fur.md"));
+    setLanguage("de", nullptr);
+    const std::filesystem::path german = shippedLesson("fur");
+    setLanguage("xx", nullptr);
+    const std::filesystem::path unknown = shippedLesson("fur");
+    setLanguage("en", nullptr);
+    EXPECT_EQ(german, render::asset("lessons/de/fur.md"));
+    EXPECT_EQ(unknown, english);
 }
 
 TEST_F(ShippedLessons, BelongToAnExhibitAndAreUtf8InEveryLanguage)

@@ -2,6 +2,7 @@
 
 #include "exhibits/exhibits.h"
 #include "render/files/assets.h"
+#include "ui/kit/language.h"
 #include "ui/kit/message_strip.h"
 #include "ui/lessons/lesson_bar.h"
 #include "ui/lessons/lesson_desk.h"
@@ -70,7 +71,11 @@ class LessonWindowTest : public test::OpenWindow {
 private slots:
     void initTestCase() { prepare(); }
     void init() { start(); }
-    void cleanup() { finish(); }
+    void cleanup()
+    {
+        finish();
+        speak(QStringLiteral("en"));
+    }
 
     void aLessonIsWalkedThroughAndWhatWasOpenComesBack()
     {
@@ -191,8 +196,20 @@ private slots:
         QVERIFY(!desk().lesson());
     }
 
+    void everyExhibitHasItsPageAndAllPicturesAndLinksInItResolve_data()
+    {
+        QTest::addColumn<QString>("language");
+        QTest::addColumn<QString>("folder");
+        QTest::newRow("English") << QStringLiteral("en") << QStringLiteral("pages");
+        QTest::newRow("German") << QStringLiteral("de") << QStringLiteral("pages/de");
+    }
+
     void everyExhibitHasItsPageAndAllPicturesAndLinksInItResolve()
     {
+        QFETCH(QString, language);
+        QFETCH(QString, folder);
+        speak(language);
+        const QDir pages(QString::fromStdString(render::asset(folder.toStdString()).string()));
         QStringList names{QStringLiteral("hall")};
         for (const auto& exhibit : allExhibits()) names << QString::fromStdString(std::string(exhibit->name()));
         PageDialog dialog(nullptr);
@@ -201,6 +218,7 @@ private slots:
             dialog.showPage(name);
             const QUrl source = dialog.browser().source();
             QVERIFY2(QFileInfo::exists(source.toLocalFile()), qPrintable(source.toLocalFile()));
+            QCOMPARE(QFileInfo(source.toLocalFile()).dir(), pages);
             const QTextDocument& page = *dialog.browser().document();
             QVERIFY2(page.toPlainText().size() > 600, qPrintable(name));
             QVERIFY2(!dialog.windowTitle().isEmpty(), qPrintable(name));
@@ -230,8 +248,22 @@ private slots:
             }
             QVERIFY2(name == "hall" || (pictures >= 2 && links >= 1), qPrintable(name));
         }
-        const QStringList files = QDir(QString::fromStdString(render::asset("pages").string())).entryList({"*.html"});
-        QCOMPARE(files.size(), names.size());
+        QCOMPARE(pages.entryList({"*.html"}).size(), names.size());
+    }
+
+    void linksOfPagesLeadToPagesInTheLanguageInUse()
+    {
+        speak(QStringLiteral("de"));
+        PageDialog dialog(nullptr);
+        dialog.setAttribute(Qt::WA_DeleteOnClose, false);
+        dialog.showPage(QStringLiteral("hall"));
+        QVERIFY(dialog.browser().source().path().endsWith("/pages/de/hall.html"));
+        QCOMPARE(dialog.windowTitle(), QStringLiteral("Die Halle, und was in ihr steht"));
+        emit dialog.browser().anchorClicked(QUrl(QStringLiteral("noise.html")));
+        QVERIFY(dialog.browser().source().path().endsWith("/pages/de/noise.html"));
+        speak(QStringLiteral("en"));
+        emit dialog.browser().anchorClicked(QUrl(QStringLiteral("fur.html")));
+        QVERIFY(dialog.browser().source().path().endsWith("/pages/fur.html"));
     }
 
     void thePageOfTheVisitedExhibitOpensWithF1AndStartsItsLesson()
