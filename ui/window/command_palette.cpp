@@ -93,6 +93,75 @@ bool CommandPalette::eventFilter(QObject* object, QEvent* event)
     return QDialog::eventFilter(object, event);
 }
 
+namespace {
+
+void addHeading(QTreeWidget& tree, const QString& text)
+{
+    auto* item = new QTreeWidgetItem(&tree, {text});
+    QFont bold = item->font(0);
+    bold.setWeight(QFont::DemiBold);
+    item->setFont(0, bold);
+    item->setFlags(Qt::ItemIsEnabled);
+}
+
+void addLine(QTreeWidget& tree, const QString& keys, const QString& what)
+{
+    new QTreeWidgetItem(&tree, {keys, what});
+}
+
+void addPad(QTreeWidget& tree)
+{
+    addHeading(tree, ShortcutSheet::tr("With a gamepad"));
+    addLine(tree, ShortcutSheet::tr("Left stick"),
+            ShortcutSheet::tr("Walk; the right trigger, or pressing the stick, runs"));
+    addLine(tree, ShortcutSheet::tr("Right stick"), ShortcutSheet::tr("Look around, or around the exhibit"));
+    addLine(tree, ShortcutSheet::tr("Triggers"), ShortcutSheet::tr("Come nearer to the exhibit, or step back"));
+    addLine(tree, QStringLiteral("A"),
+            ShortcutSheet::tr("Visit what is in the middle of the picture, or press its button"));
+    addLine(tree, QStringLiteral("B"), ShortcutSheet::tr("Leave the exhibit and walk on"));
+    addLine(tree, QStringLiteral("X"), ShortcutSheet::tr("Press the red button"));
+    addLine(tree, QStringLiteral("Y"), ShortcutSheet::tr("Back to where you stood before"));
+    addLine(tree, ShortcutSheet::tr("Cross up, down"), ShortcutSheet::tr("Choose a parameter"));
+    addLine(tree, ShortcutSheet::tr("Cross left, right"), ShortcutSheet::tr("Change it, as the arrows do"));
+    addLine(tree, ShortcutSheet::tr("Shoulders"), ShortcutSheet::tr("Visit the exhibit before, or the next one"));
+    addLine(tree, ShortcutSheet::tr("Start"), ShortcutSheet::tr("Stop and start the exhibits' clock"));
+    addLine(tree, ShortcutSheet::tr("In dialogs and menus"), ShortcutSheet::tr("The cross moves, A presses, B closes"));
+}
+
+/// What keys, mouse and gamepad do that is no command of a menu.
+void addUsual(QTreeWidget& tree)
+{
+    addHeading(tree, ShortcutSheet::tr("In the museum"));
+    addLine(tree, ShortcutSheet::tr("W A S D, arrows"), ShortcutSheet::tr("Walk; Shift runs"));
+    addLine(tree, ShortcutSheet::tr("Drag; Ctrl and arrows"), ShortcutSheet::tr("Look around, or around the exhibit"));
+    addLine(tree, ShortcutSheet::tr("Right drag"), ShortcutSheet::tr("Look around with the pointer locked"));
+    addLine(tree, ShortcutSheet::tr("Click"), ShortcutSheet::tr("Visit an exhibit, press a button"));
+    addLine(tree, ShortcutSheet::tr("Enter"), ShortcutSheet::tr("The same with what is in the middle of the picture"));
+    addLine(tree, ShortcutSheet::tr("Wheel, + and −"), ShortcutSheet::tr("Come nearer to the exhibit or step back"));
+    addLine(tree, QStringLiteral("E"),
+            ShortcutSheet::tr("Press the red button you look at, or that of the exhibit you visit"));
+    addLine(tree, QStringLiteral("Esc"), ShortcutSheet::tr("Leave the exhibit and walk on"));
+    addLine(tree, ShortcutSheet::tr("Backspace, Alt+Left"), ShortcutSheet::tr("Back to where you stood before"));
+    addLine(tree, ShortcutSheet::tr("F6, Shift+F6"),
+            ShortcutSheet::tr("From the picture to the next panel, and on to the one before"));
+    addHeading(tree, ShortcutSheet::tr("In the tree"));
+    addLine(tree, ShortcutSheet::tr("Ctrl and arrows"),
+            ShortcutSheet::tr("Move the node: up, down, out of its parent, into the one above"));
+    addPad(tree);
+    addHeading(tree, ShortcutSheet::tr("While two settings are compared"));
+    addLine(tree, ShortcutSheet::tr("B, held"), ShortcutSheet::tr("B in place of A"));
+    addLine(tree, ShortcutSheet::tr("Drag the line; comma, period"), ShortcutSheet::tr("Move the wipe"));
+    addHeading(tree, ShortcutSheet::tr("In number fields"));
+    addLine(tree, ShortcutSheet::tr("Drag the label or the number"),
+            ShortcutSheet::tr("Change it; Shift ten times finer, Ctrl ten times coarser"));
+    addLine(tree, ShortcutSheet::tr("Click, or any digit"), ShortcutSheet::tr("Type: 1/3, 2*pi, 30deg"));
+    addLine(tree, ShortcutSheet::tr("Up, Down, wheel"),
+            ShortcutSheet::tr("One step; the wheel only in the field with the focus"));
+    addLine(tree, ShortcutSheet::tr("Enter, Esc"), ShortcutSheet::tr("Accept; bring back the value before"));
+}
+
+}  // namespace
+
 ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : QDialog(window)
 {
     setAttribute(Qt::WA_DeleteOnClose);
@@ -103,51 +172,10 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     tree->setHeaderHidden(true);
     tree->setRootIsDecorated(false);
     tree->setFrameShape(QFrame::NoFrame);
-    const auto heading = [&](const QString& text) {
-        auto* item = new QTreeWidgetItem(tree, {text});
-        QFont bold = item->font(0);
-        bold.setWeight(QFont::DemiBold);
-        item->setFont(0, bold);
-        item->setFlags(Qt::ItemIsEnabled);
-    };
-    const auto line = [&](const QString& keys, const QString& what) { new QTreeWidgetItem(tree, {keys, what}); };
-    heading(tr("In the museum"));
-    line(tr("W A S D, arrows"), tr("Walk; Shift runs"));
-    line(tr("Drag; Ctrl and arrows"), tr("Look around, or around the exhibit"));
-    line(tr("Right drag"), tr("Look around with the pointer locked"));
-    line(tr("Click"), tr("Visit an exhibit, press a button"));
-    line(tr("Enter"), tr("The same with what is in the middle of the picture"));
-    line(tr("Wheel, + and −"), tr("Come nearer to the exhibit or step back"));
-    line(QStringLiteral("E"), tr("Press the red button you look at, or that of the exhibit you visit"));
-    line(QStringLiteral("Esc"), tr("Leave the exhibit and walk on"));
-    line(tr("Backspace, Alt+Left"), tr("Back to where you stood before"));
-    line(tr("F6, Shift+F6"), tr("From the picture to the next panel, and on to the one before"));
-    heading(tr("In the tree"));
-    line(tr("Ctrl and arrows"), tr("Move the node: up, down, out of its parent, into the one above"));
-    heading(tr("With a gamepad"));
-    line(tr("Left stick"), tr("Walk; the right trigger, or pressing the stick, runs"));
-    line(tr("Right stick"), tr("Look around, or around the exhibit"));
-    line(tr("Triggers"), tr("Come nearer to the exhibit, or step back"));
-    line(QStringLiteral("A"), tr("Visit what is in the middle of the picture, or press its button"));
-    line(QStringLiteral("B"), tr("Leave the exhibit and walk on"));
-    line(QStringLiteral("X"), tr("Press the red button"));
-    line(QStringLiteral("Y"), tr("Back to where you stood before"));
-    line(tr("Cross up, down"), tr("Choose a parameter"));
-    line(tr("Cross left, right"), tr("Change it, as the arrows do"));
-    line(tr("Shoulders"), tr("Visit the exhibit before, or the next one"));
-    line(tr("Start"), tr("Stop and start the exhibits' clock"));
-    line(tr("In dialogs and menus"), tr("The cross moves, A presses, B closes"));
-    heading(tr("While two settings are compared"));
-    line(tr("B, held"), tr("B in place of A"));
-    line(tr("Drag the line; comma, period"), tr("Move the wipe"));
-    heading(tr("In number fields"));
-    line(tr("Drag the label or the number"), tr("Change it; Shift ten times finer, Ctrl ten times coarser"));
-    line(tr("Click, or any digit"), tr("Type: 1/3, 2*pi, 30deg"));
-    line(tr("Up, Down, wheel"), tr("One step; the wheel only in the field with the focus"));
-    line(tr("Enter, Esc"), tr("Accept; bring back the value before"));
-    heading(tr("Commands"));
+    addUsual(*tree);
+    addHeading(*tree, tr("Commands"));
     for (const QAction* action : actions)
-        if (!action->shortcuts().isEmpty()) line(keysOf(action), nameOf(action));
+        if (!action->shortcuts().isEmpty()) addLine(*tree, keysOf(action), nameOf(action));
     tree->resizeColumnToContents(0);
     tree->header()->resizeSection(0, tree->header()->sectionSize(0) + 24);
     auto* layout = new QVBoxLayout(this);

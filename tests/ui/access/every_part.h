@@ -61,7 +61,7 @@ protected:
         lookAt(
             "Animate",
             [this] {
-                auto* dialog = new ui::MotionDialog(window_->history(), 1, 0, window_.get());
+                auto* dialog = new ui::MotionDialog(window_->history(), 1, {0}, window_.get());
                 dialog->openOver(window_->viewport());
             },
             look);

@@ -112,8 +112,13 @@ private slots:
         action("Explore")->trigger();
         QTRY_COMPARE(gallery_->smallDrawn.load(), 1);
         window_->history().set(1, gallery_->table().roughness.row, 0.75, newGesture());
-        may_.release();
-        QTRY_VERIFY2(std::abs(red() - 191) <= 1, "its picture is drawn between two of theirs");
+        // The next of theirs may have begun before the visitor's picture was asked for; then that one is waited for.
+        const auto drawnBetween = [this] { return std::abs(red() - 191) <= 1; };
+        for (int i = 0; i < 4 && !drawnBetween(); ++i) {
+            may_.release();
+            (void)QTest::qWaitFor(drawnBetween, 2000);
+        }
+        QVERIFY2(drawnBetween(), "its picture is drawn between two of theirs");
         QVERIFY(nine().finished() < Variations::count);
         may_.release(1000);
         drawn();
