@@ -1,6 +1,7 @@
 #include "app/command.h"
 #include "app/study/study_comparison_folder.h"
 
+#include "exhibits/study/study_store.h"
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"

@@ -12,9 +12,6 @@
 namespace vitrine::app {
 namespace {
 
-const QSize chartSize(960, 540);
-constexpr double chartScale = 1.5;  // Of the PNG, for sharp screens.
-
 std::string studiesTable(const std::vector<KeptStudy>& studies, const StudyComparison& comparison)
 {
     std::string text = "<div class=\"sheet scroll\"><table><thead><tr><th>study</th><th>exhibit</th><th>varied</th>"

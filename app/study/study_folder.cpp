@@ -17,9 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const QSize chartSize(960, 540);
-constexpr double chartScale = 1.5;  // Of the PNG, for sharp screens.
-
 render::Image colorOf(const render::Image& picture)
 {
     render::Image color(picture.width, picture.height, 3);

@@ -631,14 +631,17 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>0 is a glaze over a colored body, 1 is bare metal.</source>
+        <extracomment>tables</extracomment>
         <translation>0 ist eine Glasur über einem farbigen Körper, 1 ist blankes Metall.</translation>
     </message>
     <message>
         <source>0 is a mirror, 1 is chalk.</source>
+        <extracomment>tables</extracomment>
         <translation>0 ist ein Spiegel, 1 ist Kreide.</translation>
     </message>
     <message>
         <source>0 is edible, 1 is bare metal in these colors.</source>
+        <extracomment>tables</extracomment>
         <translation>0 ist essbar, 1 ist blankes Metall in diesen Farben.</translation>
     </message>
     <message>
@@ -655,10 +658,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>0 is the torus, 1 is the mug; between them, one melts into the other.</source>
+        <extracomment>tables</extracomment>
         <translation>0 ist der Torus, 1 ist die Tasse; dazwischen schmilzt der eine in die andere.</translation>
     </message>
     <message>
         <source>0 tapers every strand like a needle, high leaves it thick with a blunt tip.</source>
+        <extracomment>tables</extracomment>
         <translation>0 spitzt jedes Haar zu wie eine Nadel, hohe Werte lassen es dick mit stumpfer Spitze.</translation>
     </message>
     <message>
@@ -683,26 +688,32 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>10-3d</source>
+        <extracomment>tables</extracomment>
         <translation>10-3d</translation>
     </message>
     <message>
         <source>10-flip</source>
+        <extracomment>tables</extracomment>
         <translation>10-flip</translation>
     </message>
     <message>
         <source>100-3d</source>
+        <extracomment>tables</extracomment>
         <translation>100-3d</translation>
     </message>
     <message>
         <source>100-flip</source>
+        <extracomment>tables</extracomment>
         <translation>100-flip</translation>
     </message>
     <message>
         <source>15-3d</source>
+        <extracomment>tables</extracomment>
         <translation>15-3d</translation>
     </message>
     <message>
         <source>15-flip</source>
+        <extracomment>tables</extracomment>
         <translation>15-flip</translation>
     </message>
     <message>
@@ -711,62 +722,77 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>16 bit</source>
+        <extracomment>tables</extracomment>
         <translation>16 Bit</translation>
     </message>
     <message>
         <source>161-3d</source>
+        <extracomment>tables</extracomment>
         <translation>161-3d</translation>
     </message>
     <message>
         <source>161-flip</source>
+        <extracomment>tables</extracomment>
         <translation>161-flip</translation>
     </message>
     <message>
         <source>1920 x 1080</source>
+        <extracomment>tables</extracomment>
         <translation>1920 x 1080</translation>
     </message>
     <message>
         <source>2 x 2 cells</source>
+        <extracomment>tables</extracomment>
         <translation>2 x 2 Zellen</translation>
     </message>
     <message>
         <source>20-3d</source>
+        <extracomment>tables</extracomment>
         <translation>20-3d</translation>
     </message>
     <message>
         <source>20-flip</source>
+        <extracomment>tables</extracomment>
         <translation>20-flip</translation>
     </message>
     <message>
         <source>24 bit</source>
+        <extracomment>tables</extracomment>
         <translation>24 Bit</translation>
     </message>
     <message>
         <source>240 x 135</source>
+        <extracomment>tables</extracomment>
         <translation>240 x 135</translation>
     </message>
     <message>
         <source>3 tap</source>
+        <extracomment>tables</extracomment>
         <translation>3 Nachbarn</translation>
     </message>
     <message>
         <source>3 x 3 cells</source>
+        <extracomment>tables</extracomment>
         <translation>3 x 3 Zellen</translation>
     </message>
     <message>
         <source>30-3d</source>
+        <extracomment>tables</extracomment>
         <translation>30-3d</translation>
     </message>
     <message>
         <source>30-flip</source>
+        <extracomment>tables</extracomment>
         <translation>30-flip</translation>
     </message>
     <message>
         <source>32 bit</source>
+        <extracomment>tables</extracomment>
         <translation>32 Bit</translation>
     </message>
     <message>
         <source>320 x 180</source>
+        <extracomment>tables</extracomment>
         <translation>320 x 180</translation>
     </message>
     <message>
@@ -775,66 +801,82 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>4 tap</source>
+        <extracomment>tables</extracomment>
         <translation>4 Nachbarn</translation>
     </message>
     <message>
         <source>40-3d</source>
+        <extracomment>tables</extracomment>
         <translation>40-3d</translation>
     </message>
     <message>
         <source>40-flip</source>
+        <extracomment>tables</extracomment>
         <translation>40-flip</translation>
     </message>
     <message>
         <source>480 x 270</source>
+        <extracomment>tables</extracomment>
         <translation>480 x 270</translation>
     </message>
     <message>
         <source>5 tap</source>
+        <extracomment>tables</extracomment>
         <translation>5 Nachbarn</translation>
     </message>
     <message>
         <source>5 taps</source>
+        <extracomment>tables</extracomment>
         <translation>5 Samples</translation>
     </message>
     <message>
         <source>50-3d</source>
+        <extracomment>tables</extracomment>
         <translation>50-3d</translation>
     </message>
     <message>
         <source>50-flip</source>
+        <extracomment>tables</extracomment>
         <translation>50-flip</translation>
     </message>
     <message>
         <source>60-3d</source>
+        <extracomment>tables</extracomment>
         <translation>60-3d</translation>
     </message>
     <message>
         <source>60-flip</source>
+        <extracomment>tables</extracomment>
         <translation>60-flip</translation>
     </message>
     <message>
         <source>62-3d</source>
+        <extracomment>tables</extracomment>
         <translation>62-3d</translation>
     </message>
     <message>
         <source>62-flip</source>
+        <extracomment>tables</extracomment>
         <translation>62-flip</translation>
     </message>
     <message>
         <source>640 x 360</source>
+        <extracomment>tables</extracomment>
         <translation>640 x 360</translation>
     </message>
     <message>
         <source>75-3d</source>
+        <extracomment>tables</extracomment>
         <translation>75-3d</translation>
     </message>
     <message>
         <source>75-flip</source>
+        <extracomment>tables</extracomment>
         <translation>75-flip</translation>
     </message>
     <message>
         <source>75-measured</source>
+        <extracomment>tables</extracomment>
         <translation>75-gemessen</translation>
     </message>
     <message>
@@ -843,14 +885,17 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>9 plus tap</source>
+        <extracomment>tables</extracomment>
         <translation>9 plus Nachbar</translation>
     </message>
     <message>
         <source>9 tap</source>
+        <extracomment>tables</extracomment>
         <translation>9 Nachbarn</translation>
     </message>
     <message>
         <source>960 x 540</source>
+        <extracomment>tables</extracomment>
         <translation>960 x 540</translation>
     </message>
     <message>
@@ -1011,6 +1056,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A glTF 2.0 file, .glb or .gltf, in place of the small world.</source>
+        <extracomment>tables</extracomment>
         <translation>Eine Datei in glTF 2.0, .glb oder .gltf, anstelle der kleinen Welt.</translation>
     </message>
     <message>
@@ -1019,10 +1065,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A glTF object (.glb or .gltf) on the free plinth.</source>
+        <extracomment>tables</extracomment>
         <translation>Ein glTF-Objekt (.glb oder .gltf) auf dem freien Sockel.</translation>
     </message>
     <message>
         <source>A glTF object that wears the ring's coat in place of the ring; models/teddy.glb is one of ours.</source>
+        <extracomment>tables</extracomment>
         <translation>Ein glTF-Objekt, das statt des Rings dessen Fell trägt; models/teddy.glb liegt bei.</translation>
     </message>
     <message>
@@ -1043,6 +1091,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A lantern whose paper looks narrower than this is a glowing point.</source>
+        <extracomment>tables</extracomment>
         <translation>Eine Laterne, deren Papier schmaler als das erscheint, ist ein leuchtender Punkt.</translation>
     </message>
     <message>
@@ -1127,6 +1176,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.</source>
+        <extracomment>tables</extracomment>
         <translation>Ein Panorama (HDR, EXR oder ein gewöhnliches Bild, doppelt so breit wie hoch) anstelle des Himmels.</translation>
     </message>
     <message>
@@ -1159,6 +1209,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A picture of all directions, twice as wide as high, in place of the night sky.</source>
+        <extracomment>tables</extracomment>
         <translation>Ein Bild aller Richtungen, doppelt so breit wie hoch, anstelle des Nachthimmels.</translation>
     </message>
     <message>
@@ -1175,6 +1226,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A picture whose main colors become the palette, in place of the other.</source>
+        <extracomment>tables</extracomment>
         <translation>Ein Bild, dessen Hauptfarben die Palette werden, anstelle der anderen.</translation>
     </message>
     <message>
@@ -1251,6 +1303,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A scene of shapes, as JSON: assets/scenes/scene.schema.json says what may stand in it.</source>
+        <extracomment>tables</extracomment>
         <translation>Eine Formenszene als JSON: assets/scenes/scene.schema.json sagt, was darin stehen kann.</translation>
     </message>
     <message>
@@ -1303,6 +1356,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A small isle, the bare scene that the source tests with, or bars of one and two pixels.</source>
+        <extracomment>tables</extracomment>
         <translation>Eine kleine Insel, die nackte Szene, mit der das Original prüft, oder Stäbe von ein und zwei Pixeln.</translation>
     </message>
     <message>
@@ -1319,6 +1373,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>A strip holds the one color that its lens shows, or its slice of the view squeezed, as in the source.</source>
+        <extracomment>tables</extracomment>
         <translation>Ein Streifen enthält die eine Farbe, die seine Linse zeigt, oder wie im Original seinen gestauchten Ausschnitt der Ansicht.</translation>
     </message>
     <message>
@@ -1431,6 +1486,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Abbe number</source>
+        <extracomment>tables</extracomment>
         <translation>Abbe-Zahl</translation>
     </message>
     <message>
@@ -1471,6 +1527,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Accuracy</source>
+        <extracomment>tables</extracomment>
         <translation>Genauigkeit</translation>
     </message>
     <message>
@@ -1511,30 +1568,37 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Afterglow</source>
+        <extracomment>tables</extracomment>
         <translation>Nachglühen</translation>
     </message>
     <message>
         <source>Air</source>
+        <extracomment>tables</extracomment>
         <translation>Luft</translation>
     </message>
     <message>
         <source>Air color</source>
+        <extracomment>tables</extracomment>
         <translation>Luftfarbe</translation>
     </message>
     <message>
         <source>Air density</source>
+        <extracomment>tables</extracomment>
         <translation>Luftdichte</translation>
     </message>
     <message>
         <source>Air drag</source>
+        <extracomment>tables</extracomment>
         <translation>Luftwiderstand</translation>
     </message>
     <message>
         <source>Albedo</source>
+        <extracomment>tables</extracomment>
         <translation>Albedo</translation>
     </message>
     <message>
         <source>all</source>
+        <extracomment>tables</extracomment>
         <translation>alle</translation>
     </message>
     <message>
@@ -1607,18 +1671,22 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>alpha</source>
+        <extracomment>tables</extracomment>
         <translation>Alpha</translation>
     </message>
     <message>
         <source>Altitude</source>
+        <extracomment>tables</extracomment>
         <translation>Höhe über Grund</translation>
     </message>
     <message>
         <source>Ambient</source>
+        <extracomment>tables</extracomment>
         <translation>Umgebungslicht</translation>
     </message>
     <message>
         <source>Ambient occlusion</source>
+        <extracomment>tables</extracomment>
         <translation>Umgebungsverdeckung</translation>
     </message>
     <message>
@@ -1687,6 +1755,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>anaglyph</source>
+        <extracomment>tables</extracomment>
         <translation>Anaglyphe</translation>
     </message>
     <message>
@@ -1703,10 +1772,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>angles</source>
+        <extracomment>tables</extracomment>
         <translation>Winkel</translation>
     </message>
     <message>
         <source>Animate</source>
+        <extracomment>tables</extracomment>
         <translation>Animieren</translation>
     </message>
     <message>
@@ -1723,6 +1794,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Animation speed</source>
+        <extracomment>tables</extracomment>
         <translation>Tempo der Animation</translation>
     </message>
     <message>
@@ -1735,6 +1807,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Anisotropy</source>
+        <extracomment>tables</extracomment>
         <translation>Anisotropie</translation>
     </message>
     <message>
@@ -1743,14 +1816,17 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Another number is another field, another sea, another sky.</source>
+        <extracomment>tables</extracomment>
         <translation>Eine andere Zahl ist ein anderes Feld, ein anderes Meer, ein anderer Himmel.</translation>
     </message>
     <message>
         <source>Another number strews other lanterns and other ripples.</source>
+        <extracomment>tables</extracomment>
         <translation>Eine andere Zahl streut andere Laternen und andere Wellen.</translation>
     </message>
     <message>
         <source>Another number strews them elsewhere.</source>
+        <extracomment>tables</extracomment>
         <translation>Eine andere Zahl streut sie anderswohin.</translation>
     </message>
     <message>
@@ -1767,6 +1843,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Aperture samples</source>
+        <extracomment>tables</extracomment>
         <translation>Apertur-Samples</translation>
     </message>
     <message>
@@ -1775,10 +1852,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>area</source>
+        <extracomment>tables</extracomment>
         <translation>Fläche</translation>
     </message>
     <message>
         <source>Around the foot, evenly up its side.</source>
+        <extracomment>tables</extracomment>
         <translation>Um den Fuß herum, gleichmäßig an seiner Seite hinauf.</translation>
     </message>
     <message>
@@ -1803,6 +1882,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>as gravity makes them</source>
+        <extracomment>tables</extracomment>
         <translation>wie die Schwerkraft sie macht</translation>
     </message>
     <message>
@@ -1811,6 +1891,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>as in the source</source>
+        <extracomment>tables</extracomment>
         <translation>wie im Original</translation>
     </message>
     <message>
@@ -1827,10 +1908,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>as the look has it</source>
+        <extracomment>tables</extracomment>
         <translation>wie das Aussehen es hat</translation>
     </message>
     <message>
         <source>as the scene says</source>
+        <extracomment>tables</extracomment>
         <translation>wie die Szene sagt</translation>
     </message>
     <message>
@@ -1871,18 +1954,22 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>automatic</source>
+        <extracomment>tables</extracomment>
         <translation>automatisch</translation>
     </message>
     <message>
         <source>Average a picture in motion over its frames, moved to where they are now: without it, edges crawl and fine things flicker until the picture rests.</source>
+        <extracomment>tables</extracomment>
         <translation>Mittelt ein bewegtes Bild über seine Frames, verschoben dorthin, wo alles jetzt ist: Ohne das kriechen Kanten, und Feines flimmert, bis das Bild ruht.</translation>
     </message>
     <message>
         <source>Axis</source>
+        <extracomment>tables</extracomment>
         <translation>Achse</translation>
     </message>
     <message>
         <source>Azimuth</source>
+        <extracomment>tables</extracomment>
         <translation>Azimut</translation>
     </message>
     <message>
@@ -1947,10 +2034,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>back</source>
+        <extracomment>tables</extracomment>
         <translation>hinten</translation>
     </message>
     <message>
         <source>Back print</source>
+        <extracomment>tables</extracomment>
         <translation>Hinterer Druck</translation>
     </message>
     <message>
@@ -1967,18 +2056,22 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Backward</source>
+        <extracomment>tables</extracomment>
         <translation>Rückwärts</translation>
     </message>
     <message>
         <source>Bake size</source>
+        <extracomment>tables</extracomment>
         <translation>Backgröße</translation>
     </message>
     <message>
         <source>baked</source>
+        <extracomment>tables</extracomment>
         <translation>gebacken</translation>
     </message>
     <message>
         <source>Baked light</source>
+        <extracomment>tables</extracomment>
         <translation>Gebackenes Licht</translation>
     </message>
     <message>
@@ -1986,7 +2079,38 @@ Zeiten nach: %2.</translation>
         <translation>gebackenes Licht ist ausgeschaltet</translation>
     </message>
     <message>
+        <source>Ball density</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Dichte</translation>
+    </message>
+    <message>
+        <source>Ball length</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Länge</translation>
+    </message>
+    <message>
+        <source>Ball root</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Wurzel</translation>
+    </message>
+    <message>
+        <source>Ball thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Dicke</translation>
+    </message>
+    <message>
+        <source>Ball tip</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Spitze</translation>
+    </message>
+    <message>
+        <source>Ball uniformity</source>
+        <extracomment>tables</extracomment>
+        <translation>Ball: Gleichmäßigkeit</translation>
+    </message>
+    <message>
         <source>Bands</source>
+        <extracomment>tables</extracomment>
         <translation>Tonstufen</translation>
     </message>
     <message>
@@ -1995,6 +2119,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Bar radius</source>
+        <extracomment>tables</extracomment>
         <translation>Stabradius</translation>
     </message>
     <message>
@@ -2003,10 +2128,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Bars</source>
+        <extracomment>tables</extracomment>
         <translation>Stäbe</translation>
     </message>
     <message>
         <source>bars</source>
+        <extracomment>tables</extracomment>
         <translation>Stäbe</translation>
     </message>
     <message>
@@ -2015,14 +2142,17 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Base color</source>
+        <extracomment>tables</extracomment>
         <translation>Grundfarbe</translation>
     </message>
     <message>
         <source>Base thickness</source>
+        <extracomment>tables</extracomment>
         <translation>Bodendicke</translation>
     </message>
     <message>
         <source>Base width</source>
+        <extracomment>tables</extracomment>
         <translation>Bodenbreite</translation>
     </message>
     <message>
@@ -2031,6 +2161,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Beam strength</source>
+        <extracomment>tables</extracomment>
         <translation>Strahlenstärke</translation>
     </message>
     <message>
@@ -2075,6 +2206,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Between the eyes.</source>
+        <extracomment>tables</extracomment>
         <translation>Zwischen den Augen.</translation>
     </message>
     <message>
@@ -2091,6 +2223,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>billow</source>
+        <extracomment>tables</extracomment>
         <translation>bauschig</translation>
     </message>
     <message>
@@ -2115,6 +2248,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Blend</source>
+        <extracomment>tables</extracomment>
         <translation>Verschmelzung</translation>
     </message>
     <message>
@@ -2123,14 +2257,17 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Blinn-Phong</source>
+        <extracomment>tables</extracomment>
         <translation>Blinn-Phong</translation>
     </message>
     <message>
         <source>Blobs of one octave, the same of many, waves, or a sky of clouds: all made of noise.</source>
+        <extracomment>tables</extracomment>
         <translation>Klumpen einer Oktave, dasselbe aus vielen, Wellen, oder ein Wolkenhimmel: alles aus Rauschen.</translation>
     </message>
     <message>
         <source>blue noise</source>
+        <extracomment>tables</extracomment>
         <translation>blaues Rauschen</translation>
     </message>
     <message>
@@ -2151,6 +2288,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>both</source>
+        <extracomment>tables</extracomment>
         <translation>beide</translation>
     </message>
     <message>
@@ -2175,62 +2313,77 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Bounce light</source>
+        <extracomment>tables</extracomment>
         <translation>Gegenlicht von unten</translation>
     </message>
     <message>
         <source>Bounce period</source>
+        <extracomment>tables</extracomment>
         <translation>Sprungabstand</translation>
     </message>
     <message>
         <source>Bounces</source>
+        <extracomment>tables</extracomment>
         <translation>Spiegelungen</translation>
     </message>
     <message>
         <source>Bound share</source>
+        <extracomment>tables</extracomment>
         <translation>Anteil der Schranke</translation>
     </message>
     <message>
         <source>bounded</source>
+        <extracomment>tables</extracomment>
         <translation>beschränkt</translation>
     </message>
     <message>
         <source>Bounding box</source>
+        <extracomment>tables</extracomment>
         <translation>Hüllquader</translation>
     </message>
     <message>
         <source>bowl</source>
+        <extracomment>tables</extracomment>
         <translation>Schale</translation>
     </message>
     <message>
         <source>Bowl bottom</source>
+        <extracomment>tables</extracomment>
         <translation>Schalenboden</translation>
     </message>
     <message>
         <source>Bowl radius</source>
+        <extracomment>tables</extracomment>
         <translation>Schalenradius</translation>
     </message>
     <message>
         <source>Bowl top</source>
+        <extracomment>tables</extracomment>
         <translation>Schalenrand</translation>
     </message>
     <message>
         <source>Box size</source>
+        <extracomment>tables</extracomment>
         <translation>Quadergröße</translation>
     </message>
     <message>
         <source>Brightness</source>
+        <extracomment>tables</extracomment>
         <translation>Helligkeit</translation>
     </message>
     <message>
         <source>Brightness below which the sky gives no rays: 0 lets all of it.</source>
+        <extracomment>tables</extracomment>
         <translation>Helligkeit, unter der der Himmel keine Strahlen gibt: 0 lässt alles zu.</translation>
     </message>
     <message>
         <source>Brightness of the rays: each stop doubles it.</source>
+        <extracomment>tables</extracomment>
         <translation>Helligkeit der Strahlen: Jede Blende verdoppelt sie.</translation>
     </message>
     <message>
         <source>Brightness of the whole picture: each stop doubles it.</source>
+        <extracomment>tables</extracomment>
         <translation>Helligkeit des ganzen Bildes: Jede Blende verdoppelt sie.</translation>
     </message>
     <message>
@@ -2243,10 +2396,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Build it up by itself, again and again.</source>
+        <extracomment>tables</extracomment>
         <translation>Baut es von selbst auf, wieder und wieder.</translation>
     </message>
     <message>
         <source>Build up</source>
+        <extracomment>tables</extracomment>
         <translation>Aufbauen</translation>
     </message>
     <message>
@@ -2259,26 +2414,32 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>by angle</source>
+        <extracomment>tables</extracomment>
         <translation>nach Winkel</translation>
     </message>
     <message>
         <source>By hand</source>
+        <extracomment>tables</extracomment>
         <translation>Von Hand</translation>
     </message>
     <message>
         <source>By hand: how far the tips are drawn to the right.</source>
+        <extracomment>tables</extracomment>
         <translation>Von Hand: wie weit die Spitzen nach rechts gezogen werden.</translation>
     </message>
     <message>
         <source>By hand: how far they are drawn towards the entrance.</source>
+        <extracomment>tables</extracomment>
         <translation>Von Hand: wie weit sie zum Eingang hin gezogen werden.</translation>
     </message>
     <message>
         <source>By hand: how far they are drawn up.</source>
+        <extracomment>tables</extracomment>
         <translation>Von Hand: wie weit sie nach oben gezogen werden.</translation>
     </message>
     <message>
         <source>By hand: how far they are turned about the axis towards the entrance.</source>
+        <extracomment>tables</extracomment>
         <translation>Von Hand: wie weit sie um die Achse zum Eingang hin gedreht werden.</translation>
     </message>
     <message>
@@ -2287,6 +2448,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>By which each octave's lattice is turned, so that no two lie along each other.</source>
+        <extracomment>tables</extracomment>
         <translation>Um den das Gitter jeder Oktave gedreht wird, sodass keine zwei aneinander liegen.</translation>
     </message>
     <message>
@@ -2299,6 +2461,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>C64</source>
+        <extracomment>tables</extracomment>
         <translation>C64</translation>
     </message>
     <message>
@@ -2343,35 +2506,628 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>candies</source>
+        <extracomment>tables</extracomment>
         <translation>Bonbons</translation>
     </message>
     <message>
         <source>Candle color</source>
+        <extracomment>tables</extracomment>
         <translation>Kerzenfarbe</translation>
     </message>
     <message>
         <source>Candle strength</source>
+        <extracomment>tables</extracomment>
         <translation>Kerzenstärke</translation>
     </message>
     <message>
         <source>Candles</source>
+        <extracomment>tables</extracomment>
         <translation>Kerzen</translation>
     </message>
     <message>
+        <source>Candy 1</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1</translation>
+    </message>
+    <message>
         <source>Candy 10, in the air</source>
+        <extracomment>tables</extracomment>
         <translation>Bonbon 10, in der Luft</translation>
     </message>
     <message>
+        <source>Candy 2</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2</translation>
+    </message>
+    <message>
+        <source>Candy 3</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3</translation>
+    </message>
+    <message>
+        <source>Candy 4</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4</translation>
+    </message>
+    <message>
+        <source>Candy 5</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5</translation>
+    </message>
+    <message>
+        <source>Candy 6</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6</translation>
+    </message>
+    <message>
+        <source>Candy 7</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7</translation>
+    </message>
+    <message>
         <source>Candy 8, in the air</source>
+        <extracomment>tables</extracomment>
         <translation>Bonbon 8, in der Luft</translation>
     </message>
     <message>
         <source>Candy 9, in the air</source>
+        <extracomment>tables</extracomment>
         <translation>Bonbon 9, in der Luft</translation>
     </message>
     <message>
         <source>Candy roughness</source>
+        <extracomment>tables</extracomment>
         <translation>Rauheit der Bonbons</translation>
+    </message>
+    <message>
+        <source>Candy1 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy1 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy1 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy1 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy1 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy1 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy1 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy1 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy1 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: x</translation>
+    </message>
+    <message>
+        <source>Candy1 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: y</translation>
+    </message>
+    <message>
+        <source>Candy1 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 1: z</translation>
+    </message>
+    <message>
+        <source>Candy10 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy10 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy10 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy10 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy10 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy10 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy10 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy10 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy10 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: x</translation>
+    </message>
+    <message>
+        <source>Candy10 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: y</translation>
+    </message>
+    <message>
+        <source>Candy10 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 10: z</translation>
+    </message>
+    <message>
+        <source>Candy2 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy2 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy2 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy2 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy2 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy2 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy2 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy2 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy2 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: x</translation>
+    </message>
+    <message>
+        <source>Candy2 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: y</translation>
+    </message>
+    <message>
+        <source>Candy2 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 2: z</translation>
+    </message>
+    <message>
+        <source>Candy3 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy3 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy3 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy3 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy3 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy3 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy3 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy3 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy3 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: x</translation>
+    </message>
+    <message>
+        <source>Candy3 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: y</translation>
+    </message>
+    <message>
+        <source>Candy3 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 3: z</translation>
+    </message>
+    <message>
+        <source>Candy4 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy4 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy4 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy4 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy4 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy4 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy4 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy4 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy4 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: x</translation>
+    </message>
+    <message>
+        <source>Candy4 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: y</translation>
+    </message>
+    <message>
+        <source>Candy4 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 4: z</translation>
+    </message>
+    <message>
+        <source>Candy5 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy5 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy5 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy5 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy5 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy5 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy5 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy5 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy5 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: x</translation>
+    </message>
+    <message>
+        <source>Candy5 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: y</translation>
+    </message>
+    <message>
+        <source>Candy5 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 5: z</translation>
+    </message>
+    <message>
+        <source>Candy6 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy6 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy6 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy6 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy6 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy6 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy6 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy6 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy6 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: x</translation>
+    </message>
+    <message>
+        <source>Candy6 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: y</translation>
+    </message>
+    <message>
+        <source>Candy6 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 6: z</translation>
+    </message>
+    <message>
+        <source>Candy7 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy7 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy7 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy7 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy7 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy7 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy7 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy7 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy7 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: x</translation>
+    </message>
+    <message>
+        <source>Candy7 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: y</translation>
+    </message>
+    <message>
+        <source>Candy7 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 7: z</translation>
+    </message>
+    <message>
+        <source>Candy8 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy8 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy8 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy8 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy8 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy8 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy8 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy8 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy8 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: x</translation>
+    </message>
+    <message>
+        <source>Candy8 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: y</translation>
+    </message>
+    <message>
+        <source>Candy8 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 8: z</translation>
+    </message>
+    <message>
+        <source>Candy9 bob</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: Wippen</translation>
+    </message>
+    <message>
+        <source>Candy9 color</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: Farbe</translation>
+    </message>
+    <message>
+        <source>Candy9 corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: Ecke</translation>
+    </message>
+    <message>
+        <source>Candy9 half x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: halbes x</translation>
+    </message>
+    <message>
+        <source>Candy9 half y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: halbes y</translation>
+    </message>
+    <message>
+        <source>Candy9 half z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: halbes z</translation>
+    </message>
+    <message>
+        <source>Candy9 spin</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: Drehung</translation>
+    </message>
+    <message>
+        <source>Candy9 tumble</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: Taumeln</translation>
+    </message>
+    <message>
+        <source>Candy9 x</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: x</translation>
+    </message>
+    <message>
+        <source>Candy9 y</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: y</translation>
+    </message>
+    <message>
+        <source>Candy9 z</source>
+        <extracomment>tables</extracomment>
+        <translation>Bonbon 9: z</translation>
     </message>
     <message>
         <source>Cannot be opened</source>
@@ -2507,10 +3263,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Capture the hall once as a mirror image for everything in it; without it, nothing reflects.</source>
+        <extracomment>tables</extracomment>
         <translation>Nimmt die Halle einmal als Spiegelbild für alles in ihr auf; ohne das spiegelt nichts.</translation>
     </message>
     <message>
         <source>Cells around a place whose flames light it.</source>
+        <extracomment>tables</extracomment>
         <translation>Zellen um einen Ort, deren Flammen ihn beleuchten.</translation>
     </message>
     <message>
@@ -2519,22 +3277,27 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Cells of the first octave in a meter.</source>
+        <extracomment>tables</extracomment>
         <translation>Zellen der ersten Oktave in einem Meter.</translation>
     </message>
     <message>
         <source>Cells of the mesh along the longest side of the box: few show facets in the reflections.</source>
+        <extracomment>tables</extracomment>
         <translation>Zellen des Netzes entlang der längsten Seite des Quaders: Wenige zeigen Facetten in den Spiegelungen.</translation>
     </message>
     <message>
         <source>Cells of the strands' lattice at most that a ray looks into at each shell, where it grazes it.</source>
+        <extracomment>tables</extracomment>
         <translation>Höchstzahl der Zellen des Haargitters, in die ein Strahl in jeder Shell schaut, wo er sie streift.</translation>
     </message>
     <message>
         <source>Cells with room for a lantern, in a square whose corner is at the frame: one, or up to the horizon.</source>
+        <extracomment>tables</extracomment>
         <translation>Zellen mit Platz für eine Laterne, in einem Quadrat, dessen Ecke am Rahmen liegt: eine, oder bis zum Horizont.</translation>
     </message>
     <message>
         <source>cellular</source>
+        <extracomment>tables</extracomment>
         <translation>zellular</translation>
     </message>
     <message>
@@ -2543,6 +3306,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>central</source>
+        <extracomment>tables</extracomment>
         <translation>zentral</translation>
     </message>
     <message>
@@ -2675,6 +3439,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Chop</source>
+        <extracomment>tables</extracomment>
         <translation>Zuspitzung</translation>
     </message>
     <message>
@@ -2683,6 +3448,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>classic</source>
+        <extracomment>tables</extracomment>
         <translation>klassisch</translation>
     </message>
     <message>
@@ -2727,6 +3493,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>closed form</source>
+        <extracomment>tables</extracomment>
         <translation>geschlossene Form</translation>
     </message>
     <message>
@@ -2743,58 +3510,72 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Cloud noise</source>
+        <extracomment>tables</extracomment>
         <translation>Wolkenrauschen</translation>
     </message>
     <message>
         <source>Cloud octaves</source>
+        <extracomment>tables</extracomment>
         <translation>Wolkenoktaven</translation>
     </message>
     <message>
         <source>Cloud steps</source>
+        <extracomment>tables</extracomment>
         <translation>Wolkenschritte</translation>
     </message>
     <message>
         <source>Clouds</source>
+        <extracomment>tables</extracomment>
         <translation>Wolken</translation>
     </message>
     <message>
         <source>clouds</source>
+        <extracomment>tables</extracomment>
         <translation>Wolken</translation>
     </message>
     <message>
         <source>Clump</source>
+        <extracomment>tables</extracomment>
         <translation>Büschel</translation>
     </message>
     <message>
         <source>Clump size</source>
+        <extracomment>tables</extracomment>
         <translation>Büschelgröße</translation>
     </message>
     <message>
         <source>Coat of the ball</source>
+        <extracomment>tables</extracomment>
         <translation>Fell des Balls</translation>
     </message>
     <message>
         <source>Coat of the ring</source>
+        <extracomment>tables</extracomment>
         <translation>Fell des Rings</translation>
     </message>
     <message>
         <source>Coat of the roll</source>
+        <extracomment>tables</extracomment>
         <translation>Fell der Rolle</translation>
     </message>
     <message>
         <source>collar</source>
+        <extracomment>tables</extracomment>
         <translation>Kragen</translation>
     </message>
     <message>
         <source>Collar height</source>
+        <extracomment>tables</extracomment>
         <translation>Höhe des Kragens</translation>
     </message>
     <message>
         <source>Collar radius</source>
+        <extracomment>tables</extracomment>
         <translation>Radius des Kragens</translation>
     </message>
     <message>
         <source>Collar top</source>
+        <extracomment>tables</extracomment>
         <translation>Kragen oben</translation>
     </message>
     <message>
@@ -2803,50 +3584,62 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Color by</source>
+        <extracomment>tables</extracomment>
         <translation>Färben nach</translation>
     </message>
     <message>
         <source>Color of the lamps' light: low is that of a candle, high is bluish.</source>
+        <extracomment>tables</extracomment>
         <translation>Farbe des Lampenlichts: Niedrige Werte sind die einer Kerze, hohe sind bläulich.</translation>
     </message>
     <message>
         <source>Color of the rays, on top of the sun's own.</source>
+        <extracomment>tables</extracomment>
         <translation>Farbe der Strahlen, zusätzlich zu der der Sonne.</translation>
     </message>
     <message>
         <source>Color of the sky's light: high is bluer.</source>
+        <extracomment>tables</extracomment>
         <translation>Farbe des Himmelslichts: Hohe Werte sind blauer.</translation>
     </message>
     <message>
         <source>Color of the sunlight: low is the red of evening, high is bluish.</source>
+        <extracomment>tables</extracomment>
         <translation>Farbe des Sonnenlichts: Niedrige Werte sind das Rot des Abends, hohe sind bläulich.</translation>
     </message>
     <message>
         <source>Color the object by what it cost, or by what was found.</source>
+        <extracomment>tables</extracomment>
         <translation>Färbt das Objekt nach dem, was es gekostet hat, oder nach dem, was gefunden wurde.</translation>
     </message>
     <message>
         <source>Color the scene by what it cost, or by what was found.</source>
+        <extracomment>tables</extracomment>
         <translation>Färbt die Szene nach dem, was sie gekostet hat, oder nach dem, was gefunden wurde.</translation>
     </message>
     <message>
         <source>Color variation</source>
+        <extracomment>tables</extracomment>
         <translation>Farbstreuung</translation>
     </message>
     <message>
         <source>Colored outline</source>
+        <extracomment>tables</extracomment>
         <translation>Farbiger Umriss</translation>
     </message>
     <message>
         <source>Colors</source>
+        <extracomment>tables</extracomment>
         <translation>Farben</translation>
     </message>
     <message>
         <source>colors</source>
+        <extracomment>tables</extracomment>
         <translation>Farben</translation>
     </message>
     <message>
         <source>Comb</source>
+        <extracomment>tables</extracomment>
         <translation>Kämmen</translation>
     </message>
     <message>
@@ -2863,14 +3656,17 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Compare</source>
+        <extracomment>tables</extracomment>
         <translation>Vergleichen</translation>
     </message>
     <message>
         <source>Compare mesh</source>
+        <extracomment>tables</extracomment>
         <translation>Vergleichsnetz</translation>
     </message>
     <message>
         <source>Compare with</source>
+        <extracomment>tables</extracomment>
         <translation>Vergleichen mit</translation>
     </message>
     <message>
@@ -2887,6 +3683,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Comparisons over the sun's disk, where the disk filter finds a half-shadow.</source>
+        <extracomment>tables</extracomment>
         <translation>Vergleiche über die Sonnenscheibe, wo der Scheibenfilter einen Halbschatten findet.</translation>
     </message>
     <message>
@@ -2911,18 +3708,22 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Cone prepass</source>
+        <extracomment>tables</extracomment>
         <translation>Kegel-Vorlauf</translation>
     </message>
     <message>
         <source>cones</source>
+        <extracomment>tables</extracomment>
         <translation>Kegel</translation>
     </message>
     <message>
         <source>Cones around the axis.</source>
+        <extracomment>tables</extracomment>
         <translation>Kegel um die Achse.</translation>
     </message>
     <message>
         <source>Conic</source>
+        <extracomment>tables</extracomment>
         <translation>Konische Konstante</translation>
     </message>
     <message>
@@ -2931,6 +3732,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Contact shadows</source>
+        <extracomment>tables</extracomment>
         <translation>Kontaktschatten</translation>
     </message>
     <message>
@@ -2939,6 +3741,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Contrast</source>
+        <extracomment>tables</extracomment>
         <translation>Kontrast</translation>
     </message>
     <message>
@@ -3027,10 +3830,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Corner</source>
+        <extracomment>tables</extracomment>
         <translation>Ecke</translation>
     </message>
     <message>
         <source>Costs</source>
+        <extracomment>tables</extracomment>
         <translation>Kosten</translation>
     </message>
     <message>
@@ -3043,10 +3848,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Coverage</source>
+        <extracomment>tables</extracomment>
         <translation>Bedeckung</translation>
     </message>
     <message>
         <source>Cream roughness</source>
+        <extracomment>tables</extracomment>
         <translation>Rauheit des Eises</translation>
     </message>
     <message>
@@ -3083,6 +3890,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Crowding</source>
+        <extracomment>tables</extracomment>
         <translation>Dichtegefälle</translation>
     </message>
     <message>
@@ -3095,22 +3903,27 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Curl</source>
+        <extracomment>tables</extracomment>
         <translation>Locken</translation>
     </message>
     <message>
         <source>Curl turns</source>
+        <extracomment>tables</extracomment>
         <translation>Lockenwindungen</translation>
     </message>
     <message>
         <source>Curvature</source>
+        <extracomment>tables</extracomment>
         <translation>Krümmung</translation>
     </message>
     <message>
         <source>custom</source>
+        <extracomment>tables</extracomment>
         <translation>eigene</translation>
     </message>
     <message>
         <source>Custom lpi</source>
+        <extracomment>tables</extracomment>
         <translation>Eigener LPI-Wert</translation>
     </message>
     <message>
@@ -3139,14 +3952,17 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Damping</source>
+        <extracomment>tables</extracomment>
         <translation>Dämpfung</translation>
     </message>
     <message>
         <source>Darken the floor around what stands on it: without it, feet and plinths seem to float.</source>
+        <extracomment>tables</extracomment>
         <translation>Dunkelt den Boden um das ab, was darauf steht: Ohne das scheinen Füße und Sockel zu schweben.</translation>
     </message>
     <message>
         <source>Darken what the object hides from the hall's light: five evaluations a pixel.</source>
+        <extracomment>tables</extracomment>
         <translation>Dunkelt ab, was das Objekt dem Licht der Halle verbirgt: fünf Auswertungen pro Pixel.</translation>
     </message>
     <message>
@@ -3155,6 +3971,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Decay</source>
+        <extracomment>tables</extracomment>
         <translation>Abklingen</translation>
     </message>
     <message>
@@ -3167,6 +3984,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Degrees off that are shown hottest.</source>
+        <extracomment>tables</extracomment>
         <translation>Abweichung in Grad, die am heißesten gezeigt wird.</translation>
     </message>
     <message>
@@ -3191,6 +4009,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Density</source>
+        <extracomment>tables</extracomment>
         <translation>Dichte</translation>
     </message>
     <message>
@@ -3199,10 +4018,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Density falloff</source>
+        <extracomment>tables</extracomment>
         <translation>Dichteabfall</translation>
     </message>
     <message>
         <source>Density noise</source>
+        <extracomment>tables</extracomment>
         <translation>Dichterauschen</translation>
     </message>
     <message>
@@ -3211,10 +4032,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>depth</source>
+        <extracomment>tables</extracomment>
         <translation>Tiefe</translation>
     </message>
     <message>
         <source>Depth bits</source>
+        <extracomment>tables</extracomment>
         <translation>Tiefenbits</translation>
     </message>
     <message>
@@ -3227,10 +4050,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Depth order</source>
+        <extracomment>tables</extracomment>
         <translation>Tiefenfolge</translation>
     </message>
     <message>
         <source>derivative</source>
+        <extracomment>tables</extracomment>
         <translation>Ableitung</translation>
     </message>
     <message>
@@ -3247,14 +4072,17 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Diameter of the handle's tube.</source>
+        <extracomment>tables</extracomment>
         <translation>Durchmesser des Henkelrohrs.</translation>
     </message>
     <message>
         <source>differences</source>
+        <extracomment>tables</extracomment>
         <translation>Differenzen</translation>
     </message>
     <message>
         <source>Differences that give the normal: 4, 4 or 6 evaluations; the first two lean across creases.</source>
+        <extracomment>tables</extracomment>
         <translation>Differenzen, die die Normale ergeben: 4, 4 oder 6 Auswertungen; die ersten beiden neigen sich über Falten.</translation>
     </message>
     <message>
@@ -3263,6 +4091,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Direction</source>
+        <extracomment>tables</extracomment>
         <translation>Richtung</translation>
     </message>
     <message>
@@ -3274,7 +4103,13 @@ Zeiten nach: %2.</translation>
         <translation>Richtungen</translation>
     </message>
     <message>
+        <source>Disk</source>
+        <extracomment>tables</extracomment>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
         <source>Disk samples</source>
+        <extracomment>tables</extracomment>
         <translation>Scheiben-Samples</translation>
     </message>
     <message>
@@ -3283,10 +4118,12 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Disorder</source>
+        <extracomment>tables</extracomment>
         <translation>Unordnung</translation>
     </message>
     <message>
         <source>Dispersion</source>
+        <extracomment>tables</extracomment>
         <translation>Dispersion</translation>
     </message>
     <message>
@@ -3295,6 +4132,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Displacement limit</source>
+        <extracomment>tables</extracomment>
         <translation>Auslenkungsgrenze</translation>
     </message>
     <message>
@@ -3303,14 +4141,17 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Distance</source>
+        <extracomment>tables</extracomment>
         <translation>Abstand</translation>
     </message>
     <message>
         <source>distance</source>
+        <extracomment>tables</extracomment>
         <translation>Abstand</translation>
     </message>
     <message>
         <source>Distance attenuation</source>
+        <extracomment>tables</extracomment>
         <translation>Entfernungsabfall</translation>
     </message>
     <message>
@@ -3319,27 +4160,38 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Dither</source>
+        <extracomment>tables</extracomment>
         <translation>Dithering</translation>
     </message>
     <message>
         <source>Dither strength</source>
+        <extracomment>tables</extracomment>
         <translation>Dithering-Stärke</translation>
     </message>
     <message>
         <source>Divide the picture by a wipe: the technique on the left, the comparison on the right.</source>
+        <extracomment>tables</extracomment>
         <translation>Teilt das Bild durch eine Wischblende: links die Technik, rechts der Vergleich.</translation>
     </message>
     <message>
         <source>Divide the picture in two halves, each with a method and a view of its own.</source>
+        <extracomment>tables</extracomment>
         <translation>Teilt das Bild in zwei Hälften, jede mit eigenem Verfahren und eigener Ansicht.</translation>
     </message>
     <message>
         <source>Divide the picture in two halves, the right one with settings of its own.</source>
+        <extracomment>tables</extracomment>
         <translation>Teilt das Bild in zwei Hälften, die rechte mit eigenen Einstellungen.</translation>
     </message>
     <message>
         <source>Divider</source>
+        <extracomment>tables</extracomment>
         <translation>Trennlinie</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <extracomment>tables</extracomment>
+        <translation>Dokument</translation>
     </message>
     <message>
         <source>Does nothing now: acts when %1. It keeps its value.</source>
@@ -3395,10 +4247,12 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Draw order</source>
+        <extracomment>tables</extracomment>
         <translation>Zeichenfolge</translation>
     </message>
     <message>
         <source>Draw the edges of that mesh: amber when it holds the object, red when it clips.</source>
+        <extracomment>tables</extracomment>
         <translation>Zeichnet die Kanten dieses Netzes: bernsteinfarben, wenn es das Objekt umschließt, rot, wenn es beschneidet.</translation>
     </message>
     <message>
@@ -3419,14 +4273,17 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Drift</source>
+        <extracomment>tables</extracomment>
         <translation>Drift</translation>
     </message>
     <message>
         <source>Drift speed</source>
+        <extracomment>tables</extracomment>
         <translation>Drifttempo</translation>
     </message>
     <message>
         <source>drifts away</source>
+        <extracomment>tables</extracomment>
         <translation>treibt davon</translation>
     </message>
     <message>
@@ -3443,10 +4300,12 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Dusk</source>
+        <extracomment>tables</extracomment>
         <translation>Dämmerung</translation>
     </message>
     <message>
         <source>Dust in the air: what a meter of it takes out of a beam near the floor; 0 is clear air.</source>
+        <extracomment>tables</extracomment>
         <translation>Staub in der Luft: was ein Meter davon in Bodennähe einem Strahl nimmt; 0 ist klare Luft.</translation>
     </message>
     <message>
@@ -3483,6 +4342,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>each its own</source>
+        <extracomment>tables</extracomment>
         <translation>jede für sich</translation>
     </message>
     <message>
@@ -3495,10 +4355,12 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Edge angle</source>
+        <extracomment>tables</extracomment>
         <translation>Kantenwinkel</translation>
     </message>
     <message>
         <source>Edge fade</source>
+        <extracomment>tables</extracomment>
         <translation>Randblende</translation>
     </message>
     <message>
@@ -3511,18 +4373,22 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Edges</source>
+        <extracomment>tables</extracomment>
         <translation>Kanten</translation>
     </message>
     <message>
         <source>edges</source>
+        <extracomment>tables</extracomment>
         <translation>Kanten</translation>
     </message>
     <message>
         <source>EGA</source>
+        <extracomment>tables</extracomment>
         <translation>EGA</translation>
     </message>
     <message>
         <source>Elevation</source>
+        <extracomment>tables</extracomment>
         <translation>Höhenwinkel</translation>
     </message>
     <message>
@@ -3555,6 +4421,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Environment</source>
+        <extracomment>tables</extracomment>
         <translation>Umgebung</translation>
     </message>
     <message>
@@ -3563,14 +4430,17 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Erosion</source>
+        <extracomment>tables</extracomment>
         <translation>Erosion</translation>
     </message>
     <message>
         <source>error</source>
+        <extracomment>tables</extracomment>
         <translation>Fehler</translation>
     </message>
     <message>
         <source>error diffusion</source>
+        <extracomment>tables</extracomment>
         <translation>Fehlerdiffusion</translation>
     </message>
     <message>
@@ -3579,6 +4449,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Error scale</source>
+        <extracomment>tables</extracomment>
         <translation>Fehlerskala</translation>
     </message>
     <message>
@@ -3591,14 +4462,17 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>evaluated</source>
+        <extracomment>tables</extracomment>
         <translation>ausgewertet</translation>
     </message>
     <message>
         <source>Evaluation</source>
+        <extracomment>tables</extracomment>
         <translation>Auswertung</translation>
     </message>
     <message>
         <source>evaluations</source>
+        <extracomment>tables</extracomment>
         <translation>Auswertungen</translation>
     </message>
     <message>
@@ -3607,10 +4481,12 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>every shape</source>
+        <extracomment>tables</extracomment>
         <translation>jede Form</translation>
     </message>
     <message>
         <source>Every texel by a whole number of pixels, or any, with borders smoothed over one pixel.</source>
+        <extracomment>tables</extracomment>
         <translation>Jedes Texel durch eine ganze Zahl von Pixeln, oder beliebig, mit über ein Pixel geglätteten Grenzen.</translation>
     </message>
     <message>
@@ -3631,6 +4507,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Exaggeration</source>
+        <extracomment>tables</extracomment>
         <translation>Überhöhung</translation>
     </message>
     <message>
@@ -3643,6 +4520,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>explicit Euler</source>
+        <extracomment>tables</extracomment>
         <translation>explizites Euler</translation>
     </message>
     <message>
@@ -3691,14 +4569,17 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Exposure</source>
+        <extracomment>tables</extracomment>
         <translation>Belichtung</translation>
     </message>
     <message>
         <source>Eye distance</source>
+        <extracomment>tables</extracomment>
         <translation>Augenentfernung</translation>
     </message>
     <message>
         <source>Eye height</source>
+        <extracomment>tables</extracomment>
         <translation>Augenhöhe</translation>
     </message>
     <message>
@@ -3707,6 +4588,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Eyes</source>
+        <extracomment>tables</extracomment>
         <translation>Augen</translation>
     </message>
     <message>
@@ -3715,6 +4597,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Face</source>
+        <extracomment>tables</extracomment>
         <translation>Seite</translation>
     </message>
     <message>
@@ -3731,6 +4614,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Fewer shells where the coat is far away and small.</source>
+        <extracomment>tables</extracomment>
         <translation>Weniger Shells, wo das Fell weit weg und klein ist.</translation>
     </message>
     <message>
@@ -3739,10 +4623,12 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Fibers</source>
+        <extracomment>tables</extracomment>
         <translation>Fasern</translation>
     </message>
     <message>
         <source>field</source>
+        <extracomment>tables</extracomment>
         <translation>Feld</translation>
     </message>
     <message>
@@ -3751,6 +4637,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Field noise</source>
+        <extracomment>tables</extracomment>
         <translation>Feldrauschen</translation>
     </message>
     <message>
@@ -3811,14 +4698,17 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>finished</source>
+        <extracomment>tables</extracomment>
         <translation>fertig</translation>
     </message>
     <message>
         <source>fins</source>
+        <extracomment>tables</extracomment>
         <translation>Fins</translation>
     </message>
     <message>
         <source>First march one cone for every 8 × 8 pixels, and start their rays where it ended.</source>
+        <extracomment>tables</extracomment>
         <translation>Schreitet zuerst einen Kegel für je 8 × 8 Pixel ab und beginnt deren Strahlen, wo er endete.</translation>
     </message>
     <message>
@@ -3827,18 +4717,22 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Fix void</source>
+        <extracomment>tables</extracomment>
         <translation>Leere mildern</translation>
     </message>
     <message>
         <source>fixed</source>
+        <extracomment>tables</extracomment>
         <translation>fest</translation>
     </message>
     <message>
         <source>Flame height</source>
+        <extracomment>tables</extracomment>
         <translation>Flammenhöhe</translation>
     </message>
     <message>
         <source>flat</source>
+        <extracomment>tables</extracomment>
         <translation>flach</translation>
     </message>
     <message>
@@ -3847,6 +4741,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Flattening</source>
+        <extracomment>tables</extracomment>
         <translation>Abflachung</translation>
     </message>
     <message>
@@ -3859,6 +4754,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Flicker phase</source>
+        <extracomment>tables</extracomment>
         <translation>Flackerphase</translation>
     </message>
     <message>
@@ -3879,22 +4775,27 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Floor mirror</source>
+        <extracomment>tables</extracomment>
         <translation>Bodenspiegel</translation>
     </message>
     <message>
         <source>Foam</source>
+        <extracomment>tables</extracomment>
         <translation>Schaum</translation>
     </message>
     <message>
         <source>Fog</source>
+        <extracomment>tables</extracomment>
         <translation>Nebel</translation>
     </message>
     <message>
         <source>fog</source>
+        <extracomment>tables</extracomment>
         <translation>Nebel</translation>
     </message>
     <message>
         <source>Fog height</source>
+        <extracomment>tables</extracomment>
         <translation>Nebelhöhe</translation>
     </message>
     <message>
@@ -3915,22 +4816,27 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>foot</source>
+        <extracomment>tables</extracomment>
         <translation>Fuß</translation>
     </message>
     <message>
         <source>Foot blend</source>
+        <extracomment>tables</extracomment>
         <translation>Übergang am Fuß</translation>
     </message>
     <message>
         <source>Foot height</source>
+        <extracomment>tables</extracomment>
         <translation>Fußhöhe</translation>
     </message>
     <message>
         <source>Foot radius</source>
+        <extracomment>tables</extracomment>
         <translation>Fußradius</translation>
     </message>
     <message>
         <source>Foot top</source>
+        <extracomment>tables</extracomment>
         <translation>Fuß oben</translation>
     </message>
     <message>
@@ -3961,18 +4867,22 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Forward</source>
+        <extracomment>tables</extracomment>
         <translation>Vorwärts</translation>
     </message>
     <message>
         <source>forward</source>
+        <extracomment>tables</extracomment>
         <translation>vorwärts</translation>
     </message>
     <message>
         <source>fractal sum</source>
+        <extracomment>tables</extracomment>
         <translation>fraktale Summe</translation>
     </message>
     <message>
         <source>Frame blend</source>
+        <extracomment>tables</extracomment>
         <translation>Frame-Mischung</translation>
     </message>
     <message>
@@ -4001,6 +4911,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Frames that a picture in motion is averaged over: few flicker, many blur what is fine.</source>
+        <extracomment>tables</extracomment>
         <translation>Frames, über die ein bewegtes Bild gemittelt wird: Wenige flimmern, viele verwischen Feines.</translation>
     </message>
     <message>
@@ -4009,10 +4920,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Frequency</source>
+        <extracomment>tables</extracomment>
         <translation>Frequenz</translation>
     </message>
     <message>
         <source>Frequency of an octave over that of the one before.</source>
+        <extracomment>tables</extracomment>
         <translation>Frequenz einer Oktave gegenüber der davor.</translation>
     </message>
     <message>
@@ -4033,6 +4946,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>From an eye's angle to the strip: in proportion to its tangent as in the source, first-order optics, or Snell's law on the lens.</source>
+        <extracomment>tables</extracomment>
         <translation>Vom Winkel eines Auges zum Streifen: proportional zu seinem Tangens wie im Original, Optik erster Ordnung, oder das Brechungsgesetz auf der Linse.</translation>
     </message>
     <message>
@@ -4053,6 +4967,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>From one print to the next.</source>
+        <extracomment>tables</extracomment>
         <translation>Von einem Druck zum nächsten.</translation>
     </message>
     <message>
@@ -4077,6 +4992,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>From the middle; of the orthographic camera, where its view begins.</source>
+        <extracomment>tables</extracomment>
         <translation>Von der Mitte; bei der orthografischen Kamera, wo ihre Sicht beginnt.</translation>
     </message>
     <message>
@@ -4101,14 +5017,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>front</source>
+        <extracomment>tables</extracomment>
         <translation>vorn</translation>
     </message>
     <message>
         <source>Front print</source>
+        <extracomment>tables</extracomment>
         <translation>Vorderer Druck</translation>
     </message>
     <message>
         <source>Frozen at</source>
+        <extracomment>tables</extracomment>
         <translation>Eingefroren bei</translation>
     </message>
     <message>
@@ -4117,6 +5036,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>full</source>
+        <extracomment>tables</extracomment>
         <translation>voll</translation>
     </message>
     <message>
@@ -4125,14 +5045,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Gain</source>
+        <extracomment>tables</extracomment>
         <translation>Gain</translation>
     </message>
     <message>
         <source>Game Boy</source>
+        <extracomment>tables</extracomment>
         <translation>Game Boy</translation>
     </message>
     <message>
         <source>GGX</source>
+        <extracomment>tables</extracomment>
         <translation>GGX</translation>
     </message>
     <message>
@@ -4149,10 +5072,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>glass</source>
+        <extracomment>tables</extracomment>
         <translation>Glas</translation>
     </message>
     <message>
         <source>Glass color</source>
+        <extracomment>tables</extracomment>
         <translation>Glasfarbe</translation>
     </message>
     <message>
@@ -4173,10 +5098,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Gloss along the strands: 0 is wool, high is silk.</source>
+        <extracomment>tables</extracomment>
         <translation>Glanz entlang der Haare: 0 ist Wolle, hohe Werte sind Seide.</translation>
     </message>
     <message>
         <source>Gloss samples</source>
+        <extracomment>tables</extracomment>
         <translation>Glanz-Samples</translation>
     </message>
     <message>
@@ -4197,6 +5124,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>golden hour</source>
+        <extracomment>tables</extracomment>
         <translation>goldene Stunde</translation>
     </message>
     <message>
@@ -4209,14 +5137,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Gradient</source>
+        <extracomment>tables</extracomment>
         <translation>Verlauf</translation>
     </message>
     <message>
         <source>gradient</source>
+        <extracomment>tables</extracomment>
         <translation>Gradient</translation>
     </message>
     <message>
         <source>Gravity</source>
+        <extracomment>tables</extracomment>
         <translation>Schwerkraft</translation>
     </message>
     <message>
@@ -4225,18 +5156,22 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Ground</source>
+        <extracomment>tables</extracomment>
         <translation>Boden</translation>
     </message>
     <message>
         <source>Ground color</source>
+        <extracomment>tables</extracomment>
         <translation>Bodenfarbe</translation>
     </message>
     <message>
         <source>Grow and shrink all the time, not only while they jump.</source>
+        <extracomment>tables</extracomment>
         <translation>Wächst und schrumpft ständig, nicht nur während des Sprungs.</translation>
     </message>
     <message>
         <source>Growing</source>
+        <extracomment>tables</extracomment>
         <translation>Wachsen</translation>
     </message>
     <message>
@@ -4245,10 +5180,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Growth</source>
+        <extracomment>tables</extracomment>
         <translation>Wachstum</translation>
     </message>
     <message>
         <source>Growth rate</source>
+        <extracomment>tables</extracomment>
         <translation>Wachstumsrate</translation>
     </message>
     <message>
@@ -4261,10 +5198,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Gustiness</source>
+        <extracomment>tables</extracomment>
         <translation>Böigkeit</translation>
     </message>
     <message>
         <source>half</source>
+        <extracomment>tables</extracomment>
         <translation>halb</translation>
     </message>
     <message>
@@ -4273,14 +5212,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Half its depth.</source>
+        <extracomment>tables</extracomment>
         <translation>Halbe Tiefe.</translation>
     </message>
     <message>
         <source>Half its height.</source>
+        <extracomment>tables</extracomment>
         <translation>Halbe Höhe.</translation>
     </message>
     <message>
         <source>Half its width.</source>
+        <extracomment>tables</extracomment>
         <translation>Halbe Breite.</translation>
     </message>
     <message>
@@ -4297,34 +5239,42 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>hall</source>
+        <extracomment>tables</extracomment>
         <translation>Halle</translation>
     </message>
     <message>
         <source>Hall glow</source>
+        <extracomment>tables</extracomment>
         <translation>Schein in der Halle</translation>
     </message>
     <message>
         <source>Hand rotation</source>
+        <extracomment>tables</extracomment>
         <translation>Drehung von Hand</translation>
     </message>
     <message>
         <source>Hand x</source>
+        <extracomment>tables</extracomment>
         <translation>x von Hand</translation>
     </message>
     <message>
         <source>Hand y</source>
+        <extracomment>tables</extracomment>
         <translation>y von Hand</translation>
     </message>
     <message>
         <source>Hand z</source>
+        <extracomment>tables</extracomment>
         <translation>z von Hand</translation>
     </message>
     <message>
         <source>Handle radius</source>
+        <extracomment>tables</extracomment>
         <translation>Henkelradius</translation>
     </message>
     <message>
         <source>Handle thickness</source>
+        <extracomment>tables</extracomment>
         <translation>Henkeldicke</translation>
     </message>
     <message>
@@ -4333,22 +5283,27 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Hangings</source>
+        <extracomment>tables</extracomment>
         <translation>Gehänge</translation>
     </message>
     <message>
         <source>hard</source>
+        <extracomment>tables</extracomment>
         <translation>hart</translation>
     </message>
     <message>
         <source>Haze</source>
+        <extracomment>tables</extracomment>
         <translation>Dunst</translation>
     </message>
     <message>
         <source>Heat map</source>
+        <extracomment>tables</extracomment>
         <translation>Heatmap</translation>
     </message>
     <message>
         <source>Heat scale</source>
+        <extracomment>tables</extracomment>
         <translation>Heatmap-Skala</translation>
     </message>
     <message>
@@ -4357,14 +5312,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Height of its own sun above the horizon.</source>
+        <extracomment>tables</extracomment>
         <translation>Höhe der eigenen Sonne über dem Horizont.</translation>
     </message>
     <message>
         <source>Height of the lower ring.</source>
+        <extracomment>tables</extracomment>
         <translation>Höhe des unteren Rings.</translation>
     </message>
     <message>
         <source>Height of the picture at the middle: low is near.</source>
+        <extracomment>tables</extracomment>
         <translation>Höhe des Bildes in der Mitte: Niedrige Werte sind nah.</translation>
     </message>
     <message>
@@ -4377,10 +5335,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.</source>
+        <extracomment>tables</extracomment>
         <translation>Höhe der Sonne über dem Horizont: Niedrige Werte reichen weit in die Halle, hohe beleuchten den Fuß des Fensters.</translation>
     </message>
     <message>
         <source>heights</source>
+        <extracomment>tables</extracomment>
         <translation>Höhen</translation>
     </message>
     <message>
@@ -4389,6 +5349,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>hemisphere</source>
+        <extracomment>tables</extracomment>
         <translation>Halbkugel</translation>
     </message>
     <message>
@@ -4413,18 +5374,22 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Highlight</source>
+        <extracomment>tables</extracomment>
         <translation>Glanzlicht</translation>
     </message>
     <message>
         <source>Highlight color</source>
+        <extracomment>tables</extracomment>
         <translation>Glanzlichtfarbe</translation>
     </message>
     <message>
         <source>Highlight strength</source>
+        <extracomment>tables</extracomment>
         <translation>Glanzlichtstärke</translation>
     </message>
     <message>
         <source>highlights</source>
+        <extracomment>tables</extracomment>
         <translation>Glanzlichter</translation>
     </message>
     <message>
@@ -4433,10 +5398,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>History frames</source>
+        <extracomment>tables</extracomment>
         <translation>Verlaufs-Frames</translation>
     </message>
     <message>
         <source>Hit tolerance</source>
+        <extracomment>tables</extracomment>
         <translation>Treffertoleranz</translation>
     </message>
     <message>
@@ -4457,18 +5424,22 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Horizon</source>
+        <extracomment>tables</extracomment>
         <translation>Horizont</translation>
     </message>
     <message>
         <source>Horizon color</source>
+        <extracomment>tables</extracomment>
         <translation>Horizontfarbe</translation>
     </message>
     <message>
         <source>horizontal</source>
+        <extracomment>tables</extracomment>
         <translation>waagerecht</translation>
     </message>
     <message>
         <source>Hour of an equinox day, while the sun goes by it: the light comes through the window from three o'clock and sets at six.</source>
+        <extracomment>tables</extracomment>
         <translation>Stunde eines Tages der Tagundnachtgleiche, solange die Sonne danach geht: Das Licht kommt ab drei Uhr durch das Fenster und geht um sechs unter.</translation>
     </message>
     <message>
@@ -4477,6 +5448,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How a strand turns from root to tip: the mix of matrices shortens it, nlerp hurries in the middle, slerp does neither.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sich ein Haar von der Wurzel zur Spitze dreht: Die Mischung der Matrizen verkürzt es, nlerp eilt in der Mitte, slerp tut keines von beiden.</translation>
     </message>
     <message>
@@ -4485,14 +5457,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How bright the flames are.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie hell die Flammen sind.</translation>
     </message>
     <message>
         <source>How bright they are.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie hell sie sind.</translation>
     </message>
     <message>
         <source>How colors between those of the palette are hinted at.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie Farben zwischen denen der Palette angedeutet werden.</translation>
     </message>
     <message>
@@ -4501,6 +5476,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How dark it is between the roots: 0 not at all, high all the way up.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie dunkel es zwischen den Wurzeln ist: 0 gar nicht, hohe Werte bis ganz nach oben.</translation>
     </message>
     <message>
@@ -4513,10 +5489,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How far a surface turns at an edge.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit sich eine Oberfläche an einer Kante wendet.</translation>
     </message>
     <message>
         <source>How far above the horizon it stands.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie hoch sie über dem Horizont steht.</translation>
     </message>
     <message>
@@ -4525,74 +5503,92 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How far around the sun the sky gives rays: 180° is all of it.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit um die Sonne herum der Himmel Strahlen gibt: 180° ist der ganze.</translation>
     </message>
     <message>
         <source>How far beyond the picture's edge the sun may be before its rays have faded, in halves of the picture.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit die Sonne außerhalb des Bildes stehen darf, bis ihre Strahlen verblasst sind, in halben Bildern.</translation>
     </message>
     <message>
         <source>How far blue noise moves them from the middle of their cells: 0 is a grid.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit blaues Rauschen sie aus der Mitte ihrer Zellen rückt: 0 ist ein Gitter.</translation>
     </message>
     <message>
         <source>How far from the origin of the noise the picture is: ten thousand kilometers off, it is as sharp as at home.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit vom Ursprung des Rauschens das Bild liegt: Zehntausend Kilometer entfernt ist es so scharf wie daheim.</translation>
     </message>
     <message>
         <source>How far it floats up and down.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit es auf und ab schwebt.</translation>
     </message>
     <message>
         <source>How far it goes in a second.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit sie in einer Sekunde geht.</translation>
     </message>
     <message>
         <source>How far it hangs at rest, in strand lengths.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit es in Ruhe herabhängt, in Haarlängen.</translation>
     </message>
     <message>
         <source>How far it is built up, as its author's slides go; each stage has all before it.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit es aufgebaut ist, nach den Folien seines Autors; jede Stufe hat alles davor.</translation>
     </message>
     <message>
         <source>How far it is turned.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit es gedreht ist.</translation>
     </message>
     <message>
         <source>How far it lags behind when the body starts, stops or spins.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit es nachhängt, wenn der Körper anfährt, anhält oder sich dreht.</translation>
     </message>
     <message>
         <source>How far it leans past the axis to a side.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit er an der Achse vorbei zur Seite lehnt.</translation>
     </message>
     <message>
         <source>How far it leans: below 0 towards the axis.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit er lehnt: unter 0 zur Achse hin.</translation>
     </message>
     <message>
         <source>How far it lies in swirls instead.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit es stattdessen in Wirbeln liegt.</translation>
     </message>
     <message>
         <source>How far it trails in moving air, in strand lengths for each meter a second.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit es in bewegter Luft nachweht, in Haarlängen pro Meter in der Sekunde.</translation>
     </message>
     <message>
         <source>How far papers differ in color: 0 not at all, 1 is a festival.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr sich Papiere in der Farbe unterscheiden: 0 gar nicht, 1 ist ein Fest.</translation>
     </message>
     <message>
         <source>How far strands differ in color.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr sich Haare in der Farbe unterscheiden.</translation>
     </message>
     <message>
         <source>How far strands differ in thickness: 0 makes all as thick as said above, 1 any thickness from that down to none.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr sich Haare in der Dicke unterscheiden: 0 macht alle so dick wie oben angegeben, 1 jede Dicke von da bis nichts.</translation>
     </message>
     <message>
         <source>How far strands draw together towards their tips: 0 is freshly brushed, high is wet.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr sich Haare zu ihren Spitzen hin sammeln: 0 ist frisch gebürstet, hohe Werte sind nass.</translation>
     </message>
     <message>
@@ -4601,14 +5597,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How far the camera has gone around what it looks at.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit die Kamera um das herumgegangen ist, was sie ansieht.</translation>
     </message>
     <message>
         <source>How far the coat is combed to one side.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit das Fell zu einer Seite gekämmt ist.</translation>
     </message>
     <message>
         <source>How far the mobile has turned.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit das Mobile gedreht ist.</translation>
     </message>
     <message>
@@ -4617,62 +5616,77 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How far they are turned, each by an angle of its own.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit sie gedreht sind, jede um einen eigenen Winkel.</translation>
     </message>
     <message>
         <source>How far they may turn less than their body at most; the museum that this exhibit follows allows 30 degrees.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit sie höchstens hinter der Drehung ihres Körpers zurückbleiben dürfen; das Museum, dem dieses Exponat folgt, erlaubt 30 Grad.</translation>
     </message>
     <message>
         <source>How far tips may be drawn at most, in strand lengths.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit Spitzen höchstens gezogen werden dürfen, in Haarlängen.</translation>
     </message>
     <message>
         <source>How far towards the light is gathered: 0 sees the mask alone, 1 goes all the way.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit zum Licht hin gesammelt wird: 0 sieht nur die Maske, 1 geht den ganzen Weg.</translation>
     </message>
     <message>
         <source>How far up the frame looks.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit der Rahmen nach oben schaut.</translation>
     </message>
     <message>
         <source>How far: at 1 means are kept, less leaves calm areas.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weit: Bei 1 bleiben Mittelwerte erhalten, weniger lässt ruhige Flächen.</translation>
     </message>
     <message>
         <source>How fast distance fades to black: light falls by e where this times its cube is 1.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie schnell Entfernung zu Schwarz verblasst: Licht fällt um e, wo diese Zahl mal deren dritte Potenz 1 ist.</translation>
     </message>
     <message>
         <source>How fast it is played: 1 as the file has it.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie schnell sie abgespielt wird: 1, wie die Datei es vorgibt.</translation>
     </message>
     <message>
         <source>How fast it spins, against the source's slow and uneven turn.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie schnell es sich dreht, gegenüber der langsamen, ungleichmäßigen Drehung des Originals.</translation>
     </message>
     <message>
         <source>How fast sunlight fades on its way into the coat.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie schnell Sonnenlicht auf dem Weg ins Fell schwindet.</translation>
     </message>
     <message>
         <source>How fast the dust thins with height: 0 is even, high keeps it near the floor.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie schnell der Staub mit der Höhe dünner wird: 0 ist gleichmäßig, hohe Werte halten ihn am Boden.</translation>
     </message>
     <message>
         <source>How fast they leave the ground when the button is pressed, in meters a second.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie schnell sie beim Druck auf den Knopf abheben, in Metern pro Sekunde.</translation>
     </message>
     <message>
         <source>How flat fur is pressed by what it touches: 0 carries the body on its tips, 1 lets the skin down to the ground.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie flach das Fell von dem gedrückt wird, was es berührt: 0 trägt den Körper auf den Spitzen, 1 lässt die Haut bis zum Boden.</translation>
     </message>
     <message>
         <source>How high it is.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie hoch es liegt.</translation>
     </message>
     <message>
         <source>How it is lit: by metal, glaze and glass in the light around them, or by Phong's formulas.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sie beleuchtet wird: durch Metall, Glasur und Glas im Licht ringsum, oder durch Phongs Formeln.</translation>
     </message>
     <message>
@@ -4681,22 +5695,27 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How late a strand bends: 0 leans like a stick, high bends only the tip.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie spät sich ein Haar biegt: 0 lehnt wie ein Stock, hohe Werte biegen nur die Spitze.</translation>
     </message>
     <message>
         <source>How light is reckoned: through translucent paper, with Fresnel's mirror, or as the source does.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie Licht berechnet wird: durch durchscheinendes Papier, mit Fresnels Spiegel, oder wie es das Original tut.</translation>
     </message>
     <message>
         <source>How little the plastic spreads colors: acrylic has 57, polycarbonate 30.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie wenig der Kunststoff Farben spreizt: Acryl hat 57, Polycarbonat 30.</translation>
     </message>
     <message>
         <source>How long each stage is shown.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie lange jede Stufe gezeigt wird.</translation>
     </message>
     <message>
         <source>How long rays may become when the sun is far beyond the edge, in heights of the picture.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie lang Strahlen werden dürfen, wenn die Sonne weit außerhalb des Randes steht, in Bildhöhen.</translation>
     </message>
     <message>
@@ -4705,14 +5724,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How many cells a further noise moves the first ones by: 0 leaves them, high folds and swirls.</source>
+        <extracomment>tables</extracomment>
         <translation>Um wie viele Zellen ein weiteres Rauschen die ersten verschiebt: 0 lässt sie, hohe Werte falten und wirbeln.</translation>
     </message>
     <message>
         <source>How many colors are taken from a picture.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie viele Farben aus einem Bild genommen werden.</translation>
     </message>
     <message>
         <source>How many octaves are summed: each has finer grain.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie viele Oktaven summiert werden: Jede hat feineres Korn.</translation>
     </message>
     <message>
@@ -4721,6 +5743,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How many times a second it melts to the mug and back.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie oft es in der Sekunde zur Tasse und zurück schmilzt.</translation>
     </message>
     <message>
@@ -4737,34 +5760,42 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How much a line takes a dark tone of what it borders, in place of its own color.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr eine Linie statt ihrer eigenen Farbe einen dunklen Ton dessen annimmt, was sie begrenzt.</translation>
     </message>
     <message>
         <source>How much crests are drawn together: 0 is a plain sum of sines, 1 a sea, more breaks.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr Kämme zusammengezogen werden: 0 ist eine einfache Summe von Sinus, 1 ein Meer, mehr bricht.</translation>
     </message>
     <message>
         <source>How much darker the coat is on the side away from the room's light.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie viel dunkler das Fell auf der Seite ist, die dem Licht des Raums abgewandt ist.</translation>
     </message>
     <message>
         <source>How much fine noise takes away from their edges.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie viel feines Rauschen von ihren Rändern nimmt.</translation>
     </message>
     <message>
         <source>How much flames flicker: 0 burns evenly.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr Flammen flackern: 0 brennt gleichmäßig.</translation>
     </message>
     <message>
         <source>How much light comes through the fringe from behind.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie viel Licht von hinten durch den Saum dringt.</translation>
     </message>
     <message>
         <source>How much longer ribs are than wide.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie viel länger als breit Rippen sind.</translation>
     </message>
     <message>
         <source>How much of all this is seen: 0 keeps every strand upright.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie viel von all dem zu sehen ist: 0 lässt jedes Haar aufrecht.</translation>
     </message>
     <message>
@@ -4773,38 +5804,47 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How much of the lenses' own slope the highlight follows: 0 is a flat sheet, 1 spreads it over all directions across.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr das Glanzlicht der Steigung der Linsen folgt: 0 ist eine flache Folie, 1 verteilt es quer über alle Richtungen.</translation>
     </message>
     <message>
         <source>How much of the light around a point shapes keep away: up the normal, or by rays or cones around it.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie viel vom Licht um einen Punkt Formen abhalten: entlang der Normalen, oder durch Strahlen oder Kegel ringsum.</translation>
     </message>
     <message>
         <source>How much of the light is left after each 128th of the way: 1 lets the sky reach everywhere, low keeps it near.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie viel vom Licht nach jedem 128stel des Weges übrig ist: 1 lässt den Himmel überallhin reichen, kleine Werte halten ihn nah.</translation>
     </message>
     <message>
         <source>How much of the sky the clouds fill.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie viel vom Himmel die Wolken füllen.</translation>
     </message>
     <message>
         <source>How much the ball's radius grows and shrinks.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr der Radius des Balls wächst und schrumpft.</translation>
     </message>
     <message>
         <source>How much the camera follows a visitor who steps aside: 1 as a window would.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr die Kamera einem Besucher folgt, der zur Seite geht: 1 wie ein Fenster.</translation>
     </message>
     <message>
         <source>How much the dust gathers in drifts; 0 is even air.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr sich der Staub in Schwaden sammelt; 0 ist gleichmäßige Luft.</translation>
     </message>
     <message>
         <source>How much the dust scatters forward: 0 to all sides, high glows towards the sun.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr der Staub nach vorn streut: 0 nach allen Seiten, hohe Werte leuchten zur Sonne hin.</translation>
     </message>
     <message>
         <source>How much the ribs, noise stretched along the lenses, bend the highlight.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie sehr die Rippen, entlang der Linsen gestrecktes Rauschen, das Glanzlicht verbiegen.</translation>
     </message>
     <message>
@@ -4813,18 +5853,22 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How near a part rays go on by small even steps until they touch, in pixels at that distance: more makes edges uneven.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie nah an einem Teil Strahlen in kleinen gleichen Schritten weitergehen, bis sie treffen, in Pixeln bei dieser Entfernung: Mehr macht Kanten ungleichmäßig.</translation>
     </message>
     <message>
         <source>How near a ray must come to a surface, in half pixels at that distance.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie nah ein Strahl einer Oberfläche kommen muss, in halben Pixeln bei dieser Entfernung.</translation>
     </message>
     <message>
         <source>How near a ray must come to the field or the water, in pixels at that distance.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie nah ein Strahl dem Feld oder dem Wasser kommen muss, in Pixeln bei dieser Entfernung.</translation>
     </message>
     <message>
         <source>How near a ray must come to the surface, in half pixels at that distance.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie nah ein Strahl der Oberfläche kommen muss, in halben Pixeln bei dieser Entfernung.</translation>
     </message>
     <message>
@@ -4833,66 +5877,82 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How often a ray may be mirrored by the water.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie oft ein Strahl vom Wasser gespiegelt werden darf.</translation>
     </message>
     <message>
         <source>How often a reflected ray may meet the object again before it sees the hall.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie oft ein gespiegelter Strahl das Objekt wieder treffen darf, bevor er die Halle sieht.</translation>
     </message>
     <message>
         <source>How often it does so.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie oft das geschieht.</translation>
     </message>
     <message>
         <source>How often light is scattered in it: low is clear and bright, high dim and white.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie oft Licht darin gestreut wird: Niedrige Werte sind klar und hell, hohe trüb und weiß.</translation>
     </message>
     <message>
         <source>How rays find what they show: by steps of half the field's value, of the height above the water, of one length through clouds, or by as much as bounds of the slope allow, with clear air passed quickly.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie Strahlen finden, was sie zeigen: in Schritten vom halben Wert des Felds, von der Höhe über dem Wasser, von einer Länge durch Wolken; oder von so viel, wie Schranken der Steigung erlauben, mit schnellem Weg durch klare Luft.</translation>
     </message>
     <message>
         <source>How shapes shade each other: one ray, three kinds of estimate from one ray, or many rays.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie Formen einander beschatten: ein Strahl, drei Arten von Schätzung aus einem Strahl, oder viele Strahlen.</translation>
     </message>
     <message>
         <source>How shells are spread: below 1 more of them near the tips, above 1 near the skin.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie Shells verteilt sind: unter 1 mehr davon an den Spitzen, über 1 an der Haut.</translation>
     </message>
     <message>
         <source>How softly posts and rings join.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weich Pfosten und Ringe ineinander übergehen.</translation>
     </message>
     <message>
         <source>How softly the edge of a shadow is drawn: by a fixed number of texels, or as wide as the sun's disk makes it over the distance.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie weich der Rand eines Schattens gezeichnet wird: durch eine feste Zahl von Texeln, oder so breit, wie die Sonnenscheibe ihn über die Entfernung macht.</translation>
     </message>
     <message>
         <source>How soon crests break into foam; 0 never.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie bald Kämme zu Schaum brechen; 0 nie.</translation>
     </message>
     <message>
         <source>How soon it stops swaying: 0 never, 1 without one overshoot.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie bald es aufhört zu schwingen: 0 nie, 1 ohne ein einziges Überschwingen.</translation>
     </message>
     <message>
         <source>How stiff the fur is: low sways, high snaps back.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie steif das Fell ist: niedrige Werte schwingen, hohe schnellen zurück.</translation>
     </message>
     <message>
         <source>How strongly droplets scatter ahead: high gives silver edges before the sun.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie stark Tröpfchen nach vorn streuen: Hohe Werte geben silberne Ränder vor der Sonne.</translation>
     </message>
     <message>
         <source>How the beams are made: smeared from the bright sky across the picture, or by marching the sun's shadows through dusty air.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie die Strahlen entstehen: vom hellen Himmel über das Bild verwischt, oder indem die Schatten der Sonne durch staubige Luft abgeschritten werden.</translation>
     </message>
     <message>
         <source>How the mean along a ray is found: sample by sample, by three passes over each other's results, or by a running sum on a polar grid.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie das Mittel entlang eines Strahls gefunden wird: Sample für Sample, durch drei Passes über die Ergebnisse der vorigen, oder durch eine laufende Summe auf einem Polargitter.</translation>
     </message>
     <message>
         <source>How the object shades itself from the sun: one ray, three kinds of estimate from one ray, or many rays.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie das Objekt sich selbst vor der Sonne beschattet: ein Strahl, drei Arten von Schätzung aus einem Strahl, oder viele Strahlen.</translation>
     </message>
     <message>
@@ -4901,10 +5961,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How the sky is told from what hides it: by depth, by what is not yet covered, or by drawing the occluders once more.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie der Himmel von dem unterschieden wird, was ihn verdeckt: nach der Tiefe, nach dem, was noch nicht bedeckt ist, oder indem die Verdecker noch einmal gezeichnet werden.</translation>
     </message>
     <message>
         <source>How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie die Federn berechnet werden: Das erste Verfahren gewinnt Energie, das zweite versagt bei langen Schritten, das dritte ist exakt.</translation>
     </message>
     <message>
@@ -4917,14 +5979,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How uneven it is.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie ungleichmäßig es ist.</translation>
     </message>
     <message>
         <source>How uneven it is: 0 leans on the fur steadily and moves nothing.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie ungleichmäßig er ist: 0 lehnt stetig auf dem Fell und bewegt nichts.</translation>
     </message>
     <message>
         <source>How warm its horizon is: of the sun that has set, or rises.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie warm sein Horizont ist: von der Sonne, die untergegangen ist oder aufgeht.</translation>
     </message>
     <message>
@@ -4933,10 +5998,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>How wide the sun looks to the shadows of the disk filter: the real one is about half a degree.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie groß die Sonne den Schatten des Scheibenfilters erscheint: Die wirkliche misst etwa ein halbes Grad.</translation>
     </message>
     <message>
         <source>How wide the sun looks: wide gives soft shadows. The real one is half a degree.</source>
+        <extracomment>tables</extracomment>
         <translation>Wie groß die Sonne erscheint: Groß gibt weiche Schatten. Die wirkliche misst ein halbes Grad.</translation>
     </message>
     <message>
@@ -4949,6 +6016,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Ice cream</source>
+        <extracomment>tables</extracomment>
         <translation>Eis</translation>
     </message>
     <message>
@@ -4957,10 +6025,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>improved</source>
+        <extracomment>tables</extracomment>
         <translation>verbessert</translation>
     </message>
     <message>
         <source>improved shadow</source>
+        <extracomment>tables</extracomment>
         <translation>besserer Schatten</translation>
     </message>
     <message>
@@ -5017,6 +6087,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Inertia</source>
+        <extracomment>tables</extracomment>
         <translation>Trägheit</translation>
     </message>
     <message>
@@ -5029,10 +6100,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Ink spread</source>
+        <extracomment>tables</extracomment>
         <translation>Tintenverlauf</translation>
     </message>
     <message>
         <source>inner first</source>
+        <extracomment>tables</extracomment>
         <translation>innere zuerst</translation>
     </message>
     <message>
@@ -5045,14 +6118,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>integer</source>
+        <extracomment>tables</extracomment>
         <translation>ganzzahlig</translation>
     </message>
     <message>
         <source>Integrate over the lens and the pixel; without it one ray a pixel gives moire from afar.</source>
+        <extracomment>tables</extracomment>
         <translation>Integriert über Linse und Pixel; ohne das gibt ein Strahl pro Pixel aus der Ferne Moiré.</translation>
     </message>
     <message>
         <source>Intended max angle</source>
+        <extracomment>tables</extracomment>
         <translation>Vorgesehener Winkel</translation>
     </message>
     <message>
@@ -5065,6 +6141,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>interpreter</source>
+        <extracomment>tables</extracomment>
         <translation>Interpreter</translation>
     </message>
     <message>
@@ -5077,6 +6154,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Irregularity</source>
+        <extracomment>tables</extracomment>
         <translation>Unregelmäßigkeit</translation>
     </message>
     <message>
@@ -5089,6 +6167,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>isle</source>
+        <extracomment>tables</extracomment>
         <translation>Insel</translation>
     </message>
     <message>
@@ -5317,6 +6396,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Its height above the horizon.</source>
+        <extracomment>tables</extracomment>
         <translation>Seine Höhe über dem Horizont.</translation>
     </message>
     <message>
@@ -5341,6 +6421,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Its light; 0: it has not risen.</source>
+        <extracomment>tables</extracomment>
         <translation>Sein Licht; 0: Er ist nicht aufgegangen.</translation>
     </message>
     <message>
@@ -5357,6 +6438,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>its own</source>
+        <extracomment>tables</extracomment>
         <translation>eigene</translation>
     </message>
     <message>
@@ -5401,6 +6483,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Its size against the source's, which is 1.4 m high.</source>
+        <extracomment>tables</extracomment>
         <translation>Seine Größe gegenüber dem Original, das 1.4 m hoch ist.</translation>
     </message>
     <message>
@@ -5433,14 +6516,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Jitter</source>
+        <extracomment>tables</extracomment>
         <translation>Jitter</translation>
     </message>
     <message>
         <source>joined</source>
+        <extracomment>tables</extracomment>
         <translation>verbunden</translation>
     </message>
     <message>
         <source>Joints of the cream</source>
+        <extracomment>tables</extracomment>
         <translation>Fugen des Eises</translation>
     </message>
     <message>
@@ -5457,6 +6543,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Jump</source>
+        <extracomment>tables</extracomment>
         <translation>Sprung</translation>
     </message>
     <message>
@@ -5485,6 +6572,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Kind</source>
+        <extracomment>tables</extracomment>
         <translation>Art</translation>
     </message>
     <message>
@@ -5493,42 +6581,52 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Lacunarity</source>
+        <extracomment>tables</extracomment>
         <translation>Lacunarity</translation>
     </message>
     <message>
         <source>Lamp</source>
+        <extracomment>tables</extracomment>
         <translation>Lampe</translation>
     </message>
     <message>
         <source>Lamp color</source>
+        <extracomment>tables</extracomment>
         <translation>Lampenfarbe</translation>
     </message>
     <message>
         <source>Lamp direction</source>
+        <extracomment>tables</extracomment>
         <translation>Lampenrichtung</translation>
     </message>
     <message>
         <source>Lamp size</source>
+        <extracomment>tables</extracomment>
         <translation>Lampengröße</translation>
     </message>
     <message>
         <source>Lamp strength</source>
+        <extracomment>tables</extracomment>
         <translation>Lampenstärke</translation>
     </message>
     <message>
         <source>Lamp temperature</source>
+        <extracomment>tables</extracomment>
         <translation>Lampentemperatur</translation>
     </message>
     <message>
         <source>Lamps</source>
+        <extracomment>tables</extracomment>
         <translation>Lampen</translation>
     </message>
     <message>
         <source>Lanterns</source>
+        <extracomment>tables</extracomment>
         <translation>Laternen</translation>
     </message>
     <message>
         <source>Lanterns that look narrower than this are reckoned as their mean.</source>
+        <extracomment>tables</extracomment>
         <translation>Laternen, die schmaler als das erscheinen, werden als ihr Mittel gerechnet.</translation>
     </message>
     <message>
@@ -5541,6 +6639,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Largest side of the visitor's object as it stands on the plinth.</source>
+        <extracomment>tables</extracomment>
         <translation>Größte Seite des Objekts des Besuchers, wie es auf dem Sockel steht.</translation>
     </message>
     <message>
@@ -5549,10 +6648,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>Layer blend</source>
+        <extracomment>tables</extracomment>
         <translation>Schichtübergang</translation>
     </message>
     <message>
         <source>Layers drawn from tip to skin.</source>
+        <extracomment>tables</extracomment>
         <translation>Schichten, die von der Spitze zur Haut gezeichnet werden.</translation>
     </message>
     <message>
@@ -5603,6 +6704,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.</source>
+        <extracomment>tables</extracomment>
         <translation>Länge der kürzesten Haare: 0 ist nichts, 1 ist ein Rasen, alle so lang wie das längste.</translation>
     </message>
     <message>
@@ -5611,6 +6713,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Lens gloss</source>
+        <extracomment>tables</extracomment>
         <translation>Linsenglanz</translation>
     </message>
     <message>
@@ -5623,6 +6726,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Lenses across the card; the sheet's shape is scaled. 0 takes as many as the sheet's LPI gives.</source>
+        <extracomment>tables</extracomment>
         <translation>Linsen quer über die Karte; die Form der Folie wird skaliert. 0 nimmt so viele, wie der LPI-Wert der Folie ergibt.</translation>
     </message>
     <message>
@@ -5635,10 +6739,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Lenses per inch and the zone they are made for: 30 degrees (3d) or 50 (flip). Custom takes the numbers below.</source>
+        <extracomment>tables</extracomment>
         <translation>Linsen pro Zoll, und die Zone, für die sie gemacht sind: 30 Grad (3d) oder 50 (Wechsel). „Eigene“ nimmt die Zahlen darunter.</translation>
     </message>
     <message>
         <source>Lenses per inch of the custom sheet.</source>
+        <extracomment>tables</extracomment>
         <translation>Linsen pro Zoll der eigenen Folie.</translation>
     </message>
     <message>
@@ -5679,42 +6785,52 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Let the draft turn the mobile and carry the dust.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt den Luftzug das Mobile drehen und den Staub tragen.</translation>
     </message>
     <message>
         <source>Let the mask carry the colors of the sky instead of plain white.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt die Maske die Farben des Himmels tragen statt reines Weiß.</translation>
     </message>
     <message>
         <source>Let the model turn about the vertical, once a round.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt das Modell sich um die Senkrechte drehen, einmal je Runde.</translation>
     </message>
     <message>
         <source>Let things throw shadows.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt Dinge Schatten werfen.</translation>
     </message>
     <message>
         <source>Let time run, in scenes in which something moves.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt die Zeit laufen, in Szenen, in denen sich etwas bewegt.</translation>
     </message>
     <message>
         <source>Let time run: the field drifts, waves roll, clouds sail.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt die Zeit laufen: Das Feld treibt, Wellen rollen, Wolken segeln.</translation>
     </message>
     <message>
         <source>Let time run: the torus tumbles, cubes bob, water breathes; a round takes 4 s.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt die Zeit laufen: Der Torus taumelt, Würfel wippen, Wasser atmet; eine Runde dauert 4 s.</translation>
     </message>
     <message>
         <source>Let time run: waves roll, flames flicker, lanterns drift.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt die Zeit laufen: Wellen rollen, Flammen flackern, Laternen treiben.</translation>
     </message>
     <message>
         <source>Let walls and exhibits keep the sun off; without it, the sun shines through everything.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt Wände und Exponate die Sonne abhalten; ohne das scheint sie durch alles hindurch.</translation>
     </message>
     <message>
         <source>Let what is nothing face the camera, so that no edge is seen against it.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt, was nichts ist, zur Kamera zeigen, sodass dagegen keine Kante gesehen wird.</translation>
     </message>
     <message>
@@ -5723,6 +6839,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Lets them jump by themselves every so often; 0 leaves it to the button.</source>
+        <extracomment>tables</extracomment>
         <translation>Lässt sie von Zeit zu Zeit von selbst springen; 0 überlässt es dem Knopf.</translation>
     </message>
     <message>
@@ -5731,22 +6848,27 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Level of detail</source>
+        <extracomment>tables</extracomment>
         <translation>Detailstufe</translation>
     </message>
     <message>
         <source>Light</source>
+        <extracomment>tables</extracomment>
         <translation>Licht</translation>
     </message>
     <message>
         <source>light alone</source>
+        <extracomment>tables</extracomment>
         <translation>nur das Licht</translation>
     </message>
     <message>
         <source>Light and gloss</source>
+        <extracomment>tables</extracomment>
         <translation>Licht und Glanz</translation>
     </message>
     <message>
         <source>Light cells</source>
+        <extracomment>tables</extracomment>
         <translation>Lichtzellen</translation>
     </message>
     <message>
@@ -5755,6 +6877,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Light from everywhere, more of it from above.</source>
+        <extracomment>tables</extracomment>
         <translation>Licht von überall, mehr davon von oben.</translation>
     </message>
     <message>
@@ -5767,18 +6890,22 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Light of the day that is left in the sky.</source>
+        <extracomment>tables</extracomment>
         <translation>Licht des Tages, das noch am Himmel ist.</translation>
     </message>
     <message>
         <source>Light of the lamps in the vault: 0 is a dark night, 1 is enough to read by.</source>
+        <extracomment>tables</extracomment>
         <translation>Licht der Lampen im Gewölbe: 0 ist eine dunkle Nacht, 1 genügt zum Lesen.</translation>
     </message>
     <message>
         <source>Light of the sky through window and oculus.</source>
+        <extracomment>tables</extracomment>
         <translation>Licht des Himmels durch Fenster und Oculus.</translation>
     </message>
     <message>
         <source>Light of the sun against that of the sky: 0 is an overcast day.</source>
+        <extracomment>tables</extracomment>
         <translation>Licht der Sonne gegenüber dem des Himmels: 0 ist ein bedeckter Tag.</translation>
     </message>
     <message>
@@ -5787,26 +6914,32 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Light size</source>
+        <extracomment>tables</extracomment>
         <translation>Lichtgröße</translation>
     </message>
     <message>
         <source>Light steps</source>
+        <extracomment>tables</extracomment>
         <translation>Lichtschritte</translation>
     </message>
     <message>
         <source>Light that reaches even the roots.</source>
+        <extracomment>tables</extracomment>
         <translation>Licht, das sogar die Wurzeln erreicht.</translation>
     </message>
     <message>
         <source>Light that the frame throws on wall and floor beside it.</source>
+        <extracomment>tables</extracomment>
         <translation>Licht, das der Rahmen auf Wand und Boden daneben wirft.</translation>
     </message>
     <message>
         <source>Light the walls with baked sky light and occlusion; without it, they get one even ambient light.</source>
+        <extracomment>tables</extracomment>
         <translation>Beleuchtet die Wände mit gebackenem Himmelslicht und Verdeckung; ohne das bekommen sie ein gleichmäßiges Umgebungslicht.</translation>
     </message>
     <message>
         <source>Light them.</source>
+        <extracomment>tables</extracomment>
         <translation>Zündet sie an.</translation>
     </message>
     <message>
@@ -5815,10 +6948,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Lighting</source>
+        <extracomment>tables</extracomment>
         <translation>Beleuchtung</translation>
     </message>
     <message>
         <source>linear</source>
+        <extracomment>tables</extracomment>
         <translation>linear</translation>
     </message>
     <message>
@@ -5827,6 +6962,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Lines</source>
+        <extracomment>tables</extracomment>
         <translation>Linien</translation>
     </message>
     <message>
@@ -5835,10 +6971,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Lines between objects that touch, by their numbers.</source>
+        <extracomment>tables</extracomment>
         <translation>Linien zwischen Objekten, die sich berühren, nach ihren Nummern.</translation>
     </message>
     <message>
         <source>Lines of one texel by thresholds that follow distance and slope, or the formulas of the source, in meters.</source>
+        <extracomment>tables</extracomment>
         <translation>Linien von einem Texel nach Schwellen, die Entfernung und Steigung folgen, oder nach den Formeln des Originals, in Metern.</translation>
     </message>
     <message>
@@ -5847,6 +6985,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>lists</source>
+        <extracomment>tables</extracomment>
         <translation>Listen</translation>
     </message>
     <message>
@@ -5855,6 +6994,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Lit by what is around it, or by the one sun, the ambient light and the fog of the source.</source>
+        <extracomment>tables</extracomment>
         <translation>Beleuchtet von dem, was es umgibt, oder von der einen Sonne, dem Umgebungslicht und dem Nebel des Originals.</translation>
     </message>
     <message>
@@ -5875,6 +7015,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Lobes</source>
+        <extracomment>tables</extracomment>
         <translation>Keulen</translation>
     </message>
     <message>
@@ -5895,6 +7036,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Look</source>
+        <extracomment>tables</extracomment>
         <translation>Aussehen</translation>
     </message>
     <message>
@@ -5911,19 +7053,83 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>loop</source>
+        <extracomment>tables</extracomment>
         <translation>Schleife</translation>
     </message>
     <message>
         <source>Low ring</source>
+        <extracomment>tables</extracomment>
         <translation>Unterer Ring</translation>
     </message>
     <message>
+        <source>Lower blend</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Übergang</translation>
+    </message>
+    <message>
+        <source>Lower color</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Farbe</translation>
+    </message>
+    <message>
+        <source>Lower corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Ecke</translation>
+    </message>
+    <message>
         <source>lower cream</source>
+        <extracomment>tables</extracomment>
         <translation>unteres Eis</translation>
     </message>
     <message>
+        <source>Lower height</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Höhe</translation>
+    </message>
+    <message>
         <source>Lower layer of cream</source>
+        <extracomment>tables</extracomment>
         <translation>Untere Eisschicht</translation>
+    </message>
+    <message>
+        <source>Lower lobes</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Keulen</translation>
+    </message>
+    <message>
+        <source>Lower offset x</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Versatz x</translation>
+    </message>
+    <message>
+        <source>Lower offset z</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Versatz z</translation>
+    </message>
+    <message>
+        <source>Lower radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Radius</translation>
+    </message>
+    <message>
+        <source>Lower raise</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Anheben</translation>
+    </message>
+    <message>
+        <source>Lower tilt</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Neigung</translation>
+    </message>
+    <message>
+        <source>Lower twist</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Verdrillung</translation>
+    </message>
+    <message>
+        <source>Lower yaw</source>
+        <extracomment>tables</extracomment>
+        <translation>Untere Schicht: Gieren</translation>
     </message>
     <message>
         <source>LPI as a pitch chart showed it with this printer; 0: not measured, the one above counts.</source>
@@ -5947,10 +7153,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Magnification</source>
+        <extracomment>tables</extracomment>
         <translation>Vergrößerung</translation>
     </message>
     <message>
         <source>Major radius</source>
+        <extracomment>tables</extracomment>
         <translation>Großer Radius</translation>
     </message>
     <message>
@@ -5959,10 +7167,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>March</source>
+        <extracomment>tables</extracomment>
         <translation>Raymarching</translation>
     </message>
     <message>
         <source>march</source>
+        <extracomment>tables</extracomment>
         <translation>Raymarching</translation>
     </message>
     <message>
@@ -5971,14 +7181,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Margin</source>
+        <extracomment>tables</extracomment>
         <translation>Rand</translation>
     </message>
     <message>
         <source>Mask</source>
+        <extracomment>tables</extracomment>
         <translation>Maske</translation>
     </message>
     <message>
         <source>mask</source>
+        <extracomment>tables</extracomment>
         <translation>Maske</translation>
     </message>
     <message>
@@ -5987,10 +7200,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Material</source>
+        <extracomment>tables</extracomment>
         <translation>Material</translation>
     </message>
     <message>
         <source>material</source>
+        <extracomment>tables</extracomment>
         <translation>Material</translation>
     </message>
     <message>
@@ -6003,6 +7218,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>matrix mix</source>
+        <extracomment>tables</extracomment>
         <translation>Matrixmischung</translation>
     </message>
     <message>
@@ -6011,6 +7227,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>mean</source>
+        <extracomment>tables</extracomment>
         <translation>Mittel</translation>
     </message>
     <message>
@@ -6023,6 +7240,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Mean size</source>
+        <extracomment>tables</extracomment>
         <translation>Mittelungsgröße</translation>
     </message>
     <message>
@@ -6047,6 +7265,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Melt back and forth by itself, starting from the morph above.</source>
+        <extracomment>tables</extracomment>
         <translation>Schmilzt von selbst hin und her, vom Morph darüber an.</translation>
     </message>
     <message>
@@ -6075,30 +7294,37 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Metalness</source>
+        <extracomment>tables</extracomment>
         <translation>Metallanteil</translation>
     </message>
     <message>
         <source>Meters a second by which the field comes towards you.</source>
+        <extracomment>tables</extracomment>
         <translation>Meter pro Sekunde, mit denen das Feld auf Sie zukommt.</translation>
     </message>
     <message>
         <source>Meters a second by which the wind moves them.</source>
+        <extracomment>tables</extracomment>
         <translation>Meter pro Sekunde, mit denen der Wind sie bewegt.</translation>
     </message>
     <message>
         <source>Meters a second, ten meters above the water: more makes longer and higher waves.</source>
+        <extracomment>tables</extracomment>
         <translation>Meter pro Sekunde, zehn Meter über dem Wasser: Mehr macht längere und höhere Wellen.</translation>
     </message>
     <message>
         <source>Meters of the lake in a meter of the hall: more makes lanterns smaller.</source>
+        <extracomment>tables</extracomment>
         <translation>Meter des Sees in einem Meter der Halle: Mehr macht Laternen kleiner.</translation>
     </message>
     <message>
         <source>Meters per second at which the draft carries the drifts of dust.</source>
+        <extracomment>tables</extracomment>
         <translation>Meter pro Sekunde, mit denen der Luftzug die Staubschwaden trägt.</translation>
     </message>
     <message>
         <source>Method</source>
+        <extracomment>tables</extracomment>
         <translation>Verfahren</translation>
     </message>
     <message>
@@ -6115,6 +7341,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Minor radius</source>
+        <extracomment>tables</extracomment>
         <translation>Kleiner Radius</translation>
     </message>
     <message>
@@ -6123,6 +7350,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Mirror images of mirror images, at most; a scene may ask for fewer.</source>
+        <extracomment>tables</extracomment>
         <translation>Spiegelbilder von Spiegelbildern, höchstens; eine Szene kann weniger verlangen.</translation>
     </message>
     <message>
@@ -6131,42 +7359,52 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Mobile rotation</source>
+        <extracomment>tables</extracomment>
         <translation>Drehung des Mobiles</translation>
     </message>
     <message>
         <source>Model</source>
+        <extracomment>tables</extracomment>
         <translation>Modell</translation>
     </message>
     <message>
         <source>Model rotation</source>
+        <extracomment>tables</extracomment>
         <translation>Drehung des Modells</translation>
     </message>
     <message>
         <source>Model size</source>
+        <extracomment>tables</extracomment>
         <translation>Modellgröße</translation>
     </message>
     <message>
         <source>Moment</source>
+        <extracomment>tables</extracomment>
         <translation>Augenblick</translation>
     </message>
     <message>
         <source>Moon</source>
+        <extracomment>tables</extracomment>
         <translation>Mond</translation>
     </message>
     <message>
         <source>Moon and sky</source>
+        <extracomment>tables</extracomment>
         <translation>Mond und Himmel</translation>
     </message>
     <message>
         <source>Moon azimuth</source>
+        <extracomment>tables</extracomment>
         <translation>Mondazimut</translation>
     </message>
     <message>
         <source>Moon elevation</source>
+        <extracomment>tables</extracomment>
         <translation>Mondhöhe</translation>
     </message>
     <message>
         <source>Moon size</source>
+        <extracomment>tables</extracomment>
         <translation>Mondgröße</translation>
     </message>
     <message>
@@ -6175,6 +7413,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Morph</source>
+        <extracomment>tables</extracomment>
         <translation>Morph</translation>
     </message>
     <message>
@@ -6191,6 +7430,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Motion of the fur</source>
+        <extracomment>tables</extracomment>
         <translation>Bewegung des Fells</translation>
     </message>
     <message>
@@ -6211,6 +7451,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Move the camera by whole texels and turn it by whole steps, so that nothing crawls; the screen slides the rest.</source>
+        <extracomment>tables</extracomment>
         <translation>Bewegt die Kamera um ganze Texel und dreht sie um ganze Schritte, sodass nichts kriecht; den Rest verschiebt der Bildschirm.</translation>
     </message>
     <message>
@@ -6251,14 +7492,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>MSX</source>
+        <extracomment>tables</extracomment>
         <translation>MSX</translation>
     </message>
     <message>
         <source>Mug height</source>
+        <extracomment>tables</extracomment>
         <translation>Tassenhöhe</translation>
     </message>
     <message>
         <source>Mug radius</source>
+        <extracomment>tables</extracomment>
         <translation>Tassenradius</translation>
     </message>
     <message>
@@ -6287,6 +7531,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>NES</source>
+        <extracomment>tables</extracomment>
         <translation>NES</translation>
     </message>
     <message>
@@ -6299,6 +7544,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>nlerp</source>
+        <extracomment>tables</extracomment>
         <translation>nlerp</translation>
     </message>
     <message>
@@ -6471,6 +7717,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Noise above this is solid: low fills space, high leaves islands.</source>
+        <extracomment>tables</extracomment>
         <translation>Rauschen darüber ist fest: Niedrige Werte füllen den Raum, hohe lassen Inseln.</translation>
     </message>
     <message>
@@ -6491,26 +7738,32 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Normal method</source>
+        <extracomment>tables</extracomment>
         <translation>Normalenverfahren</translation>
     </message>
     <message>
         <source>Normal scale</source>
+        <extracomment>tables</extracomment>
         <translation>Normalenstärke</translation>
     </message>
     <message>
         <source>Normal step</source>
+        <extracomment>tables</extracomment>
         <translation>Normalenschritt</translation>
     </message>
     <message>
         <source>Normals</source>
+        <extracomment>tables</extracomment>
         <translation>Normalen</translation>
     </message>
     <message>
         <source>normals</source>
+        <extracomment>tables</extracomment>
         <translation>Normalen</translation>
     </message>
     <message>
         <source>Normals as drawn, or from depth alone: by fixed neighbors (3, 4), the nearer ones (5), those on whose line a texel lies (9; 9 plus looks at fewer), with the slope of a parabola, or by a vote of the texels around, which thin things need.</source>
+        <extracomment>tables</extracomment>
         <translation>Normalen, wie gezeichnet, oder nur aus der Tiefe: durch feste Nachbarn (3, 4), die näheren (5), die, auf deren Gerade ein Texel liegt (9; 9 plus sieht weniger an), mit der Steigung einer Parabel, oder durch Abstimmung der Texel ringsum, die Dünnes braucht.</translation>
     </message>
     <message>
@@ -6519,6 +7772,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Normals of a lens whose mirror images are mixed.</source>
+        <extracomment>tables</extracomment>
         <translation>Normalen einer Linse, deren Spiegelbilder gemischt werden.</translation>
     </message>
     <message>
@@ -6607,6 +7861,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>numbers folded</source>
+        <extracomment>tables</extracomment>
         <translation>Zahlen eingerechnet</translation>
     </message>
     <message>
@@ -6615,6 +7870,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Object outlines</source>
+        <extracomment>tables</extracomment>
         <translation>Objektumrisse</translation>
     </message>
     <message>
@@ -6623,54 +7879,67 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>occluders</source>
+        <extracomment>tables</extracomment>
         <translation>Verdecker</translation>
     </message>
     <message>
         <source>occlusion</source>
+        <extracomment>tables</extracomment>
         <translation>Verdeckung</translation>
     </message>
     <message>
         <source>Occlusion attenuation</source>
+        <extracomment>tables</extracomment>
         <translation>Verdeckungsabfall</translation>
     </message>
     <message>
         <source>Occlusion bias</source>
+        <extracomment>tables</extracomment>
         <translation>Verdeckungs-Bias</translation>
     </message>
     <message>
         <source>Occlusion method</source>
+        <extracomment>tables</extracomment>
         <translation>Verdeckungsverfahren</translation>
     </message>
     <message>
         <source>Occlusion range</source>
+        <extracomment>tables</extracomment>
         <translation>Verdeckungsweite</translation>
     </message>
     <message>
         <source>Occlusion rays</source>
+        <extracomment>tables</extracomment>
         <translation>Verdeckungsstrahlen</translation>
     </message>
     <message>
         <source>Occlusion taps</source>
+        <extracomment>tables</extracomment>
         <translation>Verdeckungs-Samples</translation>
     </message>
     <message>
         <source>Octave rotation</source>
+        <extracomment>tables</extracomment>
         <translation>Oktavdrehung</translation>
     </message>
     <message>
         <source>Octaves</source>
+        <extracomment>tables</extracomment>
         <translation>Oktaven</translation>
     </message>
     <message>
         <source>Octaves of the clouds' noise: more is finer.</source>
+        <extracomment>tables</extracomment>
         <translation>Oktaven des Rauschens der Wolken: Mehr ist feiner.</translation>
     </message>
     <message>
         <source>Of a cone at its base.</source>
+        <extracomment>tables</extracomment>
         <translation>Eines Kegels an seiner Grundfläche.</translation>
     </message>
     <message>
         <source>Of a cone.</source>
+        <extracomment>tables</extracomment>
         <translation>Eines Kegels.</translation>
     </message>
     <message>
@@ -6679,18 +7948,22 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of a sprinkle.</source>
+        <extracomment>tables</extracomment>
         <translation>Eines Streusels.</translation>
     </message>
     <message>
         <source>Of a strand, at its root.</source>
+        <extracomment>tables</extracomment>
         <translation>Eines Haars, an der Wurzel.</translation>
     </message>
     <message>
         <source>Of all sprinkles.</source>
+        <extracomment>tables</extracomment>
         <translation>Aller Streusel.</translation>
     </message>
     <message>
         <source>Of candies and sprinkles.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Bonbons und Streusel.</translation>
     </message>
     <message>
@@ -6699,6 +7972,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of dark lines on the borders of near objects.</source>
+        <extracomment>tables</extracomment>
         <translation>Der dunklen Linien an den Rändern naher Objekte.</translation>
     </message>
     <message>
@@ -6711,62 +7985,77 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of heights and slopes in the views of them.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Höhen und Steigungen in deren Ansichten.</translation>
     </message>
     <message>
         <source>Of its base above the rim of the bowl.</source>
+        <extracomment>tables</extracomment>
         <translation>Seiner Grundfläche über dem Rand der Schale.</translation>
     </message>
     <message>
         <source>Of its disk: the real one has half a degree.</source>
+        <extracomment>tables</extracomment>
         <translation>Seiner Scheibe: Der wirkliche hat ein halbes Grad.</translation>
     </message>
     <message>
         <source>Of its fur at the skin.</source>
+        <extracomment>tables</extracomment>
         <translation>Seines Fells an der Haut.</translation>
     </message>
     <message>
         <source>Of its fur at the tips.</source>
+        <extracomment>tables</extracomment>
         <translation>Seines Fells an den Spitzen.</translation>
     </message>
     <message>
         <source>Of its longest strands: 0 leaves the bare skin.</source>
+        <extracomment>tables</extracomment>
         <translation>Seiner längsten Haare: 0 lässt die nackte Haut.</translation>
     </message>
     <message>
         <source>Of its upper edge.</source>
+        <extracomment>tables</extracomment>
         <translation>Seines oberen Rands.</translation>
     </message>
     <message>
         <source>Of light on edges that face the camera.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Lichts auf Kanten, die zur Kamera zeigen.</translation>
     </message>
     <message>
         <source>Of that frustum at the bottom.</source>
+        <extracomment>tables</extracomment>
         <translation>Dieses Kegelstumpfs unten.</translation>
     </message>
     <message>
         <source>Of that frustum at the top.</source>
+        <extracomment>tables</extracomment>
         <translation>Dieses Kegelstumpfs oben.</translation>
     </message>
     <message>
         <source>Of that lamp.</source>
+        <extracomment>tables</extracomment>
         <translation>Dieser Lampe.</translation>
     </message>
     <message>
         <source>Of that light.</source>
+        <extracomment>tables</extracomment>
         <translation>Dieses Lichts.</translation>
     </message>
     <message>
         <source>Of that sun.</source>
+        <extracomment>tables</extracomment>
         <translation>Dieser Sonne.</translation>
     </message>
     <message>
         <source>Of the air: 0 is clear to the horizon, 1 hides it.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Luft: 0 ist klar bis zum Horizont, 1 verbirgt ihn.</translation>
     </message>
     <message>
         <source>Of the ball that the bowl is cut from.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Kugel, aus der die Schale geschnitten ist.</translation>
     </message>
     <message>
@@ -6775,14 +8064,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the bars' round section.</source>
+        <extracomment>tables</extracomment>
         <translation>Des runden Querschnitts der Stäbe.</translation>
     </message>
     <message>
         <source>Of the base.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Bodens.</translation>
     </message>
     <message>
         <source>Of the beams, before they are brought up to the picture's with regard to its depth.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Strahlen, bevor sie unter Beachtung der Tiefe auf die Auflösung des Bildes gebracht werden.</translation>
     </message>
     <message>
@@ -6791,6 +8083,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the candy.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Bonbons.</translation>
     </message>
     <message>
@@ -6807,22 +8100,27 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the cream: low melts, high is dry.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Eises: Niedrige Werte schmelzen, hohe sind trocken.</translation>
     </message>
     <message>
         <source>Of the custom lens at its top; one that cannot reach over its pitch is made just large enough.</source>
+        <extracomment>tables</extracomment>
         <translation>Der eigenen Linse an ihrem Scheitel; einer, der nicht über ihren Abstand reicht, wird gerade groß genug gemacht.</translation>
     </message>
     <message>
         <source>Of the custom lens: 0 is a circle, -0.41 the ellipse that is sharp straight ahead.</source>
+        <extracomment>tables</extracomment>
         <translation>Der eigenen Linse: 0 ist ein Kreis, -0.41 die Ellipse, die geradeaus scharf ist.</translation>
     </message>
     <message>
         <source>Of the custom sheet's plastic: 1.49 to 1.6 are usual.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Kunststoffs der eigenen Folie: 1.49 bis 1.6 sind üblich.</translation>
     </message>
     <message>
         <source>Of the custom sheet, from lens top to print: too thin or too thick blurs.</source>
+        <extracomment>tables</extracomment>
         <translation>Der eigenen Folie, vom Linsenscheitel bis zum Druck: Zu dünn oder zu dick ist unscharf.</translation>
     </message>
     <message>
@@ -6835,6 +8133,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the eye for which the strips' pitch is made: there the whole card shows one view. Large is parallel.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Auges, für das der Abstand der Streifen gemacht ist: Dort zeigt die ganze Karte eine Ansicht. Große Werte sind parallel.</translation>
     </message>
     <message>
@@ -6851,30 +8150,37 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the five waves over those of the source: 0 is a mirror.</source>
+        <extracomment>tables</extracomment>
         <translation>Der fünf Wellen gegenüber denen des Originals: 0 ist ein Spiegel.</translation>
     </message>
     <message>
         <source>Of the fixed kind: 1 is none, higher takes longer steps and has to take back more.</source>
+        <extracomment>tables</extracomment>
         <translation>Der festen Art: 1 ist keine, höhere Werte machen längere Schritte und müssen mehr zurücknehmen.</translation>
     </message>
     <message>
         <source>Of the flame over the base.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Flamme über dem Boden.</translation>
     </message>
     <message>
         <source>Of the flames.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Flammen.</translation>
     </message>
     <message>
         <source>Of the frame's middle above the calm water.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Mitte des Rahmens über dem ruhigen Wasser.</translation>
     </message>
     <message>
         <source>Of the frame's middle over the base of the clouds: between 0 and 1400 it is among them.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Mitte des Rahmens über der Unterseite der Wolken: Zwischen 0 und 1400 liegt sie mitten darin.</translation>
     </message>
     <message>
         <source>Of the frustum that it stands on.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Kegelstumpfs, auf dem es steht.</translation>
     </message>
     <message>
@@ -6883,18 +8189,22 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the glass: 1 bends nothing, 2.4 is diamond.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Glases: 1 bricht nichts, 2.4 ist Diamant.</translation>
     </message>
     <message>
         <source>Of the glaze, the metal, or (per 10 cm of depth) the glass.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Glasur, des Metalls oder (je 10 cm Tiefe) des Glases.</translation>
     </message>
     <message>
         <source>Of the hall's own light that the air scatters: 1 is physical, 0 makes the dust only darken.</source>
+        <extracomment>tables</extracomment>
         <translation>Vom Eigenlicht der Halle, das die Luft streut: 1 ist physikalisch, 0 lässt den Staub nur verdunkeln.</translation>
     </message>
     <message>
         <source>Of the handle, from its center to the middle of its tube.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Henkels, von seinem Mittelpunkt bis zur Mitte seines Rohrs.</translation>
     </message>
     <message>
@@ -6903,10 +8213,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the lamp in the vault that is aimed at the card: 0 leaves it to the hall's light.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Lampe im Gewölbe, die auf die Karte gerichtet ist: 0 überlässt sie dem Licht der Halle.</translation>
     </message>
     <message>
         <source>Of the layer.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Schicht.</translation>
     </message>
     <message>
@@ -6915,14 +8227,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the lenses: vertical ones change as one walks by, horizontal ones as one bows.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Linsen: Senkrechte wechseln, wenn man vorbeigeht, waagerechte, wenn man sich verbeugt.</translation>
     </message>
     <message>
         <source>Of the light that the beams scatter: 1 is physical for the density above.</source>
+        <extracomment>tables</extracomment>
         <translation>Vom Licht, das die Strahlen streuen: 1 ist physikalisch für die Dichte darüber.</translation>
     </message>
     <message>
         <source>Of the linear model: the angle to either side at which all views have been seen.</source>
+        <extracomment>tables</extracomment>
         <translation>Des linearen Modells: der Winkel zu jeder Seite, bei dem alle Ansichten zu sehen waren.</translation>
     </message>
     <message>
@@ -6931,22 +8246,27 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the mesh that the object is marched in, against the smallest that holds it: below 1 clips.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Netzes, in dem das Objekt abgeschritten wird, gegenüber dem kleinsten, das es umschließt: Unter 1 beschneidet.</translation>
     </message>
     <message>
         <source>Of the mist at the horizon.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Nebels am Horizont.</translation>
     </message>
     <message>
         <source>Of the mug's outside.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Außenseite der Tasse.</translation>
     </message>
     <message>
         <source>Of the mug's wall: thin needs small steps.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Wand der Tasse: Dünn braucht kleine Schritte.</translation>
     </message>
     <message>
         <source>Of the mug, from its foot to its lip.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Tasse, vom Fuß bis zum Rand.</translation>
     </message>
     <message>
@@ -6959,6 +8279,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the paper tube.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Papierröhre.</translation>
     </message>
     <message>
@@ -6975,14 +8296,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the plastic: low is wet, high is matte.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Kunststoffs: Niedrige Werte sind nass, hohe matt.</translation>
     </message>
     <message>
         <source>Of the plinth.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Sockels.</translation>
     </message>
     <message>
         <source>Of the print against the sheet: fringes lean across the card.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Drucks gegen die Folie: Streifenmuster lehnen quer über die Karte.</translation>
     </message>
     <message>
@@ -6995,22 +8319,27 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the ribs.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Rippen.</translation>
     </message>
     <message>
         <source>Of the sand, before the warm light.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Sandes, vor dem warmen Licht.</translation>
     </message>
     <message>
         <source>Of the second frustum at the bottom.</source>
+        <extracomment>tables</extracomment>
         <translation>Des zweiten Kegelstumpfs unten.</translation>
     </message>
     <message>
         <source>Of the second frustum at the top.</source>
+        <extracomment>tables</extracomment>
         <translation>Des zweiten Kegelstumpfs oben.</translation>
     </message>
     <message>
         <source>Of the second frustum.</source>
+        <extracomment>tables</extracomment>
         <translation>Des zweiten Kegelstumpfs.</translation>
     </message>
     <message>
@@ -7019,14 +8348,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the sky, which fills shadows from above.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Himmels, der Schatten von oben füllt.</translation>
     </message>
     <message>
         <source>Of the small picture.</source>
+        <extracomment>tables</extracomment>
         <translation>Des kleinen Bildes.</translation>
     </message>
     <message>
         <source>Of the solid field.</source>
+        <extracomment>tables</extracomment>
         <translation>Des festen Felds.</translation>
     </message>
     <message>
@@ -7035,14 +8367,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the strips under the lenses, in lenses.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Streifen unter den Linsen, in Linsen.</translation>
     </message>
     <message>
         <source>Of the strips' pitch against what it should be: 0.01 is one percent too wide.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Streifenabstands gegenüber dem, was er sein sollte: 0.01 ist ein Prozent zu breit.</translation>
     </message>
     <message>
         <source>Of the sun.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Sonne.</translation>
     </message>
     <message>
@@ -7051,10 +8386,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the torus, from its center to the middle of the tube.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Torus, von seinem Mittelpunkt bis zur Mitte des Rohrs.</translation>
     </message>
     <message>
         <source>Of the tube of the torus.</source>
+        <extracomment>tables</extracomment>
         <translation>Des Rohrs des Torus.</translation>
     </message>
     <message>
@@ -7075,10 +8412,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the wafer.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Waffel.</translation>
     </message>
     <message>
         <source>Of the wafer: 0 is a mirror, 1 is chalk.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Waffel: 0 ist ein Spiegel, 1 ist Kreide.</translation>
     </message>
     <message>
@@ -7087,10 +8426,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of the whole picture.</source>
+        <extracomment>tables</extracomment>
         <translation>Des ganzen Bildes.</translation>
     </message>
     <message>
         <source>Of these lines.</source>
+        <extracomment>tables</extracomment>
         <translation>Dieser Linien.</translation>
     </message>
     <message>
@@ -7103,6 +8444,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Of what fills them from below.</source>
+        <extracomment>tables</extracomment>
         <translation>Dessen, was sie von unten füllt.</translation>
     </message>
     <message>
@@ -7119,10 +8461,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Offset x</source>
+        <extracomment>tables</extracomment>
         <translation>Versatz x</translation>
     </message>
     <message>
         <source>Offset z</source>
+        <extracomment>tables</extracomment>
         <translation>Versatz z</translation>
     </message>
     <message>
@@ -7139,6 +8483,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>On show</source>
+        <extracomment>tables</extracomment>
         <translation>Gezeigt</translation>
     </message>
     <message>
@@ -7151,10 +8496,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>one</source>
+        <extracomment>tables</extracomment>
         <translation>eine</translation>
     </message>
     <message>
         <source>one bit</source>
+        <extracomment>tables</extracomment>
         <translation>ein Bit</translation>
     </message>
     <message>
@@ -7163,6 +8510,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>one cone</source>
+        <extracomment>tables</extracomment>
         <translation>ein Kegel</translation>
     </message>
     <message>
@@ -7211,10 +8559,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>One part alone, or all of them.</source>
+        <extracomment>tables</extracomment>
         <translation>Ein Teil allein, oder alle.</translation>
     </message>
     <message>
         <source>One rhythm for all waves, or slow long ones and quick short ones.</source>
+        <extracomment>tables</extracomment>
         <translation>Ein Takt für alle Wellen, oder langsame lange und schnelle kurze.</translation>
     </message>
     <message>
@@ -7263,10 +8613,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>opaque</source>
+        <extracomment>tables</extracomment>
         <translation>undurchsichtig</translation>
     </message>
     <message>
         <source>Opaque reflects; glass also refracts, in and out through every wall.</source>
+        <extracomment>tables</extracomment>
         <translation>Undurchsichtig spiegelt; Glas bricht auch, hinein und hinaus durch jede Wand.</translation>
     </message>
     <message>
@@ -7327,22 +8679,27 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Orbit</source>
+        <extracomment>tables</extracomment>
         <translation>Umlauf</translation>
     </message>
     <message>
         <source>Orbit angle</source>
+        <extracomment>tables</extracomment>
         <translation>Umlaufwinkel</translation>
     </message>
     <message>
         <source>Orbit speed</source>
+        <extracomment>tables</extracomment>
         <translation>Umlauftempo</translation>
     </message>
     <message>
         <source>ordered</source>
+        <extracomment>tables</extracomment>
         <translation>geordnet</translation>
     </message>
     <message>
         <source>Orders of scattering that are summed: 1 is dark within, each more is whiter.</source>
+        <extracomment>tables</extracomment>
         <translation>Ordnungen der Streuung, die summiert werden: 1 ist innen dunkel, jede weitere ist weißer.</translation>
     </message>
     <message>
@@ -7355,6 +8712,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>orthographic</source>
+        <extracomment>tables</extracomment>
         <translation>orthografisch</translation>
     </message>
     <message>
@@ -7363,10 +8721,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Our way to draw the work, or that of the scenes that this exhibit follows.</source>
+        <extracomment>tables</extracomment>
         <translation>Unsere Art, das Werk zu zeichnen, oder die der Szenen, denen dieses Exponat folgt.</translation>
     </message>
     <message>
         <source>ours</source>
+        <extracomment>tables</extracomment>
         <translation>unsere</translation>
     </message>
     <message>
@@ -7379,22 +8739,27 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>outer first</source>
+        <extracomment>tables</extracomment>
         <translation>äußere zuerst</translation>
     </message>
     <message>
         <source>Outer shells first hide what is behind them before it is drawn; the picture is the same.</source>
+        <extracomment>tables</extracomment>
         <translation>Äußere Shells verdecken zuerst, was hinter ihnen liegt, bevor es gezeichnet wird; das Bild ist dasselbe.</translation>
     </message>
     <message>
         <source>Outline color</source>
+        <extracomment>tables</extracomment>
         <translation>Umrissfarbe</translation>
     </message>
     <message>
         <source>Outline gap</source>
+        <extracomment>tables</extracomment>
         <translation>Umrissabstand</translation>
     </message>
     <message>
         <source>Outline strength</source>
+        <extracomment>tables</extracomment>
         <translation>Umrissstärke</translation>
     </message>
     <message>
@@ -7407,6 +8772,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Over which the mist thins out.</source>
+        <extracomment>tables</extracomment>
         <translation>Über die der Nebel dünner wird.</translation>
     </message>
     <message>
@@ -7415,42 +8781,52 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>own cell</source>
+        <extracomment>tables</extracomment>
         <translation>eigene Zelle</translation>
     </message>
     <message>
         <source>Palette</source>
+        <extracomment>tables</extracomment>
         <translation>Palette</translation>
     </message>
     <message>
         <source>Palette colors</source>
+        <extracomment>tables</extracomment>
         <translation>Palettenfarben</translation>
     </message>
     <message>
         <source>Palette picture</source>
+        <extracomment>tables</extracomment>
         <translation>Palettenbild</translation>
     </message>
     <message>
         <source>Pan x</source>
+        <extracomment>tables</extracomment>
         <translation>Verschiebung x</translation>
     </message>
     <message>
         <source>Pan y</source>
+        <extracomment>tables</extracomment>
         <translation>Verschiebung y</translation>
     </message>
     <message>
         <source>Panorama</source>
+        <extracomment>tables</extracomment>
         <translation>Panorama</translation>
     </message>
     <message>
         <source>Paper</source>
+        <extracomment>tables</extracomment>
         <translation>Papier</translation>
     </message>
     <message>
         <source>Paper color</source>
+        <extracomment>tables</extracomment>
         <translation>Papierfarbe</translation>
     </message>
     <message>
         <source>Paper height</source>
+        <extracomment>tables</extracomment>
         <translation>Papierhöhe</translation>
     </message>
     <message>
@@ -7459,22 +8835,27 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Paper radius</source>
+        <extracomment>tables</extracomment>
         <translation>Papierradius</translation>
     </message>
     <message>
         <source>Paper thickness</source>
+        <extracomment>tables</extracomment>
         <translation>Papierdicke</translation>
     </message>
     <message>
         <source>Paper wall</source>
+        <extracomment>tables</extracomment>
         <translation>Papierwand</translation>
     </message>
     <message>
         <source>parabola</source>
+        <extracomment>tables</extracomment>
         <translation>Parabel</translation>
     </message>
     <message>
         <source>Parallax</source>
+        <extracomment>tables</extracomment>
         <translation>Parallaxe</translation>
     </message>
     <message>
@@ -7487,10 +8868,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>paraxial</source>
+        <extracomment>tables</extracomment>
         <translation>paraxial</translation>
     </message>
     <message>
         <source>part</source>
+        <extracomment>tables</extracomment>
         <translation>Teil</translation>
     </message>
     <message>
@@ -7499,10 +8882,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>parts</source>
+        <extracomment>tables</extracomment>
         <translation>Teile</translation>
     </message>
     <message>
         <source>Parts of a lens, or of the piece of it under a pixel, that are traced.</source>
+        <extracomment>tables</extracomment>
         <translation>Teile einer Linse, oder des Stücks davon unter einem Pixel, die verfolgt werden.</translation>
     </message>
     <message>
@@ -7551,14 +8936,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Period</source>
+        <extracomment>tables</extracomment>
         <translation>Periode</translation>
     </message>
     <message>
         <source>perspective</source>
+        <extracomment>tables</extracomment>
         <translation>perspektivisch</translation>
     </message>
     <message>
         <source>Phase</source>
+        <extracomment>tables</extracomment>
         <translation>Phase</translation>
     </message>
     <message>
@@ -7579,14 +8967,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>PICO-8</source>
+        <extracomment>tables</extracomment>
         <translation>PICO-8</translation>
     </message>
     <message>
         <source>Picture</source>
+        <extracomment>tables</extracomment>
         <translation>Bild</translation>
     </message>
     <message>
         <source>picture</source>
+        <extracomment>tables</extracomment>
         <translation>Bild</translation>
     </message>
     <message>
@@ -7611,6 +9002,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Pictures a second: few look drawn by hand, many run smoothly.</source>
+        <extracomment>tables</extracomment>
         <translation>Bilder pro Sekunde: Wenige wirken gezeichnet, viele laufen glatt.</translation>
     </message>
     <message>
@@ -7627,6 +9019,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Pitch error</source>
+        <extracomment>tables</extracomment>
         <translation>Pitch-Fehler</translation>
     </message>
     <message>
@@ -7647,6 +9040,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Pixels</source>
+        <extracomment>tables</extracomment>
         <translation>Pixel</translation>
     </message>
     <message>
@@ -7671,10 +9065,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>plain</source>
+        <extracomment>tables</extracomment>
         <translation>einfach</translation>
     </message>
     <message>
         <source>plain sum</source>
+        <extracomment>tables</extracomment>
         <translation>einfache Summe</translation>
     </message>
     <message>
@@ -7691,14 +9087,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Plinth</source>
+        <extracomment>tables</extracomment>
         <translation>Sockel</translation>
     </message>
     <message>
         <source>Plinth color</source>
+        <extracomment>tables</extracomment>
         <translation>Sockelfarbe</translation>
     </message>
     <message>
         <source>Plinth roughness</source>
+        <extracomment>tables</extracomment>
         <translation>Sockelrauheit</translation>
     </message>
     <message>
@@ -7711,14 +9110,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Point size</source>
+        <extracomment>tables</extracomment>
         <translation>Punktgröße</translation>
     </message>
     <message>
         <source>Points along a ray: three passes take the cube root each, the polar grid takes two cells a point.</source>
+        <extracomment>tables</extracomment>
         <translation>Punkte entlang eines Strahls: Drei Passes nehmen je die dritte Wurzel, das Polargitter nimmt zwei Zellen pro Punkt.</translation>
     </message>
     <message>
         <source>polar sum</source>
+        <extracomment>tables</extracomment>
         <translation>Polarsumme</translation>
     </message>
     <message>
@@ -7731,10 +9133,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Post wire</source>
+        <extracomment>tables</extracomment>
         <translation>Pfostendraht</translation>
     </message>
     <message>
         <source>Prefilter</source>
+        <extracomment>tables</extracomment>
         <translation>Vorfilter</translation>
     </message>
     <message>
@@ -7775,22 +9179,27 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Printing</source>
+        <extracomment>tables</extracomment>
         <translation>Drucken</translation>
     </message>
     <message>
         <source>Prints</source>
+        <extracomment>tables</extracomment>
         <translation>Drucke</translation>
     </message>
     <message>
         <source>probe</source>
+        <extracomment>tables</extracomment>
         <translation>Sonde</translation>
     </message>
     <message>
         <source>Probe samples</source>
+        <extracomment>tables</extracomment>
         <translation>Sonden-Samples</translation>
     </message>
     <message>
         <source>Probe size</source>
+        <extracomment>tables</extracomment>
         <translation>Sondengröße</translation>
     </message>
     <message>
@@ -7803,6 +9212,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Projection</source>
+        <extracomment>tables</extracomment>
         <translation>Projektion</translation>
     </message>
     <message>
@@ -7827,6 +9237,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>quarter</source>
+        <extracomment>tables</extracomment>
         <translation>Viertel</translation>
     </message>
     <message>
@@ -7847,6 +9258,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Radians by which the layer turns for each meter of height.</source>
+        <extracomment>tables</extracomment>
         <translation>Radiant, um die sich die Schicht je Meter Höhe dreht.</translation>
     </message>
     <message>
@@ -7855,26 +9267,32 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Radius</source>
+        <extracomment>tables</extracomment>
         <translation>Radius</translation>
     </message>
     <message>
         <source>Radius of its edges, cut to half its smallest side.</source>
+        <extracomment>tables</extracomment>
         <translation>Radius der Kanten, begrenzt auf die halbe kleinste Seite.</translation>
     </message>
     <message>
         <source>Radius of its edges; cut so that a cone is left.</source>
+        <extracomment>tables</extracomment>
         <translation>Radius der Kanten; begrenzt, sodass ein Kegel bleibt.</translation>
     </message>
     <message>
         <source>Radius of the bowl at the bottom; cut to that of the ball.</source>
+        <extracomment>tables</extracomment>
         <translation>Radius der Schale unten; begrenzt auf den der Kugel.</translation>
     </message>
     <message>
         <source>Radius of the bowl at the rim, between those of bottom and ball.</source>
+        <extracomment>tables</extracomment>
         <translation>Radius der Schale am Rand, zwischen dem unten und dem der Kugel.</translation>
     </message>
     <message>
         <source>Radius of the curls of a tuft, in strand lengths.</source>
+        <extracomment>tables</extracomment>
         <translation>Radius der Locken eines Büschels, in Haarlängen.</translation>
     </message>
     <message>
@@ -7887,22 +9305,27 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Radius of the posts.</source>
+        <extracomment>tables</extracomment>
         <translation>Radius der Pfosten.</translation>
     </message>
     <message>
         <source>Radius of the rings' tube.</source>
+        <extracomment>tables</extracomment>
         <translation>Radius des Rohrs der Ringe.</translation>
     </message>
     <message>
         <source>Radius of the rings' wire.</source>
+        <extracomment>tables</extracomment>
         <translation>Radius des Drahts der Ringe.</translation>
     </message>
     <message>
         <source>Radius of the scene's points of light: wide ones give soft shadows and wide highlights.</source>
+        <extracomment>tables</extracomment>
         <translation>Radius der Lichtpunkte der Szene: Große geben weiche Schatten und große Glanzlichter.</translation>
     </message>
     <message>
         <source>Raise</source>
+        <extracomment>tables</extracomment>
         <translation>Anheben</translation>
     </message>
     <message>
@@ -7915,7 +9338,13 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Ray exposure</source>
+        <extracomment>tables</extracomment>
         <translation>Strahlenbelichtung</translation>
+    </message>
+    <message>
+        <source>Rays</source>
+        <extracomment>tables</extracomment>
+        <translation>Strahlen</translation>
     </message>
     <message>
         <source>rays look the field's noise up in empty space</source>
@@ -7923,14 +9352,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Rays of the hemisphere, more of them along the normal.</source>
+        <extracomment>tables</extracomment>
         <translation>Strahlen der Halbkugel, mehr davon entlang der Normalen.</translation>
     </message>
     <message>
         <source>Rays over each light, for the area method.</source>
+        <extracomment>tables</extracomment>
         <translation>Strahlen über jedes Licht, für das Flächenverfahren.</translation>
     </message>
     <message>
         <source>Rays over the sun's disk, for the area method.</source>
+        <extracomment>tables</extracomment>
         <translation>Strahlen über die Sonnenscheibe, für das Flächenverfahren.</translation>
     </message>
     <message>
@@ -8015,38 +9447,47 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Reflectance of the plastic: 0.5 is what its index gives, 0 none.</source>
+        <extracomment>tables</extracomment>
         <translation>Reflexionsgrad des Kunststoffs: 0.5 ist, was sein Index ergibt, 0 keiner.</translation>
     </message>
     <message>
         <source>Reflectance of what is not metal: 0.5 is the 4 % of most glazes.</source>
+        <extracomment>tables</extracomment>
         <translation>Reflexionsgrad dessen, was nicht Metall ist: 0.5 sind die 4 % der meisten Glasuren.</translation>
     </message>
     <message>
         <source>Reflection probe</source>
+        <extracomment>tables</extracomment>
         <translation>Reflexionssonde</translation>
     </message>
     <message>
         <source>Reflections</source>
+        <extracomment>tables</extracomment>
         <translation>Spiegelungen</translation>
     </message>
     <message>
         <source>Refractive index</source>
+        <extracomment>tables</extracomment>
         <translation>Brechungsindex</translation>
     </message>
     <message>
         <source>Relaxation</source>
+        <extracomment>tables</extracomment>
         <translation>Relaxation</translation>
     </message>
     <message>
         <source>Relaxation factor</source>
+        <extracomment>tables</extracomment>
         <translation>Relaxationsfaktor</translation>
     </message>
     <message>
         <source>Release</source>
+        <extracomment>tables</extracomment>
         <translation>Freilassen</translation>
     </message>
     <message>
         <source>Relief blend</source>
+        <extracomment>tables</extracomment>
         <translation>Reliefübergang</translation>
     </message>
     <message>
@@ -8079,10 +9520,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>repeated</source>
+        <extracomment>tables</extracomment>
         <translation>wiederholt</translation>
     </message>
     <message>
         <source>Repetition</source>
+        <extracomment>tables</extracomment>
         <translation>Wiederholung</translation>
     </message>
     <message>
@@ -8111,30 +9554,37 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Resolution scale</source>
+        <extracomment>tables</extracomment>
         <translation>Auflösungsmaßstab</translation>
     </message>
     <message>
         <source>Reverse</source>
+        <extracomment>tables</extracomment>
         <translation>Umkehren</translation>
     </message>
     <message>
         <source>reversed</source>
+        <extracomment>tables</extracomment>
         <translation>umgekehrt</translation>
     </message>
     <message>
         <source>Rib stretch</source>
+        <extracomment>tables</extracomment>
         <translation>Rippenstreckung</translation>
     </message>
     <message>
         <source>Rib width</source>
+        <extracomment>tables</extracomment>
         <translation>Rippenbreite</translation>
     </message>
     <message>
         <source>Ride</source>
+        <extracomment>tables</extracomment>
         <translation>Mitreiten</translation>
     </message>
     <message>
         <source>ridged</source>
+        <extracomment>tables</extracomment>
         <translation>gratig</translation>
     </message>
     <message>
@@ -8147,6 +9597,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Right bounces</source>
+        <extracomment>tables</extracomment>
         <translation>Spiegelungen rechts</translation>
     </message>
     <message>
@@ -8155,6 +9606,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Right evaluation</source>
+        <extracomment>tables</extracomment>
         <translation>Auswertung rechts</translation>
     </message>
     <message>
@@ -8163,66 +9615,112 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Right hit tolerance</source>
+        <extracomment>tables</extracomment>
         <translation>Treffertoleranz rechts</translation>
     </message>
     <message>
         <source>Right method</source>
+        <extracomment>tables</extracomment>
         <translation>Verfahren rechts</translation>
     </message>
     <message>
         <source>Right occlusion method</source>
+        <extracomment>tables</extracomment>
         <translation>Verdeckung rechts</translation>
     </message>
     <message>
         <source>Right shadow method</source>
+        <extracomment>tables</extracomment>
         <translation>Schatten rechts</translation>
     </message>
     <message>
         <source>Right step limit</source>
+        <extracomment>tables</extracomment>
         <translation>Schrittgrenze rechts</translation>
     </message>
     <message>
         <source>Right view</source>
+        <extracomment>tables</extracomment>
         <translation>Ansicht rechts</translation>
     </message>
     <message>
         <source>Rim light</source>
+        <extracomment>tables</extracomment>
         <translation>Randlicht</translation>
     </message>
     <message>
+        <source>Ring density</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Dichte</translation>
+    </message>
+    <message>
+        <source>Ring length</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Länge</translation>
+    </message>
+    <message>
         <source>Ring model</source>
+        <extracomment>tables</extracomment>
         <translation>Ringmodell</translation>
     </message>
     <message>
+        <source>Ring root</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Wurzel</translation>
+    </message>
+    <message>
+        <source>Ring thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Dicke</translation>
+    </message>
+    <message>
+        <source>Ring tip</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Spitze</translation>
+    </message>
+    <message>
         <source>Ring tube</source>
+        <extracomment>tables</extracomment>
         <translation>Ringrohr</translation>
     </message>
     <message>
+        <source>Ring uniformity</source>
+        <extracomment>tables</extracomment>
+        <translation>Ring: Gleichmäßigkeit</translation>
+    </message>
+    <message>
         <source>Ring wire</source>
+        <extracomment>tables</extracomment>
         <translation>Ringdraht</translation>
     </message>
     <message>
         <source>Rings</source>
+        <extracomment>tables</extracomment>
         <translation>Ringe</translation>
     </message>
     <message>
         <source>rings</source>
+        <extracomment>tables</extracomment>
         <translation>Ringe</translation>
     </message>
     <message>
         <source>Ripple count</source>
+        <extracomment>tables</extracomment>
         <translation>Wellenzahl</translation>
     </message>
     <message>
         <source>Ripples</source>
+        <extracomment>tables</extracomment>
         <translation>Kräuselung</translation>
     </message>
     <message>
         <source>Ripples that are summed, from the longest on.</source>
+        <extracomment>tables</extracomment>
         <translation>Wellen, die summiert werden, von der längsten an.</translation>
     </message>
     <message>
         <source>rises</source>
+        <extracomment>tables</extracomment>
         <translation>steigt</translation>
     </message>
     <message>
@@ -8234,11 +9732,43 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>RMS-Fehler des linearen Lichts</translation>
     </message>
     <message>
+        <source>Roll density</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Dichte</translation>
+    </message>
+    <message>
         <source>Roll from one print to the other and on, like a billboard.</source>
+        <extracomment>tables</extracomment>
         <translation>Rollt von einem Druck zum anderen und weiter, wie eine Werbetafel.</translation>
     </message>
     <message>
+        <source>Roll length</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Länge</translation>
+    </message>
+    <message>
+        <source>Roll root</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Wurzel</translation>
+    </message>
+    <message>
+        <source>Roll thickness</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Dicke</translation>
+    </message>
+    <message>
+        <source>Roll tip</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Spitze</translation>
+    </message>
+    <message>
+        <source>Roll uniformity</source>
+        <extracomment>tables</extracomment>
+        <translation>Rolle: Gleichmäßigkeit</translation>
+    </message>
+    <message>
         <source>Root</source>
+        <extracomment>tables</extracomment>
         <translation>Wurzel</translation>
     </message>
     <message>
@@ -8247,6 +9777,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Rotation</source>
+        <extracomment>tables</extracomment>
         <translation>Drehung</translation>
     </message>
     <message>
@@ -8255,10 +9786,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Rotation limit</source>
+        <extracomment>tables</extracomment>
         <translation>Drehgrenze</translation>
     </message>
     <message>
         <source>Rotation model</source>
+        <extracomment>tables</extracomment>
         <translation>Drehmodell</translation>
     </message>
     <message>
@@ -8267,10 +9800,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Roughness</source>
+        <extracomment>tables</extracomment>
         <translation>Rauheit</translation>
     </message>
     <message>
         <source>round edges</source>
+        <extracomment>tables</extracomment>
         <translation>runde Kanten</translation>
     </message>
     <message>
@@ -8283,10 +9818,12 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Rows</source>
+        <extracomment>tables</extracomment>
         <translation>Reihen</translation>
     </message>
     <message>
         <source>Rows of cells in which a ray looks for lanterns; those beyond are reckoned as their mean.</source>
+        <extracomment>tables</extracomment>
         <translation>Zellenreihen, in denen ein Strahl nach Laternen sucht; die dahinter werden als ihr Mittel gerechnet.</translation>
     </message>
     <message>
@@ -8315,6 +9852,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Samples</source>
+        <extracomment>tables</extracomment>
         <translation>Samples</translation>
     </message>
     <message>
@@ -8323,6 +9861,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Samples between</source>
+        <extracomment>tables</extracomment>
         <translation>Samples dazwischen</translation>
     </message>
     <message>
@@ -8335,6 +9874,7 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Samples per pixel that a picture at rest is refined to: few leave stairs at edges, many take longer to settle.</source>
+        <extracomment>tables</extracomment>
         <translation>Samples pro Pixel, bis zu denen ein ruhendes Bild verfeinert wird: Wenige lassen Treppen an Kanten, viele brauchen länger.</translation>
     </message>
     <message>
@@ -8347,14 +9887,17 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Samples per texel when the mirror image is blurred for rough surfaces.</source>
+        <extracomment>tables</extracomment>
         <translation>Samples pro Texel, wenn das Spiegelbild für raue Oberflächen weichgezeichnet wird.</translation>
     </message>
     <message>
         <source>Samples up the normal that darken what is hidden from that light.</source>
+        <extracomment>tables</extracomment>
         <translation>Samples entlang der Normalen, die abdunkeln, was diesem Licht verborgen ist.</translation>
     </message>
     <message>
         <source>Sand around it, and a black horizon, where it is shown alone.</source>
+        <extracomment>tables</extracomment>
         <translation>Sand ringsum und ein schwarzer Horizont, wo es allein gezeigt wird.</translation>
     </message>
     <message>
@@ -8497,6 +10040,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Scatterings</source>
+        <extracomment>tables</extracomment>
         <translation>Streuungen</translation>
     </message>
     <message>
@@ -8505,10 +10049,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Screen space</source>
+        <extracomment>tables</extracomment>
         <translation>Bildraum</translation>
     </message>
     <message>
         <source>screen space</source>
+        <extracomment>tables</extracomment>
         <translation>Bildraum</translation>
     </message>
     <message>
@@ -8521,6 +10067,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Scroll</source>
+        <extracomment>tables</extracomment>
         <translation>Rollen</translation>
     </message>
     <message>
@@ -8529,18 +10076,22 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>sea</source>
+        <extracomment>tables</extracomment>
         <translation>Meer</translation>
     </message>
     <message>
         <source>Sea and wind</source>
+        <extracomment>tables</extracomment>
         <translation>Meer und Wind</translation>
     </message>
     <message>
         <source>Sea steps</source>
+        <extracomment>tables</extracomment>
         <translation>Meerschritte</translation>
     </message>
     <message>
         <source>Seed</source>
+        <extracomment>tables</extracomment>
         <translation>Startwert</translation>
     </message>
     <message>
@@ -8549,10 +10100,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Self shadow</source>
+        <extracomment>tables</extracomment>
         <translation>Selbstschatten</translation>
     </message>
     <message>
         <source>semi-implicit</source>
+        <extracomment>tables</extracomment>
         <translation>semi-implizit</translation>
     </message>
     <message>
@@ -8569,10 +10122,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Set how the fur lies by the four numbers below, and keep the bodies still.</source>
+        <extracomment>tables</extracomment>
         <translation>Setzt die Lage des Fells durch die vier Zahlen darunter und hält die Körper still.</translation>
     </message>
     <message>
         <source>Set sun by</source>
+        <extracomment>tables</extracomment>
         <translation>Sonne nach</translation>
     </message>
     <message>
@@ -8601,34 +10156,42 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shade light</source>
+        <extracomment>tables</extracomment>
         <translation>Schattenlicht</translation>
     </message>
     <message>
         <source>Shadow</source>
+        <extracomment>tables</extracomment>
         <translation>Schatten</translation>
     </message>
     <message>
         <source>Shadow filter</source>
+        <extracomment>tables</extracomment>
         <translation>Schattenfilter</translation>
     </message>
     <message>
         <source>shadow k h / t</source>
+        <extracomment>tables</extracomment>
         <translation>Schatten k h / t</translation>
     </message>
     <message>
         <source>Shadow map size</source>
+        <extracomment>tables</extracomment>
         <translation>Shadow-Map-Größe</translation>
     </message>
     <message>
         <source>Shadow method</source>
+        <extracomment>tables</extracomment>
         <translation>Schattenverfahren</translation>
     </message>
     <message>
         <source>Shadow rays</source>
+        <extracomment>tables</extracomment>
         <translation>Schattenstrahlen</translation>
     </message>
     <message>
         <source>Shadows</source>
+        <extracomment>tables</extracomment>
         <translation>Schatten</translation>
     </message>
     <message>
@@ -8641,10 +10204,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shape</source>
+        <extracomment>tables</extracomment>
         <translation>Form</translation>
     </message>
     <message>
         <source>shapes</source>
+        <extracomment>tables</extracomment>
         <translation>Formen</translation>
     </message>
     <message>
@@ -8657,18 +10222,22 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Share of that time in which the print rests; the rest of it is the roll.</source>
+        <extracomment>tables</extracomment>
         <translation>Anteil dieser Zeit, in der der Druck ruht; der Rest ist das Rollen.</translation>
     </message>
     <message>
         <source>Share of the bounds of slope and curvature that strides go by, proven ones of the field, five and a half standard deviations of the sea: 1 passes nothing wide, less is quicker, for noise is seldom as steep.</source>
+        <extracomment>tables</extracomment>
         <translation>Anteil der Schranken von Steigung und Krümmung, nach denen Schritte gehen, beim Feld bewiesene, beim Meer fünfeinhalb Standardabweichungen: 1 übergeht nichts Breites, weniger ist schneller, denn Rauschen ist selten so steil.</translation>
     </message>
     <message>
         <source>Share of the light that the dust scatters rather than swallows: white swallows none.</source>
+        <extracomment>tables</extracomment>
         <translation>Anteil des Lichts, den der Staub streut statt schluckt: Weiß schluckt nichts.</translation>
     </message>
     <message>
         <source>Share of the light that they scatter in the second lobe, back.</source>
+        <extracomment>tables</extracomment>
         <translation>Anteil des Lichts, den sie in der zweiten Keule streuen, zurück.</translation>
     </message>
     <message>
@@ -8677,14 +10246,17 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Share of these cells that have one: at 0 the lake is empty.</source>
+        <extracomment>tables</extracomment>
         <translation>Anteil dieser Zellen, die eine haben: Bei 0 ist der See leer.</translation>
     </message>
     <message>
         <source>sharp</source>
+        <extracomment>tables</extracomment>
         <translation>scharf</translation>
     </message>
     <message>
         <source>Sheen</source>
+        <extracomment>tables</extracomment>
         <translation>Samtglanz</translation>
     </message>
     <message>
@@ -8693,6 +10265,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Sheet kind</source>
+        <extracomment>tables</extracomment>
         <translation>Folienart</translation>
     </message>
     <message>
@@ -8701,6 +10274,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shell count</source>
+        <extracomment>tables</extracomment>
         <translation>Zahl der Shells</translation>
     </message>
     <message>
@@ -8709,10 +10283,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shift samples and steps by blue noise, so that too few of them look like grain and not like bands.</source>
+        <extracomment>tables</extracomment>
         <translation>Versetzt Samples und Schritte durch blaues Rauschen, sodass zu wenige davon wie Korn aussehen und nicht wie Streifen.</translation>
     </message>
     <message>
         <source>Shift the steps by blue noise, another at every supersample, so that few of them look like grain and not like shells.</source>
+        <extracomment>tables</extracomment>
         <translation>Versetzt die Schritte durch blaues Rauschen, bei jedem Supersample ein anderes, sodass wenige davon wie Korn aussehen und nicht wie Schalen.</translation>
     </message>
     <message>
@@ -8725,6 +10301,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Show</source>
+        <extracomment>tables</extracomment>
         <translation>Zeigen</translation>
     </message>
     <message>
@@ -8737,6 +10314,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Show a rasterized mesh of the same object to the right of the wipe.</source>
+        <extracomment>tables</extracomment>
         <translation>Zeigt rechts der Wischblende ein rasterisiertes Netz desselben Objekts.</translation>
     </message>
     <message>
@@ -8749,6 +10327,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Show box</source>
+        <extracomment>tables</extracomment>
         <translation>Quader zeigen</translation>
     </message>
     <message>
@@ -8781,6 +10360,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shows them so long after a jump and stops the clock there; 0 lets the button and the clock decide.</source>
+        <extracomment>tables</extracomment>
         <translation>Zeigt sie so lange nach einem Sprung und hält die Uhr dort an; 0 überlässt es Knopf und Uhr.</translation>
     </message>
     <message>
@@ -8793,10 +10373,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Side of the wooden base.</source>
+        <extracomment>tables</extracomment>
         <translation>Seite des hölzernen Bodens.</translation>
     </message>
     <message>
         <source>Sides of the drawn picture against the window's: less is quicker and blurred.</source>
+        <extracomment>tables</extracomment>
         <translation>Seiten des gezeichneten Bildes gegenüber denen des Fensters: Kleiner ist schneller und unschärfer.</translation>
     </message>
     <message>
@@ -8805,6 +10387,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>signed</source>
+        <extracomment>tables</extracomment>
         <translation>vorzeichenbehaftet</translation>
     </message>
     <message>
@@ -8813,6 +10396,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Silhouette</source>
+        <extracomment>tables</extracomment>
         <translation>Silhouette</translation>
     </message>
     <message>
@@ -8821,10 +10405,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>simplex</source>
+        <extracomment>tables</extracomment>
         <translation>Simplex</translation>
     </message>
     <message>
         <source>Simulation</source>
+        <extracomment>tables</extracomment>
         <translation>Simulation</translation>
     </message>
     <message>
@@ -8853,6 +10439,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Size of the spot that a lens shows against what the model gives: 0 is one point of a strip, above 1 the neighbors bleed in.</source>
+        <extracomment>tables</extracomment>
         <translation>Größe des Flecks, den eine Linse zeigt, gegenüber dem des Modells: 0 ist ein Punkt eines Streifens, über 1 dringen die Nachbarn ein.</translation>
     </message>
     <message>
@@ -8869,50 +10456,62 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Sky</source>
+        <extracomment>tables</extracomment>
         <translation>Himmel</translation>
     </message>
     <message>
         <source>Sky color</source>
+        <extracomment>tables</extracomment>
         <translation>Himmelsfarbe</translation>
     </message>
     <message>
         <source>Sky strength</source>
+        <extracomment>tables</extracomment>
         <translation>Himmelsstärke</translation>
     </message>
     <message>
         <source>Sky temperature</source>
+        <extracomment>tables</extracomment>
         <translation>Himmelstemperatur</translation>
     </message>
     <message>
         <source>slerp</source>
+        <extracomment>tables</extracomment>
         <translation>slerp</translation>
     </message>
     <message>
         <source>Slices</source>
+        <extracomment>tables</extracomment>
         <translation>Scheiben</translation>
     </message>
     <message>
         <source>Slides the camera to the right.</source>
+        <extracomment>tables</extracomment>
         <translation>Verschiebt die Kamera nach rechts.</translation>
     </message>
     <message>
         <source>Slides the camera up.</source>
+        <extracomment>tables</extracomment>
         <translation>Verschiebt die Kamera nach oben.</translation>
     </message>
     <message>
         <source>Slope of the small waves that the wind makes: it draws reflections out.</source>
+        <extracomment>tables</extracomment>
         <translation>Steigung der kleinen Wellen, die der Wind macht: Sie zieht Spiegelungen in die Länge.</translation>
     </message>
     <message>
         <source>smooth layers</source>
+        <extracomment>tables</extracomment>
         <translation>glatte Schichten</translation>
     </message>
     <message>
         <source>smooth wafer</source>
+        <extracomment>tables</extracomment>
         <translation>glatte Waffel</translation>
     </message>
     <message>
         <source>Smoothing</source>
+        <extracomment>tables</extracomment>
         <translation>Glättung</translation>
     </message>
     <message>
@@ -8921,6 +10520,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Snap</source>
+        <extracomment>tables</extracomment>
         <translation>Einrasten</translation>
     </message>
     <message>
@@ -8953,26 +10553,32 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Source ambient</source>
+        <extracomment>tables</extracomment>
         <translation>Umgebungslicht (Original)</translation>
     </message>
     <message>
         <source>Source fog</source>
+        <extracomment>tables</extracomment>
         <translation>Nebel (Original)</translation>
     </message>
     <message>
         <source>Source sun</source>
+        <extracomment>tables</extracomment>
         <translation>Sonne (Original)</translation>
     </message>
     <message>
         <source>Source sun color</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnenfarbe (Original)</translation>
     </message>
     <message>
         <source>Source sun strength</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnenstärke (Original)</translation>
     </message>
     <message>
         <source>Spacing</source>
+        <extracomment>tables</extracomment>
         <translation>Abstand</translation>
     </message>
     <message>
@@ -8985,10 +10591,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Specular</source>
+        <extracomment>tables</extracomment>
         <translation>Spiegelnd</translation>
     </message>
     <message>
         <source>Speed</source>
+        <extracomment>tables</extracomment>
         <translation>Tempo</translation>
     </message>
     <message>
@@ -9001,10 +10609,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Spin the candies, let those in the air float, and turn the whole.</source>
+        <extracomment>tables</extracomment>
         <translation>Dreht die Bonbons, lässt die in der Luft schweben und dreht das Ganze.</translation>
     </message>
     <message>
         <source>Split</source>
+        <extracomment>tables</extracomment>
         <translation>Teilung</translation>
     </message>
     <message>
@@ -9013,46 +10623,57 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Spring model</source>
+        <extracomment>tables</extracomment>
         <translation>Federmodell</translation>
     </message>
     <message>
         <source>Spring rate</source>
+        <extracomment>tables</extracomment>
         <translation>Federrate</translation>
     </message>
     <message>
         <source>Spring steps a second: few make the first two methods fail.</source>
+        <extracomment>tables</extracomment>
         <translation>Federschritte pro Sekunde: Bei wenigen versagen die ersten beiden Verfahren.</translation>
     </message>
     <message>
         <source>Sprinkle color</source>
+        <extracomment>tables</extracomment>
         <translation>Streuselfarbe</translation>
     </message>
     <message>
         <source>Sprinkle colors</source>
+        <extracomment>tables</extracomment>
         <translation>Streuselfarben</translation>
     </message>
     <message>
         <source>Sprinkle length</source>
+        <extracomment>tables</extracomment>
         <translation>Streusellänge</translation>
     </message>
     <message>
         <source>Sprinkle seed</source>
+        <extracomment>tables</extracomment>
         <translation>Streusel-Startwert</translation>
     </message>
     <message>
         <source>Sprinkle thickness</source>
+        <extracomment>tables</extracomment>
         <translation>Streuseldicke</translation>
     </message>
     <message>
         <source>Sprinkles</source>
+        <extracomment>tables</extracomment>
         <translation>Streusel</translation>
     </message>
     <message>
         <source>sprinkles</source>
+        <extracomment>tables</extracomment>
         <translation>Streusel</translation>
     </message>
     <message>
         <source>squeezed</source>
+        <extracomment>tables</extracomment>
         <translation>gestaucht</translation>
     </message>
     <message>
@@ -9061,26 +10682,32 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Stage</source>
+        <extracomment>tables</extracomment>
         <translation>Stufe</translation>
     </message>
     <message>
         <source>Stage time</source>
+        <extracomment>tables</extracomment>
         <translation>Zeit je Stufe</translation>
     </message>
     <message>
         <source>Stand it on a plinth.</source>
+        <extracomment>tables</extracomment>
         <translation>Stellt es auf einen Sockel.</translation>
     </message>
     <message>
         <source>standard</source>
+        <extracomment>tables</extracomment>
         <translation>Standard</translation>
     </message>
     <message>
         <source>Standard deviation of the ink's blur: cross-talk between views.</source>
+        <extracomment>tables</extracomment>
         <translation>Standardabweichung der Unschärfe der Tinte: Übersprechen zwischen Ansichten.</translation>
     </message>
     <message>
         <source>Stars</source>
+        <extracomment>tables</extracomment>
         <translation>Sterne</translation>
     </message>
     <message>
@@ -9129,50 +10756,62 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Step limit</source>
+        <extracomment>tables</extracomment>
         <translation>Schrittgrenze</translation>
     </message>
     <message>
         <source>Step of the differences that give the normal: small drowns in rounding, large rounds creases.</source>
+        <extracomment>tables</extracomment>
         <translation>Schritt der Differenzen, die die Normale ergeben: Kleine ertrinken in der Rundung, große runden Falten.</translation>
     </message>
     <message>
         <source>Step of those differences near the eye: too small drowns in rounding, too large rounds creases.</source>
+        <extracomment>tables</extracomment>
         <translation>Schritt dieser Differenzen nahe dem Auge: Zu kleine ertrinken in der Rundung, zu große runden Falten.</translation>
     </message>
     <message>
         <source>steps</source>
+        <extracomment>tables</extracomment>
         <translation>Stufen</translation>
     </message>
     <message>
         <source>Steps a ray may take in one lantern, or, by cells around it, in all.</source>
+        <extracomment>tables</extracomment>
         <translation>Schritte, die ein Strahl in einer Laterne machen darf, oder, bei Zellen ringsum, insgesamt.</translation>
     </message>
     <message>
         <source>Steps a ray may take to find the field, or the sea of the source.</source>
+        <extracomment>tables</extracomment>
         <translation>Schritte, die ein Strahl machen darf, um das Feld zu finden, oder das Meer des Originals.</translation>
     </message>
     <message>
         <source>Steps a ray may take; one that runs out ends on its best candidate.</source>
+        <extracomment>tables</extracomment>
         <translation>Schritte, die ein Strahl machen darf; einer, dem sie ausgehen, endet auf seinem besten Kandidaten.</translation>
     </message>
     <message>
         <source>Steps by which a ray finds the water.</source>
+        <extracomment>tables</extracomment>
         <translation>Schritte, in denen ein Strahl das Wasser findet.</translation>
     </message>
     <message>
         <source>Steps from there towards the sun.</source>
+        <extracomment>tables</extracomment>
         <translation>Schritte von dort zur Sonne.</translation>
     </message>
     <message>
         <source>Steps in which a ray crosses a beam of the volume.</source>
+        <extracomment>tables</extracomment>
         <translation>Schritte, in denen ein Strahl einen Lichtstrahl des Volumens durchquert.</translation>
     </message>
     <message>
         <source>Steps of a ray through the clouds.</source>
+        <extracomment>tables</extracomment>
         <translation>Schritte eines Strahls durch die Wolken.</translation>
     </message>
     <message>
         <source>Steps that a ray may take; towards a light at most 128.</source>
+        <extracomment>tables</extracomment>
         <translation>Schritte, die ein Strahl machen darf; zu einem Licht hin höchstens 128.</translation>
     </message>
     <message>
@@ -9209,34 +10848,42 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Strand roundness</source>
+        <extracomment>tables</extracomment>
         <translation>Haarrundung</translation>
     </message>
     <message>
         <source>Strands</source>
+        <extracomment>tables</extracomment>
         <translation>Haare</translation>
     </message>
     <message>
         <source>Strands along a side of one tuft.</source>
+        <extracomment>tables</extracomment>
         <translation>Haare entlang einer Seite eines Büschels.</translation>
     </message>
     <message>
         <source>Strands on a square meter.</source>
+        <extracomment>tables</extracomment>
         <translation>Haare auf einem Quadratmeter.</translation>
     </message>
     <message>
         <source>Streak</source>
+        <extracomment>tables</extracomment>
         <translation>Haarglanz</translation>
     </message>
     <message>
         <source>Strength</source>
+        <extracomment>tables</extracomment>
         <translation>Stärke</translation>
     </message>
     <message>
         <source>Strength of a draft over the pit: it keeps the fur moving.</source>
+        <extracomment>tables</extracomment>
         <translation>Stärke eines Luftzugs über der Grube: Er hält das Fell in Bewegung.</translation>
     </message>
     <message>
         <source>Strength of an octave over that of the one before: low is smooth, high is rough.</source>
+        <extracomment>tables</extracomment>
         <translation>Stärke einer Oktave gegenüber der davor: Niedrige Werte sind glatt, hohe rau.</translation>
     </message>
     <message>
@@ -9245,26 +10892,32 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Strength of the lamp before the niche.</source>
+        <extracomment>tables</extracomment>
         <translation>Stärke der Lampe vor der Nische.</translation>
     </message>
     <message>
         <source>Strength of the lamp in the vault above the pit.</source>
+        <extracomment>tables</extracomment>
         <translation>Stärke der Lampe im Gewölbe über der Grube.</translation>
     </message>
     <message>
         <source>Strength of the rays in the sun's initial light: 0 makes none. In the plain sum, of each sample.</source>
+        <extracomment>tables</extracomment>
         <translation>Stärke der Strahlen im anfänglichen Licht der Sonne: 0 erzeugt keine. In der einfachen Summe die jedes Samples.</translation>
     </message>
     <message>
         <source>Strewn over the cream, each by a seed of its own.</source>
+        <extracomment>tables</extracomment>
         <translation>Über das Eis gestreut, jedes nach einem eigenen Startwert.</translation>
     </message>
     <message>
         <source>Strips</source>
+        <extracomment>tables</extracomment>
         <translation>Streifen</translation>
     </message>
     <message>
         <source>Strips under each lens: views chosen evenly from those that the print has, no more than it has.</source>
+        <extracomment>tables</extracomment>
         <translation>Streifen unter jeder Linse: Ansichten, gleichmäßig aus denen des Drucks gewählt, nicht mehr, als er hat.</translation>
     </message>
     <message>
@@ -9281,14 +10934,17 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Sum</source>
+        <extracomment>tables</extracomment>
         <translation>Summe</translation>
     </message>
     <message>
         <source>Sun</source>
+        <extracomment>tables</extracomment>
         <translation>Sonne</translation>
     </message>
     <message>
         <source>Sun azimuth</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnenazimut</translation>
     </message>
     <message>
@@ -9297,22 +10953,27 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Sun by</source>
+        <extracomment>tables</extracomment>
         <translation>Sonne nach</translation>
     </message>
     <message>
         <source>Sun disk</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnenscheibe</translation>
     </message>
     <message>
         <source>Sun elevation</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnenhöhe</translation>
     </message>
     <message>
         <source>Sun light</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnenlicht</translation>
     </message>
     <message>
         <source>Sun shadows</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnenschatten</translation>
     </message>
     <message>
@@ -9321,18 +10982,22 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Sun strength</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnenstärke</translation>
     </message>
     <message>
         <source>Sun temperature</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnentemperatur</translation>
     </message>
     <message>
         <source>Sun width</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnenbreite</translation>
     </message>
     <message>
         <source>sun's disk</source>
+        <extracomment>tables</extracomment>
         <translation>Sonnenscheibe</translation>
     </message>
     <message>
@@ -9345,6 +11010,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Supersamples</source>
+        <extracomment>tables</extracomment>
         <translation>Supersamples</translation>
     </message>
     <message>
@@ -9377,6 +11043,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Tall</source>
+        <extracomment>tables</extracomment>
         <translation>Höhe</translation>
     </message>
     <message>
@@ -9385,50 +11052,67 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Technique</source>
+        <extracomment>tables</extracomment>
         <translation>Technik</translation>
     </message>
     <message>
+        <source>Temperature</source>
+        <extracomment>tables</extracomment>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
         <source>Temporal antialiasing</source>
+        <extracomment>tables</extracomment>
         <translation>Zeitliche Kantenglättung</translation>
     </message>
     <message>
         <source>tent 3x3</source>
+        <extracomment>tables</extracomment>
         <translation>Zelt 3x3</translation>
     </message>
     <message>
         <source>tent 5x5</source>
+        <extracomment>tables</extracomment>
         <translation>Zelt 5x5</translation>
     </message>
     <message>
         <source>Tessellation</source>
+        <extracomment>tables</extracomment>
         <translation>Tessellierung</translation>
     </message>
     <message>
         <source>test scene</source>
+        <extracomment>tables</extracomment>
         <translation>Testszene</translation>
     </message>
     <message>
         <source>tetrahedron</source>
+        <extracomment>tables</extracomment>
         <translation>Tetraeder</translation>
     </message>
     <message>
         <source>Texels along each side of the volume it is baked to.</source>
+        <extracomment>tables</extracomment>
         <translation>Texel entlang jeder Seite des Volumens, in das es gebacken wird.</translation>
     </message>
     <message>
         <source>Texels along one face of the captured mirror image: fewer blur polished surfaces.</source>
+        <extracomment>tables</extracomment>
         <translation>Texel entlang einer Seite des aufgenommenen Spiegelbilds: Wenige machen polierte Oberflächen unscharf.</translation>
     </message>
     <message>
         <source>Texels along one side of the sun's depth map: fewer give coarser shadow edges.</source>
+        <extracomment>tables</extracomment>
         <translation>Texel entlang einer Seite der Tiefenkarte der Sonne: Wenige geben gröbere Schattenränder.</translation>
     </message>
     <message>
         <source>Texels around that faceted normals are averaged over, not across edges.</source>
+        <extracomment>tables</extracomment>
         <translation>Texel ringsum, über die facettierte Normalen gemittelt werden, nicht über Kanten hinweg.</translation>
     </message>
     <message>
         <source>Texels of depth between two surfaces that make a line; slopes are taken off first.</source>
+        <extracomment>tables</extracomment>
         <translation>Texel Tiefe zwischen zwei Oberflächen, die eine Linie ergeben; Steigungen werden vorher abgezogen.</translation>
     </message>
     <message>
@@ -9449,10 +11133,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>The background, below.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Hintergrund, unten.</translation>
     </message>
     <message>
         <source>The background, high up.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Hintergrund, hoch oben.</translation>
     </message>
     <message>
@@ -9493,6 +11179,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>The bounces of the right half.</source>
+        <extracomment>tables</extracomment>
         <translation>Die Spiegelungen der rechten Hälfte.</translation>
     </message>
     <message>
@@ -9581,6 +11268,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>The count that is shown white.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Zählwert, der weiß gezeigt wird.</translation>
     </message>
     <message>
@@ -9611,6 +11299,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The evaluation of the right half.</source>
+        <extracomment>tables</extracomment>
         <translation>Die Auswertung der rechten Hälfte.</translation>
     </message>
     <message>
@@ -9643,6 +11332,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The field's normal: by six further evaluations, or by its derivative.</source>
+        <extracomment>tables</extracomment>
         <translation>Die Normale des Felds: durch sechs weitere Auswertungen, oder durch seine Ableitung.</translation>
     </message>
     <message>
@@ -9687,6 +11377,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The finished picture, the mask with its occluders black, or the added light without the hall.</source>
+        <extracomment>tables</extracomment>
         <translation>Das fertige Bild, die Maske mit schwarzen Verdeckern, oder das zugefügte Licht ohne die Halle.</translation>
     </message>
     <message>
@@ -9755,6 +11446,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>the hall's</source>
+        <extracomment>tables</extracomment>
         <translation>die der Halle</translation>
     </message>
     <message>
@@ -9771,6 +11463,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The hit tolerance of the right half.</source>
+        <extracomment>tables</extracomment>
         <translation>Die Treffertoleranz der rechten Hälfte.</translation>
     </message>
     <message>
@@ -9843,6 +11536,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The mean over the way, which no number of samples makes brighter or darker; or the plain sum of the museum that this exhibit follows, which grows with them.</source>
+        <extracomment>tables</extracomment>
         <translation>Das Mittel über den Weg, das keine Zahl von Samples heller oder dunkler macht; oder die einfache Summe des Museums, dem dieses Exponat folgt, die mit ihnen wächst.</translation>
     </message>
     <message>
@@ -9859,10 +11553,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The moment of the round that is shown, or begun with.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Augenblick der Runde, der gezeigt wird oder mit dem begonnen wird.</translation>
     </message>
     <message>
         <source>The moment that is shown, or begun with.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Augenblick, der gezeigt wird oder mit dem begonnen wird.</translation>
     </message>
     <message>
@@ -9899,10 +11595,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The occlusion method of the right half.</source>
+        <extracomment>tables</extracomment>
         <translation>Das Verdeckungsverfahren der rechten Hälfte.</translation>
     </message>
     <message>
         <source>The only colors there are: made for the isle, those of old machines, or the main ones of a picture of the hall.</source>
+        <extracomment>tables</extracomment>
         <translation>Die einzigen Farben, die es gibt: für die Insel gemacht, die alter Geräte, oder die Hauptfarben eines Bildes der Halle.</translation>
     </message>
     <message>
@@ -9967,6 +11665,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The picture, or what it is made of: the water's height, its normals, or the parts of the lanterns by color.</source>
+        <extracomment>tables</extracomment>
         <translation>Das Bild, oder woraus es gemacht ist: die Höhe des Wassers, seine Normalen, oder die Teile der Laternen nach Farbe.</translation>
     </message>
     <message>
@@ -10059,10 +11758,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The same of the right half.</source>
+        <extracomment>tables</extracomment>
         <translation>Dasselbe für die rechte Hälfte.</translation>
     </message>
     <message>
         <source>The scene as it was edited here, as JSON: what is not in its file yet. Reset gives it up.</source>
+        <extracomment>tables</extracomment>
         <translation>Die Szene, wie sie hier bearbeitet wurde, als JSON: was noch nicht in ihrer Datei steht. Zurücksetzen gibt es auf.</translation>
     </message>
     <message>
@@ -10099,6 +11800,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The shadow method of the right half.</source>
+        <extracomment>tables</extracomment>
         <translation>Das Schattenverfahren der rechten Hälfte.</translation>
     </message>
     <message>
@@ -10175,10 +11877,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The step by which it turns.</source>
+        <extracomment>tables</extracomment>
         <translation>Der Schritt, um den sie sich dreht.</translation>
     </message>
     <message>
         <source>The step limit of the right half.</source>
+        <extracomment>tables</extracomment>
         <translation>Die Schrittgrenze der rechten Hälfte.</translation>
     </message>
     <message>
@@ -10307,6 +12011,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The views in the wrong order: the picture turns inside out.</source>
+        <extracomment>tables</extracomment>
         <translation>Die Ansichten in falscher Reihenfolge: Das Bild kehrt sein Inneres nach außen.</translation>
     </message>
     <message>
@@ -10323,6 +12028,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>the water</source>
+        <extracomment>tables</extracomment>
         <translation>das Wasser</translation>
     </message>
     <message>
@@ -10559,18 +12265,22 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Thickness</source>
+        <extracomment>tables</extracomment>
         <translation>Dicke</translation>
     </message>
     <message>
         <source>Thickness of its wall.</source>
+        <extracomment>tables</extracomment>
         <translation>Dicke der Wand.</translation>
     </message>
     <message>
         <source>Thickness variation</source>
+        <extracomment>tables</extracomment>
         <translation>Dickenstreuung</translation>
     </message>
     <message>
         <source>thin bars</source>
+        <extracomment>tables</extracomment>
         <translation>dünne Stäbe</translation>
     </message>
     <message>
@@ -10915,10 +12625,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>three passes</source>
+        <extracomment>tables</extracomment>
         <translation>drei Passes</translation>
     </message>
     <message>
         <source>Threshold</source>
+        <extracomment>tables</extracomment>
         <translation>Schwelle</translation>
     </message>
     <message>
@@ -10935,6 +12647,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Tilt</source>
+        <extracomment>tables</extracomment>
         <translation>Neigung</translation>
     </message>
     <message>
@@ -10947,10 +12660,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Time of day</source>
+        <extracomment>tables</extracomment>
         <translation>Tageszeit</translation>
     </message>
     <message>
         <source>time of day</source>
+        <extracomment>tables</extracomment>
         <translation>Tageszeit</translation>
     </message>
     <message>
@@ -10971,10 +12686,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Tint</source>
+        <extracomment>tables</extracomment>
         <translation>Tönung</translation>
     </message>
     <message>
         <source>Tip</source>
+        <extracomment>tables</extracomment>
         <translation>Spitze</translation>
     </message>
     <message>
@@ -10983,6 +12700,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>to the cell's wall</source>
+        <extracomment>tables</extracomment>
         <translation>bis zur Zellwand</translation>
     </message>
     <message>
@@ -11003,10 +12721,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>together</source>
+        <extracomment>tables</extracomment>
         <translation>gemeinsam</translation>
     </message>
     <message>
         <source>Tones from shade to light, as an artist lays them; 1 is without steps.</source>
+        <extracomment>tables</extracomment>
         <translation>Töne von Schatten bis Licht, wie ein Künstler sie legt; 1 ist ohne Stufen.</translation>
     </message>
     <message>
@@ -11019,6 +12739,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Toss</source>
+        <extracomment>tables</extracomment>
         <translation>Wurf</translation>
     </message>
     <message>
@@ -11031,6 +12752,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Trace red, green and blue apart, by Cauchy's formula.</source>
+        <extracomment>tables</extracomment>
         <translation>Verfolgt Rot, Grün und Blau getrennt, nach Cauchys Formel.</translation>
     </message>
     <message>
@@ -11063,6 +12785,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>true</source>
+        <extracomment>tables</extracomment>
         <translation>richtig</translation>
     </message>
     <message>
@@ -11123,6 +12846,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>turbulence</source>
+        <extracomment>tables</extracomment>
         <translation>Turbulenz</translation>
     </message>
     <message>
@@ -11135,14 +12859,17 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Turn speed</source>
+        <extracomment>tables</extracomment>
         <translation>Drehtempo</translation>
     </message>
     <message>
         <source>Turn step</source>
+        <extracomment>tables</extracomment>
         <translation>Drehschritt</translation>
     </message>
     <message>
         <source>Turned</source>
+        <extracomment>tables</extracomment>
         <translation>Gedreht</translation>
     </message>
     <message>
@@ -11155,34 +12882,42 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Turns a second, as if the camera went round it.</source>
+        <extracomment>tables</extracomment>
         <translation>Umdrehungen pro Sekunde, als ginge die Kamera darum herum.</translation>
     </message>
     <message>
         <source>Turns of a curl from skin to tip.</source>
+        <extracomment>tables</extracomment>
         <translation>Windungen einer Locke von der Haut zur Spitze.</translation>
     </message>
     <message>
         <source>Turns of the mobile in a second, while it is animated.</source>
+        <extracomment>tables</extracomment>
         <translation>Umdrehungen des Mobiles pro Sekunde, während es sich bewegt.</translation>
     </message>
     <message>
         <source>Turns the panorama around the vertical.</source>
+        <extracomment>tables</extracomment>
         <translation>Dreht das Panorama um die Senkrechte.</translation>
     </message>
     <message>
         <source>Turns the visitor's object around the vertical.</source>
+        <extracomment>tables</extracomment>
         <translation>Dreht das Objekt des Besuchers um die Senkrechte.</translation>
     </message>
     <message>
         <source>Twist</source>
+        <extracomment>tables</extracomment>
         <translation>Verdrillung</translation>
     </message>
     <message>
         <source>twisted</source>
+        <extracomment>tables</extracomment>
         <translation>gedreht</translation>
     </message>
     <message>
         <source>Two halves</source>
+        <extracomment>tables</extracomment>
         <translation>Zwei Hälften</translation>
     </message>
     <message>
@@ -11215,6 +12950,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Uniformity</source>
+        <extracomment>tables</extracomment>
         <translation>Gleichmäßigkeit</translation>
     </message>
     <message>
@@ -11247,6 +12983,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Up the side of the foot.</source>
+        <extracomment>tables</extracomment>
         <translation>An der Seite des Fußes hinauf.</translation>
     </message>
     <message>
@@ -11254,19 +12991,83 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Auf, Ab, Mausrad</translation>
     </message>
     <message>
+        <source>Upper blend</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Übergang</translation>
+    </message>
+    <message>
+        <source>Upper color</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Farbe</translation>
+    </message>
+    <message>
+        <source>Upper corner</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Ecke</translation>
+    </message>
+    <message>
         <source>upper cream</source>
+        <extracomment>tables</extracomment>
         <translation>oberes Eis</translation>
     </message>
     <message>
+        <source>Upper height</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Höhe</translation>
+    </message>
+    <message>
         <source>upper layer</source>
+        <extracomment>tables</extracomment>
         <translation>obere Schicht</translation>
     </message>
     <message>
         <source>Upper layer of cream</source>
+        <extracomment>tables</extracomment>
         <translation>Obere Eisschicht</translation>
     </message>
     <message>
+        <source>Upper lobes</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Keulen</translation>
+    </message>
+    <message>
+        <source>Upper offset x</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Versatz x</translation>
+    </message>
+    <message>
+        <source>Upper offset z</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Versatz z</translation>
+    </message>
+    <message>
+        <source>Upper radius</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Radius</translation>
+    </message>
+    <message>
+        <source>Upper raise</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Anheben</translation>
+    </message>
+    <message>
+        <source>Upper tilt</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Neigung</translation>
+    </message>
+    <message>
+        <source>Upper twist</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Verdrillung</translation>
+    </message>
+    <message>
+        <source>Upper yaw</source>
+        <extracomment>tables</extracomment>
+        <translation>Obere Schicht: Gieren</translation>
+    </message>
+    <message>
         <source>Upscale</source>
+        <extracomment>tables</extracomment>
         <translation>Hochskalieren</translation>
     </message>
     <message>
@@ -11275,6 +13076,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>value</source>
+        <extracomment>tables</extracomment>
         <translation>Value</translation>
     </message>
     <message>
@@ -11287,6 +13089,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>vertical</source>
+        <extracomment>tables</extracomment>
         <translation>senkrecht</translation>
     </message>
     <message>
@@ -11311,10 +13114,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Views of the first print: a folder of pictures, or a print that vitrine print wrote. Empty: the turning mug.</source>
+        <extracomment>tables</extracomment>
         <translation>Ansichten des ersten Drucks: ein Ordner mit Bildern, oder ein Druck, den vitrine print geschrieben hat. Leer: die sich drehende Tasse.</translation>
     </message>
     <message>
         <source>Views of the second print, in the same ways. Empty: the melting torus.</source>
+        <extracomment>tables</extracomment>
         <translation>Ansichten des zweiten Drucks, auf dieselbe Weise. Leer: der schmelzende Torus.</translation>
     </message>
     <message>
@@ -11353,6 +13158,7 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
     </message>
     <message>
         <source>Visitor's object</source>
+        <extracomment>tables</extracomment>
         <translation>Objekt des Besuchers</translation>
     </message>
     <message>
@@ -11395,14 +13201,17 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>volume</source>
+        <extracomment>tables</extracomment>
         <translation>Volumen</translation>
     </message>
     <message>
         <source>Volume steps</source>
+        <extracomment>tables</extracomment>
         <translation>Volumenschritte</translation>
     </message>
     <message>
         <source>vote</source>
+        <extracomment>tables</extracomment>
         <translation>Abstimmung</translation>
     </message>
     <message>
@@ -11415,18 +13224,22 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Wafer</source>
+        <extracomment>tables</extracomment>
         <translation>Waffel</translation>
     </message>
     <message>
         <source>Wafer blend</source>
+        <extracomment>tables</extracomment>
         <translation>Waffelübergang</translation>
     </message>
     <message>
         <source>Wafer color</source>
+        <extracomment>tables</extracomment>
         <translation>Waffelfarbe</translation>
     </message>
     <message>
         <source>Wafer roughness</source>
+        <extracomment>tables</extracomment>
         <translation>Waffelrauheit</translation>
     </message>
     <message>
@@ -11443,6 +13256,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Wall thickness</source>
+        <extracomment>tables</extracomment>
         <translation>Wandstärke</translation>
     </message>
     <message>
@@ -11455,30 +13269,37 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Warp</source>
+        <extracomment>tables</extracomment>
         <translation>Verzerrung</translation>
     </message>
     <message>
         <source>Water</source>
+        <extracomment>tables</extracomment>
         <translation>Wasser</translation>
     </message>
     <message>
         <source>Water color</source>
+        <extracomment>tables</extracomment>
         <translation>Wasserfarbe</translation>
     </message>
     <message>
         <source>Water steps</source>
+        <extracomment>tables</extracomment>
         <translation>Wasserschritte</translation>
     </message>
     <message>
         <source>Wave height</source>
+        <extracomment>tables</extracomment>
         <translation>Wellenhöhe</translation>
     </message>
     <message>
         <source>Wave speed</source>
+        <extracomment>tables</extracomment>
         <translation>Wellentempo</translation>
     </message>
     <message>
         <source>Waves</source>
+        <extracomment>tables</extracomment>
         <translation>Wellen</translation>
     </message>
     <message>
@@ -11487,22 +13308,27 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Waves that are summed, from the longest on.</source>
+        <extracomment>tables</extracomment>
         <translation>Wellen, die summiert werden, von der längsten an.</translation>
     </message>
     <message>
         <source>Weight</source>
+        <extracomment>tables</extracomment>
         <translation>Gewicht</translation>
     </message>
     <message>
         <source>What 10 cm of the glass leave of white.</source>
+        <extracomment>tables</extracomment>
         <translation>Was 10 cm des Glases von Weiß übrig lassen.</translation>
     </message>
     <message>
         <source>What a meter of the air at the water hides.</source>
+        <extracomment>tables</extracomment>
         <translation>Was ein Meter der Luft am Wasser verbirgt.</translation>
     </message>
     <message>
         <source>What a meter of the thickest cloud takes out of a ray.</source>
+        <extracomment>tables</extracomment>
         <translation>Was ein Meter der dicksten Wolke einem Strahl nimmt.</translation>
     </message>
     <message>
@@ -11511,6 +13337,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What an octave is: numbers at the corners of cells, slopes there, slopes on a lattice without axes, or the distance to the nearest of scattered points.</source>
+        <extracomment>tables</extracomment>
         <translation>Was eine Oktave ist: Zahlen an den Ecken von Zellen, Steigungen dort, Steigungen auf einem Gitter ohne Achsen, oder die Distanz zum nächsten verstreuter Punkte.</translation>
     </message>
     <message>
@@ -11519,10 +13346,12 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What deep water sends back of the daylight.</source>
+        <extracomment>tables</extracomment>
         <translation>Was tiefes Wasser vom Tageslicht zurückgibt.</translation>
     </message>
     <message>
         <source>What deep water sends back.</source>
+        <extracomment>tables</extracomment>
         <translation>Was tiefes Wasser zurückwirft.</translation>
     </message>
     <message>
@@ -11535,6 +13364,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells where they are seen at an angle, or a march from shell to shell.</source>
+        <extracomment>tables</extracomment>
         <translation>Was die Lücken zwischen seitlich gesehenen Shells füllt: nichts, Fins entlang der Kanten, mehr Shells, wo sie schräg gesehen werden, oder ein Raymarching von Shell zu Shell.</translation>
     </message>
     <message>
@@ -11551,6 +13381,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What is farther away keeps no light away. The source knows no such limit.</source>
+        <extracomment>tables</extracomment>
         <translation>Was weiter weg ist, hält kein Licht ab. Das Original kennt keine solche Grenze.</translation>
     </message>
     <message>
@@ -11563,10 +13394,12 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What is made of each octave: itself, sharp ridges, round lumps, or its absolute value.</source>
+        <extracomment>tables</extracomment>
         <translation>Was aus jeder Oktave gemacht wird: sie selbst, scharfe Grate, runde Klumpen, oder ihr Betrag.</translation>
     </message>
     <message>
         <source>what is near</source>
+        <extracomment>tables</extracomment>
         <translation>was nah ist</translation>
     </message>
     <message>
@@ -11595,10 +13428,12 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What is shown to the right of the wipe.</source>
+        <extracomment>tables</extracomment>
         <translation>Was rechts der Wischblende gezeigt wird.</translation>
     </message>
     <message>
         <source>What is shown: the finished picture, or a step on the way there.</source>
+        <extracomment>tables</extracomment>
         <translation>Was gezeigt wird: das fertige Bild, oder ein Schritt auf dem Weg dorthin.</translation>
     </message>
     <message>
@@ -11611,6 +13446,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What roughness means for the source's sun: a lobe of microfacets, or the exponent 2^(10 (1 - roughness)).</source>
+        <extracomment>tables</extracomment>
         <translation>Was Rauheit für die Sonne des Originals bedeutet: eine Keule aus Mikrofacetten, oder den Exponenten 2^(10 (1 - Rauheit)).</translation>
     </message>
     <message>
@@ -11627,6 +13463,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What the depth buffer stores.</source>
+        <extracomment>tables</extracomment>
         <translation>Was der Tiefenpuffer speichert.</translation>
     </message>
     <message>
@@ -11639,10 +13476,12 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What the lantern does that the button sets free.</source>
+        <extracomment>tables</extracomment>
         <translation>Was die Laterne tut, die der Knopf freilässt.</translation>
     </message>
     <message>
         <source>What the paper does not absorb.</source>
+        <extracomment>tables</extracomment>
         <translation>Was das Papier nicht schluckt.</translation>
     </message>
     <message>
@@ -11651,6 +13490,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What the polished floor mirrors: the probe's soft picture of the room, or in front of it the window, its bars and what stands on the floor, each where a ray finds it.</source>
+        <extracomment>tables</extracomment>
         <translation>Was der polierte Boden spiegelt: das weiche Bild der Sonde vom Raum, oder davor das Fenster, seine Sprossen und was auf dem Boden steht, jedes dort, wo ein Strahl es findet.</translation>
     </message>
     <message>
@@ -11663,6 +13503,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>What the shader asks at a point: the shapes that matter there, or all of them; written out for this scene with its numbers beside it or in it, or as lists that it walks, of this scene's kinds or of all.</source>
+        <extracomment>tables</extracomment>
         <translation>Was der Shader an einem Punkt fragt: die Formen, auf die es dort ankommt, oder alle; ausgeschrieben für diese Szene, mit ihren Zahlen daneben oder darin, oder als Listen, die er durchgeht, mit den Arten dieser Szene oder mit allen.</translation>
     </message>
     <message>
@@ -11672,6 +13513,11 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>what the water sends of the moon is too little to show shadows</source>
         <translation>was das Wasser vom Mond zurückwirft, ist zu wenig, um Schatten zu zeigen</translation>
+    </message>
+    <message>
+        <source>What they float on: a wave that the water does not have, or the water under their base.</source>
+        <extracomment>tables</extracomment>
+        <translation>Worauf sie schwimmen: auf einer Welle, die das Wasser nicht hat, oder auf dem Wasser unter ihrem Boden.</translation>
     </message>
     <message>
         <source>What to measure</source>
@@ -11715,18 +13561,22 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Where it hangs, seen from the ice cream.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo sie hängt, vom Eis aus gesehen.</translation>
     </message>
     <message>
         <source>Where it hangs, seen from the pit.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo er hängt, von der Grube aus gesehen.</translation>
     </message>
     <message>
         <source>Where it is, across.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo es liegt, quer.</translation>
     </message>
     <message>
         <source>Where it is, towards the front.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo es liegt, nach vorn.</translation>
     </message>
     <message>
@@ -11739,18 +13589,22 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Where it stands, seen through the frame: negative is to the left.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo er steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
     </message>
     <message>
         <source>Where its base is, across.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo seine Grundfläche liegt, quer.</translation>
     </message>
     <message>
         <source>Where its base is, towards the front.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo seine Grundfläche liegt, nach vorn.</translation>
     </message>
     <message>
         <source>Where its own sun stands, seen through the frame: negative is to the left.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo die eigene Sonne steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
     </message>
     <message>
@@ -11759,42 +13613,52 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Where the camera stands around the middle.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo die Kamera um die Mitte herum steht.</translation>
     </message>
     <message>
         <source>Where the color changes from root to tip: low near the root, high near the tip.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo die Farbe von der Wurzel zur Spitze wechselt: niedrige Werte nahe der Wurzel, hohe nahe der Spitze.</translation>
     </message>
     <message>
         <source>Where the comparison begins: 0 is the left edge of the picture, 1 the right.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo der Vergleich beginnt: 0 ist der linke Bildrand, 1 der rechte.</translation>
     </message>
     <message>
         <source>Where the draft blows.</source>
+        <extracomment>tables</extracomment>
         <translation>Wohin der Luftzug weht.</translation>
     </message>
     <message>
         <source>Where the mesh begins: 0 is the left edge of the picture, 1 the right.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo das Netz beginnt: 0 ist der linke Bildrand, 1 der rechte.</translation>
     </message>
     <message>
         <source>Where the right half begins, as a share of the opening.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo die rechte Hälfte beginnt, als Anteil der Öffnung.</translation>
     </message>
     <message>
         <source>Where the right half begins.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo die rechte Hälfte beginnt.</translation>
     </message>
     <message>
         <source>Where the source's sun stands.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo die Sonne des Originals steht.</translation>
     </message>
     <message>
         <source>Where the sun stands, from the camera's side: negative is to the left.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo die Sonne steht, von der Seite der Kamera: Negative Werte liegen links.</translation>
     </message>
     <message>
         <source>Where the sun stands, seen through the window: negative is to the left.</source>
+        <extracomment>tables</extracomment>
         <translation>Wo die Sonne steht, durch das Fenster gesehen: Negative Werte liegen links.</translation>
     </message>
     <message>
@@ -11807,22 +13671,27 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Where the wind blows to, from straight ahead: negative is to the left.</source>
+        <extracomment>tables</extracomment>
         <translation>Wohin der Wind weht, von geradeaus: Negative Werte liegen links.</translation>
     </message>
     <message>
         <source>Whether colors are those of what it is made of, or tell the parts from each other.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob Farben die des Materials sind, oder die Teile voneinander unterscheiden.</translation>
     </message>
     <message>
         <source>Whether distance makes things smaller. Pixel art is mostly orthographic.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob Entfernung Dinge kleiner macht. Pixel-Art ist meist orthografisch.</translation>
     </message>
     <message>
         <source>Whether empty space is crossed, and light told, by evaluated noise or by noise that is looked up: the surface itself is always evaluated.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob leerer Raum und Licht durch ausgewertetes oder durch nachgeschlagenes Rauschen gefunden werden: Die Oberfläche selbst wird immer ausgewertet.</translation>
     </message>
     <message>
         <source>Whether near is 1 and far 0, or the other way round.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob nah 1 und fern 0 ist, oder umgekehrt.</translation>
     </message>
     <message>
@@ -11831,46 +13700,57 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Whether steps may be longer than the distance: by a fixed factor, or as long as the field's slope promises.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob Schritte länger als die Distanz sein dürfen: um einen festen Faktor, oder so lang, wie die Steigung des Felds verspricht.</translation>
     </message>
     <message>
         <source>Whether the clouds' noise is evaluated at every step or looked up.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob das Rauschen der Wolken bei jedem Schritt ausgewertet oder nachgeschlagen wird.</translation>
     </message>
     <message>
         <source>Whether the lamps in the vault burn: as the sun sinks below eight degrees, always, or never.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob die Lampen im Gewölbe brennen: sobald die Sonne unter acht Grad sinkt, immer oder nie.</translation>
     </message>
     <message>
         <source>Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob die Sonne durch Winkel und Farbe darunter gesetzt wird, oder mit der Stunde wandert, sich rötet und untergeht.</translation>
     </message>
     <message>
         <source>Whether the work has a sun of its own or the direction of the hall's.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob das Werk eine eigene Sonne hat, oder die Richtung der Sonne der Halle.</translation>
     </message>
     <message>
         <source>Whether they flicker in step.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob sie im Gleichtakt flackern.</translation>
     </message>
     <message>
         <source>Whether they have the colors of the first five candies, or one.</source>
+        <extracomment>tables</extracomment>
         <translation>Ob sie die Farben der ersten fünf Bonbons haben, oder eine.</translation>
     </message>
     <message>
         <source>Which lanterns a step of a ray looks at: those of some cells around it, which cuts what lies beyond, or all that the ray can touch, cell by cell.</source>
+        <extracomment>tables</extracomment>
         <translation>Welche Laternen ein Schritt eines Strahls ansieht: die einiger Zellen ringsum, was Weiteres abschneidet, oder alle, die der Strahl berühren kann, Zelle für Zelle.</translation>
     </message>
     <message>
         <source>Which of many ways it lies; 0 is upright.</source>
+        <extracomment>tables</extracomment>
         <translation>Auf welche von vielen Arten es liegt; 0 ist aufrecht.</translation>
     </message>
     <message>
         <source>Which of many ways they are tossed: the same number is the same jump.</source>
+        <extracomment>tables</extracomment>
         <translation>Auf welche von vielen Arten sie geworfen werden: Dieselbe Zahl ist derselbe Sprung.</translation>
     </message>
     <message>
         <source>Which of the model's animations is played, by its number in the file, beyond which there is the last; 0: none.</source>
+        <extracomment>tables</extracomment>
         <translation>Welche Animation des Modells abgespielt wird, nach ihrer Nummer in der Datei; über die letzte hinaus die letzte; 0: keine.</translation>
     </message>
     <message>
@@ -11879,6 +13759,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Which print rests in the card before it scrolls.</source>
+        <extracomment>tables</extracomment>
         <translation>Welcher Druck in der Karte ruht, bevor sie rollt.</translation>
     </message>
     <message>
@@ -11891,6 +13772,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>White paper around the pictures.</source>
+        <extracomment>tables</extracomment>
         <translation>Weißes Papier um die Bilder.</translation>
     </message>
     <message>
@@ -11907,6 +13789,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Whose view is drawn: the camera's, one eye's, or both, the left one in red and the right one in cyan.</source>
+        <extracomment>tables</extracomment>
         <translation>Wessen Ansicht gezeichnet wird: die der Kamera, die eines Auges oder beide, die linke in Rot und die rechte in Cyan.</translation>
     </message>
     <message>
@@ -11919,42 +13802,52 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Width of a cell; never less than a lantern needs.</source>
+        <extracomment>tables</extracomment>
         <translation>Breite einer Zelle; nie weniger, als eine Laterne braucht.</translation>
     </message>
     <message>
         <source>Width of the fillet between cream and wafer: wide runs down.</source>
+        <extracomment>tables</extracomment>
         <translation>Breite der Rundung zwischen Eis und Waffel: Breit läuft herunter.</translation>
     </message>
     <message>
         <source>Width of the fillet between neighbors: wide makes soft folds.</source>
+        <extracomment>tables</extracomment>
         <translation>Breite der Rundung zwischen Nachbarn: Breit macht weiche Falten.</translation>
     </message>
     <message>
         <source>Width of the fillet between the two layers.</source>
+        <extracomment>tables</extracomment>
         <translation>Breite der Rundung zwischen den beiden Schichten.</translation>
     </message>
     <message>
         <source>Width of the fillet between them and the foot.</source>
+        <extracomment>tables</extracomment>
         <translation>Breite der Rundung zwischen ihnen und dem Fuß.</translation>
     </message>
     <message>
         <source>Width of the fillet where bars cross rings; 0 joins them hard.</source>
+        <extracomment>tables</extracomment>
         <translation>Breite der Rundung, wo Stäbe Ringe kreuzen; 0 verbindet sie hart.</translation>
     </message>
     <message>
         <source>Width of the fillet where the handle meets the cup; 0 joins them hard.</source>
+        <extracomment>tables</extracomment>
         <translation>Breite der Rundung, wo der Henkel auf die Tasse trifft; 0 verbindet sie hart.</translation>
     </message>
     <message>
         <source>Wind</source>
+        <extracomment>tables</extracomment>
         <translation>Wind</translation>
     </message>
     <message>
         <source>Wind direction</source>
+        <extracomment>tables</extracomment>
         <translation>Windrichtung</translation>
     </message>
     <message>
         <source>Wind speed</source>
+        <extracomment>tables</extracomment>
         <translation>Windtempo</translation>
     </message>
     <message>
@@ -12003,6 +13896,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>World</source>
+        <extracomment>tables</extracomment>
         <translation>Welt</translation>
     </message>
     <message>
@@ -12075,6 +13969,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Yaw</source>
+        <extracomment>tables</extracomment>
         <translation>Gieren</translation>
     </message>
     <message>
@@ -12103,6 +13998,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Zenith</source>
+        <extracomment>tables</extracomment>
         <translation>Zenit</translation>
     </message>
     <message>
@@ -12115,6 +14011,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>ZX Spectrum</source>
+        <extracomment>tables</extracomment>
         <translation>ZX Spectrum</translation>
     </message>
     <message>

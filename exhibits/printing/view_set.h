@@ -20,7 +20,7 @@ class ViewSet {
 public:
     /// Beside it, decoding pictures and writing the largest prints take some 165 MB: together they stay below 300. What
     /// lies in the scratch file instead is interlaced three times more slowly.
-    static constexpr std::size_t usualMemory = 128U << 20U;
+    static constexpr std::size_t usualMemory = 120U << 20U;
 
     /// `memory`: bytes of samples that are kept in memory.
     explicit ViewSet(std::size_t memory = usualMemory) : memory_(memory) {}

@@ -1,3 +1,4 @@
+#include "exhibits/study/csv_field.h"
 #include "exhibits/study/study_comparison.h"
 #include "render/files/number_text.h"
 
@@ -11,14 +12,6 @@ using render::Json;
 Json optional(const std::optional<double>& x)
 {
     return x && std::isfinite(*x) ? Json(*x) : Json(nullptr);
-}
-
-std::string field(const std::string& text)
-{
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-    return result + '"';
 }
 
 Json pointJson(const ComparedCurve::Point& point)
@@ -84,7 +77,7 @@ std::string comparisonCsv(const StudyComparison& comparison)
         "study,setting,cost,cost_low,cost_high,error,error_lowest_view,error_worst_view,front,uncertain\n";
     for (const ComparedCurve& curve : comparison.curves)
         for (const ComparedCurve::Point& p : curve.points) {
-            text += field(curve.label) + ',' + field(p.text);
+            text += csvField(curve.label) + ',' + csvField(p.text);
             for (const double x : {p.cost, p.costLow, p.costHigh, p.error, p.errorLow, p.errorHigh})
                 text += ',' + number(x);
             text += std::string(p.onFront ? ",1" : ",0") + (p.uncertain ? ",1" : ",0") + '\n';
@@ -92,7 +85,8 @@ std::string comparisonCsv(const StudyComparison& comparison)
     text += "\nfirst,other,setting of the first,cost,error,other's error at this cost,other's cost at this error,"
             "ratio of costs from,to,confidence,uncertain\n";
     for (const StudyDifference& d : comparison.differences) {
-        text += field(comparison.curves[0].label) + ',' + field(comparison.curves[d.study].label) + ',' + field(d.text);
+        text += csvField(comparison.curves[0].label) + ',' + csvField(comparison.curves[d.study].label) + ',' +
+                csvField(d.text);
         for (const std::optional<double>& x :
              {std::optional(d.cost), std::optional(d.error), d.errorAtCost, d.costAtError})
             text += ',' + number(x);

@@ -1,5 +1,6 @@
 #include "exhibits/study/kept_study.h"
 
+#include "exhibits/study/csv_field.h"
 #include "render/files/number_text.h"
 
 #include <algorithm>
@@ -194,15 +195,6 @@ void readSentences(const Place& root, KeptStudy& study)
     std::erase(study.sentences, std::string());
 }
 
-/// As CSV has it.
-std::string field(const std::string& text)
-{
-    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-    return result + '"';
-}
-
 std::string numberField(double x)
 {
     return std::isfinite(x) ? render::shortestNumber(x) : std::string();
@@ -311,18 +303,18 @@ std::string keptCsv(const std::vector<KeptStudy>& studies)
             for (const auto& [name, count] : point.counters) counters.insert(name);
     std::string text = "study,measured,exhibit,renderer,width,height,views,setting,metric,error,error_lowest_view,"
                        "error_worst_view,uncertain,front";
-    for (const std::string& name : counters) text += ',' + field(name);
+    for (const std::string& name : counters) text += ',' + csvField(name);
     text += ",ms_median,ms_spread,ms_low,ms_high,confidence,runs,clock\n";
     for (const KeptStudy& study : studies) {
         std::string head;
         for (const std::string& each : {study.name, study.measured, study.exhibit, study.renderer})
-            head += field(each) + ',';
+            head += csvField(each) + ',';
         for (const std::size_t n :
              {static_cast<std::size_t>(study.size.x), static_cast<std::size_t>(study.size.y), study.views.size()})
             head += std::to_string(n) + ',';
         for (std::size_t i = 0; i < study.points.size(); ++i) {
             const KeptPoint& point = study.points[i];
-            text += head + field(study.pointText(i)) + ',' + std::string(toString(study.metric));
+            text += head + csvField(study.pointText(i)) + ',' + std::string(toString(study.metric));
             for (const double x : {point.error, point.lowestError, point.worstError}) text += ',' + numberField(x);
             const bool onFront = std::find(study.front.begin(), study.front.end(), i) != study.front.end();
             for (const bool is : {point.uncertain, onFront}) text += is ? ",1" : ",0";
@@ -335,7 +327,7 @@ std::string keptCsv(const std::vector<KeptStudy>& studies)
                     text += ',' + numberField(x);
             else
                 text += ",,,,,,";
-            text += ',' + field(study.clock) + '\n';
+            text += ',' + csvField(study.clock) + '\n';
         }
     }
     return text;

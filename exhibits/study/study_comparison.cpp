@@ -208,14 +208,16 @@ std::vector<std::string> labelsOf(const std::vector<KeptStudy>& studies)
     std::vector<std::string> labels;
     for (const KeptStudy& study : studies)
         labels.push_back(study.name.empty() ? study.exhibit + " · " + study.parameterNames() : study.name);
-    const auto isTwice = [&](std::size_t i) { return std::count(labels.begin(), labels.end(), labels[i]) > 1; };
-    std::vector<std::size_t> twice;
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        if (isTwice(i) && !studies[i].measured.empty()) twice.push_back(i);
-    for (const std::size_t i : twice)
-        labels[i] += " · " + studies[i].measured.substr(0, 10) + ' ' + studies[i].measured.substr(11);
-    for (std::size_t i = 0; i < labels.size(); ++i)
-        if (isTwice(i)) labels[i] += " (" + std::to_string(i + 1) + ')';
+    const auto twice = [&labels] {
+        std::vector<std::size_t> found;
+        for (std::size_t i = 0; i < labels.size(); ++i)
+            if (std::count(labels.begin(), labels.end(), labels[i]) > 1) found.push_back(i);
+        return found;
+    };
+    for (const std::size_t i : twice())
+        if (const std::string& when = studies[i].measured; !when.empty())
+            labels[i] += " · " + when.substr(0, 10) + ' ' + when.substr(11);
+    for (const std::size_t i : twice()) labels[i] += " (" + std::to_string(i + 1) + ')';
     return labels;
 }
 

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/preset_values.h"
 #include "exhibits/framework/value_text.h"
+#include "exhibits/study/csv_field.h"
 #include "render/files/number_text.h"
 
 #include <cmath>
@@ -77,14 +78,6 @@ Json pointJson(Subjects subjects, const StudyRequest& request, const StudyResult
     for (std::size_t v = 0; v < point.shots.size(); ++v) views.push_back(shotJson(result.views[v], point.shots[v]));
     json["views"] = views;
     return json;
-}
-
-std::string quoted(const std::string& text)
-{
-    if (text.find_first_of(",\"\n") == std::string::npos) return text;
-    std::string result = "\"";
-    for (const char c : text) result += c == '"' ? "\"\"" : std::string(1, c);
-    return result + '"';
 }
 
 std::string numberText(double x)
@@ -269,10 +262,10 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
         for (std::size_t v = 0; v < point.shots.size(); ++v) {
             const StudyShot& shot = point.shots[v];
             for (std::size_t a = 0; a < request.axes.size(); ++a)
-                text += quoted(formatValue(rowOf(request.sceneState, request.axes[a]),
-                                           request.axes[a].values[point.setting[a]])) +
+                text += csvField(formatValue(rowOf(request.sceneState, request.axes[a]),
+                                             request.axes[a].values[point.setting[a]])) +
                         ',';
-            text += quoted(result.views[v]);
+            text += csvField(result.views[v]);
             for (const render::Metric metric : metrics)
                 text += ',' + (shot.errors.contains(metric) ? numberText(shot.errors.at(metric)) : std::string());
             if (request.modelError) text += ',' + numberText(shot.modelError);
@@ -286,7 +279,7 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
                 for (const double x : {t.median, t.spread, t.low, t.high}) text += ',' + numberText(x);
                 text += ',' + std::to_string(t.runs) + ',';
             }
-            text += quoted(result.clock) + '\n';
+            text += csvField(result.clock) + '\n';
         }
     }
     return text;

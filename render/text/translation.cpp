@@ -8,19 +8,20 @@
 #include <unordered_map>
 
 namespace vitrine {
-namespace {
-
-constexpr int deepest = 6;                 ///< Sentences within sentences.
-constexpr std::size_t mostKept = 4096;     ///< Answers that are remembered.
-constexpr std::size_t longestText = 8192;  ///< Bytes: what is longer is no text of the program.
 
 /// A sentence with places: what stands before, between and behind them, and which place each is.
-struct Pattern {
+struct SentencePattern {
     std::vector<std::string> pieces;  ///< One more than `places`.
     std::vector<int> places;
     std::string translation;
     std::size_t letters = 0;  ///< Of all pieces: how much has to fit.
 };
+
+namespace {
+
+constexpr int deepest = 6;                 ///< Sentences within sentences.
+constexpr std::size_t mostKept = 4096;     ///< Answers that are remembered.
+constexpr std::size_t longestText = 8192;  ///< Bytes: what is longer is no text of the program.
 
 /// "{1}" at `at`, or nothing.
 std::optional<int> placeAt(std::string_view text, std::size_t at)
@@ -29,9 +30,9 @@ std::optional<int> placeAt(std::string_view text, std::size_t at)
     return text[at + 1] >= '1' && text[at + 1] <= '9' ? std::optional(text[at + 1] - '0') : std::nullopt;
 }
 
-std::optional<Pattern> patternOf(std::string_view english, std::string translation)
+std::optional<SentencePattern> patternOf(std::string_view english, std::string translation)
 {
-    Pattern made{{{}}, {}, std::move(translation), 0};
+    SentencePattern made{{{}}, {}, std::move(translation), 0};
     for (std::size_t i = 0; i < english.size(); ++i) {
         if (const auto place = placeAt(english, i)) {
             made.places.push_back(*place);
@@ -46,7 +47,7 @@ std::optional<Pattern> patternOf(std::string_view english, std::string translati
 }
 
 /// What stands in the places, or nothing where the text is another one. Between two places the first fit counts.
-std::optional<std::map<int, std::string_view>> found(const Pattern& pattern, std::string_view text)
+std::optional<std::map<int, std::string_view>> found(const SentencePattern& pattern, std::string_view text)
 {
     const std::string& first = pattern.pieces.front();
     const std::string& last = pattern.pieces.back();
@@ -78,7 +79,7 @@ bool hasLetter(std::string_view text)
 
 struct Catalog::Texts {
     std::unordered_map<std::string, std::string> whole;
-    std::vector<Pattern> patterns;  ///< Those that ask for most letters first.
+    std::vector<SentencePattern> patterns;  ///< Those that ask for most letters first.
     mutable std::mutex mutex;
     mutable std::unordered_map<std::string, std::string> kept;
 
@@ -92,7 +93,7 @@ struct Catalog::Texts {
 std::optional<std::string> Catalog::Texts::wholeOf(std::string_view english, int depth) const
 {
     if (const auto known = whole.find(std::string(english)); known != whole.end()) return known->second;
-    for (const Pattern& pattern : patterns) {
+    for (const SentencePattern& pattern : patterns) {
         const auto places = found(pattern, english);
         if (!places) continue;
         std::string made;
@@ -152,7 +153,7 @@ Catalog::Catalog(Entries entries)
             texts->whole.emplace(std::move(english), std::move(translation));
     }
     std::stable_sort(texts->patterns.begin(), texts->patterns.end(),
-                     [](const Pattern& a, const Pattern& b) { return a.letters > b.letters; });
+                     [](const SentencePattern& a, const SentencePattern& b) { return a.letters > b.letters; });
     texts_ = std::move(texts);
 }
 

@@ -70,6 +70,13 @@ inline QStringList cutOff(const QWidget& root)
     QStringList all;
     for (const QWidget* widget : root.findChildren<QWidget*>()) {
         if (!widget->isVisible() || widget->window() != root.window() || isStackedBehind(*widget)) continue;
+        if (const auto* area = qobject_cast<const QScrollArea*>(widget);
+            area && area->widget() && area->horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff &&
+            area->widget()->width() > area->viewport()->width())
+            all << QString("%1 is %2 wide in a view of %3 that does not scroll across")
+                       .arg(area->widget()->metaObject()->className())
+                       .arg(area->widget()->width())
+                       .arg(area->viewport()->width());
         const QSize needed = neededSize(*widget);
         if (needed.isNull()) continue;
         const auto* label = qobject_cast<const QLabel*>(widget);

@@ -95,7 +95,7 @@ QString sentences(const Chart& chart)
             return number(curve.x[static_cast<std::size_t>(which - curve.y.begin())]);
         };
         all << ChartsDock::tr("%1: from %2 at %3 to %4 at %5.")
-                   .arg(curve.name.empty() ? ChartsDock::tr("The curve") : text(curve.name), number(*least),
+                   .arg(curve.name.empty() ? ChartsDock::tr("The curve") : said(curve.name), number(*least),
                         place(least), number(*most), place(most));
     }
     return all.join(QLatin1Char(' '));
@@ -106,7 +106,7 @@ void fill(QCustomPlot& plot, const Chart& chart)
     static_cast<SpokenPlot&>(plot).setSentences(sentences(chart));
     plot.clearGraphs();
     plot.setAccessibleName(said(chart.title));
-    plot.xAxis->setLabel(tr("%1: %2").arg(said(chart.title), said(chart.xTitle)));
+    plot.xAxis->setLabel(ChartsDock::tr("%1: %2").arg(said(chart.title), said(chart.xTitle)));
     plot.yAxis->setLabel(said(chart.yTitle));
     for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) scale(*axis, chart.logarithmic);
     for (std::size_t i = 0; i < chart.curves.size(); ++i) {

@@ -155,12 +155,30 @@ void CompareBar::refresh()
     showWhatFits();
 }
 
+std::vector<QWidget*> CompareBar::whatMayGo() const
+{
+    // It is in the Compare menu, too; what ends the comparison stays.
+    std::vector<QWidget*> parts{differ_, morphs_, source_};
+    parts.insert(parts.end(), buttons_.rbegin(), buttons_.rend());
+    return parts;
+}
+
+bool CompareBar::event(QEvent* event)
+{
+    const bool done = QWidget::event(event);
+    // Words or their type became wider.
+    if (event->type() == QEvent::LayoutRequest && isVisible() && layout()->minimumSize().width() > width()) {
+        const std::vector<QWidget*> parts = whatMayGo();
+        if (std::any_of(parts.begin(), parts.end(), [](const QWidget* part) { return !part->isHidden(); }))
+            showWhatFits();
+    }
+    return done;
+}
+
 void CompareBar::showWhatFits()
 {
     gains_->setVisible(isDifference(desk_.overlay().mode()));
-    // Everything that may go is in the Compare menu, too; what ends the comparison stays.
-    std::vector<QWidget*> parts{differ_, morphs_, source_};
-    parts.insert(parts.end(), buttons_.rbegin(), buttons_.rend());
+    const std::vector<QWidget*> parts = whatMayGo();
     for (QWidget* part : parts) part->show();
     for (QWidget* part : parts) {
         layout()->activate();

@@ -34,6 +34,7 @@ public:
 
 protected:
     void resizeEvent(QResizeEvent*) override;
+    bool event(QEvent*) override;
 
 private:
     QToolButton* button(QAction&, const QString& words);
@@ -41,6 +42,8 @@ private:
     void addGain();
     void addMorph();
     void fillRows();
+    /// Widgets that give way where the bar is narrow, the first one first.
+    [[nodiscard]] std::vector<QWidget*> whatMayGo() const;
     void showWhatFits();
 
     CompareDesk& desk_;

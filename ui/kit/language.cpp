@@ -191,7 +191,6 @@ QMenu* languageMenu(QWidget* parent, const std::function<void(const QString& mes
 {
     auto* menu = new QMenu(QMenu::tr("&Language"), parent);
     auto* group = new QActionGroup(menu);
-    const QString saved = savedLanguage();
     const auto add = [&](const QString& words, const QString& code) {
         QAction* action = menu->addAction(words, menu, [code, chosen] {
             keepLanguage(code);
@@ -199,11 +198,16 @@ QMenu* languageMenu(QWidget* parent, const std::function<void(const QString& mes
                 chosen(QMenu::tr("The window speaks %1 from the next start.").arg(nameOfLanguage(languageOfWindow())));
         });
         action->setCheckable(true);
-        action->setChecked(code == saved);
+        action->setData(code);
         group->addAction(action);
     };
     add(QMenu::tr("As the &system"), {});
     for (const QString& code : languages()) add(nameOfLanguage(code), code);
+    const auto check = [group] {
+        for (QAction* action : group->actions()) action->setChecked(action->data().toString() == savedLanguage());
+    };
+    check();
+    QObject::connect(menu, &QMenu::aboutToShow, menu, check);
     return menu;
 }
 

@@ -72,7 +72,7 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     layout->addWidget(elsewhere_);
     layout->addWidget(nothing_);
     layout->addWidget(scroll_, 1);
-    followType(*this, [this] { setMinimumWidth(std::max(320, grown(260, *this))); });
+    followType(*this, [this] { setMinimumWidth(std::max(320, grown(296, *this))); });
 
     connect(filter_, &QLineEdit::textChanged, this, [this] {
         applyFilter();

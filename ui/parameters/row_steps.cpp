@@ -43,7 +43,7 @@ void ParameterPanel::nudge(int step, bool again)
         type(*control, step > 0 ? Qt::Key_Down : Qt::Key_Up, again);
     } else if (auto* button = qobject_cast<QAbstractButton*>(control)) {
         // A switch is on to the right; anything else that is pressed is so once.
-        if (!again && (!button->isCheckable() || button->isChecked() != step > 0)) button->click();
+        if (!again && (!button->isCheckable() || button->isChecked() != (step > 0))) button->click();
     }
 }
 

@@ -1,5 +1,6 @@
 #include "ui/preferences/preferences_dialog.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/scroll_room.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/preferences/keys_page.h"
@@ -16,6 +17,7 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vitrine::ui {
@@ -68,6 +70,7 @@ void PreferencesDialog::addWindowPage()
         {{0, tr("As the desktop")}, {1, tr("Light")}, {2, tr("Dark")}, {3, tr("High contrast")}},
         [](const PreferenceValues& values) { return static_cast<int>(values.theme); },
         [](PreferenceValues& values, int choice) { values.theme = static_cast<ThemeChoice>(choice); });
+    addLanguage(lines);
     addNumber(lines, tr("Size of type"), tr("Of all words in the window, as a share of the desktop's."), tr(" %"), 10,
               PreferenceValues::typeSizes, &PreferenceValues::typeSize);
     addChoice(
@@ -204,6 +207,23 @@ void PreferencesDialog::addSwitch(QGridLayout& lines, const QString& words, cons
         lines, {}, tip, *box, [box, member](const PreferenceValues& values) { box->setChecked(values.*member); },
         [member](const PreferenceValues& values) { return values.*member != PreferenceValues().*member; },
         [member](PreferenceValues& values) { values.*member = PreferenceValues().*member; });
+}
+
+void PreferencesDialog::addLanguage(QGridLayout& lines)
+{
+    auto* box = new QComboBox(this);
+    box->addItem(tr("As the system"), QString());
+    for (const QString& code : languages()) box->addItem(nameOfLanguage(code), code);
+    const auto keep = [this](const QString& code) {
+        keepLanguage(code);
+        showAll();
+    };
+    connect(box, &QComboBox::activated, this, [box, keep](int index) { keep(box->itemData(index).toString()); });
+    addLine(
+        lines, tr("Language"),
+        tr("Of the window, from its next start. Files and the numbers in them stay as they are."), *box,
+        [box](const PreferenceValues&) { box->setCurrentIndex(std::max(box->findData(savedLanguage()), 0)); },
+        [](const PreferenceValues&) { return !savedLanguage().isEmpty(); }, [keep](PreferenceValues&) { keep({}); });
 }
 
 void PreferencesDialog::change(const std::function<void(PreferenceValues&)>& how)

@@ -39,6 +39,8 @@ private:
     void addNumber(QGridLayout&, const QString& label, const QString& tip, const QString& unit, int step,
                    PreferenceRange, int PreferenceValues::*);
     void addSwitch(QGridLayout&, const QString& words, const QString& tip, bool PreferenceValues::*);
+    /// What the language menu offers; it is kept by itself.
+    void addLanguage(QGridLayout&);
     /// Puts the label, the control and a dot into the next line.
     void addLine(QGridLayout&, const QString& label, const QString& tip, QWidget& control,
                  std::function<void(const PreferenceValues&)> show,

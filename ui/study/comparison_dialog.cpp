@@ -21,8 +21,6 @@
 namespace vitrine::ui {
 namespace {
 
-const QSize exportedChart(960, 600);
-
 QString number(double x)
 {
     return QString::fromStdString(render::shortNumber(x));

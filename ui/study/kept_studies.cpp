@@ -32,7 +32,6 @@ namespace {
 
 constexpr int pathRole = Qt::UserRole;
 constexpr int mostCompared = 8;  // As many marks and colors as can be told apart.
-const QSize exportedChart(960, 600);
 
 QString words(const std::string& s)
 {

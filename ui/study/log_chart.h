@@ -6,6 +6,9 @@
 
 namespace vitrine::ui {
 
+/// Size of charts that are exported, pixels; pictures have twice as many.
+inline constexpr QSize exportedChart(960, 600);
+
 /// Where one setting is in a chart; 0 where a cost is not known.
 struct ChartSpan {
     double cost = 0, costLow = 0, costHigh = 0;

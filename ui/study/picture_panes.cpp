@@ -19,7 +19,7 @@ namespace {
 constexpr double gap = 8;  // Between panes, pixels of the screen.
 constexpr double largestScale = 64;
 constexpr double step = 1.25;      // Of zoom: a notch of the wheel, or a key.
-constexpr double fingerWidth = 6;  // Around the line of the wipe.
+constexpr double lineWidth = 6;  // Around the line of the wipe.
 
 QString valuesText(const render::Image& picture, QPoint at)
 {
@@ -272,7 +272,7 @@ bool PicturePanes::isOnWipe(const QPointF& at) const
 {
     if (!wiped_) return false;
     const QRectF pane = panes().front();
-    return pane.contains(at) && std::abs(at.x() - edgeOf(pane)) <= fingerWidth;
+    return pane.contains(at) && std::abs(at.x() - edgeOf(pane)) <= lineWidth;
 }
 
 void PicturePanes::mousePressEvent(QMouseEvent* event)

@@ -34,11 +34,6 @@ constexpr int shortTile = 96;        ///< So that no step holds up the next pict
 constexpr qint64 refreshTime = 200;  ///< Milliseconds between two looks of the chart while measuring.
 constexpr int leastToKeep = 3;       ///< Settings that a study has measured when it is stopped.
 
-QString shortNumber(double x)
-{
-    return QLocale::c().toString(x, 'g', 3);
-}
-
 QLineEdit* numberField(const QString& name, const QString& start, QWidget* parent)
 {
     auto* field = new QLineEdit(start, parent);
@@ -364,7 +359,7 @@ void StudyDock::suggestTime()
     // A limit that the present setting misses by half is one to look for; what was typed stays.
     if (milliseconds_->isModified() || !result().present) return;
     const StudyPoint& present = result().points[*result().present];
-    if (present.time) milliseconds_->setText(shortNumber(present.time->median / 2));
+    if (present.time) milliseconds_->setText(QLocale::c().toString(present.time->median / 2, 'g', 3));
 }
 
 QByteArray StudyDock::exported(const QString& suffix) const

@@ -35,8 +35,7 @@ QString timesText(double median, double low, double high)
 
 QString workText(double cost, const std::string& name)
 {
-    return StudyView::tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(cost)),
-                                        said(costTitle(name)));
+    return StudyView::tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(cost)), said(costTitle(name)));
 }
 
 }  // namespace
@@ -190,9 +189,8 @@ QString StudyView::sentences() const
     for (const std::string& sentence :
          {lawSentence(result_), choiceSentence(museum_.subjects(), request_, result_), result_.convergence})
         if (!sentence.empty()) sentences << said(sentence);
-    sentences << tr("Clock: %1, %2.")
-                     .arg(said(result_.clock),
-                          result_.clockTrusted ? tr("trusted") : tr("not trusted"));
+    sentences
+        << tr("Clock: %1, %2.").arg(said(result_.clock), result_.clockTrusted ? tr("trusted") : tr("not trusted"));
     return sentences.join(QLatin1Char('\n'));
 }
 
@@ -233,9 +231,7 @@ void StudyView::refreshKept()
     showPoint(shownPoint_);
     QStringList sentences{tr("Kept: %1.").arg(keptTitle_), whyNotApplied()};
     for (const std::string& sentence : kept_->sentences) sentences << said(sentence);
-    sentences << tr("Clock: %1, %2.")
-                     .arg(said(kept_->clock),
-                          kept_->clockTrusted ? tr("trusted") : tr("not trusted"));
+    sentences << tr("Clock: %1, %2.").arg(said(kept_->clock), kept_->clockTrusted ? tr("trusted") : tr("not trusted"));
     sentences.removeAll(QString());
     say(sentences.join(QLatin1Char(' ')));
 }
@@ -257,8 +253,7 @@ QString StudyView::captionOf(const KeptStudy& study, std::size_t point) const
 
 QString StudyView::captionOf(const StudyPoint& p) const
 {
-    QString text =
-        said(pointText(museum_.subjects(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
+    QString text = said(pointText(museum_.subjects(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
     if (result_.costName != "ms") text += workText(p.cost, result_.costName);
     if (p.time) text += timesText(p.time->median, p.time->interval.low, p.time->interval.high);
     if (p.modelError > 0) text += tr("; against everything exact %1").arg(shortNumber(p.modelError));
@@ -353,10 +348,9 @@ void StudyView::applyMeasured(std::size_t point)
             next.values[axis.subject].setRow(*row, axis.values[result_.points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
-    history_.change(
-        one ? tr("Set %1").arg(said(pointText(museum_.subjects(), request_, result_.points[point])))
-            : tr("Set what the study found"),
-        next);
+    history_.change(one ? tr("Set %1").arg(said(pointText(museum_.subjects(), request_, result_.points[point])))
+                        : tr("Set what the study found"),
+                    next);
 }
 
 void StudyView::applyKept(std::size_t point)
@@ -370,15 +364,14 @@ void StudyView::applyKept(std::size_t point)
     std::string wrong;
     const std::optional<std::vector<Value>> values = valuesOf(*kept_, point, keptRows_, next, wrong);
     if (!values) {
-        emit refused(tr("This setting was not applied: its value of “%1” is none that the row takes now.")
-                         .arg(said(wrong)));
+        emit refused(
+            tr("This setting was not applied: its value of “%1” is none that the row takes now.").arg(said(wrong)));
         return;
     }
     for (std::size_t i = 0; i < values->size(); ++i)
         next.values[keptRows_.rows[i].subject].setRow(keptRows_.rows[i].row, (*values)[i]);
-    history_.change(values->size() == 1 ? tr("Set %1").arg(said(kept_->pointText(point)))
-                                        : tr("Set what the study found"),
-                    next);
+    history_.change(
+        values->size() == 1 ? tr("Set %1").arg(said(kept_->pointText(point))) : tr("Set what the study found"), next);
 }
 
 }  // namespace vitrine::ui

@@ -43,7 +43,7 @@ TreeDock::TreeDock(TreeEditor& editor, TreeOverlay& overlay, TreeFile& file, QWi
     layout->setSpacing(0);
     layout->addWidget(bar());
     layout->addWidget(parts, 1);
-    followType(*this, [this] { setMinimumWidth(std::max(320, grown(260, *this))); });
+    followType(*this, [this] { setMinimumWidth(std::max(320, grown(296, *this))); });
     connect(view_, &QWidget::customContextMenuRequested, this, &TreeDock::openMenu);
     connect(&editor_, &TreeEditor::selectionChanged, this, &TreeDock::enable);
     connect(&editor_, &TreeEditor::treeChanged, this, &TreeDock::enable);

@@ -411,10 +411,10 @@ QString Viewport::reason() const
 {
     if (region_ && schedule_.still())
         return tr("still: refined %1 of %1; what moves is drawn by itself, %2 × %3 pixels")
-                    .arg(schedule_.samples())
-                    .arg(region_->size.x)
-                    .arg(region_->size.y) +
-                said(schedule_.limit());
+                   .arg(schedule_.samples())
+                   .arg(region_->size.x)
+                   .arg(region_->size.y) +
+               said(schedule_.limit());
     return said(schedule_.reason());
 }
 

@@ -46,7 +46,8 @@ struct Words : QString {
 QString idOf(const QByteArray& english)
 {
     QString id;
-    for (const QChar c : QString::fromUtf8(english).toLower().remove(QLatin1Char('&')))
+    const QString words = QString::fromUtf8(english).toLower().remove(QLatin1Char('&'));
+    for (const QChar c : words)
         if (c.isLetterOrNumber())
             id += c;
         else if (!id.endsWith(QLatin1Char('-')))

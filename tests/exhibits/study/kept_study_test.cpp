@@ -26,16 +26,25 @@ protected:
         all.push_back(std::make_unique<KnownExhibit>(sumOfParts()));
         return all;
     }
+    /// Measured once for all cases.
+    [[nodiscard]] static const StudyResult& measured(const Museum& museum, const StudyRequest& request)
+    {
+        static const StudyResult result = [&] {
+            KnownBackend backend;
+            Study study(museum, backend, request);
+            while (study.step()) {
+            }
+            return study.result();
+        }();
+        return result;
+    }
     void SetUp() override
     {
         request_.sceneState = museum_.initialSceneState();
         request_.axes.push_back(*studyAxis(request_.sceneState, 1, *table_.find("steps"), 6));
         request_.size = {16, 9};
         request_.alone = true;
-        Study study(museum_, backend_, request_);
-        while (study.step()) {
-        }
-        result_ = study.result();
+        result_ = measured(museum_, request_);
         json_ = studyJson(museum_.subjects(), request_, result_, Json{{"renderer", "the painter"}, {"processors", 2}});
     }
     [[nodiscard]] static KeptStudy parsed(const Json& json)
@@ -45,7 +54,6 @@ protected:
 
     KnownTable table_;
     Museum museum_{exhibits()};
-    KnownBackend backend_;
     StudyRequest request_;
     StudyResult result_;
     Json json_;

@@ -112,7 +112,7 @@ private slots:
         explore();
         const int before = stack().count();
         QTest::mousePress(&pad(), Qt::LeftButton, {}, at(0, 0));
-        moveTo(0.7, 0.4);
+        moveTo(0.7, 0.1);
         QVERIFY(!near(roughness(), 0.6));
         QTest::keyClick(&pad(), Qt::Key_Escape);
         QCOMPARE(roughness(), 0.6);

@@ -106,6 +106,7 @@ private slots:
 
     void whileTheyAreDrawnTheVisitorGoesOn()
     {
+        while (may_.try_acquire()) continue;
         gallery_->beforeSmall = [this] { may_.acquire(); };
         window_->choose(1);
         action("Explore")->trigger();

@@ -110,7 +110,7 @@ private slots:
         stack().undo();
         QCOMPARE(number("redRadius"), 7.0);
 
-        const int before = stack().count();
+        const int before = stack().index();
         choose(window_->panel().row("redRadius"), "Animate…");
         auto* dialog = window_->panel().findChild<MotionDialog*>();
         QVERIFY(dialog);
@@ -118,10 +118,10 @@ private slots:
         const auto motion = [&](const char* row) { return values().motion(*values().table().find(row)); };
         for (const char* row : {"redRadius", "blueRadius", "greenRadius"}) QVERIFY2(motion(row), row);
         QVERIFY(*motion("blueRadius") == *motion("redRadius"));
-        QCOMPARE(stack().count(), before + 1);
+        QCOMPARE(stack().index(), before + 1);
         choose(window_->panel().row("blueRadius"), "Stop here");
         for (const char* row : {"redRadius", "blueRadius", "greenRadius"}) QVERIFY2(!motion(row), row);
-        QCOMPARE(stack().count(), before + 2);
+        QCOMPARE(stack().index(), before + 2);
     }
 
     void aGroupIsCopiedToTheOthersAndFromOne()

@@ -1,6 +1,7 @@
 #include "tests/ui/few_samples.h"
 #include "tests/ui/preferences/open_preferences.h"
 
+#include "ui/kit/language.h"
 #include "ui/kit/message_strip.h"
 #include "ui/window/copies.h"
 #include "ui/window/ledger_dock.h"
@@ -79,6 +80,19 @@ private slots:
         reset("Reset Theme");
         QVERIFY(!theme().highContrast);
         QCOMPARE(Preferences::saved().theme, ThemeChoice::desktop);
+    }
+
+    void theLanguageIsKeptForTheNextStartAndReset()
+    {
+        QVERIFY(openDialog());
+        choose("Language", "Deutsch");
+        QCOMPARE(savedLanguage(), QString("de"));
+        choose("Theme", "Light");  // Writes the same file.
+        QCOMPARE(savedLanguage(), QString("de"));
+        reset("Reset Language");
+        QCOMPARE(savedLanguage(), QString());
+        QCOMPARE(control<QComboBox>("Language")->currentIndex(), 0);
+        QCOMPARE(Preferences::saved().theme, ThemeChoice::light);
     }
 
     void typeOfAnotherSizeIsEverywhereAtOnce()

@@ -1,6 +1,7 @@
 // Draws the window into pictures, dark and light, to look at: show_window FOLDER [museum | tree | compare |
-// lessons]. With "museum" the real one, with "tree" its exhibits that are made of trees, with "compare" two settings of
-// it, with "lessons" a step of each lesson, and the pages; else a gallery of one color with every kind of parameter.
+// explore | lessons]. With "museum" the real one, with "tree" its exhibits that are made of trees, with "compare" two
+// settings of it, with "explore" its pad and nine variations, with "lessons" a step of each lesson, and the pages; else
+// a gallery of one color with every kind of parameter.
 #include "tests/ui/painted_gallery.h"
 
 #include "exhibits/exhibits.h"
@@ -9,6 +10,9 @@
 #include "ui/charts/charts_dock.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/other_picture.h"
+#include "ui/explore/explore_dock.h"
+#include "ui/explore/morph_pad.h"
+#include "ui/explore/variations.h"
 #include "ui/kit/theme.h"
 #include "ui/lessons/lesson_desk.h"
 #include "ui/lessons/page_dialog.h"
@@ -85,6 +89,27 @@ void showComparison(ui::MainWindow& window, const QString& folder, const QString
     }
 }
 
+/// The torus among presets on the pad, and nine variations of it.
+void showExploration(ui::MainWindow& window, const QString& folder, const QString& ending)
+{
+    window.resize(1280, 720);
+    window.visit(1);
+    waitUntilStill(window, 60000);
+    auto* dock = window.findChild<QDockWidget*>(QStringLiteral("explore"));
+    dock->show();
+    dock->raise();
+    QElapsedTimer passed;
+    passed.start();
+    const ui::ExploreDock& explore = window.docks().explore();
+    while (passed.elapsed() < 240000 && explore.variations().finished() < ui::Variations::count)
+        QApplication::processEvents(QEventLoop::AllEvents, 50);
+    std::printf("nine variations: %.1f s\n", static_cast<double>(passed.elapsed()) / 1000);
+    emit explore.pad().moved({0.4, 0.3}, ui::newGesture());
+    explore.pad().show({0.4, 0.3}, false);
+    waitUntilStill(window, 30000);
+    window.grab().save(folder + QStringLiteral("/explore") + ending);
+}
+
 /// The third step of every lesson, and the page about its exhibit.
 void showLessons(ui::MainWindow& window, const Museum& museum, const QString& folder, const QString& ending)
 {
@@ -138,6 +163,10 @@ int main(int argc, char** argv)
         }
         if (real && QLatin1String(argv[2]) == QLatin1String("lessons")) {
             showLessons(window, *museum, folder, ending);
+            continue;
+        }
+        if (real && QLatin1String(argv[2]) == QLatin1String("explore")) {
+            showExploration(window, folder, ending);
             continue;
         }
         if (real && QLatin1String(argv[2]) == QLatin1String("compare")) {
