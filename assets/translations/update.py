@@ -87,7 +87,7 @@ def engine_texts(texts):
                 continue
             if not is_sentence(text):
                 continue
-            if command and (not text.endswith('.') or text.endswith('...')) or text.startswith(('{"', '{1}"child')) or 'Exit codes' in text:
+            if command and (not text.endswith('.') or text.endswith('...')) or text.startswith(('{"', '{1}"child')) or 'Exit codes' in text or text.startswith('\n'):
                 continue  # Of the command line, errors are translated and help is not.
             texts.add(text, name)
     with open('assets/translations/more_texts.txt', encoding='utf-8') as file:

@@ -4,6 +4,10 @@
 <context>
     <name>vitrine</name>
     <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
         <source> (allowed 1 to 175 degrees, in radians)</source>
         <translation> (erlaubt 1 bis 175 Grad, im Bogenmaß)</translation>
     </message>
@@ -116,6 +120,10 @@
         <translation>„{=1}“ ist kein Format von Vitrine; wählen Sie ein Preset.</translation>
     </message>
     <message>
+        <source>&quot;{1}&quot; is no metric; correct it there.</source>
+        <translation>„{=1}“ ist kein Maß; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
         <source>&quot;{1}&quot; is no name of a recording; give one that ends in .mp4, .webm, .gif, .webp or .apng, or frames/%04d.png.</source>
         <translation>„{=1}“ ist kein Name für eine Aufnahme; geben Sie einen an, der auf .mp4, .webm, .gif, .webp oder .apng endet, oder frames/%04d.png.</translation>
     </message>
@@ -148,8 +156,41 @@
         <translation>„{=1}“ muss da sein und eine Zahl sein; korrigieren Sie es dort, oder legen Sie die Datei beiseite, und eine neue Liste wird begonnen.</translation>
     </message>
     <message>
+        <source>&quot;{1}&quot; stands twice; take one away.</source>
+        <translation>„{=1}“ steht zweimal da; entfernen Sie eines.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; was not taken: {2}</source>
+        <translation>„{=1}“ wurde nicht übernommen: {2}</translation>
+    </message>
+    <message>
         <source>#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.</source>
         <translation>#f80, #ff8800, orange und 1, 0.25, 0 (lineares Rot, Grün, Blau) wären welche.</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>%1 % %2</source>
+        <comment>share of a setting, and its name</comment>
+        <translation>%1 % %2</translation>
+    </message>
+    <message>
+        <source>%1 % at least</source>
+        <translation>mindestens %1 %</translation>
+    </message>
+    <message>
+        <source>%1 % the setting</source>
+        <translation>%1 % die Einstellung</translation>
+    </message>
+    <message>
+        <source>%1 (%2 times)</source>
+        <translation>%1 (%2-mal)</translation>
+    </message>
+    <message>
+        <source>%1 (%2 times; %3 to %4 with %5 % confidence)</source>
+        <translation>%1 (%2-mal; %3 bis %4 mit %5 % Konfidenz)</translation>
     </message>
     <message>
         <source>%1 (%2)</source>
@@ -158,6 +199,18 @@
     <message>
         <source>%1 (on show)</source>
         <translation>%1 (wird gezeigt)</translation>
+    </message>
+    <message>
+        <source>%1 alone is for typing and for walking. Take it with Ctrl or Alt, or take a function key.</source>
+        <translation>%1 allein ist zum Tippen und Gehen da. Nehmen Sie es mit Strg oder Alt, oder nehmen Sie eine Funktionstaste.</translation>
+    </message>
+    <message>
+        <source>%1 B goes on following what is on show; drag the line between the two.</source>
+        <translation>%1 B folgt weiter dem Gezeigten; ziehen Sie an der Linie zwischen beiden.</translation>
+    </message>
+    <message>
+        <source>%1 belongs to “%2”. Take it from there?</source>
+        <translation>%1 gehört zu „%2“. Dort wegnehmen?</translation>
     </message>
     <message>
         <source>%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.</source>
@@ -172,8 +225,16 @@
         <translation>%1 cm</translation>
     </message>
     <message>
+        <source>%1 comes with the exhibit. Duplicate it, and tag the copy.</source>
+        <translation>%1 gehört zum Exponat. Duplizieren Sie es, und geben Sie der Kopie Tags.</translation>
+    </message>
+    <message>
         <source>%1 copy</source>
         <translation>%1 (Kopie)</translation>
+    </message>
+    <message>
+        <source>%1 directions of %2 frames, each %3 × %4 pixels.</source>
+        <translation>%1 Richtungen zu %2 Frames, jeder %3 × %4 Pixel.</translation>
     </message>
     <message>
         <source>%1 dots : 1 px</source>
@@ -200,6 +261,10 @@
         <translation>%1 LPI, %2, %3°</translation>
     </message>
     <message>
+        <source>%1 moves</source>
+        <translation>%1 bewegt sich</translation>
+    </message>
+    <message>
         <source>%1 ms</source>
         <translation>%1 ms</translation>
     </message>
@@ -212,8 +277,27 @@
         <translation>%1 von %2</translation>
     </message>
     <message>
+        <source>%1 of %2 are drawn.</source>
+        <translation>%1 von %2 sind gezeichnet.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 over %2, both logarithmic: %n points.</source>
+        <translation>
+            <numerusform>%1 über %2, beide logarithmisch: %n Punkt.</numerusform>
+            <numerusform>%1 über %2, beide logarithmisch: %n Punkte.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 over %2.</source>
+        <translation>%1 über %2.</translation>
+    </message>
+    <message>
         <source>%1 passes ran, %2 skipped</source>
         <translation>%1 Passes liefen, %2 ausgelassen</translation>
+    </message>
+    <message>
+        <source>%1 per pixel</source>
+        <translation>%1 pro Pixel</translation>
     </message>
     <message>
         <source>%1 pictures</source>
@@ -288,6 +372,14 @@
         <translation>%1 × %2</translation>
     </message>
     <message>
+        <source>%1 × %2 dots, seen around the one at %3, %4.</source>
+        <translation>%1 × %2 Punkte, gesehen um den bei %3, %4.</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels, clock: %3</source>
+        <translation>%1 × %2 Pixel, Uhr: %3</translation>
+    </message>
+    <message>
         <source>%1 × %2 px</source>
         <translation>%1 × %2 px</translation>
     </message>
@@ -330,6 +422,10 @@ Times by: %2.</source>
 Zeiten nach: %2.</translation>
     </message>
     <message>
+        <source>%1. Its pictures were not kept.</source>
+        <translation>%1. Ihre Bilder wurden nicht aufbewahrt.</translation>
+    </message>
+    <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
     </message>
@@ -342,12 +438,53 @@ Zeiten nach: %2.</translation>
         <translation>%1: %2: %3 | %4</translation>
     </message>
     <message>
+        <source>%1: all parameters</source>
+        <translation>%1: alle Parameter</translation>
+    </message>
+    <message>
+        <source>%1: another metric, left out</source>
+        <translation>%1: anderes Maß, weggelassen</translation>
+    </message>
+    <message>
+        <source>%1: from %2 at %3 to %4 at %5.</source>
+        <translation>%1: von %2 bei %3 bis %4 bei %5.</translation>
+    </message>
+    <message>
         <source>%1: what does accuracy cost?</source>
         <translation>%1: Was kostet Genauigkeit?</translation>
     </message>
     <message>
+        <source>%1: what is on show, a preset, or a look that is kept there.</source>
+        <translation>%1: das Gezeigte, ein Preset, oder ein dort gemerktes Aussehen.</translation>
+    </message>
+    <message>
         <source>%1; a part of them is shown here</source>
         <translation>%1; hier ist ein Teil davon zu sehen</translation>
+    </message>
+    <message>
+        <source>%1; the references are not surer than that</source>
+        <translation>%1; sicherer sind die Referenzen nicht</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n at most</source>
+        <translation>
+            <numerusform>höchstens %n</numerusform>
+            <numerusform>höchstens %n</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n Punkt</numerusform>
+            <numerusform>%n Punkte</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n preset(s) with this tag</source>
+        <translation>
+            <numerusform>%n Preset mit diesem Tag</numerusform>
+            <numerusform>%n Presets mit diesem Tag</numerusform>
+        </translation>
     </message>
     <message>
         <source>&amp;About Vitrine</source>
@@ -366,6 +503,10 @@ Zeiten nach: %2.</translation>
         <translation>Lese&amp;zeichen</translation>
     </message>
     <message>
+        <source>&amp;Clear the list</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
         <source>&amp;Commands…</source>
         <translation>&amp;Befehle…</translation>
     </message>
@@ -376,6 +517,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>&amp;Copy picture</source>
         <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Cost</source>
+        <translation>&amp;Kosten</translation>
+    </message>
+    <message>
+        <source>&amp;Draw anew</source>
+        <translation>&amp;Neu zeichnen</translation>
     </message>
     <message>
         <source>&amp;Duplicate preset</source>
@@ -414,8 +563,16 @@ Zeiten nach: %2.</translation>
         <translation>Alle Lesezeichen &amp;vergessen</translation>
     </message>
     <message>
+        <source>&amp;Go on from this</source>
+        <translation>Von hier &amp;weiter</translation>
+    </message>
+    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>Hoher &amp;Kontrast</translation>
     </message>
     <message>
         <source>&amp;Hold what is on show as B</source>
@@ -430,8 +587,8 @@ Zeiten nach: %2.</translation>
         <translation>Preset &amp;importieren…</translation>
     </message>
     <message>
-        <source>&amp;Keyboard and mouse</source>
-        <translation>&amp;Tastatur und Maus</translation>
+        <source>&amp;Keyboard, mouse and gamepad</source>
+        <translation>&amp;Tastatur, Maus und Gamepad</translation>
     </message>
     <message>
         <source>&amp;Language</source>
@@ -452,6 +609,18 @@ Zeiten nach: %2.</translation>
     <message>
         <source>&amp;Manual</source>
         <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>&amp;Move panel</source>
+        <translation>Bedienfeld verschi&amp;eben</translation>
+    </message>
+    <message>
+        <source>&amp;Narrower</source>
+        <translation>&amp;Schmaler</translation>
+    </message>
+    <message>
+        <source>&amp;Next panel</source>
+        <translation>Nächstes Be&amp;dienfeld</translation>
     </message>
     <message>
         <source>&amp;Next step</source>
@@ -482,10 +651,6 @@ Zeiten nach: %2.</translation>
         <translation>Been&amp;den</translation>
     </message>
     <message>
-        <source>&amp;Record…</source>
-        <translation>&amp;Aufnehmen…</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederherstellen</translation>
     </message>
@@ -502,12 +667,24 @@ Zeiten nach: %2.</translation>
         <translation>Preset &amp;speichern</translation>
     </message>
     <message>
+        <source>&amp;Seed</source>
+        <translation>&amp;Startwert</translation>
+    </message>
+    <message>
         <source>&amp;Start its lesson</source>
         <translation>&amp;Lektion dazu starten</translation>
     </message>
     <message>
         <source>&amp;Start the lesson</source>
         <translation>Lektion &amp;starten</translation>
+    </message>
+    <message>
+        <source>&amp;Tags of preset…</source>
+        <translation>&amp;Tags des Presets…</translation>
+    </message>
+    <message>
+        <source>&amp;Taller</source>
+        <translation>&amp;Höher</translation>
     </message>
     <message>
         <source>&amp;Theme</source>
@@ -532,6 +709,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>&amp;View</source>
         <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Wider</source>
+        <translation>&amp;Breiter</translation>
     </message>
     <message>
         <source>&amp;Wipe</source>
@@ -695,6 +876,10 @@ Zeiten nach: %2.</translation>
         <source>10-flip</source>
         <extracomment>tables</extracomment>
         <translation>10-flip</translation>
+    </message>
+    <message>
+        <source>100 %</source>
+        <translation>100 %</translation>
     </message>
     <message>
         <source>100-3d</source>
@@ -983,6 +1168,14 @@ Zeiten nach: %2.</translation>
         <translation>Ein Testchart braucht mindestens 40 mm quer zu den Linsen und 44 mm entlang.</translation>
     </message>
     <message>
+        <source>A click makes a variation the look on show, as one undo step; so does Enter, and arrows go from one to another.</source>
+        <translation>Ein Klick macht eine Variation zum gezeigten Aussehen, als ein Bearbeitungsschritt; die Eingabetaste tut dasselbe, und Pfeiltasten gehen von einer zur anderen.</translation>
+    </message>
+    <message>
+        <source>A click makes one the look. Rows and groups that are locked in their menus stay as they are.</source>
+        <translation>Ein Klick macht eine zum Aussehen. Zeilen und Gruppen, die in ihren Menüs gesperrt sind, bleiben, wie sie sind.</translation>
+    </message>
+    <message>
         <source>a combination needs two &quot;shapes&quot;</source>
         <translation>eine Kombination braucht zwei „shapes“</translation>
     </message>
@@ -1099,6 +1292,10 @@ Zeiten nach: %2.</translation>
         <translation>Links einer Linie A, rechts davon B; die Linie lässt sich ziehen. Ohne B wird das Gezeigte zu B.</translation>
     </message>
     <message>
+        <source>A left of the line, at %1 %; right of it %2.</source>
+        <translation>Links der Linie A, bei %1 %; rechts davon %2.</translation>
+    </message>
+    <message>
         <source>A lens drawn out to points at start and end.</source>
         <translation>Eine Linse, die an Anfang und Ende zu Spitzen ausgezogen ist.</translation>
     </message>
@@ -1125,6 +1322,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A link of a chain in the xy plane, drawn out along y.</source>
         <translation>Ein Kettenglied in der xy-Ebene, entlang y ausgezogen.</translation>
+    </message>
+    <message>
+        <source>a mesh is on show in place of the field</source>
+        <translation>anstelle des Felds wird ein Netz gezeigt</translation>
     </message>
     <message>
         <source>a name that ends in &quot;{1}&quot; does not fit the format {2}</source>
@@ -1169,6 +1370,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a number, or an expression such as &quot;0.5 + 0.1 * sin(t)&quot;</source>
         <translation>eine Zahl, oder ein Ausdruck wie „0.5 + 0.1 * sin(t)“</translation>
+    </message>
+    <message>
+        <source>A on the left; on the right %1.</source>
+        <translation>Links A; rechts %1.</translation>
     </message>
     <message>
         <source>A page about the exhibit that you visit: its technique, figures, formulas, sources.</source>
@@ -1240,6 +1445,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A point that shines everywhere.</source>
         <translation>Ein Punkt, der überallhin scheint.</translation>
+    </message>
+    <message>
+        <source>A preset has at most {1} tags; these are {2}</source>
+        <translation>Ein Preset hat höchstens {1} Tags; es sind {2}</translation>
+    </message>
+    <message>
+        <source>A preset is being read.</source>
+        <translation>Ein Preset wird gelesen.</translation>
     </message>
     <message>
         <source>A preset, a picture with one inside, a scene of shapes, a model or a panorama.</source>
@@ -1389,6 +1602,22 @@ Zeiten nach: %2.</translation>
         <translation>Eine Studie über drei Parameter oder mehr sucht: Welche Einstellungen sie misst, hängt von denen davor ab, daher lässt sie sich nicht teilen; untersuchen Sie einen oder zwei Parameter.</translation>
     </message>
     <message>
+        <source>a tag has at least one character</source>
+        <translation>ein Tag hat mindestens ein Zeichen</translation>
+    </message>
+    <message>
+        <source>a tag has at most {1} bytes</source>
+        <translation>ein Tag hat höchstens {1} Bytes</translation>
+    </message>
+    <message>
+        <source>a tag has neither commas nor control characters</source>
+        <translation>ein Tag enthält weder Kommas noch Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>a tag neither begins nor ends with a blank</source>
+        <translation>ein Tag beginnt und endet nicht mit einem Leerzeichen</translation>
+    </message>
+    <message>
         <source>a text</source>
         <translation>ein Text</translation>
     </message>
@@ -1427,6 +1656,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A triangle in the xy plane, a corner up, endless along z: to extrude or revolve.</source>
         <translation>Ein Dreieck in der xy-Ebene, eine Ecke oben, entlang z ohne Ende: zum Extrudieren oder Drehen.</translation>
+    </message>
+    <message>
+        <source>A up to %1 %</source>
+        <translation>A bis %1 %</translation>
     </message>
     <message>
         <source>a value changed</source>
@@ -1496,6 +1729,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>About %1 s left</source>
         <translation>Noch etwa %1 s</translation>
+    </message>
+    <message>
+        <source>About the shortcut</source>
+        <translation>Über das Tastenkürzel</translation>
     </message>
     <message>
         <source>About the y axis.</source>
@@ -1601,6 +1838,13 @@ Zeiten nach: %2.</translation>
         <extracomment>tables</extracomment>
         <translation>alle</translation>
     </message>
+    <message numerus="yes">
+        <source>all %n together</source>
+        <translation>
+            <numerusform>%n zusammen</numerusform>
+            <numerusform>alle %n zusammen</numerusform>
+        </translation>
+    </message>
     <message>
         <source>All children together.</source>
         <translation>Alle Kinder zusammen.</translation>
@@ -1612,6 +1856,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>All its rows are locked against varying.</source>
+        <translation>Alle seine Zeilen sind gegen Variieren gesperrt.</translation>
+    </message>
+    <message>
+        <source>all parameters</source>
+        <translation>alle Parameter</translation>
     </message>
     <message>
         <source>All parameters together</source>
@@ -1758,6 +2010,13 @@ Zeiten nach: %2.</translation>
         <extracomment>tables</extracomment>
         <translation>Anaglyphe</translation>
     </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>und %n weiterer</numerusform>
+            <numerusform>und %n weitere</numerusform>
+        </translation>
+    </message>
     <message>
         <source>Angle</source>
         <translation>Winkel</translation>
@@ -1830,6 +2089,10 @@ Zeiten nach: %2.</translation>
         <translation>Eine andere Zahl streut sie anderswohin.</translation>
     </message>
     <message>
+        <source>Another one gives nine others; the same one gives the same again.</source>
+        <translation>Ein anderer gibt neun andere; derselbe gibt wieder dieselben.</translation>
+    </message>
+    <message>
         <source>another tile is drawn</source>
         <translation>eine andere Kachel wird gezeichnet</translation>
     </message>
@@ -1869,6 +2132,14 @@ Zeiten nach: %2.</translation>
         <translation>Ringsum, linear.</translation>
     </message>
     <message>
+        <source>Arrows go from one to another, Enter makes it the look.</source>
+        <translation>Pfeiltasten gehen von einer zur anderen, Eingabe macht sie zum Aussehen.</translation>
+    </message>
+    <message>
+        <source>Arrows go from point to point, Enter applies one.</source>
+        <translation>Pfeiltasten gehen von Punkt zu Punkt, Eingabe wendet einen an.</translation>
+    </message>
+    <message>
         <source>as around it</source>
         <translation>wie ringsum</translation>
     </message>
@@ -1899,12 +2170,20 @@ Zeiten nach: %2.</translation>
         <translation>Wie im Fenster</translation>
     </message>
     <message>
+        <source>As many as the hall says</source>
+        <translation>So viele, wie die Halle sagt</translation>
+    </message>
+    <message>
         <source>As the &amp;desktop</source>
         <translation>Wie der &amp;Desktop</translation>
     </message>
     <message>
         <source>As the &amp;system</source>
         <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
     </message>
     <message>
         <source>as the look has it</source>
@@ -2165,6 +2444,10 @@ Zeiten nach: %2.</translation>
         <translation>Strahlenstärke</translation>
     </message>
     <message>
+        <source>Beams of the light itself, wherever one looks, with the shadows of what hangs in them.</source>
+        <translation>Strahlen aus dem Licht selbst, wohin man auch schaut, mit den Schatten dessen, was in ihnen hängt.</translation>
+    </message>
+    <message>
         <source>because the new program does not build: {1}</source>
         <translation>weil sich das neue Programm nicht bauen lässt: {1}</translation>
     </message>
@@ -2199,6 +2482,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Between copies, along x, y and z; 0 repeats nothing there.</source>
         <translation>Zwischen Kopien, entlang x, y und z; 0 wiederholt dort nichts.</translation>
+    </message>
+    <message>
+        <source>Between four settings</source>
+        <translation>Zwischen vier Einstellungen</translation>
     </message>
     <message>
         <source>Between the axis and the side.</source>
@@ -3162,6 +3449,10 @@ Zeiten nach: %2.</translation>
         <translation>{=1} kann nicht verschoben werden</translation>
     </message>
     <message>
+        <source>Cannot move {1} to {2}: {3}; check your permissions.</source>
+        <translation>{=1} kann nicht nach {=2} verschoben werden: {3}; prüfen Sie Ihre Rechte.</translation>
+    </message>
+    <message>
         <source>Cannot open {1}, which {2}: it is not beside the program; install {3} or build Vitrine again.</source>
         <translation>{=1} kann nicht geöffnet werden; die Bibliothek {2}. Sie liegt nicht neben dem Programm; installieren Sie {3}, oder bauen Sie Vitrine neu.</translation>
     </message>
@@ -3314,6 +3605,14 @@ Zeiten nach: %2.</translation>
         <translation>%1 ändern</translation>
     </message>
     <message>
+        <source>Change %1 of all together</source>
+        <translation>%1 aller zusammen ändern</translation>
+    </message>
+    <message>
+        <source>Change it, as the arrows do</source>
+        <translation>Ihn ändern, wie die Pfeiltasten es tun</translation>
+    </message>
+    <message>
         <source>Change it; Shift ten times finer, Ctrl ten times coarser</source>
         <translation>Wert ändern; Umschalt zehnmal feiner, Strg zehnmal gröber</translation>
     </message>
@@ -3418,6 +3717,10 @@ Zeiten nach: %2.</translation>
         <translation>wählen Sie einen Ordner, in den Sie schreiben dürfen</translation>
     </message>
     <message>
+        <source>Choose a parameter</source>
+        <translation>Einen Parameter wählen</translation>
+    </message>
+    <message>
         <source>Choose a parameter and measure it: its errors are those against its most exact value, its costs are work and time.</source>
         <translation>Wählen Sie einen Parameter, und messen Sie ihn: Seine Fehler sind die gegenüber seinem genauesten Wert, seine Kosten sind Arbeit und Zeit.</translation>
     </message>
@@ -3443,6 +3746,10 @@ Zeiten nach: %2.</translation>
         <translation>Zuspitzung</translation>
     </message>
     <message>
+        <source>Chosen: %1, error %2, cost %3.</source>
+        <translation>Gewählt: %1, Fehler %2, Kosten %3.</translation>
+    </message>
+    <message>
         <source>chunk number {1}</source>
         <translation>Block Nummer {1}</translation>
     </message>
@@ -3450,6 +3757,10 @@ Zeiten nach: %2.</translation>
         <source>classic</source>
         <extracomment>tables</extracomment>
         <translation>klassisch</translation>
+    </message>
+    <message>
+        <source>Clear the list now</source>
+        <translation>Die Liste jetzt leeren</translation>
     </message>
     <message>
         <source>Click</source>
@@ -3638,6 +3949,10 @@ Zeiten nach: %2.</translation>
         <translation>Farben</translation>
     </message>
     <message>
+        <source>Colors of panels and dialogs. As the desktop also takes its wish for more contrast; high contrast is light or dark as the desktop is.</source>
+        <translation>Farben von Bedienfeldern und Dialogen. „Wie der Desktop“ übernimmt auch dessen Wunsch nach mehr Kontrast; hoher Kontrast ist hell oder dunkel, wie der Desktop es ist.</translation>
+    </message>
+    <message>
         <source>Comb</source>
         <extracomment>tables</extracomment>
         <translation>Kämmen</translation>
@@ -3647,17 +3962,35 @@ Zeiten nach: %2.</translation>
         <translation>Näher an das Exponat heran oder zurück</translation>
     </message>
     <message>
+        <source>Come nearer to the exhibit, or step back</source>
+        <translation>Näher an das Exponat heran, oder zurück</translation>
+    </message>
+    <message>
         <source>Comes with the exhibit: can be duplicated, not changed.</source>
         <translation>Gehört zum Exponat: lässt sich duplizieren, nicht ändern.</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
     </message>
     <message>
         <source>Commands</source>
         <translation>Befehle</translation>
     </message>
     <message>
+        <source>Commands and their shortcuts</source>
+        <translation>Befehle und ihre Tastenkürzel</translation>
+    </message>
+    <message>
         <source>Compare</source>
-        <extracomment>tables</extracomment>
         <translation>Vergleichen</translation>
+    </message>
+    <message numerus="yes">
+        <source>Compare %n</source>
+        <translation>
+            <numerusform>%n vergleichen</numerusform>
+            <numerusform>%n vergleichen</numerusform>
+        </translation>
     </message>
     <message>
         <source>Compare mesh</source>
@@ -3665,13 +3998,37 @@ Zeiten nach: %2.</translation>
         <translation>Vergleichsnetz</translation>
     </message>
     <message>
+        <source>Compare the ticked studies</source>
+        <translation>Die angehakten Studien vergleichen</translation>
+    </message>
+    <message>
         <source>Compare with</source>
         <extracomment>tables</extracomment>
         <translation>Vergleichen mit</translation>
     </message>
     <message>
-        <source>compared with the marched object</source>
-        <translation>verglichen mit dem abgeschrittenen Objekt</translation>
+        <source>Compare with other beams or none, in the Compare menu.</source>
+        <translation>Im Menü „Vergleich“ lässt sich mit anderen oder keinen Strahlen vergleichen.</translation>
+    </message>
+    <message>
+        <source>Compare with “The rasterized mesh”, in the Compare menu.</source>
+        <translation>Im Menü „Vergleich“ lässt sich mit „Das rasterisierte Netz“ vergleichen.</translation>
+    </message>
+    <message>
+        <source>Compare with: %1</source>
+        <translation>Vergleichen mit: %1</translation>
+    </message>
+    <message>
+        <source>compare-settings: give either a second setting or --with, not both.</source>
+        <translation>compare-settings: Geben Sie entweder eine zweite Einstellung oder --with an, nicht beides.</translation>
+    </message>
+    <message>
+        <source>compare-settings: name a second setting, or what A is compared --with.</source>
+        <translation>compare-settings: Nennen Sie eine zweite Einstellung, oder mit --with, womit A verglichen wird.</translation>
+    </message>
+    <message>
+        <source>Compared with</source>
+        <translation>Verglichen mit</translation>
     </message>
     <message>
         <source>Comparison</source>
@@ -3765,6 +4122,10 @@ Zeiten nach: %2.</translation>
         <translation>Kopien um die y-Achse, die erste, wo das Kind ist.</translation>
     </message>
     <message>
+        <source>Copies points and differences as a table (CSV).</source>
+        <translation>Kopiert Punkte und Unterschiede als Tabelle (CSV).</translation>
+    </message>
+    <message>
         <source>Copies the selected preset to one of your own.</source>
         <translation>Kopiert das gewählte Preset in ein eigenes.</translation>
     </message>
@@ -3783,6 +4144,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Copy %1 to B</source>
         <translation>%1 nach B kopieren</translation>
+    </message>
+    <message>
+        <source>Copy a group</source>
+        <translation>Eine Gruppe kopieren</translation>
+    </message>
+    <message>
+        <source>Copy a group to the others</source>
+        <translation>Eine Gruppe in die anderen kopieren</translation>
     </message>
     <message>
         <source>Copy all &amp;to B</source>
@@ -3809,6 +4178,10 @@ Zeiten nach: %2.</translation>
         <translation>Als B&amp;efehlszeile kopieren</translation>
     </message>
     <message>
+        <source>Copy from %1</source>
+        <translation>Von %1 kopieren</translation>
+    </message>
+    <message>
         <source>Copy from B: %1</source>
         <translation>Von B übernehmen: %1</translation>
     </message>
@@ -3817,12 +4190,20 @@ Zeiten nach: %2.</translation>
         <translation>Messwerte kopieren</translation>
     </message>
     <message>
+        <source>Copy the ticked as a table</source>
+        <translation>Die angehakten als Tabelle kopieren</translation>
+    </message>
+    <message>
         <source>Copy this message</source>
         <translation>Diese Meldung kopieren</translation>
     </message>
     <message>
         <source>Copy to B</source>
         <translation>Nach B kopieren</translation>
+    </message>
+    <message>
+        <source>Copy to the others</source>
+        <translation>In die anderen kopieren</translation>
     </message>
     <message>
         <source>Copy value</source>
@@ -3877,6 +4258,14 @@ Zeiten nach: %2.</translation>
         <translation>Strahlenbüschel</translation>
     </message>
     <message>
+        <source>Cross left, right</source>
+        <translation>Kreuz links, rechts</translation>
+    </message>
+    <message>
+        <source>Cross up, down</source>
+        <translation>Kreuz auf, ab</translation>
+    </message>
+    <message>
         <source>Cross-talk</source>
         <translation>Übersprechen</translation>
     </message>
@@ -3896,6 +4285,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>CSV (*.csv)</source>
         <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Ctrl and arrows</source>
+        <translation>Strg und Pfeiltasten</translation>
     </message>
     <message>
         <source>cube map of the source</source>
@@ -3956,6 +4349,10 @@ Zeiten nach: %2.</translation>
         <translation>Dämpfung</translation>
     </message>
     <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
         <source>Darken the floor around what stands on it: without it, feet and plinths seem to float.</source>
         <extracomment>tables</extracomment>
         <translation>Dunkelt den Boden um das ab, was darauf steht: Ohne das scheinen Füße und Sockel zu schweben.</translation>
@@ -3998,6 +4395,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Delete sheet</source>
         <translation>Folie löschen</translation>
+    </message>
+    <message>
+        <source>Delete the study %1</source>
+        <translation>Die Studie %1 löschen</translation>
     </message>
     <message>
         <source>Deletes the selected preset; undo brings it back.</source>
@@ -4074,6 +4475,10 @@ Zeiten nach: %2.</translation>
         <source>Diameter of the handle's tube.</source>
         <extracomment>tables</extracomment>
         <translation>Durchmesser des Henkelrohrs.</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Unterschied</translation>
     </message>
     <message>
         <source>differences</source>
@@ -4222,8 +4627,8 @@ Zeiten nach: %2.</translation>
         <translation>von oben auf sie</translation>
     </message>
     <message>
-        <source>Drag</source>
-        <translation>Ziehen</translation>
+        <source>Drag the handle between the four corners: numbers go evenly or by factors, colors as they look, angles the shorter way; what has nothing between is that of the nearest corner. One drag is one undo step, Esc takes it back. Arrows move it, Shift finer, Ctrl coarser.</source>
+        <translation>Ziehen Sie den Griff zwischen den vier Ecken: Zahlen gehen gleichmäßig oder um Faktoren, Farben nach ihrem Aussehen, Winkel den kürzeren Weg; was kein Dazwischen hat, ist das der nächsten Ecke. Ein Ziehen ist ein Bearbeitungsschritt, Esc nimmt es zurück. Pfeiltasten bewegen ihn, Umschalt feiner, Strg gröber.</translation>
     </message>
     <message>
         <source>Drag the label or the number</source>
@@ -4236,14 +4641,22 @@ Shift is ten times finer, Ctrl ten times coarser.</source>
 Umschalt ist zehnmal feiner, Strg zehnmal gröber.</translation>
     </message>
     <message>
-        <source>Drag the line</source>
-        <translation>Die Linie ziehen</translation>
+        <source>Drag the line; comma, period</source>
+        <translation>Die Linie ziehen; Komma, Punkt</translation>
     </message>
     <message>
         <source>Drag to the side to look from there, up and down to tilt; the arrows move by a degree, Shift by a tenth.
 Home or a double click looks straight on.</source>
         <translation>Seitwärts ziehen, um von dort zu schauen, auf und ab, um zu neigen; die Pfeiltasten bewegen um ein Grad, mit Umschalt um ein Zehntel.
 Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
+    </message>
+    <message>
+        <source>Drag; Ctrl and arrows</source>
+        <translation>Ziehen; Strg und Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Dragging down looks up</source>
+        <translation>Nach unten ziehen schaut nach oben</translation>
     </message>
     <message>
         <source>Draw order</source>
@@ -4381,6 +4794,20 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <extracomment>tables</extracomment>
         <translation>Kanten</translation>
     </message>
+    <message numerus="yes">
+        <source>Edit all %n together</source>
+        <translation>
+            <numerusform>Alle %n zusammen bearbeiten</numerusform>
+            <numerusform>Alle %n zusammen bearbeiten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Edited together: a change here changes all %n groups.</source>
+        <translation>
+            <numerusform>Zusammen bearbeitet: Eine Änderung hier ändert %n Gruppe.</numerusform>
+            <numerusform>Zusammen bearbeitet: Eine Änderung hier ändert alle %n Gruppen.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>EGA</source>
         <extracomment>tables</extracomment>
@@ -4414,6 +4841,14 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>ending the video</source>
         <translation>das Beenden des Videos</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Enter shows one, Space ticks it, F2 renames it, Delete deletes it.</source>
+        <translation>Eingabe zeigt eine, die Leertaste hakt sie an, F2 benennt sie um, Entf löscht sie.</translation>
     </message>
     <message>
         <source>Enter, Esc</source>
@@ -4461,6 +4896,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Fehler werden nicht verteilt</translation>
     </message>
     <message>
+        <source>Errors over cost of several studies</source>
+        <translation>Fehler über Kosten mehrerer Studien</translation>
+    </message>
+    <message>
         <source>evaluated</source>
         <extracomment>tables</extracomment>
         <translation>ausgewertet</translation>
@@ -4498,6 +4937,14 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>alles exakt, {1}</translation>
     </message>
     <message>
+        <source>Everything has its initial value.</source>
+        <translation>Alles hat seinen Ausgangswert.</translation>
+    </message>
+    <message>
+        <source>Everything stays as it was.</source>
+        <translation>Alles bleibt, wie es war.</translation>
+    </message>
+    <message>
         <source>Everything that is set here, as JSON.</source>
         <translation>Alles, was hier eingestellt ist, als JSON.</translation>
     </message>
@@ -4509,6 +4956,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Exaggeration</source>
         <extracomment>tables</extracomment>
         <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Exhibit: %1</source>
+        <translation>Exponat: %1</translation>
     </message>
     <message>
         <source>Exhibitions (*.json)</source>
@@ -4524,12 +4975,12 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>explizites Euler</translation>
     </message>
     <message>
-        <source>Export</source>
-        <translation>Exportieren</translation>
+        <source>Explore</source>
+        <translation>Erkunden</translation>
     </message>
     <message>
-        <source>Export &amp;lenticular print…</source>
-        <translation>&amp;Linsendruck exportieren…</translation>
+        <source>Export</source>
+        <translation>Exportieren</translation>
     </message>
     <message>
         <source>Export &amp;picture…</source>
@@ -4542,6 +4993,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Export chart</source>
         <translation>Testchart exportieren</translation>
+    </message>
+    <message>
+        <source>Export le&amp;nticular print…</source>
+        <translation>&amp;Linsendruck exportieren…</translation>
     </message>
     <message>
         <source>Export lenticular print</source>
@@ -4560,7 +5015,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Preset exportieren</translation>
     </message>
     <message>
-        <source>Export sp&amp;rites…</source>
+        <source>Export spr&amp;ites…</source>
         <translation>Sp&amp;rites exportieren…</translation>
     </message>
     <message>
@@ -4594,6 +5049,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>F&amp;ull screen</source>
         <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>F6, Shift+F6</source>
+        <translation>F6, Umschalt+F6</translation>
     </message>
     <message>
         <source>Face</source>
@@ -4636,6 +5095,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Feldauswertungen</translation>
     </message>
     <message>
+        <source>Field evaluations of every pixel, black to white: “Heat scale” says how many are white.</source>
+        <translation>Feldauswertungen jedes Pixels, von Schwarz bis Weiß: „Heatmap-Skala“ sagt, wie viele weiß sind.</translation>
+    </message>
+    <message>
         <source>Field noise</source>
         <extracomment>tables</extracomment>
         <translation>Feldrauschen</translation>
@@ -4647,6 +5110,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>File</source>
         <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
     </message>
     <message>
         <source>files</source>
@@ -4710,6 +5177,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>First march one cone for every 8 × 8 pixels, and start their rays where it ended.</source>
         <extracomment>tables</extracomment>
         <translation>Schreitet zuerst einen Kegel für je 8 × 8 Pixel ab und beginnt deren Strahlen, wo er endete.</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Fit depth</source>
@@ -4799,8 +5270,8 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Nebelhöhe</translation>
     </message>
     <message>
-        <source>Fold or unfold %1</source>
-        <translation>%1 auf- oder zuklappen</translation>
+        <source>Fold or unfold %1; a right click, or the dots at its end, offers more.</source>
+        <translation>%1 auf- oder zuklappen; ein Rechtsklick, oder die Punkte am Ende, bieten mehr.</translation>
     </message>
     <message>
         <source>Folder with views</source>
@@ -4860,6 +5331,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>For printing on the sheet's back.</source>
         <translation>Für den Druck auf die Rückseite der Folie.</translation>
+    </message>
+    <message>
+        <source>Forgets which files were opened; the files stay.</source>
+        <translation>Vergisst, welche Dateien geöffnet wurden; die Dateien bleiben.</translation>
     </message>
     <message>
         <source>Format</source>
@@ -4996,6 +5471,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Von der Mitte; bei der orthografischen Kamera, wo ihre Sicht beginnt.</translation>
     </message>
     <message>
+        <source>From the picture to the next panel, and on to the one before</source>
+        <translation>Vom Bild zum nächsten Bedienfeld, und zu dem davor</translation>
+    </message>
+    <message>
         <source>from the side</source>
         <translation>von der Seite</translation>
     </message>
@@ -5035,6 +5514,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>eingefroren {1} nach dem Sprung</translation>
     </message>
     <message>
+        <source>Full</source>
+        <translation>Voll</translation>
+    </message>
+    <message>
         <source>full</source>
         <extracomment>tables</extracomment>
         <translation>voll</translation>
@@ -5054,9 +5537,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Game Boy</translation>
     </message>
     <message>
+        <source>Gathered in screen space</source>
+        <translation>Im Bildraum gesammelt</translation>
+    </message>
+    <message>
         <source>GGX</source>
         <extracomment>tables</extracomment>
         <translation>GGX</translation>
+    </message>
+    <message>
+        <source>Gives all commands their usual shortcuts.</source>
+        <translation>Gibt allen Befehlen ihre üblichen Tastenkürzel.</translation>
     </message>
     <message>
         <source>Gives all parameters in the panel other values within their comfortable ranges, but for files, accuracy and locked rows (see their menus); one undo brings yours back.</source>
@@ -5067,8 +5558,24 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Gibt allen Parametern im Bedienfeld ihre Ausgangswerte; ein Schritt rückgängig bringt Ihre zurück.</translation>
     </message>
     <message>
+        <source>Gives the command its usual shortcuts.</source>
+        <translation>Gibt dem Befehl seine üblichen Tastenkürzel.</translation>
+    </message>
+    <message>
+        <source>Gives the focus to the next part of the window: the picture, the panels, the clock.</source>
+        <translation>Gibt den Fokus dem nächsten Teil des Fensters: dem Bild, den Bedienfeldern, der Uhr.</translation>
+    </message>
+    <message>
+        <source>Gives the focus to the part of the window before.</source>
+        <translation>Gibt den Fokus dem Teil des Fensters davor.</translation>
+    </message>
+    <message>
         <source>Gives the selected preset another name.</source>
         <translation>Gibt dem gewählten Preset einen anderen Namen.</translation>
+    </message>
+    <message>
+        <source>Gives the selected preset words by which it is found.</source>
+        <translation>Gibt dem gewählten Preset Wörter, nach denen es zu finden ist.</translation>
     </message>
     <message>
         <source>glass</source>
@@ -5282,6 +5789,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Griffe im Bild; %1, während das Bild den Fokus hat.</translation>
     </message>
     <message>
+        <source>Handles of the selected shape</source>
+        <translation>Griffe der gewählten Form</translation>
+    </message>
+    <message>
         <source>Hangings</source>
         <extracomment>tables</extracomment>
         <translation>Gehänge</translation>
@@ -5371,6 +5882,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Hides or shows everything but the picture.</source>
         <translation>Blendet alles außer dem Bild aus oder ein.</translation>
+    </message>
+    <message>
+        <source>High contrast</source>
+        <translation>Hoher Kontrast</translation>
     </message>
     <message>
         <source>Highlight</source>
@@ -5515,6 +6030,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How far blue noise moves them from the middle of their cells: 0 is a grid.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit blaues Rauschen sie aus der Mitte ihrer Zellen rückt: 0 ist ein Gitter.</translation>
+    </message>
+    <message>
+        <source>How far dragging turns you, or takes you round an exhibit.</source>
+        <translation>Wie weit Ziehen Sie dreht, oder um ein Exponat herumführt.</translation>
     </message>
     <message>
         <source>How far from the origin of the noise the picture is: ten thousand kilometers off, it is as sharp as at home.</source>
@@ -5723,6 +6242,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie viele entlang x, y und z; 0 ist ohne Ende.</translation>
     </message>
     <message>
+        <source>How many are kept in File &gt; Open recent; 0 keeps none.</source>
+        <translation>Wie viele unter Datei &gt; Zuletzt geöffnet bleiben; 0 behält keine.</translation>
+    </message>
+    <message>
         <source>How many cells a further noise moves the first ones by: 0 leaves them, high folds and swirls.</source>
         <extracomment>tables</extracomment>
         <translation>Um wie viele Zellen ein weiteres Rauschen die ersten verschiebt: 0 lässt sie, hohe Werte falten und wirbeln.</translation>
@@ -5792,6 +6315,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How much longer ribs are than wide.</source>
         <extracomment>tables</extracomment>
         <translation>Wie viel länger als breit Rippen sind.</translation>
+    </message>
+    <message>
+        <source>How much nearer one step of the wheel takes you to an exhibit.</source>
+        <translation>Wie viel näher ein Schritt des Mausrads an ein Exponat heranführt.</translation>
     </message>
     <message>
         <source>How much of all this is seen: 0 keeps every strand upright.</source>
@@ -5956,6 +6483,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie das Objekt sich selbst vor der Sonne beschattet: ein Strahl, drei Arten von Schätzung aus einem Strahl, oder viele Strahlen.</translation>
     </message>
     <message>
+        <source>How the other studies stand to the first</source>
+        <translation>Wie die anderen Studien zur ersten stehen</translation>
+    </message>
+    <message>
         <source>How the scene is lit.</source>
         <translation>Wie die Szene beleuchtet ist.</translation>
     </message>
@@ -6011,6 +6542,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>https://www.aseprite.org/docs/cli/#data (geschrieben von Vitrine)</translation>
     </message>
     <message>
+        <source>Hue %1 degrees, saturation %2 %, brightness %3 %.</source>
+        <translation>Farbton %1 Grad, Sättigung %2 %, Helligkeit %3 %.</translation>
+    </message>
+    <message>
         <source>ICC profile</source>
         <translation>ICC-Profil</translation>
     </message>
@@ -6032,6 +6567,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>improved shadow</source>
         <extracomment>tables</extracomment>
         <translation>besserer Schatten</translation>
+    </message>
+    <message>
+        <source>In dialogs and menus</source>
+        <translation>In Dialogen und Menüs</translation>
     </message>
     <message>
         <source>In linear light.</source>
@@ -6072,6 +6611,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>in the text below this heading {1}</source>
         <translation>im Text unter dieser Überschrift {1}</translation>
+    </message>
+    <message>
+        <source>In the tree</source>
+        <translation>Im Baum</translation>
     </message>
     <message>
         <source>in view</source>
@@ -6215,6 +6758,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es hat {1}, mehr als die erlaubten {2}</translation>
     </message>
     <message>
+        <source>it holds what no preference is</source>
+        <translation>sie enthält, was keine Einstellung ist</translation>
+    </message>
+    <message>
         <source>it is a deep picture; flatten it first</source>
         <translation>es ist ein tiefes Bild (deep); reduzieren Sie es zuerst auf eine Ebene</translation>
     </message>
@@ -6267,6 +6814,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es besteht aus Licht</translation>
     </message>
     <message>
+        <source>it is no file</source>
+        <translation>sie ist keine Datei</translation>
+    </message>
+    <message>
+        <source>it is no text</source>
+        <translation>sie ist kein Text</translation>
+    </message>
+    <message>
         <source>it is not a PNG, JPEG, TIFF, OpenEXR or HDR picture</source>
         <translation>es ist kein PNG-, JPEG-, TIFF-, OpenEXR- oder HDR-Bild</translation>
     </message>
@@ -6281,6 +6836,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>it is not of glTF version 2</source>
         <translation>die Datei ist nicht von glTF-Version 2</translation>
+    </message>
+    <message>
+        <source>it is not written as settings are</source>
+        <translation>sie ist nicht so geschrieben, wie Einstellungen es sind</translation>
+    </message>
+    <message>
+        <source>it is too large</source>
+        <translation>sie ist zu groß</translation>
     </message>
     <message>
         <source>it is too short for a GLB container</source>
@@ -6379,6 +6942,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>ihre Höhenwinkel steigen nicht</translation>
     </message>
     <message>
+        <source>Its error</source>
+        <translation>Ihr Fehler</translation>
+    </message>
+    <message>
         <source>its first chunk is not JSON</source>
         <translation>der erste Block ist nicht JSON</translation>
     </message>
@@ -6437,9 +7004,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Seine Operation bliebe ohne das, worauf sie wirkt; löschen Sie jene, oder packen Sie aus.</translation>
     </message>
     <message>
+        <source>Its outline is nearly good, its reflections break at every edge: “Tessellation” says how many there are.</source>
+        <translation>Sein Umriss ist fast gut, seine Spiegelungen brechen an jeder Kante: „Tessellierung“ sagt, wie viele es gibt.</translation>
+    </message>
+    <message>
         <source>its own</source>
         <extracomment>tables</extracomment>
         <translation>eigene</translation>
+    </message>
+    <message>
+        <source>Its pictures were not kept.</source>
+        <translation>Ihre Bilder wurden nicht aufbewahrt.</translation>
     </message>
     <message>
         <source>its pixels are of an unknown kind</source>
@@ -6555,20 +7130,44 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Meine behalten</translation>
     </message>
     <message>
+        <source>Keep what is on show here</source>
+        <translation>Das Gezeigte hier merken</translation>
+    </message>
+    <message>
         <source>keeping its permissions</source>
         <translation>das Beibehalten der Rechte</translation>
+    </message>
+    <message>
+        <source>Keeps a copy of a study from elsewhere: the study.json of “vitrine study”.</source>
+        <translation>Bewahrt eine Kopie einer Studie von anderswo auf: die study.json von „vitrine study“.</translation>
     </message>
     <message>
         <source>Keeps where you are, in place of what was kept there.</source>
         <translation>Merkt sich, wo Sie sind, anstelle des dort Gemerkten.</translation>
     </message>
     <message>
+        <source>Kept</source>
+        <translation>Aufbewahrt</translation>
+    </message>
+    <message>
+        <source>Kept studies</source>
+        <translation>Aufbewahrte Studien</translation>
+    </message>
+    <message>
+        <source>Kept: %1.</source>
+        <translation>Aufbewahrt: %1.</translation>
+    </message>
+    <message>
         <source>key of {1}</source>
         <translation>Schlüssel von {1}</translation>
     </message>
     <message>
-        <source>Keyboard and mouse</source>
-        <translation>Tastatur und Maus</translation>
+        <source>Keyboard, mouse and gamepad</source>
+        <translation>Tastatur, Maus und Gamepad</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
     </message>
     <message>
         <source>Kind</source>
@@ -6578,6 +7177,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>kind of node</source>
         <translation>Knotenart</translation>
+    </message>
+    <message>
+        <source>L&amp;ower</source>
+        <translation>&amp;Niedriger</translation>
     </message>
     <message>
         <source>Lacunarity</source>
@@ -6657,6 +7260,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Schichten, die von der Spitze zur Haut gezeichnet werden.</translation>
     </message>
     <message>
+        <source>Leave it</source>
+        <translation>Dort lassen</translation>
+    </message>
+    <message>
         <source>Leave the exhibit and walk on</source>
         <translation>Das Exponat verlassen und weitergehen</translation>
     </message>
@@ -6665,8 +7272,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Lektion verlassen</translation>
     </message>
     <message>
-        <source>Leaves nothing but the picture. Tab does the same while the picture has the focus.</source>
-        <translation>Lässt nur das Bild übrig. Die Tabulatortaste tut dasselbe, während das Bild den Fokus hat.</translation>
+        <source>Leaves nothing but the picture.</source>
+        <translation>Lässt nur das Bild übrig.</translation>
     </message>
     <message>
         <source>Ledger</source>
@@ -6681,22 +7288,26 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Linkes Auge</translation>
     </message>
     <message>
+        <source>Left of the line the setting, right of it the reference; arrows move the line, Enter opens a large view.</source>
+        <translation>Links der Linie die Einstellung, rechts die Referenz; Pfeiltasten bewegen die Linie, Eingabe öffnet eine große Ansicht.</translation>
+    </message>
+    <message>
         <source>Left of the line the setting, right of it the reference; arrows move the line.</source>
         <translation>Links der Linie die Einstellung, rechts die Referenz; Pfeiltasten bewegen die Linie.</translation>
     </message>
     <message>
-        <source>Left of the line the setting, right of it the reference; arrows move the line. The heat map goes from 0 to %1 (%2).</source>
-        <translation>Links der Linie die Einstellung, rechts die Referenz; Pfeiltasten bewegen die Linie. Die Heatmap geht von 0 bis %1 (%2).</translation>
-    </message>
-    <message>
         <source>Left of the line: the setting. Right of it: the reference. Beside it: where they differ.
-A double click gives the pictures all the room, or the chart its own again.</source>
+A double click, or Enter, opens them large, to zoom into.</source>
         <translation>Links der Linie: die Einstellung. Rechts davon: die Referenz. Daneben: wo sie sich unterscheiden.
-Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.</translation>
+Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</translation>
     </message>
     <message>
         <source>Left out.</source>
         <translation>Weggelassen.</translation>
+    </message>
+    <message>
+        <source>Left stick</source>
+        <translation>Linker Stick</translation>
     </message>
     <message>
         <source>Length</source>
@@ -6853,7 +7464,6 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     </message>
     <message>
         <source>Light</source>
-        <extracomment>tables</extracomment>
         <translation>Licht</translation>
     </message>
     <message>
@@ -7092,6 +7702,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Untere Eisschicht</translation>
     </message>
     <message>
+        <source>Lower left corner</source>
+        <translation>Ecke unten links</translation>
+    </message>
+    <message>
         <source>Lower lobes</source>
         <extracomment>tables</extracomment>
         <translation>Untere Schicht: Keulen</translation>
@@ -7115,6 +7729,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <source>Lower raise</source>
         <extracomment>tables</extracomment>
         <translation>Untere Schicht: Anheben</translation>
+    </message>
+    <message>
+        <source>Lower right corner</source>
+        <translation>Ecke unten rechts</translation>
     </message>
     <message>
         <source>Lower tilt</source>
@@ -7166,6 +7784,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>%1 in %2 umwandeln</translation>
     </message>
     <message>
+        <source>Makes the marked variation the look, and draws the next nine around it.</source>
+        <translation>Macht die markierte Variation zum Aussehen und zeichnet die nächsten neun um sie herum.</translation>
+    </message>
+    <message>
         <source>March</source>
         <extracomment>tables</extracomment>
         <translation>Raymarching</translation>
@@ -7178,6 +7800,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     <message>
         <source>march steps</source>
         <translation>Raymarching-Schritte</translation>
+    </message>
+    <message>
+        <source>Marched through the air</source>
+        <translation>Durch die Luft abgeschritten</translation>
     </message>
     <message>
         <source>Margin</source>
@@ -7277,6 +7903,14 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>der Speicher ist voll</translation>
     </message>
     <message>
+        <source>Menu of %1</source>
+        <translation>Menü von %1</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
         <source>Mesh {1} has a normal map but no texture coordinates.</source>
         <translation>Das Netz {=1} hat eine Normal-Map, aber keine Texturkoordinaten.</translation>
     </message>
@@ -7334,6 +7968,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     <message>
         <source>milliseconds</source>
         <translation>Millisekunden</translation>
+    </message>
+    <message>
+        <source>milliseconds of a picture</source>
+        <translation>Millisekunden eines Bildes</translation>
     </message>
     <message>
         <source>Milliseconds that a skipped step took when it last ran. “Run everything” measures them all.</source>
@@ -7408,6 +8046,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Mondgröße</translation>
     </message>
     <message>
+        <source>More for kept studies</source>
+        <translation>Mehr zu aufbewahrten Studien</translation>
+    </message>
+    <message>
         <source>More for presets</source>
         <translation>Mehr zu Presets</translation>
     </message>
@@ -7423,6 +8065,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     <message>
         <source>Morph towards B</source>
         <translation>Überblenden nach B</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
     </message>
     <message>
         <source>Motion blur</source>
@@ -7446,6 +8092,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>%1 weiterbewegen</translation>
     </message>
     <message>
+        <source>Move between four settings</source>
+        <translation>Zwischen vier Einstellungen bewegen</translation>
+    </message>
+    <message>
         <source>Move on</source>
         <translation>Weiterbewegen</translation>
     </message>
@@ -7453,6 +8103,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <source>Move the camera by whole texels and turn it by whole steps, so that nothing crawls; the screen slides the rest.</source>
         <extracomment>tables</extracomment>
         <translation>Bewegt die Kamera um ganze Texel und dreht sie um ganze Schritte, sodass nichts kriecht; den Rest verschiebt der Bildschirm.</translation>
+    </message>
+    <message>
+        <source>Move the node: up, down, out of its parent, into the one above</source>
+        <translation>Den Knoten verschieben: auf, ab, aus seinem Elternknoten, in den darüber</translation>
     </message>
     <message>
         <source>Move the wipe</source>
@@ -7539,8 +8193,28 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Neuer Name</translation>
     </message>
     <message>
+        <source>New shortcut</source>
+        <translation>Neues Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>New shortcut for “%1”; usually %2.</source>
+        <translation>Neues Tastenkürzel für „%1“; üblich ist %2.</translation>
+    </message>
+    <message>
+        <source>New shortcut for “%1”; usually it has none.</source>
+        <translation>Neues Tastenkürzel für „%1“; üblich ist keines.</translation>
+    </message>
+    <message>
         <source>Next ▸</source>
         <translation>Weiter ▸</translation>
+    </message>
+    <message>
+        <source>night, water</source>
+        <translation>Nacht, Wasser</translation>
+    </message>
+    <message>
+        <source>Nine variations</source>
+        <translation>Neun Variationen</translation>
     </message>
     <message>
         <source>nlerp</source>
@@ -7550,6 +8224,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     <message>
         <source>no animation of the model is chosen</source>
         <translation>keine Animation des Modells ist gewählt</translation>
+    </message>
+    <message>
+        <source>No beams</source>
+        <translation>Keine Strahlen</translation>
     </message>
     <message>
         <source>no bounce is asked for</source>
@@ -7640,8 +8318,8 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Kein Punkt der Szene liegt innen, soweit diese Zellen es zeigen: Flächen brauchen eine Dicke, und was dünner als eine Zelle ist, ein kleineres --cell.</translation>
     </message>
     <message>
-        <source>No preset has these words.</source>
-        <translation>Kein Preset enthält diese Wörter.</translation>
+        <source>No preset has these words and tags.</source>
+        <translation>Kein Preset hat diese Wörter und Tags.</translation>
     </message>
     <message>
         <source>no ray is followed that the water mirrors</source>
@@ -7721,6 +8399,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Rauschen darüber ist fest: Niedrige Werte füllen den Raum, hohe lassen Inseln.</translation>
     </message>
     <message>
+        <source>None</source>
+        <translation>Keines</translation>
+    </message>
+    <message>
         <source>none</source>
         <translation>keine</translation>
     </message>
@@ -7776,6 +8458,14 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Normalen einer Linse, deren Spiegelbilder gemischt werden.</translation>
     </message>
     <message>
+        <source>Not all files say on which machine they were measured, so their times cannot be compared: their work is, which counts the same anywhere.</source>
+        <translation>Nicht alle Dateien sagen, auf welchem Rechner sie gemessen wurden, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
+    </message>
+    <message>
+        <source>Not all settings were timed: their work is compared, which counts the same anywhere.</source>
+        <translation>Nicht bei allen Einstellungen wurde die Zeit gemessen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
+    </message>
+    <message>
         <source>Not at all</source>
         <translation>Gar nicht</translation>
     </message>
@@ -7808,8 +8498,16 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>nichts in der Szene spiegelt</translation>
     </message>
     <message>
+        <source>Nothing is drawn yet.</source>
+        <translation>Noch ist nichts gezeichnet.</translation>
+    </message>
+    <message>
         <source>nothing is made of glass</source>
         <translation>nichts ist aus Glas</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet.</source>
+        <translation>Noch ist nichts gemessen.</translation>
     </message>
     <message>
         <source>nothing measurable</source>
@@ -7826,6 +8524,14 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     <message>
         <source>nothing reads what it writes</source>
         <translation>nichts liest, was er schreibt</translation>
+    </message>
+    <message>
+        <source>nothing so cheap was measured</source>
+        <translation>nichts so Billiges wurde gemessen</translation>
+    </message>
+    <message>
+        <source>nothing so exact was measured</source>
+        <translation>nichts so Genaues wurde gemessen</translation>
     </message>
     <message>
         <source>Nothing to look at yet</source>
@@ -7960,6 +8666,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <source>Of all sprinkles.</source>
         <extracomment>tables</extracomment>
         <translation>Aller Streusel.</translation>
+    </message>
+    <message>
+        <source>Of all words in the window, as a share of the desktop's.</source>
+        <translation>Aller Wörter im Fenster, als Anteil der des Desktops.</translation>
     </message>
     <message>
         <source>Of candies and sprinkles.</source>
@@ -8283,6 +8993,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Der Papierröhre.</translation>
     </message>
     <message>
+        <source>Of the picture's own, while something moves: the higher, the sharper, and the fewer pictures a second on a slow machine.</source>
+        <translation>Der des Bildes, während sich etwas bewegt: Je höher, desto schärfer, und desto weniger Bilder pro Sekunde auf einem langsamen Rechner.</translation>
+    </message>
+    <message>
         <source>Of the picture: a factor of all light; not as in the source.</source>
         <translation>Des Bildes: ein Faktor allen Lichts; nicht wie im Original.</translation>
     </message>
@@ -8491,6 +9205,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>gezeigt</translation>
     </message>
     <message>
+        <source>on show in place of the field</source>
+        <translation>anstelle des Felds gezeigt</translation>
+    </message>
+    <message>
         <source>Once more, behind it.</source>
         <translation>Noch einmal, dahinter.</translation>
     </message>
@@ -8634,6 +9352,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
+        <source>Open a study</source>
+        <translation>Studie öffnen</translation>
+    </message>
+    <message>
         <source>Open as B</source>
         <translation>Als B öffnen</translation>
     </message>
@@ -8678,6 +9400,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Öffnet %1.</translation>
     </message>
     <message>
+        <source>Open…</source>
+        <translation>Öffnen…</translation>
+    </message>
+    <message>
         <source>Orbit</source>
         <extracomment>tables</extracomment>
         <translation>Umlauf</translation>
@@ -8714,6 +9440,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <source>orthographic</source>
         <extracomment>tables</extracomment>
         <translation>orthografisch</translation>
+    </message>
+    <message>
+        <source>Other than initial:</source>
+        <translation>Anders als am Ausgang:</translation>
     </message>
     <message>
         <source>Our own is shown in its place until it can be read.</source>
@@ -8935,6 +9665,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Spitzen-Signal-Rausch-Verhältnis, dB</translation>
     </message>
     <message>
+        <source>Per pixel of a picture in the window, once nothing moves: fewer are finished sooner and leave edges rougher. Exports, films and prints have numbers of their own.</source>
+        <translation>Pro Pixel eines Bildes im Fenster, sobald sich nichts bewegt: Wenige sind eher fertig und lassen Kanten rauer. Exporte, Filme und Drucke haben eigene Zahlen.</translation>
+    </message>
+    <message>
         <source>Period</source>
         <extracomment>tables</extracomment>
         <translation>Periode</translation>
@@ -8981,6 +9715,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Bild</translation>
     </message>
     <message>
+        <source>Picture and mouse</source>
+        <translation>Bild und Maus</translation>
+    </message>
+    <message>
         <source>Picture and reference</source>
         <translation>Bild und Referenz</translation>
     </message>
@@ -9010,6 +9748,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Bilder in der Reihenfolge des Betrachtens, von links.</translation>
     </message>
     <message>
+        <source>Pictures of the study</source>
+        <translation>Bilder der Studie</translation>
+    </message>
+    <message>
         <source>Pictures…</source>
         <translation>Bilder…</translation>
     </message>
@@ -9029,6 +9771,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     <message>
         <source>Pivot</source>
         <translation>Drehpunkt</translation>
+    </message>
+    <message>
+        <source>Pixel %1, %2: setting %3; reference %4; error %5</source>
+        <translation>Pixel %1, %2: Einstellung %3; Referenz %4; Fehler %5</translation>
     </message>
     <message>
         <source>Pixel Art</source>
@@ -9101,6 +9847,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Sockelrauheit</translation>
     </message>
     <message>
+        <source>Plus and minus zoom, 0 fits, 1 shows pixel for pixel, arrows move, Ctrl with an arrow moves the line of the wipe.</source>
+        <translation>Plus und Minus zoomen, 0 passt ein, 1 zeigt Pixel für Pixel, Pfeiltasten verschieben, Strg mit einer Pfeiltaste bewegt die Linie der Wischblende.</translation>
+    </message>
+    <message>
         <source>PNG (*.png)</source>
         <translation>PNG (*.png)</translation>
     </message>
@@ -9137,9 +9887,25 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Pfostendraht</translation>
     </message>
     <message>
+        <source>Pre&amp;ferences…</source>
+        <translation>&amp;Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious panel</source>
+        <translation>V&amp;origes Bedienfeld</translation>
+    </message>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
         <source>Prefilter</source>
         <extracomment>tables</extracomment>
         <translation>Vorfilter</translation>
+    </message>
+    <message>
+        <source>Present: %1, error %2, cost %3.</source>
+        <translation>Jetzt: %1, Fehler %2, Kosten %3.</translation>
     </message>
     <message>
         <source>Presets</source>
@@ -9158,12 +9924,24 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Den Knopf von %1 drücken</translation>
     </message>
     <message>
+        <source>Press the keys that the command shall have.</source>
+        <translation>Drücken Sie die Tasten, die der Befehl haben soll.</translation>
+    </message>
+    <message>
+        <source>Press the red button</source>
+        <translation>Den roten Knopf drücken</translation>
+    </message>
+    <message>
         <source>Press the red button you look at, or that of the exhibit you visit</source>
         <translation>Den roten Knopf drücken, den Sie ansehen, oder den des besuchten Exponats</translation>
     </message>
     <message>
         <source>Preview</source>
         <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Preview of a preset</source>
+        <translation>Vorschau eines Presets</translation>
     </message>
     <message>
         <source>Print</source>
@@ -9426,6 +10204,14 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>liest und schreibt Bilder</translation>
     </message>
     <message>
+        <source>Recent files</source>
+        <translation>Zuletzt geöffnete Dateien</translation>
+    </message>
+    <message>
+        <source>Recor&amp;d…</source>
+        <translation>&amp;Aufnehmen…</translation>
+    </message>
+    <message>
         <source>Record</source>
         <translation>Aufnehmen</translation>
     </message>
@@ -9436,6 +10222,18 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     <message>
         <source>Recording of {1}</source>
         <translation>Aufnahme von {1}</translation>
+    </message>
+    <message>
+        <source>Reduced</source>
+        <translation>Reduziert</translation>
+    </message>
+    <message>
+        <source>Reduced: the camera cuts to where it would glide, panels do not slide, messages do not fade, and the exhibits' clock stands still until you start it (Space in the picture) or press an exhibit's button. What you do yourself, as walking and dragging, moves as ever.</source>
+        <translation>Reduziert: Die Kamera springt, wohin sie gleiten würde, Bedienfelder gleiten nicht, Meldungen blenden nicht aus, und die Uhr der Exponate steht, bis Sie sie starten (Leertaste im Bild) oder den Knopf eines Exponats drücken. Was Sie selbst tun, wie Gehen und Ziehen, bewegt sich wie immer.</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referenz</translation>
     </message>
     <message>
         <source>reference of {1}</source>
@@ -9499,8 +10297,16 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>%1 umbenennen</translation>
     </message>
     <message>
-        <source>Rename, duplicate, delete, import, export</source>
-        <translation>Umbenennen, duplizieren, löschen, importieren, exportieren</translation>
+        <source>Rename the study</source>
+        <translation>Die Studie umbenennen</translation>
+    </message>
+    <message>
+        <source>Rename, tags, duplicate, delete, import, export</source>
+        <translation>Umbenennen, Tags, duplizieren, löschen, importieren, exportieren</translation>
+    </message>
+    <message>
+        <source>Rename…</source>
+        <translation>Umbenennen…</translation>
     </message>
     <message>
         <source>Render again</source>
@@ -9537,6 +10343,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Die Datei ersetzen?</translation>
     </message>
     <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
         <source>Reset %1</source>
         <translation>%1 zurücksetzen</translation>
     </message>
@@ -9545,12 +10355,20 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>&amp;Alle Parameter zurücksetzen</translation>
     </message>
     <message>
+        <source>Reset all</source>
+        <translation>Alle zurücksetzen</translation>
+    </message>
+    <message>
         <source>Reset to %1</source>
         <translation>Auf %1 zurücksetzen</translation>
     </message>
     <message>
         <source>Resolution</source>
         <translation>Auflösung</translation>
+    </message>
+    <message>
+        <source>Resolution in motion</source>
+        <translation>Auflösung in Bewegung</translation>
     </message>
     <message>
         <source>Resolution scale</source>
@@ -9637,6 +10455,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <source>Right step limit</source>
         <extracomment>tables</extracomment>
         <translation>Schrittgrenze rechts</translation>
+    </message>
+    <message>
+        <source>Right stick</source>
+        <translation>Rechter Stick</translation>
     </message>
     <message>
         <source>Right view</source>
@@ -9835,6 +10657,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
         <translation>Verschiedene Zeilen</translation>
     </message>
     <message>
+        <source>Rows: %1</source>
+        <translation>Zeilen: %1</translation>
+    </message>
+    <message>
         <source>Run everything</source>
         <translation>Alles ausführen</translation>
     </message>
@@ -9845,6 +10671,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     <message>
         <source>Runs every step, also those that the picture does not need. It stays the same to the bit; only the cost changes.</source>
         <translation>Führt jeden Schritt aus, auch die, die das Bild nicht braucht. Es bleibt auf das Bit gleich; nur die Kosten ändern sich.</translation>
+    </message>
+    <message>
+        <source>S&amp;trength</source>
+        <translation>S&amp;tärke</translation>
     </message>
     <message>
         <source>sample {1} of {2}</source>
@@ -9858,6 +10688,10 @@ Ein Doppelklick gibt den Bildern allen Platz, oder dem Diagramm seinen zurück.<
     <message>
         <source>samples</source>
         <translation>Samples</translation>
+    </message>
+    <message>
+        <source>Samples at rest</source>
+        <translation>Samples in Ruhe</translation>
     </message>
     <message>
         <source>Samples between</source>
@@ -9975,6 +10809,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Messwerte speichern</translation>
     </message>
     <message>
+        <source>Save the ticked…</source>
+        <translation>Die angehakten speichern…</translation>
+    </message>
+    <message>
         <source>Saved</source>
         <translation>Gespart</translation>
     </message>
@@ -10001,6 +10839,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Saves everything in one file: all exhibits, the hall and where you stand.</source>
         <translation>Speichert alles in einer Datei: alle Exponate, die Halle und wo Sie stehen.</translation>
+    </message>
+    <message>
+        <source>Saves the comparison as a table (CSV) or JSON, or the chart as PNG or SVG.</source>
+        <translation>Speichert den Vergleich als Tabelle (CSV) oder JSON, oder das Diagramm als PNG oder SVG.</translation>
     </message>
     <message>
         <source>Saves the numbers below as a sheet of your own.</source>
@@ -10091,7 +10933,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Seed</source>
-        <extracomment>tables</extracomment>
         <translation>Startwert</translation>
     </message>
     <message>
@@ -10131,16 +10972,36 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Sonne nach</translation>
     </message>
     <message>
-        <source>Set two bookmarks at least: Ctrl+Alt+1 where you stand, then Ctrl+Alt+2 elsewhere.</source>
-        <translation>Setzen Sie mindestens zwei Lesezeichen: Strg+Alt+1, wo Sie stehen, dann Strg+Alt+2 anderswo.</translation>
+        <source>Set two bookmarks at least: one where you stand, then another elsewhere (Bookmarks menu).</source>
+        <translation>Setzen Sie mindestens zwei Lesezeichen: eines, wo Sie stehen, dann ein anderes anderswo (Menü „Lesezeichen“).</translation>
     </message>
     <message>
         <source>Set what the study found</source>
         <translation>Ergebnis der Studie setzen</translation>
     </message>
     <message>
+        <source>Setting</source>
+        <translation>Einstellung</translation>
+    </message>
+    <message>
+        <source>Setting and reference in one place, with a line between them to drag</source>
+        <translation>Einstellung und Referenz an einer Stelle, mit einer Linie dazwischen zum Ziehen</translation>
+    </message>
+    <message>
+        <source>Setting of %1</source>
+        <translation>Einstellung von %1</translation>
+    </message>
+    <message>
         <source>setting {1}, {2}</source>
         <translation>Einstellung {1}, {2}</translation>
+    </message>
+    <message>
+        <source>Setting | reference</source>
+        <translation>Einstellung | Referenz</translation>
+    </message>
+    <message>
+        <source>Setting, reference and difference</source>
+        <translation>Einstellung, Referenz und Unterschied</translation>
     </message>
     <message>
         <source>Settings (*.json)</source>
@@ -10296,12 +11157,23 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Glanz</translation>
     </message>
     <message>
+        <source>Shortcut</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
         <source>Shortcuts</source>
         <translation>Tastenkürzel</translation>
     </message>
     <message>
+        <source>Shortcuts are one stroke long here.</source>
+        <translation>Tastenkürzel sind hier nur einen Anschlag lang.</translation>
+    </message>
+    <message>
+        <source>Shoulders</source>
+        <translation>Schultertasten</translation>
+    </message>
+    <message>
         <source>Show</source>
-        <extracomment>tables</extracomment>
         <translation>Zeigen</translation>
     </message>
     <message>
@@ -10326,6 +11198,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Alle Knoten zeigen</translation>
     </message>
     <message>
+        <source>Show all of it (0)</source>
+        <translation>Alles davon zeigen (0)</translation>
+    </message>
+    <message>
         <source>Show box</source>
         <extracomment>tables</extracomment>
         <translation>Quader zeigen</translation>
@@ -10335,28 +11211,56 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Im Ordner zeigen</translation>
     </message>
     <message>
+        <source>Show pixel for pixel (1)</source>
+        <translation>Pixel für Pixel zeigen (1)</translation>
+    </message>
+    <message>
         <source>Show the file in its folder</source>
         <translation>Die Datei in ihrem Ordner zeigen</translation>
+    </message>
+    <message>
+        <source>Show the kept studies</source>
+        <translation>Die aufbewahrten Studien zeigen</translation>
+    </message>
+    <message>
+        <source>Show, rename, delete, copy, save</source>
+        <translation>Zeigen, umbenennen, löschen, kopieren, speichern</translation>
+    </message>
+    <message>
+        <source>Shown as</source>
+        <translation>Gezeigt als</translation>
     </message>
     <message>
         <source>Shows B in place of A. Holding the key B in the picture does the same.</source>
         <translation>Zeigt B statt A. Die Taste B im Bild zu halten, tut dasselbe.</translation>
     </message>
     <message>
-        <source>Shows only parameters whose name, group, help or choices contain these words (Ctrl+F). Enter goes to the first, Esc clears, Esc again leaves.</source>
-        <translation>Zeigt nur Parameter, deren Name, Gruppe, Hilfe oder Auswahl diese Wörter enthält (Strg+F). Eingabe geht zum ersten, Esc leert das Feld, noch einmal Esc verlässt es.</translation>
+        <source>Shows only commands whose name or shortcut contains these words.</source>
+        <translation>Zeigt nur Befehle, deren Name oder Tastenkürzel diese Wörter enthält.</translation>
+    </message>
+    <message>
+        <source>Shows only parameters whose name, group, help or choices contain these words. Enter goes to the first, Esc clears, Esc again leaves.</source>
+        <translation>Zeigt nur Parameter, deren Name, Gruppe, Hilfe oder Auswahl diese Wörter enthält. Eingabe geht zum ersten, Esc leert das Feld, noch einmal Esc verlässt es.</translation>
     </message>
     <message>
         <source>Shows only parameters whose value is not the initial one.</source>
         <translation>Zeigt nur Parameter, deren Wert nicht der Ausgangswert ist.</translation>
     </message>
     <message>
-        <source>Shows only presets whose name contains these words, or is “yours”. Enter loads the first, Esc clears.</source>
-        <translation>Zeigt nur Presets, deren Name diese Wörter enthält oder „eigene“ lautet. Eingabe lädt das erste, Esc leert das Feld.</translation>
+        <source>Shows only presets whose name or tags contain these words, or which are “yours”. Enter loads the first, Esc clears.</source>
+        <translation>Zeigt nur Presets, deren Name oder Tags diese Wörter enthalten, oder die „eigene“ sind. Eingabe lädt das erste, Esc leert das Feld.</translation>
     </message>
     <message>
         <source>Shows or hides this panel.</source>
         <translation>Blendet dieses Bedienfeld ein oder aus.</translation>
+    </message>
+    <message>
+        <source>Shows the fronts of the ticked studies over each other, and how they differ.</source>
+        <translation>Zeigt die Fronten der angehakten Studien übereinander, und worin sie sich unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Shows the studies that were kept: to look at again, compare, rename, delete, open and save.</source>
+        <translation>Zeigt die aufbewahrten Studien: zum Wiederansehen, Vergleichen, Umbenennen, Löschen, Öffnen und Speichern.</translation>
     </message>
     <message>
         <source>Shows them so long after a jump and stops the clock there; 0 lets the button and the clock decide.</source>
@@ -10441,6 +11345,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Size of the spot that a lens shows against what the model gives: 0 is one point of a strip, above 1 the neighbors bleed in.</source>
         <extracomment>tables</extracomment>
         <translation>Größe des Flecks, den eine Linse zeigt, gegenüber dem des Modells: 0 ist ein Punkt eines Streifens, über 1 dringen die Nachbarn ein.</translation>
+    </message>
+    <message>
+        <source>Size of type</source>
+        <translation>Schriftgröße</translation>
     </message>
     <message>
         <source>skewed, from above</source>
@@ -10544,6 +11452,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>einige Knoten sind ihre eigenen Vorfahren</translation>
     </message>
     <message>
+        <source>Some preferences in %1 are not valid and are the initial ones now: %2. Edit &gt; Preferences sets them anew.</source>
+        <translation>Einige Programmeinstellungen in %1 sind ungültig und haben jetzt ihre Ausgangswerte: %2. Bearbeiten &gt; Einstellungen setzt sie neu.</translation>
+    </message>
+    <message>
+        <source>Some were measured in the hall and some alone, so their times cannot be compared: their work is.</source>
+        <translation>Einige wurden in der Halle gemessen und einige allein, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit.</translation>
+    </message>
+    <message>
         <source>something else stands on the floor</source>
         <translation>etwas anderes steht auf dem Boden</translation>
     </message>
@@ -10577,6 +11493,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Sonnenstärke (Original)</translation>
     </message>
     <message>
+        <source>Space opens a large preview.</source>
+        <translation>Die Leertaste öffnet eine große Vorschau.</translation>
+    </message>
+    <message>
         <source>Spacing</source>
         <extracomment>tables</extracomment>
         <translation>Abstand</translation>
@@ -10598,6 +11518,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Speed</source>
         <extracomment>tables</extracomment>
         <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>Speed of looking</source>
+        <translation>Tempo beim Umschauen</translation>
+    </message>
+    <message>
+        <source>Speed of the wheel</source>
+        <translation>Tempo des Mausrads</translation>
     </message>
     <message>
         <source>Spin</source>
@@ -10831,12 +11759,20 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>%1 beenden</translation>
     </message>
     <message>
+        <source>Stop and start the exhibits' clock</source>
+        <translation>Die Uhr der Exponate anhalten und starten</translation>
+    </message>
+    <message>
         <source>Stop here</source>
         <translation>Hier beenden</translation>
     </message>
     <message>
         <source>Stop writing and close</source>
         <translation>Schreiben abbrechen und schließen</translation>
+    </message>
+    <message>
+        <source>stopped early</source>
+        <translation>vorzeitig angehalten</translation>
     </message>
     <message>
         <source>Stopping</source>
@@ -10873,7 +11809,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Strength</source>
-        <extracomment>tables</extracomment>
         <translation>Stärke</translation>
     </message>
     <message>
@@ -10919,6 +11854,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Strips under each lens: views chosen evenly from those that the print has, no more than it has.</source>
         <extracomment>tables</extracomment>
         <translation>Streifen unter jeder Linse: Ansichten, gleichmäßig aus denen des Drucks gewählt, nicht mehr, als er hat.</translation>
+    </message>
+    <message>
+        <source>Studies (*.json)</source>
+        <translation>Studien (*.json)</translation>
+    </message>
+    <message>
+        <source>Studies compared</source>
+        <translation>Verglichene Studien</translation>
     </message>
     <message>
         <source>Study</source>
@@ -11030,12 +11973,48 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tabellen und Diagramme (*.csv *.json *.png *.svg)</translation>
     </message>
     <message>
+        <source>Tag %1</source>
+        <translation>Tag %1</translation>
+    </message>
+    <message>
+        <source>Tag a preset</source>
+        <translation>Preset mit Tags versehen</translation>
+    </message>
+    <message>
+        <source>Tags</source>
+        <translation>Tags</translation>
+    </message>
+    <message>
+        <source>Tags of %1</source>
+        <translation>Tags von %1</translation>
+    </message>
+    <message>
+        <source>Tags, separated by commas</source>
+        <translation>Tags, durch Kommas getrennt</translation>
+    </message>
+    <message>
+        <source>Tags: %1</source>
+        <translation>Tags: %1</translation>
+    </message>
+    <message>
         <source>Take %1</source>
         <translation>%1 übernehmen</translation>
     </message>
     <message>
+        <source>Take it</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
         <source>Take the file's</source>
         <translation>Die der Datei nehmen</translation>
+    </message>
+    <message>
+        <source>Take variation %1 of nine %2</source>
+        <translation>Variation %1 von neun übernehmen %2</translation>
+    </message>
+    <message>
+        <source>Takes all shortcuts from the command.</source>
+        <translation>Nimmt dem Befehl alle Tastenkürzel.</translation>
     </message>
     <message>
         <source>Takes it out of the tree, with all that is in it.</source>
@@ -11227,8 +12206,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Die Diagramme werden erstellt.</translation>
     </message>
     <message>
-        <source>The check mark shows or hides it. Drag to reorder, F2 renames.</source>
-        <translation>Das Häkchen blendet ein oder aus. Ziehen ordnet um, F2 benennt um.</translation>
+        <source>The check mark shows or hides it. Drag it, or press Ctrl and the arrows, to reorder; F2 renames.</source>
+        <translation>Das Häkchen blendet ein oder aus. Ziehen, oder Strg mit den Pfeiltasten, ordnet um; F2 benennt um.</translation>
     </message>
     <message>
         <source>the child is so wide that {1} copies would be asked at every point; make it smaller or its copies fewer or farther apart</source>
@@ -11241,10 +12220,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>the clouds look their noise up</source>
         <translation>die Wolken schlagen ihr Rauschen nach</translation>
-    </message>
-    <message>
-        <source>the comparison is switched off</source>
-        <translation>der Vergleich ist ausgeschaltet</translation>
     </message>
     <message>
         <source>the cone pre-pass is switched off</source>
@@ -11270,6 +12245,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>The count that is shown white.</source>
         <extracomment>tables</extracomment>
         <translation>Der Zählwert, der weiß gezeigt wird.</translation>
+    </message>
+    <message>
+        <source>The cross moves, A presses, B closes</source>
+        <translation>Das Kreuz bewegt, A drückt, B schließt</translation>
+    </message>
+    <message>
+        <source>The curve</source>
+        <translation>Die Kurve</translation>
     </message>
     <message>
         <source>the cut leaves nothing; raise it above -radius</source>
@@ -11327,6 +12310,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Winkel des Auges muss zwischen -85 und 85 Grad liegen.</translation>
     </message>
     <message>
+        <source>the field is on show</source>
+        <translation>das Feld wird gezeigt</translation>
+    </message>
+    <message>
         <source>the field of view changed</source>
         <translation>der Sichtwinkel hat sich geändert</translation>
     </message>
@@ -11334,6 +12321,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>The field's normal: by six further evaluations, or by its derivative.</source>
         <extracomment>tables</extracomment>
         <translation>Die Normale des Felds: durch sechs weitere Auswertungen, oder durch seine Ableitung.</translation>
+    </message>
+    <message>
+        <source>The field, marched ray by ray, or a mesh of the same object, rasterized.</source>
+        <translation>Das Feld, Strahl für Strahl abgeschritten, oder ein rasterisiertes Netz desselben Objekts.</translation>
     </message>
     <message>
         <source>the file cannot be shown without {1}, which is not supported; export it without that.</source>
@@ -11441,6 +12432,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Halle lässt sich nicht drehen; nennen Sie ein Exponat.</translation>
     </message>
     <message>
+        <source>The hall in clear air: all else is what beams and dust make of it.</source>
+        <translation>Die Halle in klarer Luft: Alles andere ist, was Strahlen und Staub aus ihr machen.</translation>
+    </message>
+    <message>
         <source>the hall is around the visitor</source>
         <translation>die Halle umgibt den Besucher</translation>
     </message>
@@ -11456,6 +12451,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the handle, from near</source>
         <translation>der Henkel, aus der Nähe</translation>
+    </message>
+    <message>
+        <source>The heat map goes from 0 to %1 (%2).</source>
+        <translation>Die Heatmap geht von 0 bis %1 (%2).</translation>
     </message>
     <message>
         <source>the height</source>
@@ -11491,8 +12490,20 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Tintenverlauf ist {1}; geben Sie 0 oder mehr an</translation>
     </message>
     <message>
+        <source>The kept look</source>
+        <translation>Das gemerkte Aussehen</translation>
+    </message>
+    <message>
         <source>the key &quot;{1}&quot; is missing; add it.</source>
         <translation>der Schlüssel „{=1}“ fehlt; fügen Sie ihn hinzu.</translation>
+    </message>
+    <message>
+        <source>the key &quot;{1}&quot; is missing; it is no study that Vitrine wrote.</source>
+        <translation>der Schlüssel „{=1}“ fehlt; das ist keine Studie, die Vitrine geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>The knee: %1, error %2, cost %3.</source>
+        <translation>Das Knie: %1, Fehler %2, Kosten %3.</translation>
     </message>
     <message>
         <source>the lamps are switched off</source>
@@ -11527,6 +12538,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Shader des Aussehens liest eine Karte</translation>
     </message>
     <message>
+        <source>The marched field</source>
+        <translation>Das abgeschrittene Feld</translation>
+    </message>
+    <message>
         <source>the mask is made of the occluders</source>
         <translation>die Maske wird aus den Verdeckern gemacht</translation>
     </message>
@@ -11538,6 +12553,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>The mean over the way, which no number of samples makes brighter or darker; or the plain sum of the museum that this exhibit follows, which grows with them.</source>
         <extracomment>tables</extracomment>
         <translation>Das Mittel über den Weg, das keine Zahl von Samples heller oder dunkler macht; oder die einfache Summe des Museums, dem dieses Exponat folgt, die mit ihnen wächst.</translation>
+    </message>
+    <message>
+        <source>the median is not in this interval; correct it there.</source>
+        <translation>der Median liegt nicht in diesem Intervall; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>The mesh is not closed or no manifold ({1} edges, {2} vertices, {3} triangles); nothing was written. Give a slightly different --cell.</source>
@@ -11594,6 +12613,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Zahl {=1} ist zu groß; Zahlen enden bei 1.8e308</translation>
     </message>
     <message>
+        <source>The object itself, ray by ray, beside what stands in its place.</source>
+        <translation>Das Objekt selbst, Strahl für Strahl, neben dem, was an seiner Stelle steht.</translation>
+    </message>
+    <message>
         <source>The occlusion method of the right half.</source>
         <extracomment>tables</extracomment>
         <translation>Das Verdeckungsverfahren der rechten Hälfte.</translation>
@@ -11604,12 +12627,24 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die einzigen Farben, die es gibt: für die Insel gemacht, die alter Geräte, oder die Hauptfarben eines Bildes der Halle.</translation>
     </message>
     <message>
+        <source>The other command loses it.</source>
+        <translation>Der andere Befehl verliert es.</translation>
+    </message>
+    <message>
         <source>The other edge.</source>
         <translation>Die andere Kante.</translation>
     </message>
     <message>
         <source>The other end.</source>
         <translation>Das andere Ende.</translation>
+    </message>
+    <message>
+        <source>The other's cost at this error</source>
+        <translation>Kosten der anderen bei diesem Fehler</translation>
+    </message>
+    <message>
+        <source>The other's error at this cost</source>
+        <translation>Fehler der anderen bei diesen Kosten</translation>
     </message>
     <message>
         <source>the overlay is on</source>
@@ -11669,8 +12704,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das Bild, oder woraus es gemacht ist: die Höhe des Wassers, seine Normalen, oder die Teile der Laternen nach Farbe.</translation>
     </message>
     <message>
-        <source>The picture. W A S D walk, dragging looks around, a click visits an exhibit.</source>
-        <translation>Das Bild. W A S D gehen, Ziehen schaut sich um, ein Klick besucht ein Exponat.</translation>
+        <source>The picture. W A S D walk, Ctrl and the arrows look around, Enter visits.</source>
+        <translation>Das Bild. W A S D gehen, Strg mit den Pfeiltasten schaut sich um, Eingabe besucht.</translation>
     </message>
     <message>
         <source>the pictures together are larger than {1} bytes; simplify the model.</source>
@@ -11679,6 +12714,18 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The point that the description gives: the object's origin, the middle of the frame, or the middle of its lower edge.</source>
         <translation>Der Punkt, den die Beschreibung nennt: der Ursprung des Objekts, die Mitte des Frames, oder die Mitte seines unteren Rands.</translation>
+    </message>
+    <message>
+        <source>The preferences could not be written to %1. They hold until the program ends.</source>
+        <translation>Die Programmeinstellungen konnten nicht in %1 geschrieben werden. Sie gelten, bis das Programm endet.</translation>
+    </message>
+    <message>
+        <source>The preferences in %1 could not be read: %2. They are the initial ones now, and the file was kept as %3.</source>
+        <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie haben jetzt ihre Ausgangswerte, und die Datei wurde als %3 aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The preferences in %1 could not be read: %2. They are the initial ones now.</source>
+        <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie haben jetzt ihre Ausgangswerte.</translation>
     </message>
     <message>
         <source>The preset that is selected in the list becomes B.</source>
@@ -11711,6 +12758,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the radius</source>
         <translation>der Radius</translation>
+    </message>
+    <message>
+        <source>The rasterized mesh</source>
+        <translation>Das rasterisierte Netz</translation>
     </message>
     <message>
         <source>The red button of the exhibit that you look at; E does the same while the picture has the focus.</source>
@@ -11760,6 +12811,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>The same of the right half.</source>
         <extracomment>tables</extracomment>
         <translation>Dasselbe für die rechte Hälfte.</translation>
+    </message>
+    <message>
+        <source>The same with what is in the middle of the picture</source>
+        <translation>Dasselbe mit dem, was in der Mitte des Bildes ist</translation>
     </message>
     <message>
         <source>The scene as it was edited here, as JSON: what is not in its file yet. Reset gives it up.</source>
@@ -11888,6 +12943,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the strength of the lamps is 0</source>
         <translation>die Stärke der Lampen ist 0</translation>
+    </message>
+    <message>
+        <source>the study</source>
+        <translation>die Studie</translation>
     </message>
     <message>
         <source>the sun does not reach it through window or oculus</source>
@@ -12080,6 +13139,18 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Zu groß: {1} misst {2} Pixel; Bilddateien enden bei 2147483647</translation>
     </message>
     <message>
+        <source>Their pictures are of different sizes, so their times cannot be compared: their work per pixel is.</source>
+        <translation>Ihre Bilder sind verschieden groß, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit pro Pixel.</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>Theme, size of type, motion, mouse, what a picture may cost, keys, recent files.</source>
+        <translation>Farbschema, Schriftgröße, Bewegung, Maus, was ein Bild kosten darf, Tasten, zuletzt geöffnete Dateien.</translation>
+    </message>
+    <message>
         <source>there are more than 16 lights; leave some out</source>
         <translation>es gibt mehr als 16 Lichter; lassen Sie einige weg</translation>
     </message>
@@ -12160,8 +13231,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Eine Animation „{=1}“ gibt es nicht; die Datei hat {=2}.</translation>
     </message>
     <message>
-        <source>There is no bookmark %1 yet: Ctrl+Alt+%1 makes one of where you are.</source>
-        <translation>Ein Lesezeichen %1 gibt es noch nicht: Strg+Alt+%1 setzt es dorthin, wo Sie sind.</translation>
+        <source>There is no bookmark %1 yet: Bookmarks &gt; Set bookmark %1 makes one of where you are.</source>
+        <translation>Ein Lesezeichen %1 gibt es noch nicht: Lesezeichen &gt; Lesezeichen %1 setzen macht eines von dort, wo Sie sind.</translation>
     </message>
     <message>
         <source>There is no exhibit &quot;{1}&quot;; `vitrine list` names them.</source>
@@ -12170,6 +13241,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>there is no exhibit of that name; `vitrine list` names them.</source>
         <translation>ein Exponat dieses Namens gibt es nicht; `vitrine list` nennt sie.</translation>
+    </message>
+    <message>
+        <source>There is no exhibit “%1” here, so its numbers are shown, but cannot be applied.</source>
+        <translation>Ein Exponat „%1“ gibt es hier nicht, daher werden seine Zahlen gezeigt, lassen sich aber nicht anwenden.</translation>
     </message>
     <message>
         <source>There is no folder for temporary files ({1}); let TMPDIR name one that you may write to.</source>
@@ -12200,12 +13275,28 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Einen Knoten {=1} gibt es nicht mehr; wählen Sie einen anderen.</translation>
     </message>
     <message>
+        <source>there is no parameter; it is no study that Vitrine wrote.</source>
+        <translation>es gibt keinen Parameter; das ist keine Studie, die Vitrine geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>there is no point; nothing was measured.</source>
+        <translation>es gibt keinen Punkt; nichts wurde gemessen.</translation>
+    </message>
+    <message>
+        <source>There is no print yet.</source>
+        <translation>Es gibt noch keinen Druck.</translation>
+    </message>
+    <message>
         <source>There is no quilt; choose a picture with a grid of views.</source>
         <translation>Es gibt keinen Quilt; wählen Sie ein Bild mit einem Raster von Ansichten.</translation>
     </message>
     <message>
         <source>there is no row &quot;{1}&quot;; `vitrine list --manual {2}` names those of {3}.</source>
         <translation>eine Zeile „{=1}“ gibt es nicht; `vitrine list --manual {=2}` nennt die von {=3}.</translation>
+    </message>
+    <message>
+        <source>There is no row “%1” now, so its numbers are shown, but cannot be applied.</source>
+        <translation>Eine Zeile „%1“ gibt es jetzt nicht, daher werden ihre Zahlen gezeigt, lassen sich aber nicht anwenden.</translation>
     </message>
     <message>
         <source>There is no sheet &quot;{1}&quot;; choose one of the list.</source>
@@ -12218,6 +13309,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>there is no step in it; write &quot;## Title&quot; for each.</source>
         <translation>sie enthält keinen Schritt; schreiben Sie „## Titel“ für jeden.</translation>
+    </message>
+    <message>
+        <source>there is no study; choose another file.</source>
+        <translation>es gibt keine Studie; wählen Sie eine andere Datei.</translation>
     </message>
     <message>
         <source>there is no such buffer.</source>
@@ -12236,6 +13331,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt keinen Text zu zeigen</translation>
     </message>
     <message>
+        <source>there is no view; it is no study that Vitrine wrote.</source>
+        <translation>es gibt keine Ansicht; das ist keine Studie, die Vitrine geschrieben hat.</translation>
+    </message>
+    <message>
         <source>there is not enough memory for fins</source>
         <translation>für Fins reicht der Speicher nicht</translation>
     </message>
@@ -12248,6 +13347,18 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Speicher reichte dafür nicht aus; verlangen Sie eine kleinere Größe, oder weniger Samples oder Ansichten.</translation>
     </message>
     <message>
+        <source>these are more than {1} tags; take some away.</source>
+        <translation>das sind mehr als {1} Tags; entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <source>these are more than {1}; take some away.</source>
+        <translation>das sind mehr als {1}; entfernen Sie einige.</translation>
+    </message>
+    <message>
+        <source>these are too many; take some away.</source>
+        <translation>das sind zu viele; entfernen Sie einige.</translation>
+    </message>
+    <message>
         <source>These are: %1.</source>
         <translation>Möglich sind: %1.</translation>
     </message>
@@ -12256,12 +13367,32 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>diese müssen steigen und unter der Anzahl des Accessors bleiben</translation>
     </message>
     <message>
+        <source>These studies share no count of work that tells their settings apart{1}; measure them by the same counter.</source>
+        <translation>Diese Studien haben keinen gemeinsamen Zählwert der Arbeit, der ihre Einstellungen unterscheidet{1}; messen Sie sie mit demselben Zähler.</translation>
+    </message>
+    <message>
+        <source>These vary an older look, or under other locks. Draw anew varies this one.</source>
+        <translation>Diese variieren ein älteres Aussehen, oder mit anderen Sperren. „Neu zeichnen“ variiert dieses.</translation>
+    </message>
+    <message>
         <source>they fill the gaps between shells seen from the side</source>
         <translation>sie füllen die Lücken zwischen seitlich gesehenen Shells</translation>
     </message>
     <message>
+        <source>They share no count of work that tells their settings apart, so there is nothing to compare them by.</source>
+        <translation>Sie haben keinen gemeinsamen Zählwert der Arbeit, der ihre Einstellungen unterscheidet, daher gibt es nichts, wonach sie sich vergleichen lassen.</translation>
+    </message>
+    <message>
         <source>they stand on something</source>
         <translation>sie stehen auf etwas</translation>
+    </message>
+    <message>
+        <source>They were measured on different machines, so their times cannot be compared: their work is, which counts the same anywhere.</source>
+        <translation>Sie wurden auf verschiedenen Rechnern gemessen, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
+    </message>
+    <message>
+        <source>They were timed by different clocks, so their times cannot be compared: their work is, which counts the same anywhere.</source>
+        <translation>Ihre Zeiten wurden mit verschiedenen Uhren gemessen, daher lassen sie sich nicht vergleichen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
     <message>
         <source>Thickness</source>
@@ -12356,6 +13487,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das ist keine Szene; eine beginnt mit &quot;format&quot;: &quot;{=1}</translation>
     </message>
     <message>
+        <source>this is no study; choose a file that `vitrine study` wrote.</source>
+        <translation>das ist keine Studie; wählen Sie eine Datei, die `vitrine study` geschrieben hat.</translation>
+    </message>
+    <message>
         <source>this is not a finite number</source>
         <translation>das ist keine endliche Zahl</translation>
     </message>
@@ -12448,6 +13583,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss eine ganze Zahl ab 1 stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
+        <source>this must be a whole number from {1} to {2}; correct it there.</source>
+        <translation>hier muss eine ganze Zahl von {1} bis {2} stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
         <source>this must be a whole number, not {1}</source>
         <translation>hier muss eine ganze Zahl stehen, nicht {1}</translation>
     </message>
@@ -12460,8 +13599,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss ein Array mit mindestens einem Lesezeichen stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
+        <source>this must be an array of texts; correct it there.</source>
+        <translation>hier muss ein Array von Texten stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
         <source>this must be an array of {1} numbers</source>
         <translation>hier muss ein Array von {1} Zahlen stehen</translation>
+    </message>
+    <message>
+        <source>this must be an array; correct it there.</source>
+        <translation>hier muss ein Array stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be an array; export the file again.</source>
@@ -12480,6 +13627,22 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss ein Objekt stehen; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
+        <source>this must be an object; it is no study that Vitrine wrote.</source>
+        <translation>hier muss ein Objekt stehen; das ist keine Studie, die Vitrine geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>this must be at most 1; correct it there.</source>
+        <translation>hier muss höchstens 1 stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be from 0 to 1e15; correct it there.</source>
+        <translation>hier muss ein Wert von 0 bis 1e15 stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be like 2026-11-25T01:43:23; correct it there.</source>
+        <translation>hier muss etwas wie 2026-11-25T01:43:23 stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
         <source>this must be text; correct it there.</source>
         <translation>hier muss Text stehen; korrigieren Sie es dort.</translation>
     </message>
@@ -12494,6 +13657,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>this must be true or false; correct it there.</source>
         <translation>hier muss true oder false stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be two numbers; correct it there.</source>
+        <translation>hier müssen zwei Zahlen stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be width and height; correct it there.</source>
+        <translation>hier müssen Breite und Höhe stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be {1}</source>
@@ -12580,6 +13751,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>diese Szene hat keine Formen; geben Sie ihr einige unter „primitives“</translation>
     </message>
     <message>
+        <source>This setting was not applied: its value of “%1” is none that the row takes now.</source>
+        <translation>Diese Einstellung wurde nicht angewendet: Ihren Wert von „%1“ nimmt die Zeile jetzt nicht an.</translation>
+    </message>
+    <message>
         <source>This sheet is made for flips, and its lenses stand upright: each eye sees another picture. For a flip, lay them across (direction 90°).</source>
         <translation>Diese Folie ist für Wechselbilder gemacht, und ihre Linsen stehen aufrecht: Jedes Auge sieht ein anderes Bild. Legen Sie sie für einen Wechsel quer (Richtung 90°).</translation>
     </message>
@@ -12600,6 +13775,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>diese Zeichenkette ist länger als {1}</translation>
     </message>
     <message>
+        <source>This study was not kept: those with names in {1} take all the room that there is; delete one of them, or save this one elsewhere.</source>
+        <translation>Diese Studie wurde nicht aufbewahrt: Die benannten in {=1} nehmen allen Platz ein, den es gibt; löschen Sie eine davon, oder speichern Sie diese anderswo.</translation>
+    </message>
+    <message>
         <source>this text is longer than {1} bytes; shorten it.</source>
         <translation>dieser Text ist länger als {1} Bytes; kürzen Sie ihn.</translation>
     </message>
@@ -12614,6 +13793,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>this view reaches beyond its buffer.</source>
         <translation>diese View reicht über ihren Puffer hinaus.</translation>
+    </message>
+    <message>
+        <source>this was written by a newer Vitrine; open it there.</source>
+        <translation>das wurde von einem neueren Vitrine geschrieben; öffnen Sie es dort.</translation>
     </message>
     <message>
         <source>Three colors from the ground up.</source>
@@ -12699,6 +13882,18 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Bis</translation>
     </message>
     <message>
+        <source>To the &amp;bottom</source>
+        <translation>Nach &amp;unten</translation>
+    </message>
+    <message>
+        <source>To the &amp;left</source>
+        <translation>Nach &amp;links</translation>
+    </message>
+    <message>
+        <source>To the &amp;right</source>
+        <translation>Nach &amp;rechts</translation>
+    </message>
+    <message>
         <source>to the cell's wall</source>
         <extracomment>tables</extracomment>
         <translation>bis zur Zellwand</translation>
@@ -12778,6 +13973,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>triangles</source>
         <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triggers</source>
+        <translation>Trigger</translation>
     </message>
     <message>
         <source>Trimmed</source>
@@ -12894,6 +14093,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Turns of the mobile in a second, while it is animated.</source>
         <extracomment>tables</extracomment>
         <translation>Umdrehungen des Mobiles pro Sekunde, während es sich bewegt.</translation>
+    </message>
+    <message>
+        <source>Turns the other way round when you drag up or down.</source>
+        <translation>Dreht andersherum, wenn Sie nach oben oder unten ziehen.</translation>
     </message>
     <message>
         <source>Turns the panorama around the vertical.</source>
@@ -13026,6 +14229,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Obere Eisschicht</translation>
     </message>
     <message>
+        <source>Upper left corner</source>
+        <translation>Ecke oben links</translation>
+    </message>
+    <message>
         <source>Upper lobes</source>
         <extracomment>tables</extracomment>
         <translation>Obere Schicht: Keulen</translation>
@@ -13049,6 +14256,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Upper raise</source>
         <extracomment>tables</extracomment>
         <translation>Obere Schicht: Anheben</translation>
+    </message>
+    <message>
+        <source>Upper right corner</source>
+        <translation>Ecke oben rechts</translation>
     </message>
     <message>
         <source>Upper tilt</source>
@@ -13080,6 +14291,30 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Value</translation>
     </message>
     <message>
+        <source>Values of the pixel</source>
+        <translation>Werte des Pixels</translation>
+    </message>
+    <message>
+        <source>Variation %1 is on show.</source>
+        <translation>Variation %1 wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Variation %1, seed %2</source>
+        <translation>Variation %1, Startwert %2</translation>
+    </message>
+    <message>
+        <source>Variation %1, seed %2, not drawn yet</source>
+        <translation>Variation %1, Startwert %2, noch nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>Variation %1, seed %2, on show</source>
+        <translation>Variation %1, Startwert %2, wird gezeigt</translation>
+    </message>
+    <message>
+        <source>Varies the look that is on show now.</source>
+        <translation>Variiert das Aussehen, das jetzt gezeigt wird.</translation>
+    </message>
+    <message>
         <source>Vary at random, seed %1</source>
         <translation>Zufällig variieren, Startwert %1</translation>
     </message>
@@ -13095,6 +14330,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>View</source>
         <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>view %1: %2 %</source>
+        <translation>Ansicht %1: %2 %</translation>
     </message>
     <message>
         <source>View width</source>
@@ -13155,6 +14394,14 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
     <message>
         <source>Visit an exhibit, press a button</source>
         <translation>Ein Exponat besuchen, einen Knopf drücken</translation>
+    </message>
+    <message>
+        <source>Visit the exhibit before, or the next one</source>
+        <translation>Das Exponat davor besuchen, oder das nächste</translation>
+    </message>
+    <message>
+        <source>Visit what is in the middle of the picture, or press its button</source>
+        <translation>Besuchen, was in der Mitte des Bildes ist, oder dessen Knopf drücken</translation>
     </message>
     <message>
         <source>Visitor's object</source>
@@ -13247,8 +14494,16 @@ steht in assets/SOURCES.md.</translation>
         <translation>das Warten auf den Datenträger</translation>
     </message>
     <message>
+        <source>Walk until the sun leaves the picture: these beams fade, because what is not seen cannot shine.</source>
+        <translation>Gehen Sie, bis die Sonne das Bild verlässt: Diese Strahlen verblassen, denn was nicht zu sehen ist, kann nicht scheinen.</translation>
+    </message>
+    <message>
         <source>Walk; Shift runs</source>
         <translation>Gehen; Umschalt läuft</translation>
+    </message>
+    <message>
+        <source>Walk; the right trigger, or pressing the stick, runs</source>
+        <translation>Gehen; der rechte Trigger, oder ein Druck auf den Stick, läuft</translation>
     </message>
     <message>
         <source>Walks you through the exhibit that you visit, step by step.</source>
@@ -13341,6 +14596,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was eine Oktave ist: Zahlen an den Ecken von Zellen, Steigungen dort, Steigungen auf einem Gitter ohne Achsen, oder die Distanz zum nächsten verstreuter Punkte.</translation>
     </message>
     <message>
+        <source>What costs are counted in</source>
+        <translation>Worin Kosten gezählt werden</translation>
+    </message>
+    <message>
         <source>What counts as exact is not checked: {1}</source>
         <translation>Was als exakt gilt, ist nicht geprüft: {1}</translation>
     </message>
@@ -13361,6 +14620,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What does accuracy cost?</source>
         <translation>Was kostet Genauigkeit?</translation>
+    </message>
+    <message>
+        <source>What each ray costs</source>
+        <translation>Was jeder Strahl kostet</translation>
     </message>
     <message>
         <source>What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells where they are seen at an angle, or a march from shell to shell.</source>
@@ -13405,6 +14668,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>what is near is still being found</source>
         <translation>was nah ist, wird noch gesucht</translation>
+    </message>
+    <message>
+        <source>What is on show</source>
+        <translation>Das Gezeigte</translation>
     </message>
     <message>
         <source>What is on show becomes as B is; one undo brings it back.</source>
@@ -13544,8 +14811,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was Weiß zurückwirft, wo die Kamera hinschaut, linear; wie im Original, in jeder Entfernung.</translation>
     </message>
     <message>
-        <source>Wheel</source>
-        <translation>Mausrad</translation>
+        <source>Wheel, + and −</source>
+        <translation>Mausrad, + und −</translation>
     </message>
     <message>
         <source>Where an eye that flips between A and B sees a difference: black none, white a large one.</source>
@@ -13851,6 +15118,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Windtempo</translation>
     </message>
     <message>
+        <source>Window</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
         <source>window ahead</source>
         <translation>Fenster voraus</translation>
     </message>
@@ -13859,8 +15130,16 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wischblende</translation>
     </message>
     <message>
+        <source>Wipe between setting and reference</source>
+        <translation>Wischblende zwischen Einstellung und Referenz</translation>
+    </message>
+    <message>
         <source>With --order reverse the depth of rendered views is inside out.</source>
         <translation>Mit --order reverse kehrt sich die Tiefe gerenderter Ansichten um.</translation>
+    </message>
+    <message>
+        <source>With a gamepad</source>
+        <translation>Mit einem Gamepad</translation>
     </message>
     <message>
         <source>with its border it has more than 2147483647 pixels on a side</source>
@@ -13973,6 +15252,22 @@ steht in assets/SOURCES.md.</translation>
         <translation>Gieren</translation>
     </message>
     <message>
+        <source>You look at %1, from %2 m away.</source>
+        <translation>Sie sehen %1 an, aus %2 m Entfernung.</translation>
+    </message>
+    <message>
+        <source>You walk through the hall and look at %1.</source>
+        <translation>Sie gehen durch die Halle und sehen %1 an.</translation>
+    </message>
+    <message>
+        <source>You walk through the hall.</source>
+        <translation>Sie gehen durch die Halle.</translation>
+    </message>
+    <message>
+        <source>You walk through the hall. Before you: %1.</source>
+        <translation>Sie gehen durch die Halle. Vor Ihnen: %1.</translation>
+    </message>
+    <message>
         <source>Your bookmarks are kept for this session only: %1</source>
         <translation>Ihre Lesezeichen bleiben nur für diese Sitzung erhalten: %1</translation>
     </message>
@@ -13993,6 +15288,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Eigene</translation>
     </message>
     <message>
+        <source>Yours, saved on %1.</source>
+        <translation>Eigenes, gespeichert am %1.</translation>
+    </message>
+    <message>
         <source>Z</source>
         <translation>Z</translation>
     </message>
@@ -14004,6 +15303,14 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Zone</source>
         <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Zoom in (+)</source>
+        <translation>Vergrößern (+)</translation>
+    </message>
+    <message>
+        <source>Zoom out (-)</source>
+        <translation>Verkleinern (-)</translation>
     </message>
     <message>
         <source>zstd</source>
@@ -14041,6 +15348,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1} and others</source>
         <translation>{=1} und andere</translation>
+    </message>
+    <message>
+        <source>{1} and {2}</source>
+        <translation>{1} und {2}</translation>
     </message>
     <message>
         <source>{1} belongs to another version; </source>
@@ -14085,6 +15396,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1} is missing; make all parts anew.</source>
         <translation>{=1} fehlt; erzeugen Sie alle Teile neu.</translation>
+    </message>
+    <message>
+        <source>{1} is no parameter any more: {2}</source>
+        <translation>{=1} ist kein Parameter mehr: {2}</translation>
     </message>
     <message>
         <source>{1} is no {2}</source>
@@ -14173,6 +15488,14 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1} of {2}: {3}.</source>
         <translation>{1} von {2}: {3}.</translation>
+    </message>
+    <message>
+        <source>{1} offers no comparison &quot;{2}&quot;; choose one of {3}.</source>
+        <translation>{=1} bietet keinen Vergleich „{=2}“; wählen Sie einen von {=3}.</translation>
+    </message>
+    <message>
+        <source>{1} offers no comparisons; name two settings.</source>
+        <translation>{=1} bietet keine Vergleiche; nennen Sie zwei Einstellungen.</translation>
     </message>
     <message>
         <source>{1} places had no outward side and were given one</source>
@@ -14315,6 +15638,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1}; wählen Sie einen anderen Ordner, oder geben Sie Platz frei.</translation>
     </message>
     <message>
+        <source>{1}; correct it there.</source>
+        <translation>{1}; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
         <source>{1}; did you mean &quot;</source>
         <translation>{1}; meinten Sie „</translation>
     </message>
@@ -14337,6 +15664,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>× %1</source>
         <translation>× %1</translation>
+    </message>
+    <message>
+        <source>“%1” is on show already: both sides are the same.</source>
+        <translation>„%1“ wird bereits gezeigt: Beide Seiten sind gleich.</translation>
     </message>
     <message>
         <source>“{1}” is above {2}</source>
