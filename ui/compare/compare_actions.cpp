@@ -3,8 +3,8 @@
 #include "exhibits/museum/museum.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_overlay.h"
+#include "ui/kit/language.h"
 #include "ui/kit/menu_text.h"
-#include "ui/kit/text.h"
 #include "ui/model/other_settings.h"
 #include "ui/model/workbench.h"
 
@@ -118,8 +118,8 @@ void CompareActions::addOffers()
     for (std::size_t subject = 0; subject < museum.subjects().size(); ++subject)
         for (const OfferedComparison& offered : offeredComparisons(museum.subject(subject))) {
             QAction* action = add(
-                tr("Compare with: %1").arg(menuText(text(offered.title))), {},
-                tr("%1 B goes on following what is on show; drag the line between the two.").arg(text(offered.help)));
+                tr("Compare with: %1").arg(menuText(said(offered.title))), {},
+                tr("%1 B goes on following what is on show; drag the line between the two.").arg(said(offered.help)));
             connect(action, &QAction::triggered, this,
                     [this, subject, offered] { desk_.compareWith(subject, offered); });
             offers_.emplace_back(subject, action);
