@@ -8,8 +8,8 @@
 namespace vitrine::app {
 
 /// Of charts in the folders of studies, pixels.
-inline constexpr QSize chartSize(960, 540);
-inline constexpr double chartScale = 1.5;  ///< Of the PNG, for sharp screens.
+inline constexpr QSize studyChartSize(960, 540);
+inline constexpr double studyChartScale = 1.5;  ///< Of the PNG, for sharp screens.
 
 /// Qt then draws charts without a display, in light colors; there may be an application already.
 void prepareOffscreenCharts();

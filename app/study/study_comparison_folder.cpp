@@ -84,8 +84,8 @@ void writeStudyComparisonFolder(const std::filesystem::path& folder, const std::
     prepareOffscreenCharts();
     ui::ComparisonChart chart;
     chart.setComparison(comparison);
-    const QByteArray png = ui::pngOf(chart.picture(chartSize, chartScale));
-    const std::string svg = chart.svg(chartSize).toStdString();
+    const QByteArray png = ui::pngOf(chart.picture(studyChartSize, studyChartScale));
+    const std::string svg = chart.svg(studyChartSize).toStdString();
     requireChart(png, folder);
     const PartFolder part(folder);
     render::atomicWrite(part.path() / "study-comparison.json", render::writeJson(comparisonJson(studies, comparison)));

@@ -91,8 +91,8 @@ void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& st
                                (result.costName == "ms" ? " of a frame, " + result.clock : " in all views")),
         QString::fromStdString(std::string(title(request.metric))));
     chart.setPoints(ui::chartPoints(subjects, request, result));
-    const QByteArray png = ui::pngOf(chart.picture(chartSize, chartScale));
-    const QByteArray svg = chart.svg(chartSize);
+    const QByteArray png = ui::pngOf(chart.picture(studyChartSize, studyChartScale));
+    const QByteArray svg = chart.svg(studyChartSize);
     for (std::size_t i = 0; i < points.size(); ++i) {
         const QPointF at = chart.placeOf(i);
         points[i].place = {at.x(), at.y()};
@@ -104,8 +104,9 @@ void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& st
     render::atomicWrite(part.path() / "study.csv", studyCsv(subjects, request, result));
     render::atomicWrite(part.path() / "chart.svg", svg.toStdString());
     render::atomicWrite(part.path() / "chart.png", png.toStdString());
-    render::atomicWrite(part.path() / "index.html", studyPage(subjects, request, result, svg.toStdString(),
-                                                              {chartSize.width(), chartSize.height()}, points));
+    render::atomicWrite(part.path() / "index.html",
+                        studyPage(subjects, request, result, svg.toStdString(),
+                                  {studyChartSize.width(), studyChartSize.height()}, points));
     if (!presetText.empty()) render::atomicWrite(part.path() / "preset.json", presetText);
     part.publish();
 }
