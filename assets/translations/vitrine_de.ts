@@ -2196,6 +2196,10 @@ Zeiten nach: %2.</translation>
         <translation>wie die Szene sagt</translation>
     </message>
     <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
         <source>asking every shape of so few is as fast</source>
         <translation>jede Form zu fragen, ist bei so wenigen ebenso schnell</translation>
     </message>
@@ -3993,18 +3997,8 @@ Zeiten nach: %2.</translation>
         </translation>
     </message>
     <message>
-        <source>Compare mesh</source>
-        <extracomment>tables</extracomment>
-        <translation>Vergleichsnetz</translation>
-    </message>
-    <message>
         <source>Compare the ticked studies</source>
         <translation>Die angehakten Studien vergleichen</translation>
-    </message>
-    <message>
-        <source>Compare with</source>
-        <extracomment>tables</extracomment>
-        <translation>Vergleichen mit</translation>
     </message>
     <message>
         <source>Compare with other beams or none, in the Compare menu.</source>
@@ -4574,11 +4568,6 @@ Zeiten nach: %2.</translation>
         <translation>Dithering-Stärke</translation>
     </message>
     <message>
-        <source>Divide the picture by a wipe: the technique on the left, the comparison on the right.</source>
-        <extracomment>tables</extracomment>
-        <translation>Teilt das Bild durch eine Wischblende: links die Technik, rechts der Vergleich.</translation>
-    </message>
-    <message>
         <source>Divide the picture in two halves, each with a method and a view of its own.</source>
         <extracomment>tables</extracomment>
         <translation>Teilt das Bild in zwei Hälften, jede mit eigenem Verfahren und eigener Ansicht.</translation>
@@ -4667,6 +4656,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Draw the edges of that mesh: amber when it holds the object, red when it clips.</source>
         <extracomment>tables</extracomment>
         <translation>Zeichnet die Kanten dieses Netzes: bernsteinfarben, wenn es das Objekt umschließt, rot, wenn es beschneidet.</translation>
+    </message>
+    <message>
+        <source>Draw the variations anew</source>
+        <translation>Varianten neu zeichnen</translation>
     </message>
     <message>
         <source>Drawing …</source>
@@ -5612,6 +5605,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Gloss samples</source>
         <extracomment>tables</extracomment>
         <translation>Glanz-Samples</translation>
+    </message>
+    <message>
+        <source>Go on from this variation</source>
+        <translation>Von dieser Variante aus weiter</translation>
     </message>
     <message>
         <source>Go to bookmark %1</source>
@@ -7223,6 +7220,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Lampen</translation>
     </message>
     <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
         <source>Lanterns</source>
         <extracomment>tables</extracomment>
         <translation>Laternen</translation>
@@ -7908,6 +7909,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <source>mesh</source>
+        <extracomment>tables</extracomment>
         <translation>Netz</translation>
     </message>
     <message>
@@ -9144,6 +9146,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des ganzen Bildes.</translation>
     </message>
     <message>
+        <source>Of the window, from its next start. Files and the numbers in them stay as they are.</source>
+        <translation>Des Fensters, ab dem nächsten Start. Dateien und die Zahlen darin bleiben, wie sie sind.</translation>
+    </message>
+    <message>
         <source>Of these lines.</source>
         <extracomment>tables</extracomment>
         <translation>Dieser Linien.</translation>
@@ -9887,12 +9893,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pfostendraht</translation>
     </message>
     <message>
-        <source>Pre&amp;ferences…</source>
-        <translation>&amp;Einstellungen…</translation>
-    </message>
-    <message>
         <source>Pre&amp;vious panel</source>
         <translation>V&amp;origes Bedienfeld</translation>
+    </message>
+    <message>
+        <source>Prefere&amp;nces…</source>
+        <translation>&amp;Einstellungen…</translation>
     </message>
     <message>
         <source>Preferences</source>
@@ -11185,11 +11191,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Nur %1 zeigen</translation>
     </message>
     <message>
-        <source>Show a rasterized mesh of the same object to the right of the wipe.</source>
-        <extracomment>tables</extracomment>
-        <translation>Zeigt rechts der Wischblende ein rasterisiertes Netz desselben Objekts.</translation>
-    </message>
-    <message>
         <source>Show all</source>
         <translation>Alle zeigen</translation>
     </message>
@@ -11228,6 +11229,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Shown as</source>
+        <extracomment>tables</extracomment>
         <translation>Gezeigt als</translation>
     </message>
     <message>
@@ -12324,6 +12326,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The field, marched ray by ray, or a mesh of the same object, rasterized.</source>
+        <extracomment>tables</extracomment>
         <translation>Das Feld, Strahl für Strahl abgeschritten, oder ein rasterisiertes Netz desselben Objekts.</translation>
     </message>
     <message>
@@ -14694,11 +14697,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>das Gezeigte</translation>
     </message>
     <message>
-        <source>What is shown to the right of the wipe.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was rechts der Wischblende gezeigt wird.</translation>
-    </message>
-    <message>
         <source>What is shown: the finished picture, or a step on the way there.</source>
         <extracomment>tables</extracomment>
         <translation>Was gezeigt wird: das fertige Bild, oder ein Schritt auf dem Weg dorthin.</translation>
@@ -14889,19 +14887,9 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wo die Farbe von der Wurzel zur Spitze wechselt: niedrige Werte nahe der Wurzel, hohe nahe der Spitze.</translation>
     </message>
     <message>
-        <source>Where the comparison begins: 0 is the left edge of the picture, 1 the right.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo der Vergleich beginnt: 0 ist der linke Bildrand, 1 der rechte.</translation>
-    </message>
-    <message>
         <source>Where the draft blows.</source>
         <extracomment>tables</extracomment>
         <translation>Wohin der Luftzug weht.</translation>
-    </message>
-    <message>
-        <source>Where the mesh begins: 0 is the left edge of the picture, 1 the right.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo das Netz beginnt: 0 ist der linke Bildrand, 1 der rechte.</translation>
     </message>
     <message>
         <source>Where the right half begins, as a share of the opening.</source>

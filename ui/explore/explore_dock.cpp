@@ -183,6 +183,8 @@ void ExploreDock::addVariations(QVBoxLayout& all)
         variations_->setStrength(share);
         variations_->drawAnew();
     });
+    anew_->setAccessibleName(tr("Draw the variations anew"));
+    goOn_->setAccessibleName(tr("Go on from this variation"));
     connect(anew_, &QPushButton::clicked, variations_, &Variations::drawAnew);
     connect(goOn_, &QPushButton::clicked, this, [this] { variations_->goOnFrom(grid_->current()); });
     connect(grid_, &VariationGrid::picked, variations_, &Variations::pick);

@@ -25,7 +25,7 @@ constexpr double shareOfSide = 0.3;  // That a corner's picture takes.
 /// For a screen reader: what stands at the corners, and how much each counts.
 class AccessiblePad final : public QAccessibleWidget {
 public:
-    explicit AccessiblePad(MorphPad* pad) : QAccessibleWidget(pad, QAccessible::Slider), pad_(pad) {}
+    explicit AccessiblePad(MorphPad* pad) : QAccessibleWidget(pad, QAccessible::Canvas), pad_(pad) {}
     [[nodiscard]] QString text(QAccessible::Text which) const override
     {
         return which == QAccessible::Value ? pad_->valueText() : QAccessibleWidget::text(which);

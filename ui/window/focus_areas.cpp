@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QMenu>
+#include <QPointer>
 #include <QStatusBar>
 
 #include <algorithm>
@@ -74,8 +75,11 @@ QMenu* panelMenu(MainWindow& window)
     };
     const auto addSide = [&](const QString& text, Qt::DockWidgetArea side) {
         add(text, [&window, side](QDockWidget& dock) {
+            // Taking it from its place takes the focus from what is in it.
+            const QPointer<QWidget> focus = QApplication::focusWidget();
             dock.setFloating(false);
             window.addDockWidget(side, &dock);
+            if (focus) focus->setFocus(Qt::OtherFocusReason);
         });
     };
     const auto addSize = [&](const QString& text, Qt::Orientation along, int by) {

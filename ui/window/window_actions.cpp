@@ -222,7 +222,7 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
     make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)},
              tr("Finds and runs any command by name."), [&window] { window.openPalette(); });
     make.separator();
-    make.add(tr("Pre&ferences…"), {QKeySequence(Qt::CTRL | Qt::Key_Comma)},
+    make.add(tr("Prefere&nces…"), {QKeySequence(Qt::CTRL | Qt::Key_Comma)},
              tr("Theme, size of type, motion, mouse, what a picture may cost, keys, recent files."),
              [&window] { window.preferences().openDialog(); });
 }

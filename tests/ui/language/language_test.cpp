@@ -35,11 +35,14 @@ QList<Message> messagesOfTheFile()
         if (xml.name() == QLatin1String("message")) all << Message{};
         if (xml.name() == QLatin1String("source")) all.last().source = xml.readElementText();
         if (xml.name() == QLatin1String("comment")) all.last().comment = xml.readElementText();
-        if (xml.name() == QLatin1String("numerusform")) all.last().translations << xml.readElementText();
         if (xml.name() == QLatin1String("translation")) {
             all.last().finished = xml.attributes().value(QLatin1String("type")).isEmpty();
-            const QString text = xml.readElementText(QXmlStreamReader::SkipChildElements);
-            if (!text.isEmpty() && !text.trimmed().isEmpty()) all.last().translations << text;
+            QString text;
+            while (xml.readNext() != QXmlStreamReader::EndElement && !xml.atEnd()) {
+                if (xml.isStartElement()) all.last().translations << xml.readElementText();  // One for each number.
+                if (xml.isCharacters()) text += xml.text();
+            }
+            if (!text.trimmed().isEmpty()) all.last().translations << text;
         }
     }
     return xml.hasError() ? QList<Message>{} : all;

@@ -205,7 +205,7 @@ private slots:
         QVERIFY(previewed() != first);
         QTest::keyClick(presets(), Qt::Key_Escape);
         QVERIFY(!preview()->isVisible());
-        QVERIFY(presets()->hasFocus());
+        QCOMPARE(window_->focusWidget(), presets());
         QTest::keyClick(presets(), Qt::Key_Space);
         QVERIFY(preview()->isVisible());
         QTest::keyClick(presets(), Qt::Key_Space);
