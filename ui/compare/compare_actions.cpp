@@ -120,6 +120,9 @@ void CompareActions::addOffers()
             QAction* action = add(
                 tr("Compare with: %1").arg(menuText(said(offered.title))), {},
                 tr("%1 B goes on following what is on show; drag the line between the two.").arg(said(offered.help)));
+            action->setObjectName(
+                QStringLiteral("compare-%1-with-%2")
+                    .arg(QString::fromUtf8(museum.subject(subject).name()), QString::fromStdString(offered.name)));
             connect(action, &QAction::triggered, this,
                     [this, subject, offered] { desk_.compareWith(subject, offered); });
             offers_.emplace_back(subject, action);
