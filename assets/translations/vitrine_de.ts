@@ -11769,6 +11769,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Hier beenden</translation>
     </message>
     <message>
+        <source>Stop or start the clock</source>
+        <translation>Uhr anhalten oder starten</translation>
+    </message>
+    <message>
         <source>Stop writing and close</source>
         <translation>Schreiben abbrechen und schließen</translation>
     </message>

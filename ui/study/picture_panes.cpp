@@ -18,7 +18,7 @@ namespace {
 
 constexpr double gap = 8;  // Between panes, pixels of the screen.
 constexpr double largestScale = 64;
-constexpr double step = 1.25;      // Of zoom: a notch of the wheel, or a key.
+constexpr double step = 1.25;    // Of zoom: a notch of the wheel, or a key.
 constexpr double lineWidth = 6;  // Around the line of the wipe.
 
 QString valuesText(const render::Image& picture, QPoint at)

@@ -40,6 +40,7 @@ ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
     layout->addWidget(time_);
     button_->setAutoRaise(true);
     button_->setFocusPolicy(Qt::TabFocus);
+    button_->setAccessibleName(tr("Stop or start the clock"));
     connect(button_, &QToolButton::clicked, &pause_, &QAction::trigger);
     connect(&pause_, &QAction::changed, this, &ClockBar::showState);
     growWidth(*time_, NumberField::usualWidth);

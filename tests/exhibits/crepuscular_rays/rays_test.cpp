@@ -1,7 +1,7 @@
 // The sunbeams as drawn, against float64 and closed forms.
 
-#include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/compare/offered_comparison.h"
+#include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/rays_scene.h"
 #include "tests/exhibits/crepuscular_rays/ray_shot.h"
 #include "tests/stability/fields.h"
