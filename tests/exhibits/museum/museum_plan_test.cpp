@@ -75,7 +75,7 @@ TEST(MuseumPlan, InViewTheExhibitIsMarchedAndTheRestSaysWhyNot)
     EXPECT_EQ(plan.find("sdf_morph/march")->reason, "in view");
     EXPECT_TRUE(plan.find("sdf_morph/cone"));
     EXPECT_EQ(reasonFor(plan, "sdf_morph/count"), "nobody asks for counts");
-    EXPECT_EQ(reasonFor(plan, "sdf_morph/mesh"), "the comparison is switched off");
+    EXPECT_EQ(reasonFor(plan, "sdf_morph/mesh"), "the field is on show");
     EXPECT_EQ(reasonFor(plan, "sdf_morph/box"), "the overlay is switched off");
     EXPECT_EQ(reasonFor(plan, "average"), "one sample per pixel");
     EXPECT_EQ(reasonFor(plan, "hall/visitor"), "the free plinth is empty");
