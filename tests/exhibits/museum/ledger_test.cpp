@@ -80,13 +80,18 @@ bool begins(std::string_view name, const std::string& start)
 TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
 {
     constexpr double fins = static_cast<double>(FurSilhouette::fins), march = static_cast<double>(FurSilhouette::march);
+    constexpr double field = static_cast<double>(SdfShown::field), mesh = static_cast<double>(SdfShown::mesh);
     constexpr double volume = static_cast<double>(RayTechnique::volume),
                      screen = static_cast<double>(RayTechnique::screen), none = static_cast<double>(RayTechnique::none);
-    // With the mask and the running sum, the rays in screen space are three passes and two images; the air
-    // is two and one. Shadows of the hall: the map of what stands still, its copy, and two passes for what hangs and
-    // turns; and with them go those of the exhibits: the clearing of their map, and the two that the sun reaches.
+    // The mesh takes the place of two passes, their two programs and the image of one of them, and asks for two that
+    // draw the shadow that falls on it, with one program. With the mask and the running sum, the rays in screen space
+    // are three passes and two images; the air is two and one. Shadows of the hall: the map of what stands still, its
+    // copy, and two passes for what hangs and turns; and with them go those of the exhibits: the clearing of their map,
+    // and the two that the sun reaches.
     const Switch switches[] = {
         {"sdf_morph", "conePrepass", 1.0, 0.0, true, "sdf_morph/cone", "sdf_morph.cone", 1, 1, 1},
+        {"sdf_morph", "shownAs", mesh, field, true, "sdf_morph/mesh", "", 1, 0, -1, 0},
+        {"sdf_morph", "shownAs", field, mesh, true, "sdf_morph/march", "sdf_morph.cone", 1, 0, 1, -2},
         {"sdf_morph", "showBox", 1.0, 0.0, true, "sdf_morph/box", "", 1, 1, 0, 2},
         {"fur", "silhouette", fins, march, true, "fur/fins", "", 1, 1, 0},
         {"crepuscular_rays", "technique", screen, none, false, "crepuscular_rays/", "crepuscular_rays.", 3, 3, 2},
