@@ -72,7 +72,7 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
     layout->addWidget(elsewhere_);
     layout->addWidget(nothing_);
     layout->addWidget(scroll_, 1);
-    followType(*this, [this] { setMinimumWidth(std::max(320, grown(296, *this))); });
+    setMinimumWidth(leastWidth);
 
     connect(filter_, &QLineEdit::textChanged, this, [this] {
         applyFilter();
@@ -164,7 +164,16 @@ void ParameterPanel::rebuild()
     // What asked for other rows may be one of those that go.
     if (QWidget* before = scroll_->takeWidget()) before->deleteLater();
     scroll_->setWidget(content_);
+    content_->installEventFilter(this);
+    makeRoom();
     orderTabs();
+}
+
+void ParameterPanel::makeRoom()
+{
+    // Rows are not scrolled across: the panel is as wide as the widest one needs, and the bar beside them.
+    const int needed = content_->minimumSizeHint().width() + scroll_->verticalScrollBar()->sizeHint().width();
+    setMinimumWidth(std::max(leastWidth, needed));
 }
 
 void ParameterPanel::addSection(const ParameterInfo& first)
@@ -348,6 +357,7 @@ bool ParameterPanel::eventFilter(QObject* object, QEvent* event)
         default: break;
         }
     }
+    if (object == content_ && event->type() == QEvent::LayoutRequest) makeRoom();
     if (event->type() == QEvent::ContextMenu) {
         if (const auto i = rowAt(object)) {
             openMenu(*i, static_cast<QContextMenuEvent*>(event)->globalPos());

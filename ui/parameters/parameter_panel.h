@@ -128,6 +128,9 @@ private:
     void addLocksTo(QMenu&, std::size_t row);
     [[nodiscard]] QString keyOf(std::size_t row) const;
     void lock(const std::vector<std::size_t>& rows, bool locked);
+    static constexpr int leastWidth = 320;  ///< Pixels.
+    /// Makes the panel as wide as its rows need, whatever their type.
+    void makeRoom();
     void showLocks();
     void copy(std::size_t row) const;
     void paste(std::size_t row);

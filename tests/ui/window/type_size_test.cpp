@@ -147,7 +147,7 @@ private slots:
         QFETCH(int, percent);
         setType(percent);
         for (const char* command : {"Export picture…", "Record…", "Export lenticular print…", "Commands…",
-                                    "Keyboard and mouse", "How this works", "About Vitrine", "Preferences…"})
+                                    "Keyboard, mouse and gamepad", "How this works", "About Vitrine", "Preferences…"})
             lookAtDialogOf(command);
         action("Preferences…")->trigger();
         auto* preferences = window_->findChild<PreferencesDialog*>();
