@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QAbstractSpinBox>
 #include <QAccessible>
 #include <QAccessibleWidget>
 #include <QLineEdit>
@@ -69,9 +68,7 @@ inline void complain(QAccessibleInterface* part, const QString& where, QStringLi
         if (!(least <= now && now <= most && least < most) && part->role() != QAccessible::ScrollBar &&
             part->role() != QAccessible::ProgressBar)
             complaints << here + QStringLiteral(": %1 is not within %2 to %3").arg(now).arg(least).arg(most);
-        // Qt's own spin boxes tell no step; arrow keys step them all the same.
-        if (sets && !qobject_cast<QAbstractSpinBox*>(widget) && !(value->minimumStepSize().toDouble() > 0))
-            complaints << here + QLatin1String(": no step");
+        if (sets && !(value->minimumStepSize().toDouble() > 0)) complaints << here + QLatin1String(": no step");
     } else if (sets) {
         complaints << here + QLatin1String(": no value");
     }
