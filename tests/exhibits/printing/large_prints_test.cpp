@@ -87,7 +87,7 @@ TEST(LargeViews, ViewsOnDiskGiveThePrintThatViewsInMemoryGive)
 {
     const std::vector<render::Image> images = noisyImages(5, 301, 97);
     const std::size_t one = std::size_t{301} * 97 * 3 * sizeof(std::uint16_t);  // Red, green and blue.
-    for (const std::size_t memory : {std::size_t{0}, 4 * one + one / 2}) {  // None of them, and four, in memory.
+    for (const std::size_t memory : {std::size_t{0}, 4 * one + one / 2}) {      // None of them, and four, in memory.
         ViewSet inMemory;
         ViewSet onDisk(memory);
         for (const render::Image& image : images) {
