@@ -152,7 +152,8 @@ Asked askedAround(const Extent& child, bool exactChild, const double* v)
     const bool aroundAxis = !(box.low.x > 0 || box.high.x < 0 || box.low.z > 0 || box.high.z < 0);
     if (aroundAxis || box.empty()) return all;
     // The box does not hold the axis, so its corners span less than half a turn around its middle.
-    const glm::dvec3 center = glm::clamp(box.center(), glm::dvec3(-1e9), glm::dvec3(1e9));
+    const glm::dvec3 far(1e9);  // Endless to both sides, a box would have no center.
+    const glm::dvec3 center = 0.5 * (glm::clamp(box.low, -far, far) + glm::clamp(box.high, -far, far));
     const double middle = std::atan2(center.z, center.x);
     double low = 0;
     double high = 0;

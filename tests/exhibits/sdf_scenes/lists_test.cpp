@@ -80,6 +80,22 @@ TEST_F(SceneLists, WithPlanesAndNestedOperationsAreTheEvaluator)
     compareLists(field, 32, root);
 }
 
+/// Copies of what is endless to both sides, beside the axis: their middle is that of the sides that end.
+TEST_F(SceneLists, EndlessProfilesAroundTheAxisAreTheEvaluator)
+{
+    for (const char* turned : {"[0, 0, 0]", "[0, 90, 0]", "[0, 30, 0]"}) {
+        const std::string root = std::string(R"({"kind": "repeatAround", "count": 6, "child": {"kind": "hexagon",
+            "inradius": 0.2, "translate": [-0.85, 0.05, 0.4], "rotate": )") +
+                                 turned + "}}";
+        const scenes::SceneField field = test::fieldOf(root);
+        // A copy to each side, and the distance of the nearest is no more than to its middle line.
+        for (const double side : {-1.0, 1.0})
+            EXPECT_NEAR(field.sample(glm::dvec3(side * 0.85, 0.05, side * -0.4)).distance, -0.2, 1e-9) << root;
+        compareLists(field, 16, root);
+        if (HasFatalFailure()) return;
+    }
+}
+
 /// One program for all of them.
 TEST_F(SceneLists, OfEveryKindAreTheEvaluatorInOneProgram)
 {
