@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <regex>
 
 namespace vitrine::test {
 
@@ -33,6 +34,12 @@ Ended vitrine(const std::vector<std::string>& arguments, const Environment& chan
     int status = 0;
     ::waitpid(child, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), bytesOf(out), bytesOf(err)};
+}
+
+std::string withoutProgress(const std::string& err)
+{
+    static const std::regex progress("vitrine: [^\n]* [0-9]+ %(, [0-9:]+ left)?\n");
+    return std::regex_replace(err, progress, "");
 }
 
 void expectOneSentence(const Ended& ended, const std::vector<std::string>& parts)

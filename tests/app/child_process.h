@@ -18,6 +18,10 @@ using Environment = std::vector<std::pair<std::string, std::string>>;
 /// empty value takes the variable away.
 [[nodiscard]] Ended vitrine(const std::vector<std::string>& arguments, const Environment& changes = {});
 
+/// What it said on standard error, but for how far it is, which it says where that takes long: lines that end in "%",
+/// or with the time that is left.
+[[nodiscard]] std::string withoutProgress(const std::string& err);
+
 /// Expects one line on standard error that says who speaks, contains every part, and ends as a sentence; and
 /// nothing on standard output.
 void expectOneSentence(const Ended&, const std::vector<std::string>& parts);

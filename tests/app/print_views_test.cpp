@@ -96,7 +96,7 @@ TEST(PrintExhibit, CarriesWhatBringsItsViewsBack)
         printing(folder / "p.png", theMug + Words{"--count", "3", "--baseline-scale", "fit", "--save-views",
                                                   folder / "views", "--sweep", "morph=0..1", "--seed", "5"}));
     ASSERT_EQ(ended.code, 0) << ended.err;
-    EXPECT_EQ(ended.err, "");  // What fits needs no warning.
+    EXPECT_EQ(test::withoutProgress(ended.err), "");  // What fits needs no warning.
     const render::JsonDocument description = render::readJson(folder / "p.png.json");
     const render::Json& scene = description.root().at("scene");
     EXPECT_EQ(scene.at("exhibit"), "sdf_morph");

@@ -103,7 +103,7 @@ TEST(SpriteCommand, PlaysTheAnimationOfAFileWithoutNormals)
         test::vitrine({"sprite", liftedIn(folder), "--directions", "1", "--frames", "4", "--size", "48x48", "--set",
                        "azimuth=0", "--trim", "--no-maps", "--palette", "Game Boy", "--out", out});
     ASSERT_EQ(ended.code, 0) << ended.err;
-    EXPECT_EQ(ended.err, "");
+    EXPECT_EQ(test::withoutProgress(ended.err), "");
     const render::Image sheet = render::readImage(out);
     const auto json = readJson(folder / "lifted.json");
     ASSERT_EQ(json["frames"].size(), 4U);

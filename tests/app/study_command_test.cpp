@@ -39,7 +39,7 @@ TEST(StudyCommand, WritesWhatItMeasuredAndAPageThatShowsIt)
     const std::string out = folder / "study";
     const Ended ended = study(out, {"hitTolerance", "--values", "0.25,1,4"});
     ASSERT_EQ(ended.code, 0) << ended.err;
-    EXPECT_EQ(ended.err, "");
+    EXPECT_EQ(test::withoutProgress(ended.err), "");
 
     const render::Json json = render::readJson(out + "/study.json").root();
     EXPECT_EQ(json["format"], "vitrine-study");

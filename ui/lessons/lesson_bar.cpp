@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/lesson.h"
 #include "ui/kit/menu_text.h"
+#include "ui/kit/spoken_widget.h"
 #include "ui/kit/theme.h"
 #include "ui/lessons/lesson_desk.h"
 
@@ -10,6 +11,8 @@
 #include <QLabel>
 #include <QPainter>
 #include <QToolButton>
+
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
@@ -28,7 +31,6 @@ LessonBar::LessonBar(LessonDesk& desk)
       number_(new QLabel(this))
 {
     setAccessibleName(tr("Lesson"));
-    setAccessibleDescription(tr("What to see in this step"));
     title_->setTextFormat(Qt::PlainText);
     QFont heading = title_->font();
     heading.setWeight(QFont::DemiBold);
@@ -84,7 +86,10 @@ void LessonBar::refresh()
 {
     const Lesson* lesson = desk_.lesson();
     setVisible(lesson && !banned_);
-    if (!lesson) return;
+    if (!lesson) {
+        told_.clear();
+        return;
+    }
     const QString title = QString::fromStdString(lesson->title);
     const std::size_t page = desk_.page();
     setWords(*title_,
@@ -94,6 +99,19 @@ void LessonBar::refresh()
                                 : tr("Step %1 of %2").arg(page).arg(lesson->steps.size()));
     setWords(*text_, desk_.pageText());
     setWords(*number_, desk_.numberText());
+    tell();
+}
+
+/// The page, unless it was told before: its number may change all the time.
+void LessonBar::tell()
+{
+    QStringList page;
+    for (const QLabel* each : {count_, title_, text_})
+        if (!each->text().isEmpty()) page << plainText(each->text());
+    const QString words = page.join(QLatin1Char('\n'));
+    if (isHidden() || std::exchange(told_, words) == words) return;
+    setAccessibleName(words);
+    announce(*this, words);
 }
 
 void LessonBar::setBanned(bool banned)

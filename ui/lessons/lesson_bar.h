@@ -1,5 +1,7 @@
 #pragma once
 
+#include "ui/kit/spoken.h"
+
 #include <QWidget>
 
 class QAction;
@@ -11,8 +13,8 @@ namespace vitrine::ui {
 class LessonDesk;
 
 /// A strip above the picture while a lesson is open: which step of how many, what to see, the number to read, and
-/// buttons to go back, on, and out.
-class LessonBar final : public QWidget {
+/// buttons to go back, on, and out. A screen reader is told every step when it comes.
+class LessonBar final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
@@ -24,11 +26,14 @@ public:
     /// Out of sight whatever is open: nothing but the picture is shown.
     void setBanned(bool);
 
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Notification; }
+
 protected:
     void paintEvent(QPaintEvent*) override;
 
 private:
     QToolButton* button(QAction&, const QString& words);
+    void tell();
 
     LessonDesk& desk_;
     QLabel* title_;
@@ -36,6 +41,7 @@ private:
     QLabel* text_;
     QLabel* number_;
     bool banned_ = false;
+    QString told_;  ///< The page that a screen reader was told last.
 };
 
 }  // namespace vitrine::ui
