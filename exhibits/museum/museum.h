@@ -30,7 +30,7 @@ struct LookedAt {
 /// What the visitor points at, and where going there leads.
 struct Pointed {
     std::size_t exhibit = 0;  ///< `hallIndex`: none; then it is the visitor's own object.
-    std::string name;         ///< "Torus to Mug", "Your object", "E – melt it".
+    std::string name;         ///< "Torus to Mug", "Your object: teddy.glb", "E – melt it".
     double distance = 0;      ///< Meters from the eye.
     bool button = false;      ///< It is the button of `exhibit` ...
     bool inReach = false;     ///< ... and can be pressed from here.
@@ -108,6 +108,8 @@ public:
     /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: walls and furniture stop
     /// him, and he slides along them.
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
+    /// The same where objects of the visitor's own stand as well: they and their plinths stop him, too.
+    [[nodiscard]] glm::dvec3 walk(const Prepared&, const glm::dvec3& from, const glm::dvec3& to) const;
     /// Whether a camera gets straight from `from` to `to` past all of these: it need not be where a visitor can stand.
     [[nodiscard]] bool cameraPasses(const glm::dvec3& from, const glm::dvec3& to) const;
     /// The button within 2 m that the middle of the view rests on, when nothing stands before it.
