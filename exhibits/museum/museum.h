@@ -37,6 +37,14 @@ struct Pointed {
     render::Camera view;      ///< Its best view, in the world.
 };
 
+/// An object of the visitor's own that stands in the hall.
+struct OwnObjectShown {
+    std::size_t which = 0;  ///< Of the hall's `objects`.
+    std::string name;       ///< "Your object: teddy.glb"
+    render::Box box;        ///< In the world.
+    render::Camera view;    ///< Its best view, in the world.
+};
+
 /// A rectangle of a picture, pixels from its lower left corner.
 struct PictureRegion {
     glm::ivec2 offset{0};
@@ -117,6 +125,8 @@ public:
     /// The exhibit, button or visitor's object seen at `ndc` (each -1 to 1, y up) of that picture; nothing where the
     /// nearest thing there is a wall or furniture.
     [[nodiscard]] std::optional<Pointed> pick(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
+    /// The visitor's own objects, as far as they could be read.
+    [[nodiscard]] std::vector<OwnObjectShown> ownObjects(const Prepared&) const;
     /// Meters from the eye to whatever is seen there; infinity: the sky.
     [[nodiscard]] double distanceTo(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
     /// Which of the places 1 to 9 still wait for an exhibit.

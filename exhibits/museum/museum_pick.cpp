@@ -22,10 +22,11 @@ std::string buttonLine(const HasButton& button)
     return "E – " + std::string(button.buttonText());
 }
 
-/// "teddy.glb"
-std::string fileOf(const OwnObject& object, const HallScene& scene)
+/// "Your object: teddy.glb"
+std::string nameOf(const OwnObject& object, const HallScene& scene)
 {
-    return std::filesystem::path(scene.values[scene.table.objects[object.which].model]).filename().string();
+    const std::string path = scene.values[scene.table.objects[object.which].model];
+    return "Your object: " + std::filesystem::path(path).filename().string();
 }
 
 /// The visitor's own object, all of it in the picture: on the free plinth from where its plaque is read, elsewhere from
@@ -108,17 +109,24 @@ std::optional<Pointed> Museum::pick(const Prepared& prepared, const FrameRequest
                   seen.what == button && seen.distance <= reachOfButton,
                   {}};
     if (seen.what == visitorsObject) {
-        const HallScene scene = sceneOf(prepared, false);
-        const OwnObject& object = scene.objects[seen.own];
-        found.name = "Your object";
-        if (scene.objects.size() > 1) (found.name += ": ") += fileOf(object, scene);
-        found.view = viewOf(object, scene);
+        const OwnObjectShown object = ownObjects(prepared)[seen.own];
+        found.name = object.name;
+        found.view = object.view;
         return found;
     }
     const Exhibit& shown = exhibit(seen.exhibit);
     found.name = found.inReach ? buttonLine(*capability<HasButton>(shown)) : std::string(shown.title());
     found.view = bestView(seen.exhibit, prepared.sceneState.values[seen.exhibit]);
     return found;
+}
+
+std::vector<OwnObjectShown> Museum::ownObjects(const Prepared& prepared) const
+{
+    const HallScene scene = sceneOf(prepared, false);
+    std::vector<OwnObjectShown> all;
+    for (const OwnObject& object : scene.objects)
+        all.push_back({object.which, nameOf(object, scene), object.box, viewOf(object, scene)});
+    return all;
 }
 
 double Museum::distanceTo(const Prepared& prepared, const FrameRequest& request, glm::dvec2 ndc) const

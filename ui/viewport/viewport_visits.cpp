@@ -24,6 +24,15 @@ void Viewport::visit(std::size_t exhibit)
     leftFor();
 }
 
+void Viewport::visit(const OwnObjectShown& object)
+{
+    remember();
+    subject_ = hallIndex;
+    control_.visit(object.view);
+    leftFor();
+    emit visited(hallIndex);
+}
+
 void Viewport::leftFor()
 {
     cut_ = cut_ || control_.cuts();
