@@ -5009,7 +5009,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Export picture a&amp;gain</source>
-        <translation>Bild erneut exp&amp;ortieren</translation>
+        <translation>&amp;Bild erneut exportieren</translation>
     </message>
     <message>
         <source>Export preset</source>
@@ -6613,6 +6613,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Ice cream</source>
         <extracomment>tables</extracomment>
         <translation>Eis</translation>
+    </message>
+    <message>
+        <source>Icon of Vitrine</source>
+        <translation>Symbol von Vitrine</translation>
     </message>
     <message>
         <source>Import preset</source>
@@ -11020,7 +11024,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Screen&amp;shot</source>
-        <translation>2635|Bildschirmf&amp;otoBildschirmfoto</translation>
+        <translation>Bildschirmf&amp;oto</translation>
     </message>
     <message>
         <source>Screenshot saved to %1.</source>

@@ -70,9 +70,16 @@ std::optional<std::map<int, std::string_view>> found(const SentencePattern& patt
     return places;
 }
 
-bool hasLetter(std::string_view text)
+/// How a text is said, and how many of its letters stand in entries of the catalog.
+struct Said {
+    std::string text;
+    std::size_t letters = 0;
+};
+
+std::size_t lettersOf(std::string_view text)
 {
-    return std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c) != 0; });
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c) != 0; }));
 }
 
 }  // namespace
@@ -82,65 +89,106 @@ struct Catalog::Texts {
     std::vector<SentencePattern> patterns;  ///< Those that ask for most letters first.
     mutable std::mutex mutex;
     mutable std::unordered_map<std::string, std::string> kept;
-
-    [[nodiscard]] std::optional<std::string> wholeOf(std::string_view english, int depth) const;
-    [[nodiscard]] std::optional<std::string> inParts(std::string_view english, std::string_view between,
-                                                     std::size_t keptBefore, int depth) const;
-    [[nodiscard]] std::optional<std::string> of(std::string_view english, int depth) const;
 };
 
-/// As one entry of the catalog.
-std::optional<std::string> Catalog::Texts::wholeOf(std::string_view english, int depth) const
-{
-    if (const auto known = whole.find(std::string(english)); known != whole.end()) return known->second;
-    for (const SentencePattern& pattern : patterns) {
-        const auto places = found(pattern, english);
-        if (!places) continue;
-        std::string made;
-        const std::string& into = pattern.translation;
-        for (std::size_t i = 0; i < into.size(); ++i) {
-            const bool asIs = into.compare(i, 2, "{=") == 0;
-            const auto place = asIs ? placeAt("{" + into.substr(i + 2, 2), 0) : placeAt(into, i);
-            const auto here = place ? places->find(*place) : places->end();
-            if (here == places->end()) {
-                made += into[i];
-                continue;
-            }
-            const bool translate = !asIs && depth < deepest && hasLetter(here->second);
-            const auto translation = translate ? of(here->second, depth + 1) : std::nullopt;
-            made += translation ? *translation : std::string(here->second);
-            i += asIs ? 3 : 2;
-        }
-        return made;
+namespace {
+
+/// One text, with what was found out about its parts.
+class Reading {
+public:
+    Reading(const std::unordered_map<std::string, std::string>& whole, const std::vector<SentencePattern>& patterns)
+        : whole_(whole), patterns_(patterns)
+    {
     }
-    return std::nullopt;
+
+    [[nodiscard]] std::optional<Said> of(std::string_view english, int depth);
+
+private:
+    [[nodiscard]] std::optional<Said> wholeOf(std::string_view english, int depth);
+    [[nodiscard]] std::optional<Said> by(const SentencePattern&, std::string_view english, int depth);
+    [[nodiscard]] std::optional<Said> inParts(std::string_view english, std::string_view between,
+                                              std::size_t keptBefore, int depth);
+    /// As it is, where it is not known.
+    [[nodiscard]] Said saidOrKept(std::string_view english, int depth)
+    {
+        return of(english, depth).value_or(Said{std::string(english), 0});
+    }
+
+    const std::unordered_map<std::string, std::string>& whole_;
+    const std::vector<SentencePattern>& patterns_;
+    std::unordered_map<std::string_view, std::optional<Said>> known_;
+};
+
+std::optional<Said> Reading::by(const SentencePattern& pattern, std::string_view english, int depth)
+{
+    const auto places = found(pattern, english);
+    if (!places) return std::nullopt;
+    Said made{{}, pattern.letters};
+    const std::string& into = pattern.translation;
+    for (std::size_t i = 0; i < into.size(); ++i) {
+        const bool asIs = into.compare(i, 2, "{=") == 0;
+        const auto place = asIs ? placeAt("{" + into.substr(i + 2, 2), 0) : placeAt(into, i);
+        const auto here = place ? places->find(*place) : places->end();
+        if (here == places->end()) {
+            made.text += into[i];
+            continue;
+        }
+        const bool translate = !asIs && depth < deepest && lettersOf(here->second) > 0;
+        const Said inner = translate ? saidOrKept(here->second, depth + 1) : Said{std::string(here->second), 0};
+        made.text += inner.text;
+        made.letters += inner.letters;
+        i += asIs ? 3 : 2;
+    }
+    return made;
+}
+
+/// As one entry of the catalog: of several that fit, the one that leaves the fewest letters in English.
+std::optional<Said> Reading::wholeOf(std::string_view english, int depth)
+{
+    const std::size_t all = lettersOf(english);
+    if (const auto entry = whole_.find(std::string(english)); entry != whole_.end()) return Said{entry->second, all};
+    if (const auto before = known_.find(english); before != known_.end()) return before->second;
+    std::optional<Said> best;
+    for (const SentencePattern& pattern : patterns_) {
+        std::optional<Said> said = by(pattern, english, depth);
+        if (said && (!best || said->letters > best->letters)) best = std::move(said);
+        if (best && best->letters >= all) break;
+    }
+    known_.emplace(english, best);
+    return best;
 }
 
 /// As two texts with `between` between them, of which at least the first is known.
-std::optional<std::string> Catalog::Texts::inParts(std::string_view english, std::string_view between,
-                                                   std::size_t keptBefore, int depth) const
+std::optional<Said> Reading::inParts(std::string_view english, std::string_view between, std::size_t keptBefore,
+                                     int depth)
 {
     for (std::size_t at = english.find(between); at != std::string_view::npos; at = english.find(between, at + 1)) {
         const std::string_view rest = english.substr(at + between.size());
         const auto first = wholeOf(english.substr(0, at + keptBefore), depth);
         if (!first || rest.empty()) continue;
-        return *first + std::string(between.substr(keptBefore)) + of(rest, depth).value_or(std::string(rest));
+        const Said second = saidOrKept(rest, depth);
+        return Said{first->text + std::string(between.substr(keptBefore)) + second.text,
+                    first->letters + second.letters};
     }
     return std::nullopt;
 }
 
-std::optional<std::string> Catalog::Texts::of(std::string_view english, int depth) const
+std::optional<Said> Reading::of(std::string_view english, int depth)
 {
     if (english.find('\n') != std::string_view::npos) {
         const std::size_t line = english.find('\n');
-        const std::string_view first = english.substr(0, line), rest = english.substr(line + 1);
-        return of(first, depth).value_or(std::string(first)) + '\n' + of(rest, depth).value_or(std::string(rest));
+        const Said first = saidOrKept(english.substr(0, line), depth);
+        const Said rest = saidOrKept(english.substr(line + 1), depth);
+        return Said{first.text + '\n' + rest.text, first.letters + rest.letters};
     }
-    if (const auto known = whole.find(std::string(english)); known != whole.end()) return known->second;
+    if (const auto entry = whole_.find(std::string(english)); entry != whole_.end())
+        return Said{entry->second, lettersOf(english)};
     // A text of several sentences first: a pattern's place would take the second along.
     if (auto sentences = inParts(english, ". ", 1, depth)) return sentences;
     return wholeOf(english, depth);
 }
+
+}  // namespace
 
 Catalog::Catalog(Entries entries)
 {
@@ -167,7 +215,8 @@ std::string Catalog::translated(std::string_view english) const
         const std::lock_guard lock(texts_->mutex);
         if (const auto known = texts_->kept.find(key); known != texts_->kept.end()) return known->second;
     }
-    std::string made = texts_->of(english, 0).value_or(key);
+    const std::optional<Said> said = Reading(texts_->whole, texts_->patterns).of(english, 0);
+    std::string made = said ? said->text : key;
     const std::lock_guard lock(texts_->mutex);
     if (texts_->kept.size() >= mostKept) texts_->kept.clear();
     texts_->kept.emplace(key, made);

@@ -32,7 +32,9 @@ void drawField(QPainter* painter, const QRect& rect, QStyle::State state, bool a
     painter->setBrush(veil(pressed ? 0.16F : hovered ? 0.1F : 0.055F));
     const bool focused = state & QStyle::State_HasFocus;
     const double width = focused && theme().highContrast ? 2 : 1;
-    painter->setPen(focused || accented ? QPen(theme().accent, width) : QPen(enabled ? theme().outline : veil(0.2F)));
+    painter->setPen(focused && accented   ? QPen(theme().text, width)
+                    : focused || accented ? QPen(theme().accent, width)
+                                          : QPen(enabled ? theme().outline : veil(0.2F)));
     painter->drawRoundedRect(QRectF(rect).adjusted(0.5, 0.5, -0.5, -0.5), 3, 3);
     painter->restore();
 }
@@ -110,6 +112,12 @@ void QuietStyle::drawControl(ControlElement element, const QStyleOption* option,
                              const QWidget* widget) const
 {
     if (element == CE_Splitter) return;
+    if (element == CE_FocusFrame) {
+        painter->setPen(QPen(theme().accent, theme().highContrast ? 2 : 1));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(option->rect.adjusted(1, 1, -1, -1));
+        return;
+    }
     if (element == CE_TabBarTabShape) {
         const bool selected = option->state & State_Selected;
         if (selected)
@@ -195,6 +203,8 @@ int QuietStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
     case PM_IndicatorHeight: return widget ? grown(15, *widget) : 15;
     case PM_DockWidgetSeparatorExtent: return 4;
     case PM_ToolTipLabelFrameWidth: return 7;
+    case PM_FocusFrameHMargin:
+    case PM_FocusFrameVMargin: return 0;
     case PM_ButtonShiftHorizontal:
     case PM_ButtonShiftVertical: return 0;
     default: return QProxyStyle::pixelMetric(metric, option, widget);
@@ -204,6 +214,7 @@ int QuietStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, cons
 int QuietStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                           QStyleHintReturn* returned) const
 {
+    if (hint == SH_FocusFrame_AboveWidget) return 1;
     if (hint == SH_Widget_Animation_Duration && reducedMotion()) return 0;
     return QProxyStyle::styleHint(hint, option, widget, returned);
 }

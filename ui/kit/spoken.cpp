@@ -5,6 +5,8 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QSpinBox>
+#include <QTabWidget>
 
 namespace vitrine::ui {
 namespace {
@@ -33,6 +35,10 @@ QAccessibleInterface* makeSpoken(const QString&, QObject* object)
         if (auto* line = qobject_cast<QLineEdit*>(widget)) return new SpokenLine(line);
         return new SpokenWidget(widget);
     }
+    // Spin boxes of Qt take the step that they tell from a property that they do not have.
+    if (qobject_cast<QSpinBox*>(widget) || qobject_cast<QDoubleSpinBox*>(widget))
+        widget->setProperty("stepSize", widget->property("singleStep"));
+    if (qobject_cast<QTabWidget*>(widget)) return new QAccessibleWidget(widget, QAccessible::Grouping);
     auto* label = qobject_cast<QLabel*>(widget);
     return label && !label->buddy() && label->pixmap(Qt::ReturnByValue).isNull() ? new SpokenLabel(label) : nullptr;
 }

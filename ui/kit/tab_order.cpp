@@ -6,6 +6,8 @@
 #include <QGridLayout>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QTabBar>
+#include <QTabWidget>
 
 #include <algorithm>
 
@@ -49,6 +51,9 @@ void collect(QWidget& widget, QList<QWidget*>& stops)
         if (QWidget* inside = area->widget()) collect(*inside, stops);
     } else if (auto* split = qobject_cast<QSplitter*>(&widget)) {
         for (int i = 0; i < split->count(); ++i) collect(*split->widget(i), stops);
+    } else if (auto* tabs = qobject_cast<QTabWidget*>(&widget)) {
+        stops << tabs->tabBar();
+        for (int i = 0; i < tabs->count(); ++i) collect(*tabs->widget(i), stops);
     } else if (widget.focusPolicy() & Qt::TabFocus) {
         stops << &widget;
     } else if (widget.layout()) {
@@ -56,13 +61,20 @@ void collect(QWidget& widget, QList<QWidget*>& stops)
     }
 }
 
-}  // namespace
-
-void tabAsLaidOut(QWidget& root)
+/// The stops, in order.
+QList<QWidget*> ordered(QWidget& root)
 {
     QList<QWidget*> stops;
     collect(root, stops);
     for (int i = 0; i + 1 < stops.size(); ++i) QWidget::setTabOrder(stops[i], stops[i + 1]);
+    return stops;
+}
+
+}  // namespace
+
+void tabAsLaidOut(QWidget& root)
+{
+    ordered(root);
 }
 
 TabOrder::TabOrder(QObject* parent) : QObject(parent)
@@ -72,9 +84,14 @@ TabOrder::TabOrder(QObject* parent) : QObject(parent)
 
 bool TabOrder::eventFilter(QObject* object, QEvent* event)
 {
-    if (event->type() != QEvent::Polish) return false;
+    // Not when it is polished: that may be before all is in it.
+    if (event->type() != QEvent::Show || event->spontaneous()) return false;
     auto* dialog = qobject_cast<QDialog*>(object);
-    if (dialog && !dialog->inherits("QFileDialog") && !dialog->inherits("QMessageBox")) tabAsLaidOut(*dialog);
+    if (!dialog || dialog->inherits("QFileDialog") || dialog->inherits("QMessageBox")) return false;
+    const QList<QWidget*> stops = ordered(*dialog);
+    const auto first = std::ranges::find_if(
+        stops, [dialog](const QWidget* stop) { return stop->isEnabled() && stop->isVisibleTo(dialog); });
+    if (!dialog->focusWidget() && first != stops.end()) (*first)->setFocus(Qt::OtherFocusReason);
     return false;
 }
 

@@ -346,10 +346,12 @@ bool ParameterPanel::eventFilter(QObject* object, QEvent* event)
     if (event->type() == QEvent::KeyPress && object == filter_) {
         switch (static_cast<QKeyEvent*>(event)->key()) {
         case Qt::Key_Escape:
-            if (filter_->text().isEmpty())
+            if (!filter_->text().isEmpty())
+                filter_->clear();
+            else if (isSignalConnected(QMetaMethod::fromSignal(&ParameterPanel::filterLeft)))
                 emit filterLeft();
             else
-                filter_->clear();
+                return false;  // A dialog is closed.
             return true;
         case Qt::Key_Return:
         case Qt::Key_Enter:

@@ -14,6 +14,7 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -43,6 +44,7 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, KeyBindings& keys
     layout->addWidget(buttons);
     connect(&preferences_, &Preferences::changed, this, &PreferencesDialog::showAll);
     showAll();
+    tabs_->tabBar()->setFocus();
 }
 
 QGridLayout* PreferencesDialog::page(const QString& title)

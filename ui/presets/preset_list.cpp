@@ -2,6 +2,7 @@
 
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/quiet_style.h"
+#include "ui/kit/tab_order.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/kit/type_size.h"
 #include "ui/presets/preset_preview.h"
@@ -113,6 +114,7 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
     drop->addActions(menu);
     more->setMenu(drop);
     row->addWidget(more);
+    tabAsLaidOut(*this);
     // Side by side, large words would leave the picture little room.
     followType(*buttons_, [this, row] {
         const bool large = grown(100, *buttons_) > sideBySideUpTo;

@@ -29,6 +29,7 @@ AboutDialog::AboutDialog(QWidget* window) : QDialog(window)
     setWindowTitle(tr("About Vitrine"));
     auto* picture = new QLabel(this);
     picture->setPixmap(programIcon().pixmap(64));
+    picture->setAccessibleName(tr("Icon of Vitrine"));
     auto* words = new QLabel(this);
     words->setTextFormat(Qt::PlainText);
     words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);

@@ -8,6 +8,7 @@
 #include "ui/explore/explore_dock.h"
 #include "ui/gamepad/gamepad_control.h"
 #include "ui/kit/context_key.h"
+#include "ui/kit/focus_ring.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/language.h"
 #include "ui/kit/picture_file.h"
@@ -85,6 +86,7 @@ MainWindow::MainWindow(const Museum& museum, Renderers& renderers, QWidget* pare
     new IdleUndo(this);
     new ContextKey(this);
     new TabOrder(this);
+    new FocusRing(this);
     buildMiddle();
     docks_ = new WindowDocks(*this, *this);
     shelf_ = new PresetShelf(*this, docks_->presets(), PresetStore::standard(render::asset("presets")));

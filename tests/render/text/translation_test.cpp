@@ -17,6 +17,9 @@ const Catalog& german()
                                   {"Cannot read {1}: {2}; choose another picture.",
                                    "{=1} kann nicht gelesen werden: {2}; wählen Sie ein anderes Bild."},
                                   {"{1} of {2}", "{2}: {1}"},
+                                  {"{1}, line {2}: {3}; correct it there.", "{=1}, Zeile {2}: {3}; korrigieren."},
+                                  {"{1}, line {2}, column {3}: {4}.", "{=1}, Zeile {2}, Spalte {3}: {4}."},
+                                  {"this is no JSON ({1}); correct it there", "das ist kein JSON ({=1}); korrigieren"},
                                   {"It is left out until it can be read.", "Sie bleibt weg, bis sie lesbar ist."},
                                   {"{1}", "nothing"},
                                   {"not yet", ""}});
@@ -51,6 +54,15 @@ TEST(Translation, PrefersTheSentenceThatSaysMore)
               "a kann nicht gelesen werden: b; wählen Sie ein anderes Bild.");
     EXPECT_EQ(german().translated("Cannot read a: b; choose another."),
               "a kann nicht gelesen werden: b; choose another.");
+}
+
+TEST(Translation, PrefersTheSentenceThatLeavesLeastInEnglish)
+{
+    EXPECT_EQ(german().translated("a.json, line 1, column 2: this is no JSON (end of input); correct it there."),
+              "a.json, Zeile 1, Spalte 2: das ist kein JSON (end of input); korrigieren.")
+        << "not the one that says more by itself, with all the rest in its place";
+    EXPECT_EQ(german().translated("a.json, line 1: it is empty; correct it there."),
+              "a.json, Zeile 1: es ist leer; korrigieren.");
 }
 
 TEST(Translation, TakesSentencesAndLinesOneByOne)

@@ -22,7 +22,8 @@ struct KeyboardWalk {
 [[nodiscard]] inline bool isStop(const QWidget& widget)
 {
     return (widget.focusPolicy() & Qt::TabFocus) && widget.isVisible() && widget.isEnabled() && !widget.focusProxy() &&
-           !widget.inherits("QScrollArea") && !widget.objectName().startsWith(QLatin1String("qt_"));
+           !widget.inherits("QScrollArea") &&
+           (widget.inherits("QTabBar") || !widget.objectName().startsWith(QLatin1String("qt_")));
 }
 
 /// Whether the eye that reads from left to right and from top to bottom has to go back from one to the other.
@@ -54,7 +55,8 @@ struct KeyboardWalk {
     QList<QWidget*> wanted;
     for (QWidget* each : root.findChildren<QWidget*>())
         if (isStop(*each) && each->window() == root.window()) wanted << each;
-    QWidget* first = nullptr;
+    // A dialog is entered where it puts the focus.
+    QWidget* first = root.isWindow() && wanted.contains(root.focusWidget()) ? root.focusWidget() : nullptr;
     for (QWidget* next = root.nextInFocusChain(); next != &root && !first; next = next->nextInFocusChain())
         if (wanted.contains(next)) first = next;
     if (!first) return walk;
@@ -62,6 +64,10 @@ struct KeyboardWalk {
     QWidget* before = nullptr;
     for (int i = 0; i < 600; ++i) {
         QWidget* now = QApplication::focusWidget();
+        if (now && now == before && now->inherits("QTextBrowser")) {  // From link to link within a page.
+            QTest::keyClick(now, Qt::Key_Tab);
+            continue;
+        }
         if (!now || !root.isAncestorOf(now) || walk.stops.contains(now)) break;
         walk.stops << now;
         const auto place = [&](QWidget* widget) { return QRect(widget->mapTo(&root, QPoint(0, 0)), widget->size()); };

@@ -39,9 +39,10 @@ class GamepadTest : public test::OpenWindow {
         QVERIFY2(pad_->works(), SDL_GetError());
         QTRY_VERIFY(control().connected());
     }
-    /// Down, seen, and up again, seen.
+    /// Down, seen, and up again, seen, once the sticks rest.
     void press(SDL_GameControllerButton button)
     {
+        QTRY_VERIFY(control().interval() != 16);
         pad_->button(button, true);
         QTRY_COMPARE(control().interval(), 16);
         pad_->button(button, false);
@@ -143,6 +144,7 @@ private slots:
         QTRY_VERIFY(headingOf(camera().target - camera().eye).yaw > 0.2);
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0.1);  // Within its rest.
         QTRY_VERIFY(!window_->viewport().sticks().moves());
+        pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0);  // Out of it, the way that both axes make counts.
         settle();
         const double yaw = headingOf(camera().target - camera().eye).yaw;
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTY, -0.8);

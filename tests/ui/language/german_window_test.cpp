@@ -112,7 +112,9 @@ private slots:
         broken.close();
         window_->files().open(file);
         auto* strip = window_->findChild<ui::MessageStrip*>();
-        QTRY_VERIFY(strip->texts().join(QLatin1Char(' ')).contains(QStringLiteral("kein gültiges JSON")));
+        QTRY_VERIFY(!strip->texts().isEmpty());
+        QVERIFY2(strip->texts().join(QLatin1Char(' ')).contains(QStringLiteral("kein gültiges JSON")),
+                 qPrintable(strip->texts().join(QLatin1Char(' '))));
     }
 
     void aNumberMayHaveADecimalComma()

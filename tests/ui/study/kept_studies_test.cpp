@@ -20,6 +20,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -74,7 +75,7 @@ private:
     {
         for (QToolButton* button : dock_->findChildren<QToolButton*>())
             if (button->text() == QLatin1String("Kept")) button->click();
-        QVERIFY(list()->isVisible());
+        QTRY_VERIFY(list()->isVisible() && dock_->kept().width() >= list()->minimumWidth());
     }
     [[nodiscard]] QPushButton* button(const QString& start)
     {
@@ -209,8 +210,10 @@ private slots:
         tick(0);
         QVERIFY(!button("Compare")->isEnabled());
         tick(1);
+        QSignalSpy failed(dock_.get(), &StudyDock::failed);
         QTest::mouseClick(button("Compare 2"), Qt::LeftButton);
         auto* dialog = dock_->findChild<ComparisonDialog*>();
+        QVERIFY2(failed.isEmpty(), failed.isEmpty() ? "" : qPrintable(failed[0][0].toString()));
         QVERIFY(dialog && dialog->isVisible());
         const StudyComparison& comparison = dialog->chart().comparison();
         QCOMPARE(comparison.curves.size(), std::size_t{2});
@@ -319,7 +322,7 @@ private slots:
                 auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
                 if (!dialog) return;
                 answer.stop();
-                dialog->selectFile(path);
+                dialog->findChild<QLineEdit*>()->setText(path);
                 static_cast<QDialog*>(dialog)->accept();
             });
             answer.start(20);
@@ -408,6 +411,7 @@ private slots:
         QVERIFY(std::abs(middle.x() - panes.middle().x() - 30 / panes.scale()) < 0.05);
         // Keys do the same.
         panes.setFocus();
+        QTest::keyClick(&panes, Qt::Key_0);
         const double scale = panes.scale();
         QTest::keyClick(&panes, Qt::Key_Plus);
         QVERIFY(panes.scale() > scale);
