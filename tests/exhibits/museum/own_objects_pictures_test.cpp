@@ -64,7 +64,7 @@ TEST_F(OwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPixelsA
     }
     // All taken away, the hall is as it was to the bit.
     for (const OwnObjectRows& rows : hallTable().objects) shot.hall().set(rows.model, std::string());
-    EXPECT_EQ(largestDifference(none.image, shot.take().image), 0);
+    EXPECT_EQ(test::largestDifference(none.image, shot.take().image), 0);
 }
 
 }  // namespace
