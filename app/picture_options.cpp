@@ -356,7 +356,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     const HallTable names;
     ParameterValues& hall = job.sceneState.hall();
     if (!options.environment.empty()) hall.set(names.environment, options.environment);
-    if (!options.model.empty()) hall.set(names.model, options.model);
+    if (!options.model.empty()) hall.set(names.objects.front().model, options.model);
 
     FrameRequest& frame = job.request.frame;
     render::Camera camera = job.sceneState.camera;

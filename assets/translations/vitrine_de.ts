@@ -217,10 +217,6 @@
         <translation>%1 kann nicht geöffnet werden: Vitrine öffnet .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg und .tif.</translation>
     </message>
     <message>
-        <source>%1 cannot be shown: this hall has no parameter &quot;%2&quot; for it.</source>
-        <translation>%1 kann nicht gezeigt werden: Diese Halle hat dafür keinen Parameter „%2“.</translation>
-    </message>
-    <message>
         <source>%1 cm</source>
         <translation>%1 cm</translation>
     </message>
@@ -346,6 +342,10 @@
     <message>
         <source>%1 was loaded, with changes:</source>
         <translation>%1 wurde geladen, mit Änderungen:</translation>
+    </message>
+    <message>
+        <source>%1 was not put into the hall: every place for an object of yours is taken. Clear the file of one in the parameters of the hall, or drop this one there to replace it.</source>
+        <translation>%1 wurde nicht in die Halle gestellt: Alle Plätze für Ihre Objekte sind belegt. Bitte die Datei eines Objekts in den Parametern der Halle leeren oder diese dort ablegen, um es zu ersetzen.</translation>
     </message>
     <message>
         <source>%1 was not put into the sky: a panorama of the whole sky is twice as wide as high, and this picture has %2 × %3 pixels. To stretch it over the sky all the same, choose it as “Environment” in the parameters of the hall.</source>
@@ -717,6 +717,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>&amp;Wipe</source>
         <translation>&amp;Wischblende</translation>
+    </message>
+    <message>
+        <source>&amp;Your objects</source>
+        <translation>&amp;Ihre Objekte</translation>
     </message>
     <message>
         <source>(B − A) × %1</source>
@@ -1996,6 +2000,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>an object</source>
         <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>an object of the visitor's stands here</source>
+        <translation>ein Objekt des Besuchers steht hier</translation>
     </message>
     <message>
         <source>an object stands on the free plinth</source>
@@ -5238,6 +5246,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>%1 ablösen oder andocken</translation>
     </message>
     <message>
+        <source>floor</source>
+        <extracomment>tables</extracomment>
+        <translation>Boden</translation>
+    </message>
+    <message>
         <source>Floor mirror</source>
         <extracomment>tables</extracomment>
         <translation>Bodenspiegel</translation>
@@ -5344,6 +5357,46 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>vorwärts</translation>
     </message>
     <message>
+        <source>Fourth model</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell 4</translation>
+    </message>
+    <message>
+        <source>Fourth model across</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell 4 quer</translation>
+    </message>
+    <message>
+        <source>Fourth model along</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell 4 längs</translation>
+    </message>
+    <message>
+        <source>Fourth model plinth height</source>
+        <extracomment>tables</extracomment>
+        <translation>Sockelhöhe von Modell 4</translation>
+    </message>
+    <message>
+        <source>Fourth model rotation</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung von Modell 4</translation>
+    </message>
+    <message>
+        <source>Fourth model size</source>
+        <extracomment>tables</extracomment>
+        <translation>Größe von Modell 4</translation>
+    </message>
+    <message>
+        <source>Fourth model stand</source>
+        <extracomment>tables</extracomment>
+        <translation>Stand von Modell 4</translation>
+    </message>
+    <message>
+        <source>Fourth object</source>
+        <extracomment>tables</extracomment>
+        <translation>Viertes Objekt</translation>
+    </message>
+    <message>
         <source>fractal sum</source>
         <extracomment>tables</extracomment>
         <translation>fraktale Summe</translation>
@@ -5381,6 +5434,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Frames that a picture in motion is averaged over: few flicker, many blur what is fine.</source>
         <extracomment>tables</extracomment>
         <translation>Frames, über die ein bewegtes Bild gemittelt wird: Wenige flimmern, viele verwischen Feines.</translation>
+    </message>
+    <message>
+        <source>free plinth</source>
+        <extracomment>tables</extracomment>
+        <translation>freier Sockel</translation>
     </message>
     <message>
         <source>free some space or choose another disk</source>
@@ -6201,6 +6259,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie hoch es liegt.</translation>
     </message>
     <message>
+        <source>How high its own plinth is.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe seines eigenen Sockels.</translation>
+    </message>
+    <message>
         <source>How it is lit: by metal, glaze and glass in the light around them, or by Phong's formulas.</source>
         <extracomment>tables</extracomment>
         <translation>Wie sie beleuchtet wird: durch Metall, Glasur und Glas im Licht ringsum, oder durch Phongs Formeln.</translation>
@@ -6945,6 +7008,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Its error</source>
         <translation>Ihr Fehler</translation>
+    </message>
+    <message>
+        <source>its file is not read</source>
+        <translation>seine Datei ist nicht gelesen</translation>
     </message>
     <message>
         <source>its first chunk is not JSON</source>
@@ -8012,6 +8079,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Modell</translation>
     </message>
     <message>
+        <source>Model across</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell quer</translation>
+    </message>
+    <message>
+        <source>Model along</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell längs</translation>
+    </message>
+    <message>
+        <source>Model plinth height</source>
+        <extracomment>tables</extracomment>
+        <translation>Sockelhöhe des Modells</translation>
+    </message>
+    <message>
         <source>Model rotation</source>
         <extracomment>tables</extracomment>
         <translation>Drehung des Modells</translation>
@@ -8020,6 +8102,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Model size</source>
         <extracomment>tables</extracomment>
         <translation>Modellgröße</translation>
+    </message>
+    <message>
+        <source>Model stand</source>
+        <extracomment>tables</extracomment>
+        <translation>Stand des Modells</translation>
     </message>
     <message>
         <source>Moment</source>
@@ -8252,6 +8339,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>hier steht kein Exponat</translation>
     </message>
     <message>
+        <source>no file is chosen for it</source>
+        <translation>dafür ist keine Datei gewählt</translation>
+    </message>
+    <message>
         <source>No frame has been drawn yet.</source>
         <translation>Noch wurde kein Frame gezeichnet.</translation>
     </message>
@@ -8419,6 +8510,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>None yet</source>
         <translation>Noch keine</translation>
+    </message>
+    <message>
+        <source>None yet: drop a .glb or .gltf file on the window</source>
+        <translation>Noch keine: eine .glb- oder .gltf-Datei auf dem Fenster ablegen</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -9270,6 +9365,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>eine für jedes Texel</translation>
     </message>
     <message>
+        <source>One more glTF object (.glb or .gltf) of yours, on a plinth of its own.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ein weiteres glTF-Objekt (.glb oder .gltf) von Ihnen, auf einem eigenen Sockel.</translation>
+    </message>
+    <message>
         <source>one of its keys is longer than {1} bytes.</source>
         <translation>einer der Schlüssel ist länger als {1} Bytes.</translation>
     </message>
@@ -9523,6 +9623,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>own cell</source>
         <extracomment>tables</extracomment>
         <translation>eigene Zelle</translation>
+    </message>
+    <message>
+        <source>own plinth</source>
+        <extracomment>tables</extracomment>
+        <translation>eigener Sockel</translation>
     </message>
     <message>
         <source>Palette</source>
@@ -10299,6 +10404,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Reliefübergang</translation>
     </message>
     <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>Remove %1 from the hall</source>
+        <translation>%1 aus der Halle entfernen</translation>
+    </message>
+    <message>
         <source>Rename	F2</source>
         <translation>Umbenennen	F2</translation>
     </message>
@@ -10940,6 +11053,46 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Sea steps</source>
         <extracomment>tables</extracomment>
         <translation>Meerschritte</translation>
+    </message>
+    <message>
+        <source>Second model</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell 2</translation>
+    </message>
+    <message>
+        <source>Second model across</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell 2 quer</translation>
+    </message>
+    <message>
+        <source>Second model along</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell 2 längs</translation>
+    </message>
+    <message>
+        <source>Second model plinth height</source>
+        <extracomment>tables</extracomment>
+        <translation>Sockelhöhe von Modell 2</translation>
+    </message>
+    <message>
+        <source>Second model rotation</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung von Modell 2</translation>
+    </message>
+    <message>
+        <source>Second model size</source>
+        <extracomment>tables</extracomment>
+        <translation>Größe von Modell 2</translation>
+    </message>
+    <message>
+        <source>Second model stand</source>
+        <extracomment>tables</extracomment>
+        <translation>Stand von Modell 2</translation>
+    </message>
+    <message>
+        <source>Second object</source>
+        <extracomment>tables</extracomment>
+        <translation>Zweites Objekt</translation>
     </message>
     <message>
         <source>Seed</source>
@@ -12025,6 +12178,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Takes all shortcuts from the command.</source>
         <translation>Nimmt dem Befehl alle Tastenkürzel.</translation>
+    </message>
+    <message>
+        <source>Takes it out of the hall; the file stays.</source>
+        <translation>Nimmt es aus der Halle; die Datei bleibt.</translation>
     </message>
     <message>
         <source>Takes it out of the tree, with all that is in it.</source>
@@ -13426,6 +13583,46 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>dünne Stäbe</translation>
     </message>
     <message>
+        <source>Third model</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell 3</translation>
+    </message>
+    <message>
+        <source>Third model across</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell 3 quer</translation>
+    </message>
+    <message>
+        <source>Third model along</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell 3 längs</translation>
+    </message>
+    <message>
+        <source>Third model plinth height</source>
+        <extracomment>tables</extracomment>
+        <translation>Sockelhöhe von Modell 3</translation>
+    </message>
+    <message>
+        <source>Third model rotation</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung von Modell 3</translation>
+    </message>
+    <message>
+        <source>Third model size</source>
+        <extracomment>tables</extracomment>
+        <translation>Größe von Modell 3</translation>
+    </message>
+    <message>
+        <source>Third model stand</source>
+        <extracomment>tables</extracomment>
+        <translation>Stand von Modell 3</translation>
+    </message>
+    <message>
+        <source>Third object</source>
+        <extracomment>tables</extracomment>
+        <translation>Drittes Objekt</translation>
+    </message>
+    <message>
         <source>Thirty-five solids make one ice cream; each point asks the few that decide.</source>
         <translation>Fünfunddreißig Körper sind ein Eis; jeder Punkt fragt die wenigen, die entscheiden.</translation>
     </message>
@@ -14753,6 +14950,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was die Laterne tut, die der Knopf freilässt.</translation>
     </message>
     <message>
+        <source>What the object stands on: the hall's free plinth, a plinth of its own, or the floor.</source>
+        <extracomment>tables</extracomment>
+        <translation>Worauf das Objekt steht: auf dem freien Sockel der Halle, auf einem eigenen Sockel oder auf dem Boden.</translation>
+    </message>
+    <message>
         <source>What the paper does not absorb.</source>
         <extracomment>tables</extracomment>
         <translation>Was das Papier nicht schluckt.</translation>
@@ -14861,9 +15063,19 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wohin es scheint.</translation>
     </message>
     <message>
+        <source>Where it stands, from the hall's middle towards the entrance; walls and furniture keep it off.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo es steht, von der Mitte der Halle zum Eingang hin; Wände und Möbel halten es ab.</translation>
+    </message>
+    <message>
         <source>Where it stands, seen through the frame: negative is to the left.</source>
         <extracomment>tables</extracomment>
         <translation>Wo er steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
+    </message>
+    <message>
+        <source>Where it stands, to the right of the hall's middle as one comes in; walls and furniture keep it off.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wo es steht, von der Mitte der Halle nach rechts, wie man hereinkommt; Wände und Möbel halten es ab.</translation>
     </message>
     <message>
         <source>Where its base is, across.</source>
@@ -15272,8 +15484,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ihr letzter Stand wurde %1-mal wiederhergestellt, und jedes Mal ist Vitrine bald danach abgestürzt oder wurde beendet. Er wird nicht noch einmal wiederhergestellt; Datei &gt; Öffnen holt ihn aus %2 zurück.</translation>
     </message>
     <message>
-        <source>Your object</source>
-        <translation>Ihr Objekt</translation>
+        <source>Your object: {1}</source>
+        <translation>Ihr Objekt: {1}</translation>
     </message>
     <message>
         <source>Your own object</source>

@@ -192,6 +192,7 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
         row.element = element_;
         row.elementRow = owned(row.name);
         const auto inElement = [this](std::string_view name) {
+            if (elementName_.empty()) return owned(name);
             const char first = static_cast<char>(std::toupper(static_cast<unsigned char>(name.front())));
             return owned(std::string(elementName_) + first + std::string(name.substr(1)));
         };

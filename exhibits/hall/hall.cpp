@@ -3,26 +3,8 @@
 #include "exhibits/hall/plaque_text.h"
 #include "exhibits/kit/panorama.h"
 #include "render/hash.h"
-#include "render/scene/gltf.h"
-#include "render/scene/held_bytes.h"
-
-#include <glm/gtc/matrix_transform.hpp>
-
-#include <algorithm>
-#include <cmath>
 
 namespace vitrine {
-
-namespace {
-
-render::AssetStore::Made<render::Model> readModel(const std::string& path)
-{
-    auto model = std::make_shared<render::Model>(render::loadGltf(path));
-    const std::uint64_t bytes = heldBytes(*model);
-    return {std::move(model), bytes};
-}
-
-}  // namespace
 
 Hall::Hall(std::shared_ptr<const HallModel> model, std::vector<ExhibitSlot> exhibits)
     : model_(std::move(model)), exhibits_(std::move(exhibits)), text_(std::make_shared<PlaqueText>(*model_, exhibits_))
@@ -52,7 +34,7 @@ std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values,
 {
     auto made = std::make_shared<PreparedHall>();
     render::Hash files;
-    const auto warn = [&](const char* step, File row, const std::string& failure) {
+    const auto warn = [&](const std::string& step, File row, const std::string& failure) {
         if (!failure.empty())
             made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), failure),
                                         "It is left out until it can be read."});
@@ -66,12 +48,10 @@ std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values,
             made->environmentBrightest = found.value->brightest;
         }
     }
-    if (const std::string path = values[table_.model]; !path.empty()) {
-        render::Asset<render::Model> found = assets.get<render::Model>("hall.model", path, readModel);
-        warn("hall/model", table_.model, found.failure);
-        files.addValue(found.id);
-        made->visitorModel = std::move(found.value);
-    }
+    made->objects = preparedObjects(table_, values, assets, files, [&](std::size_t which, const std::string& failure) {
+        const std::string step = which == 0 ? "hall/model" : "hall/model/" + std::to_string(which + 1);
+        warn(step, table_.objects[which].model, failure);
+    });
     made->filesId = files.value();
     return made;
 }
@@ -84,19 +64,8 @@ HallScene Hall::scene(const ParameterValues& values, bool alone, const PreparedH
         scene.environment = prepared->environment;
         scene.environmentBrightest = prepared->environmentBrightest;
         scene.filesId = prepared->filesId;
-        if (!alone) scene.visitorModel = prepared->visitorModel;
+        if (!alone) scene.objects = objectsAt(*model_, table_, values, prepared->objects);
     }
-    if (!scene.visitorModel) return scene;
-
-    const Place* plinth = model_->place(10);
-    const render::Box& box = scene.visitorModel->bounds;
-    const glm::dvec3 extent = 2.0 * box.halfSize();
-    const double largest = std::max({extent.x, extent.y, extent.z, 1e-9});
-    glm::dmat4 m = plinth ? plinth->worldFromPlace : glm::dmat4(1);
-    m = glm::rotate(m, values[table_.modelRotation], glm::dvec3(0, 1, 0));
-    m = glm::scale(m, glm::dvec3(values[table_.modelSize] / largest));
-    // It stands on its lowest point, above the middle of the plinth.
-    scene.worldFromVisitorModel = glm::translate(m, -glm::dvec3(box.center().x, box.low.y, box.center().z));
     return scene;
 }
 

@@ -22,7 +22,7 @@ public:
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
 
-    /// Reads the visitor's panorama and object. Any thread may call it, several at once.
+    /// Reads the visitor's panorama and objects. Any thread may call it, several at once.
     [[nodiscard]] std::shared_ptr<const PreparedHall> prepare(const ParameterValues&, render::AssetStore&) const;
 
     /// The hall under these values, which must outlive it, with what was prepared (null: nothing).

@@ -30,16 +30,6 @@ glm::dvec4 contactArea(const HallScene& scene)
     return {room.low.x, room.low.z, room.high.x, room.high.z};
 }
 
-/// The visitor's object as a box of what its materials are on average.
-StandingShape visitorShape(const HallScene& scene)
-{
-    glm::dvec3 color(0);
-    for (const render::MeshInstance& part : scene.visitorModel->parts)
-        color += glm::dvec3(part.material ? part.material->baseColor : glm::vec4(0.5F)) /
-                 static_cast<double>(scene.visitorModel->parts.size());
-    return moved(standingBox(scene.visitorModel->bounds, color), scene.worldFromVisitorModel);
-}
-
 /// Everything that stands on the floor or hangs over it.
 std::vector<StandingShape> shapesIn(const HallScene& scene)
 {
@@ -49,7 +39,8 @@ std::vector<StandingShape> shapesIn(const HallScene& scene)
         shapes.insert(shapes.end(), own.begin(), own.end());
     }
     shapes.insert(shapes.end(), scene.bodies.begin(), scene.bodies.end());
-    if (scene.visitorModel && !scene.visitorModel->parts.empty()) shapes.push_back(visitorShape(scene));
+    const std::vector<StandingShape> own = ownShapes(scene);
+    shapes.insert(shapes.end(), own.begin(), own.end());
     return shapes;
 }
 

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/sun.h"
+#include "exhibits/hall/walk.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -150,6 +151,15 @@ bool isInWalls(const HallModel& model, const glm::dvec3& eye)
     building.low -= farthestNearPlane;
     building.high += farthestNearPlane;
     return building.contains(eye) && !model.room().contains(eye);
+}
+
+std::string whyHidden(const HallModel& model, const render::Box& worldBox, const render::View& view)
+{
+    if (!view.mayContain(worldBox)) return "out of view";
+    if (isInWalls(model, view.eye)) return {};  // One looks through them.
+    for (const Occluder& occluder : model.occluders())
+        if (isBehind(occluder, worldBox, view.eye)) return "behind a wall";
+    return {};
 }
 
 glm::dvec3 towardsSun(const HallScene& scene)

@@ -90,36 +90,6 @@ void planButtons(const HallScene& scene, const SceneLighting& light, const Chann
     plan.add(std::move(pass));
 }
 
-void planVisitorModel(const HallScene& scene, const SceneLighting& light, const Channels& channels,
-                      render::FramePlan& plan)
-{
-    if (!scene.visitorModel) {
-        plan.skip("hall/visitor", "the free plinth is empty");
-        return;
-    }
-    Pass pass = surfacePass("hall/visitor", "an object stands on the free plinth", light, channels,
-                            {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP", "EMISSIVE_MAP", "ALPHA_MASK"});
-    pass.state.cull = render::Cull::none;
-    pass.depthOnly.reset();  // Its textures cut holes.
-    Pass blended = pass;
-    blended.name = "hall/visitor/blended";
-    blended.phase = render::PassPhase::transparent;
-    blended.state.blend = render::Blend::alpha;
-    blended.state.depthWrite = false;
-    blended.colors.resize(1);
-    std::erase_if(blended.shader.defines, [](const std::string& define) { return define.starts_with("WRITE_"); });
-    for (const MeshInstance& part : scene.visitorModel->parts) {
-        const render::Material& material = part.material ? *part.material : buttonMaterial();
-        Draw draw = surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, material);
-        (material.alphaMode == render::AlphaMode::blend ? blended : pass).draws.push_back(std::move(draw));
-    }
-    if (!pass.draws.empty()) plan.add(std::move(pass));
-    if (!blended.draws.empty())
-        plan.add(std::move(blended));
-    else
-        plan.skip(blended.name, "nothing of the visitor's object is translucent");
-}
-
 /// The map of what stands still is drawn once; where hangings may be, it is put back whenever they have turned, and
 /// they are drawn over it.
 void planTurningShadow(const HallScene& scene, const Pass& still, const std::vector<MeshInstance>& turning,
@@ -172,6 +142,8 @@ std::vector<MeshInstance> standingParts(const HallScene& scene)
     std::vector<MeshInstance> parts;
     for (const auto& [number, place] : scene.model.places())
         for (const MeshInstance& part : isOccupied(scene, number) ? place.stand : place.cloth) parts.push_back(part);
+    for (const OwnObject& object : scene.objects)
+        if (object.plinth) parts.push_back(*object.plinth);
     return parts;
 }
 
@@ -244,9 +216,9 @@ void planHallShadow(const HallScene& scene, const SceneLighting& light, render::
     pass.bound = light.sunShadow;
     for (const MeshInstance& part : scene.model.walls()) pass.draws.push_back(partDraw(scene, part));
     for (const MeshInstance& part : standingParts(scene)) pass.draws.push_back(partDraw(scene, part));
-    if (scene.visitorModel)
-        for (const MeshInstance& part : scene.visitorModel->parts)
-            pass.draws.push_back(surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart, {}));
+    for (const OwnObject& object : scene.objects)
+        for (const MeshInstance& part : object.model->parts)
+            pass.draws.push_back(surfaceDraw(part.mesh, object.worldFromModel * part.modelFromPart, {}));
     if (!turning.empty())
         planTurningShadow(scene, pass, turning, plan);
     else
@@ -276,7 +248,7 @@ void planWalls(const HallScene& scene, const SceneLighting& light, const Channel
     else
         plan.add(std::move(props));
 
-    planVisitorModel(scene, light, channels, plan);
+    planOwnObjects(scene, light, channels, plan);
     planButtons(scene, light, channels, plan);
     planPlaques(scene, light, channels, plan);
 }

@@ -95,10 +95,12 @@ std::vector<render::Draw> thingDraws(const HallScene& scene)
     for (const render::MeshInstance& part : parts)
         if (!surroundsProbe(scene, part.mesh->bounds.transformed(part.modelFromPart)))
             draws.push_back(partDraw(scene, part));
-    if (scene.visitorModel)
-        for (const render::MeshInstance& part : scene.visitorModel->parts)
-            draws.push_back(surfaceDraw(part.mesh, scene.worldFromVisitorModel * part.modelFromPart,
+    for (const OwnObject& object : scene.objects) {
+        if (surroundsProbe(scene, object.box)) continue;
+        for (const render::MeshInstance& part : object.model->parts)
+            draws.push_back(surfaceDraw(part.mesh, object.worldFromModel * part.modelFromPart,
                                         part.material ? *part.material : render::Material()));
+    }
     for (const StandingShape& body : bodiesSeen(scene)) draws.push_back(bodyDraw(body));
     return draws;
 }

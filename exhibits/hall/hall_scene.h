@@ -5,10 +5,14 @@
 #include "exhibits/framework/scene_lighting.h"
 #include "exhibits/hall/hall_model.h"
 #include "exhibits/hall/hall_table.h"
+#include "render/hash.h"
 #include "render/plan/frame_plan.h"
 
+#include <array>
+#include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,11 +34,27 @@ struct ExhibitPose {
     double sincePress = std::numeric_limits<double>::infinity();  ///< Of the button, seconds; infinity: never.
 };
 
-/// The user's panorama and object, as far as they can be read.
+/// An object of a visitor's own, as far as it could be read, and the plinth that it stands on.
+struct PreparedObject {
+    std::shared_ptr<const render::Model> model;  ///< Null: there is none.
+    std::shared_ptr<const render::Mesh> plinth;  ///< Of its own, its foot at the origin; null: it has none.
+};
+
+/// The user's panorama and objects, as far as they can be read.
 struct PreparedHall final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
     double environmentBrightest = 0;  ///< The panorama's largest value.
-    std::shared_ptr<const render::Model> visitorModel;
+    std::array<PreparedObject, mostOwnObjects> objects;
+};
+
+/// An object of a visitor's own where it stands.
+struct OwnObject {
+    std::size_t which = 0;  ///< Of the table's `objects`.
+    std::shared_ptr<const render::Model> model;
+    glm::dmat4 worldFromModel{1};
+    render::Box box;                                  ///< Of the object, world space.
+    std::optional<render::MeshInstance> plinth = {};  ///< Of its own; world space.
+    std::vector<Collider> colliders = {};             ///< Keep visitors off it and its plinth.
 };
 
 /// Everything that the hall's passes are planned from.
@@ -45,9 +65,8 @@ struct HallScene {
     bool alone = false;                                       ///< No walls: an exhibit in the environment's light.
     std::shared_ptr<const render::Texture> environment = {};  ///< Null: the sky, or the studio when alone.
     double environmentBrightest = 0;                          ///< The panorama's largest value.
-    std::shared_ptr<const render::Model> visitorModel = {};
-    glm::dmat4 worldFromVisitorModel{1};
-    std::shared_ptr<const PlaqueText> text;
+    std::vector<OwnObject> objects = {};
+    std::shared_ptr<const PlaqueText> text = {};
     std::span<const ExhibitSlot> exhibits;
     std::uint64_t filesId = 0;                    ///< As PreparedPart's.
     std::vector<ExhibitPose> poses = {};          ///< One for each slot; may be shorter.
@@ -70,6 +89,8 @@ struct HallScene {
 /// Whether an eye there sees through the walls, because it lies within them, or so near their outer faces that the near
 /// plane may cut these away.
 [[nodiscard]] bool isInWalls(const HallModel&, const glm::dvec3& eye);
+/// Empty when the box may be seen from there: it is in view, and no wall hides it.
+[[nodiscard]] std::string whyHidden(const HallModel&, const render::Box& worldBox, const render::View&);
 /// Empty when the sun may reach a point of the box through window or oculus.
 [[nodiscard]] std::string whyUnlit(const HallScene&, const render::Box& worldBox);
 /// Changes whenever something that falls on the static hall, or is seen in its probe, changes.
@@ -92,7 +113,8 @@ void bindLightmaps(const HallScene&, const SceneLighting&, render::Pass&);
 
 // hall_passes.cpp
 
-/// Cloths over empty places, stands of occupied ones: what is in the hall beside its walls and never moves.
+/// Cloths over empty places, stands of occupied ones, the visitor's own plinths: what is in the hall beside its walls
+/// and never moves by itself.
 [[nodiscard]] std::vector<render::MeshInstance> standingParts(const HallScene&);
 
 /// Whether an exhibit stands there: its stand is drawn, and no cloth.
@@ -102,10 +124,27 @@ void bindLightmaps(const HallScene&, const SceneLighting&, render::Pass&);
 
 /// The sun's depth map of walls and furniture, kept while neither moves.
 void planHallShadow(const HallScene&, const SceneLighting&, render::FramePlan&);
-/// Walls, furniture, cloths over empty places, the visitor's object, buttons and plaques.
+/// Walls, furniture, cloths over empty places, the visitor's objects, buttons and plaques.
 void planWalls(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
 /// What is behind everything: sky, panorama, or the studio of an exhibit alone.
 void planSky(const HallScene&, const SceneLighting&, render::FramePlan&);
+
+// own_objects.cpp
+
+/// Reads the visitor's objects and makes their plinths. `unreadable` is told which of them cannot be read, and why.
+using ToldUnreadable = std::function<void(std::size_t which, const std::string& why)>;
+[[nodiscard]] std::array<PreparedObject, mostOwnObjects> preparedObjects(const HallTable&, const ParameterValues&,
+                                                                         render::AssetStore&, render::Hash& files,
+                                                                         const ToldUnreadable&);
+/// Those that could be read, each where it stands: on the floor, walls and furniture keep it off.
+[[nodiscard]] std::vector<OwnObject> objectsAt(const HallModel&, const HallTable&, const ParameterValues&,
+                                               const std::array<PreparedObject, mostOwnObjects>&);
+/// "hall/visitor", "hall/visitor/2", ...: the name of its pass.
+[[nodiscard]] std::string ownPassName(std::size_t which);
+/// What each draws, or why not.
+void planOwnObjects(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
+/// Boxes of what their materials are on average, and their plinths: for the floor.
+[[nodiscard]] std::vector<StandingShape> ownShapes(const HallScene&);
 
 // hall_plaques.cpp
 

@@ -2,12 +2,29 @@
 
 #include "exhibits/framework/parameters.h"
 
+#include <array>
+#include <vector>
+
 namespace vitrine {
 
 enum class SunBy : int { angles, hour };
 enum class ShadowFilter : int { hard, tent3, tent5, disk };
 enum class FloorMirror : int { probe, shapes };
 enum class LampsLit : int { automatic, on, off };
+
+/// What an object of a visitor's own stands on.
+enum class ObjectStand : int { freePlinth, ownPlinth, floor };
+
+/// So many objects of a visitor's own may stand in the hall.
+inline constexpr std::size_t mostOwnObjects = 4;
+
+/// The rows of one object of a visitor's own.
+struct OwnObjectRows {
+    File model;
+    Real modelSize, modelRotation;
+    Choice<ObjectStand> modelStand;
+    Real modelAcross, modelAlong, modelPlinthHeight;
+};
 
 /// What the hall is called; here, so that lists need not read the building itself.
 inline constexpr std::string_view hallTitle = "The hall";
@@ -122,13 +139,54 @@ struct HallTable final : Parameters {
         "bars and what stands on the floor, each where a ray finds it.",
         quality(FloorMirror::shapes), when(reflectionProbe));
 
-    Group visitor = group("Visitor's object");
-    File model = file("model", "A glTF object (.glb or .gltf) on the free plinth.", endings("glb gltf"));
-    Real modelSize = real("modelSize", 0.8, meter, Range{0.01, 100, logarithmic}.soft(0.1, 3),
-                          "Largest side of the visitor's object as it stands on the plinth.", whenGiven(model));
-    Real modelRotation =
-        real("modelRotation", 0.0, degree, {degrees(-180), degrees(180)},
-             "Turns the visitor's object around the vertical.", whenGiven(model), formerly("modelTurn"));
+    /// The first on the free plinth, with nothing before the names of its rows: model, modelSize, ... The others where
+    /// their rows say: secondModel, secondModelSize, ...
+    std::vector<OwnObjectRows> objects =
+        groups("objects", objectElements, [this](std::size_t which) { return object(which); });
+
+private:
+    static constexpr std::array<Element, mostOwnObjects> objectElements{{{"", "Visitor's object"},
+                                                                         {"second", "Second object"},
+                                                                         {"third", "Third object"},
+                                                                         {"fourth", "Fourth object"}}};
+    /// Where each stands at first, x and z, once it is off the free plinth: where it hides nothing and is in nobody's
+    /// way.
+    static constexpr std::array<glm::dvec2, mostOwnObjects> objectSpots{
+        {{4.8, -3.5}, {-4.9, -3.5}, {4.7, -0.5}, {-4.7, -10.2}}};
+
+    OwnObjectRows object(std::size_t which)
+    {
+        const bool first = which == 0;
+        const File model = file("model",
+                                first ? "A glTF object (.glb or .gltf) on the free plinth."
+                                      : "One more glTF object (.glb or .gltf) of yours, on a plinth of its own.",
+                                endings("glb gltf"));
+        const Real modelSize =
+            real("modelSize", 0.8, meter, Range{0.01, 100, logarithmic}.soft(0.1, 3),
+                 "Largest side of the visitor's object as it stands on the plinth.", whenGiven(model));
+        const Real modelRotation =
+            real("modelRotation", 0.0, degree, {degrees(-180), degrees(180)},
+                 "Turns the visitor's object around the vertical.", whenGiven(model), formerly("modelTurn"));
+        const Choice<ObjectStand> modelStand = choice(
+            "modelStand", first ? ObjectStand::freePlinth : ObjectStand::ownPlinth,
+            {"free plinth", "own plinth", "floor"},
+            "What the object stands on: the hall's free plinth, a plinth of its own, or the floor.", whenGiven(model));
+        const auto moved = whenGiven(model) && when(modelStand, {ObjectStand::ownPlinth, ObjectStand::floor});
+        const glm::dvec2 spot = objectSpots.at(which);
+        const Real modelAcross = real("modelAcross", spot.x, meter, {-5.6, 5.6},
+                                      "Where it stands, to the right of the hall's middle as one comes in; walls and "
+                                      "furniture keep it off.",
+                                      moved);
+        const Real modelAlong =
+            real("modelAlong", spot.y, meter, {-11.6, 11.6},
+                 "Where it stands, from the hall's middle towards the entrance; walls and furniture "
+                 "keep it off.",
+                 moved);
+        const Real modelPlinthHeight =
+            real("modelPlinthHeight", 0.8, meter, Range{0.05, 3}.soft(0.2, 1.4), "How high its own plinth is.",
+                 whenGiven(model) && when(modelStand, ObjectStand::ownPlinth));
+        return {model, modelSize, modelRotation, modelStand, modelAcross, modelAlong, modelPlinthHeight};
+    }
 };
 
 }  // namespace vitrine

@@ -11,31 +11,32 @@ constexpr double longestStep = 0.1;
 constexpr double longestWalk = 100;  ///< Longer ones end after this: the house is smaller.
 
 /// Out of a box, by the shortest way in the horizontal plane.
-glm::dvec2 pushedOutOfBox(glm::dvec2 p, glm::dvec2 halfSize)
+glm::dvec2 pushedOutOfBox(glm::dvec2 p, glm::dvec2 halfSize, double reach)
 {
     const glm::dvec2 nearest = glm::clamp(p, -halfSize, halfSize);
     const glm::dvec2 away = p - nearest;
     const double distance = glm::length(away);
-    if (distance >= visitorRadius) return p;
-    if (distance > 1e-9) return nearest + away * (visitorRadius / distance);
-    const glm::dvec2 toSide = halfSize + visitorRadius - glm::abs(p);
+    if (distance >= reach) return p;
+    if (distance > 1e-9) return nearest + away * (reach / distance);
+    const glm::dvec2 toSide = halfSize + reach - glm::abs(p);
     if (toSide.x < toSide.y)
-        p.x = std::copysign(halfSize.x + visitorRadius, p.x);
+        p.x = std::copysign(halfSize.x + reach, p.x);
     else
-        p.y = std::copysign(halfSize.y + visitorRadius, p.y);
+        p.y = std::copysign(halfSize.y + reach, p.y);
     return p;
 }
 
-glm::dvec2 pushedOutOfDisk(glm::dvec2 p, double radius)
+glm::dvec2 pushedOutOfDisk(glm::dvec2 p, double radius, double reach)
 {
     const double distance = glm::length(p);
-    const double least = radius + visitorRadius;
+    const double least = radius + reach;
     if (distance >= least) return p;
     return distance > 1e-9 ? p * (least / distance) : glm::dvec2(least, 0);
 }
 
-/// `eye` moved out of one obstacle; colliders stand upright, so only the horizontal plane matters.
-glm::dvec3 pushedOut(const Collider& collider, const glm::dvec3& eye)
+/// `eye` of someone who fills `reach` around it, moved out of one obstacle; colliders stand upright, so only the
+/// horizontal plane matters.
+glm::dvec3 pushedOut(const Collider& collider, const glm::dvec3& eye, double reach = visitorRadius)
 {
     const glm::dvec3 feet(eye.x, eye.y - 1.65, eye.z);
     glm::dvec3 local = glm::dvec3(collider.localFromWorld * glm::dvec4(feet, 1));
@@ -45,8 +46,8 @@ glm::dvec3 pushedOut(const Collider& collider, const glm::dvec3& eye)
     if (local.y + visitorHeight < bottom || local.y + 0.05 > top) return eye;
     const glm::dvec2 flat(local.x, local.z);
     const glm::dvec2 out = collider.cylinder
-                               ? pushedOutOfDisk(flat, collider.halfSize.x)
-                               : pushedOutOfBox(flat, glm::dvec2(collider.halfSize.x, collider.halfSize.z));
+                               ? pushedOutOfDisk(flat, collider.halfSize.x, reach)
+                               : pushedOutOfBox(flat, glm::dvec2(collider.halfSize.x, collider.halfSize.z), reach);
     if (out == flat) return eye;
     const glm::dvec3 moved = glm::dvec3(glm::inverse(collider.localFromWorld) * glm::dvec4(out.x, local.y, out.y, 1));
     return {moved.x, eye.y, moved.z};
@@ -76,6 +77,17 @@ glm::dvec3 walkAround(const std::vector<Collider>& colliders, const glm::dvec3& 
         if (!settled) return before;
     }
     return eye;
+}
+
+glm::dvec2 standingPlace(const std::vector<Collider>& colliders, const glm::dvec2& at, double radius)
+{
+    glm::dvec3 eye(at.x, 1.65, at.y);
+    for (int round = 0; round < 16; ++round) {
+        const glm::dvec3 last = eye;
+        for (const Collider& collider : colliders) eye = pushedOut(collider, eye, radius);
+        if (glm::length(eye - last) < 1e-6) return {eye.x, eye.z};
+    }
+    return at;
 }
 
 bool cameraPasses(const std::vector<Collider>& colliders, const glm::dvec3& from, const glm::dvec3& to)

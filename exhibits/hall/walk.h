@@ -17,6 +17,10 @@ inline constexpr double visitorRadius = 0.28;
 /// short enough that none is jumped over. The height of `to` is kept. A NaN in `to` leaves him at `from`.
 [[nodiscard]] glm::dvec3 walkAround(const std::vector<Collider>&, const glm::dvec3& from, const glm::dvec3& to);
 
+/// Where a thing that fills `radius` around it (meters) can stand on the floor: `at` (x, z), moved out of every
+/// obstacle in its way; `at` itself where it cannot get out of them.
+[[nodiscard]] glm::dvec2 standingPlace(const std::vector<Collider>&, const glm::dvec2& at, double radius);
+
 /// A camera, which goes where a visitor cannot stand, keeps so far from what it must not run into, meters.
 inline constexpr double cameraRadius = 0.08;
 

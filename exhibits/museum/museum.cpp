@@ -92,6 +92,16 @@ glm::dvec3 Museum::walk(const glm::dvec3& from, const glm::dvec3& to) const
     return walkAround(model_->colliders(), from, to);
 }
 
+glm::dvec3 Museum::walk(const Prepared& prepared, const glm::dvec3& from, const glm::dvec3& to) const
+{
+    std::vector<Collider> own;
+    for (const OwnObject& object : hall_->scene(prepared.sceneState.hall(), false, prepared.hall.get()).objects)
+        own.insert(own.end(), object.colliders.begin(), object.colliders.end());
+    if (own.empty()) return walk(from, to);
+    own.insert(own.end(), model_->colliders().begin(), model_->colliders().end());
+    return walkAround(own, from, to);
+}
+
 bool Museum::cameraPasses(const glm::dvec3& from, const glm::dvec3& to) const
 {
     return vitrine::cameraPasses(model_->colliders(), from, to);

@@ -30,11 +30,19 @@ struct LookedAt {
 /// What the visitor points at, and where going there leads.
 struct Pointed {
     std::size_t exhibit = 0;  ///< `hallIndex`: none; then it is the visitor's own object.
-    std::string name;         ///< "Torus to Mug", "Your object", "E – melt it".
+    std::string name;         ///< "Torus to Mug", "Your object: teddy.glb", "E – melt it".
     double distance = 0;      ///< Meters from the eye.
     bool button = false;      ///< It is the button of `exhibit` ...
     bool inReach = false;     ///< ... and can be pressed from here.
     render::Camera view;      ///< Its best view, in the world.
+};
+
+/// An object of the visitor's own that stands in the hall.
+struct OwnObjectShown {
+    std::size_t which = 0;  ///< Of the hall's `objects`.
+    std::string name;       ///< "Your object: teddy.glb"
+    render::Box box;        ///< In the world.
+    render::Camera view;    ///< Its best view, in the world.
 };
 
 /// A rectangle of a picture, pixels from its lower left corner.
@@ -108,6 +116,8 @@ public:
     /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: walls and furniture stop
     /// him, and he slides along them.
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
+    /// The same where objects of the visitor's own stand as well: they and their plinths stop him, too.
+    [[nodiscard]] glm::dvec3 walk(const Prepared&, const glm::dvec3& from, const glm::dvec3& to) const;
     /// Whether a camera gets straight from `from` to `to` past all of these: it need not be where a visitor can stand.
     [[nodiscard]] bool cameraPasses(const glm::dvec3& from, const glm::dvec3& to) const;
     /// The button within 2 m that the middle of the view rests on, when nothing stands before it.
@@ -115,6 +125,8 @@ public:
     /// The exhibit, button or visitor's object seen at `ndc` (each -1 to 1, y up) of that picture; nothing where the
     /// nearest thing there is a wall or furniture.
     [[nodiscard]] std::optional<Pointed> pick(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
+    /// The visitor's own objects, as far as they could be read.
+    [[nodiscard]] std::vector<OwnObjectShown> ownObjects(const Prepared&) const;
     /// Meters from the eye to whatever is seen there; infinity: the sky.
     [[nodiscard]] double distanceTo(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
     /// Which of the places 1 to 9 still wait for an exhibit.

@@ -22,13 +22,25 @@ std::string buttonLine(const HasButton& button)
     return "E – " + std::string(button.buttonText());
 }
 
-/// The visitor's own object from the front, all of it in the picture.
-render::Camera viewOf(const render::Box& worldBox)
+/// "Your object: teddy.glb"
+std::string nameOf(const OwnObject& object, const HallScene& scene)
 {
-    const double radius = std::max(glm::length(worldBox.halfSize()), 0.05);
+    const std::string path = scene.values[scene.table.objects[object.which].model];
+    return "Your object: " + std::filesystem::path(path).filename().string();
+}
+
+/// The visitor's own object, all of it in the picture: on the free plinth from where its plaque is read, elsewhere from
+/// the hall's middle, where no wall is in the way.
+render::Camera viewOf(const OwnObject& object, const HallScene& scene)
+{
+    const double radius = std::max(glm::length(object.box.halfSize()), 0.05);
     const double fovY = 0.7;
-    const glm::dvec3 away = glm::normalize(glm::dvec3(0.35, 0.35, 1));
-    return {worldBox.center() + away * (1.15 * radius / std::sin(fovY / 2)), worldBox.center(), fovY};
+    const glm::dvec3 middle = object.box.center();
+    const bool onFreePlinth = scene.values[scene.table.objects[object.which].modelStand] == ObjectStand::freePlinth;
+    const glm::dvec2 inwards = std::abs(middle.x) < 1 ? glm::dvec2(0, 1) : glm::dvec2(-middle.x, -0.5 * middle.z);
+    const glm::dvec2 level = onFreePlinth ? glm::dvec2(0.35, 1) : 1.06 * glm::normalize(inwards);
+    const glm::dvec3 away = glm::normalize(glm::dvec3(level.x, 0.35, level.y));
+    return {middle + away * (1.15 * radius / std::sin(fovY / 2)), middle, fovY};
 }
 
 }  // namespace
@@ -39,7 +51,7 @@ struct Museum::Seen {
     What what = What::nothing;
     std::size_t exhibit = 0;
     double distance = never;  ///< As the ray counts.
-    render::Box visitorsBox;  ///< Of the visitor's object, world space; empty where there is none.
+    std::size_t own = 0;      ///< Which of the visitor's objects, among those that stand here.
 
     void take(What w, std::size_t i, double d)
     {
@@ -57,11 +69,15 @@ Museum::Seen Museum::firstSeen(const Prepared& prepared, const render::Ray& ray)
     const HallScene scene = sceneOf(prepared, false);
     for (const render::MeshInstance& part : model_->walls())
         seen.take(building, hallIndex, render::firstHit(ray, part, render::Faces::front));
-    if (scene.visitorModel) {
-        seen.visitorsBox = scene.visitorModel->bounds.transformed(scene.worldFromVisitorModel);
-        const render::Ray local = ray.transformed(glm::inverse(scene.worldFromVisitorModel));
-        for (const render::MeshInstance& part : scene.visitorModel->parts)
+    for (std::size_t own = 0; own < scene.objects.size(); ++own) {
+        const OwnObject& object = scene.objects[own];
+        const render::Ray local = ray.transformed(glm::inverse(object.worldFromModel));
+        for (const render::MeshInstance& part : object.model->parts) {
+            const double before = seen.distance;
             seen.take(visitorsObject, hallIndex, render::firstHit(local, part, render::Faces::both));
+            if (seen.distance < before) seen.own = own;
+        }
+        if (object.plinth) seen.take(building, hallIndex, render::firstHit(ray, *object.plinth, render::Faces::front));
     }
     for (const auto& [number, place] : model_->places()) {
         const auto here = std::find_if(exhibits_.begin(), exhibits_.end(),
@@ -93,14 +109,24 @@ std::optional<Pointed> Museum::pick(const Prepared& prepared, const FrameRequest
                   seen.what == button && seen.distance <= reachOfButton,
                   {}};
     if (seen.what == visitorsObject) {
-        found.name = "Your object";
-        found.view = viewOf(seen.visitorsBox);
+        const OwnObjectShown object = ownObjects(prepared)[seen.own];
+        found.name = object.name;
+        found.view = object.view;
         return found;
     }
     const Exhibit& shown = exhibit(seen.exhibit);
     found.name = found.inReach ? buttonLine(*capability<HasButton>(shown)) : std::string(shown.title());
     found.view = bestView(seen.exhibit, prepared.sceneState.values[seen.exhibit]);
     return found;
+}
+
+std::vector<OwnObjectShown> Museum::ownObjects(const Prepared& prepared) const
+{
+    const HallScene scene = sceneOf(prepared, false);
+    std::vector<OwnObjectShown> all;
+    for (const OwnObject& object : scene.objects)
+        all.push_back({object.which, nameOf(object, scene), object.box, viewOf(object, scene)});
+    return all;
 }
 
 double Museum::distanceTo(const Prepared& prepared, const FrameRequest& request, glm::dvec2 ndc) const

@@ -95,11 +95,8 @@ struct Museum::Frame {
 
 std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
 {
-    if (!view.mayContain(box)) return "out of view";
-    if (alone || isInWalls(*model_, view.eye)) return {};  // No walls stand here, or one looks through them.
-    for (const Occluder& occluder : model_->occluders())
-        if (isBehind(occluder, box, view.eye)) return "behind a wall";
-    return {};
+    if (alone) return view.mayContain(box) ? std::string() : "out of view";  // No walls stand here.
+    return vitrine::whyHidden(*model_, box, view);
 }
 
 HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const

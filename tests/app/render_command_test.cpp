@@ -297,6 +297,29 @@ TEST(RenderCommand, WhatCannotBeReadIsExit5)
     EXPECT_EQ(folder.files().size(), 2U);
 }
 
+TEST(RenderCommand, SeveralObjectsOfTheVisitorsStandInTheHallAndABadOneIsNamed)
+{
+    const TemporaryFolder folder;
+    const std::string bear = render::asset("models/teddy.glb").string();
+    const Words two{"--set", "model=" + bear, "--set", "secondModel=" + bear, "--report", folder / "r.json"};
+    const Ended ended = test::vitrine(rendering("hall", folder / "two.png", two));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const Json report = Json::parse(test::bytesOf(folder / "r.json"));
+    std::set<std::string> ran, skipped;
+    for (const Json& pass : report["ran"]) ran.insert(pass["name"].get<std::string>());
+    for (const Json& pass : report["skipped"]) skipped.insert(pass["name"].get<std::string>());
+    EXPECT_TRUE(ran.contains("hall/visitor") && ran.contains("hall/visitor/2"));
+    EXPECT_TRUE(skipped.contains("hall/visitor/3") && skipped.contains("hall/visitor/4"));
+    ASSERT_EQ(test::vitrine(rendering("hall", folder / "one.png", {"--model", bear})).code, 0);
+    EXPECT_FALSE(sameBytes(folder / "one.png", folder / "two.png"));
+
+    test::writeBytes(folder / "broken.glb", "glTF but not really");
+    const Ended bad = test::vitrine(rendering(
+        "hall", folder / "x.png", {"--model", bear, "--set", "thirdModel=" + (folder / "broken.glb").string()}));
+    EXPECT_EQ(bad.code, 5);
+    test::expectOneSentence(bad, {"Third model", "broken.glb"});
+}
+
 TEST(RenderCommand, AShippedPresetIsKnownByItsName)
 {
     const TemporaryFolder folder;

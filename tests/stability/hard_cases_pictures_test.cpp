@@ -146,14 +146,14 @@ Picture visitorsModel(const std::string& glb, AverageIn in = AverageIn::radiance
     shot.inHall();
     shot.request.frame.subject.reset();
     shot.request.frame.averageIn = in;
-    shot.hall().set(hallTable().model, (folder / "model.glb").string());
+    shot.hall().set(hallTable().objects.front().model, (folder / "model.glb").string());
     const HallModel building;
     const glm::dmat4 place = building.place(10)->worldFromPlace;
     shot.see(glm::dvec3(place * glm::dvec4(0.3, 0.7, 2, 1)), glm::dvec3(place * glm::dvec4(0, 0.3, 0, 1)));
     shot.size(64, 48);
     Picture picture = shot.take();
     // Read once more without it, so that no other test finds it in the hall's cache.
-    shot.hall().set(hallTable().model, std::string());
+    shot.hall().set(hallTable().objects.front().model, std::string());
     (void)shot.take();
     return picture;
 }

@@ -54,7 +54,8 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     steady_.start();
     pressedAt_.assign(museum.subjects().size(), never);
     schedule_.setExhibits(static_cast<int>(museum.subjects().size()) - 1);  // But for the hall.
-    control_.setWalkable([this](const glm::dvec3& from, const glm::dvec3& to) { return museum_.walk(from, to); });
+    control_.setWalkable(
+        [this](const glm::dvec3& from, const glm::dvec3& to) { return museum_.walk(prepared(), from, to); });
     control_.jumpTo(history.sceneState().camera);
     takeQuality();
     watchFiles();

@@ -42,6 +42,10 @@ public:
     /// Whose parameters are on show: what E presses while it is orbited.
     void setSubject(std::size_t exhibit) { subject_ = exhibit; }
     void jumpTo(const render::Camera&);
+    /// The visitor's own objects that stand in the hall, as far as they are read.
+    [[nodiscard]] std::vector<OwnObjectShown> ownObjects() const { return museum_.ownObjects(prepared()); }
+    /// Glides to one of them.
+    void visit(const OwnObjectShown&);
     /// Glides there, and walks on from where a visitor can stand, at his height; otherwise orbits what is looked at.
     void goTo(const render::Camera&);
     /// What one sees from where the visitor is, in device pixels.

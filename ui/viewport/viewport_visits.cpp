@@ -24,6 +24,15 @@ void Viewport::visit(std::size_t exhibit)
     leftFor();
 }
 
+void Viewport::visit(const OwnObjectShown& object)
+{
+    remember();
+    subject_ = hallIndex;
+    control_.visit(object.view);
+    leftFor();
+    emit visited(hallIndex);
+}
+
 void Viewport::leftFor()
 {
     cut_ = cut_ || control_.cuts();
@@ -60,7 +69,7 @@ void Viewport::goTo(const render::Camera& camera)
     remember();
     constexpr double visitorsEye = 1.65;
     const bool stands = std::abs(camera.eye.y - visitorsEye) < 1e-6 &&
-                        glm::length(museum_.walk(camera.eye, camera.eye) - camera.eye) < 1e-6;
+                        glm::length(museum_.walk(prepared(), camera.eye, camera.eye) - camera.eye) < 1e-6;
     control_.glideTo({camera, stands ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     leftFor();
 }

@@ -52,29 +52,48 @@ FileOpener::FileOpener(Workbench& window, PresetShelf& shelf, QObject* parent)
 
 void FileOpener::setHallFile(const char* parameter, const QString& path)
 {
+    const auto row = rowFor(parameter);
+    if (!row) return sayNoPlace(path);
     SceneState next = window_.history().sceneState();
-    const auto row = next.hall().table().find(parameter);
-    if (!row) {
-        window_.say(
-            MessageStrip::Mood::problem,
-            tr("%1 cannot be shown: this hall has no parameter \"%2\" for it.").arg(path, QLatin1String(parameter)));
-        return;
-    }
     next.hall().setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
     // Reading a large file takes seconds.
     window_.viewport().renderThread().post(
-        [this, &museum = window_.museum(), next, row = *row, path]() -> std::function<void()> {
+        [this, &museum = window_.museum(), next, row = *row, parameter, path]() -> std::function<void()> {
             for (const std::string& why : unreadableFiles(museum, next))
                 if (why.starts_with(label(next.hall().rows()[row]) + " of "))
                     return [this, why] {
                         window_.say(MessageStrip::Mood::problem, tr("%1 Nothing was changed.").arg(said(why)));
                     };
-            return [this, row, path, file = next.hall().row(row)] {
+            return [this, parameter, path, file = next.hall().row(row)] {
+                // Another file may have taken the place meanwhile.
+                const auto free = rowFor(parameter);
+                if (!free) return sayNoPlace(path);
                 SceneState changed = window_.history().sceneState();
-                changed.hall().setRow(row, file);
+                changed.hall().setRow(*free, file);
                 window_.history().change(tr("Put %1 into the hall").arg(QFileInfo(path).fileName()), changed);
             };
         });
+}
+
+std::optional<std::size_t> FileOpener::rowFor(std::string_view parameter) const
+{
+    const ParameterValues& hall = window_.history().sceneState().hall();
+    for (std::size_t row = 0; row < hall.rows().size(); ++row) {
+        const ParameterInfo& info = hall.rows()[row];
+        if (info.array.empty() ? info.name == parameter
+                               : info.elementRow == parameter && std::get<std::string>(hall.row(row)).empty())
+            return row;
+    }
+    return std::nullopt;
+}
+
+void FileOpener::sayNoPlace(const QString& path)
+{
+    window_.say(
+        MessageStrip::Mood::problem,
+        tr("%1 was not put into the hall: every place for an object of yours is taken. Clear the file of one in "
+           "the parameters of the hall, or drop this one there to replace it.")
+            .arg(QFileInfo(path).fileName()));
 }
 
 QStringList FileOpener::openable()

@@ -4,6 +4,8 @@
 #include <QStringList>
 
 #include <cstddef>
+#include <optional>
+#include <string_view>
 
 namespace vitrine::ui {
 
@@ -38,6 +40,10 @@ private:
     [[nodiscard]] bool openDocument(const QString& path);
     void openPicture(const QString& path);
     void setHallFile(const char* parameter, const QString& path);
+    /// Of the hall's rows that one of that name; where there are several groups with one, that of the first group whose
+    /// row names no file. Nothing: all are taken.
+    [[nodiscard]] std::optional<std::size_t> rowFor(std::string_view parameter) const;
+    void sayNoPlace(const QString& path);
 
     Workbench& window_;
     PresetShelf& shelf_;

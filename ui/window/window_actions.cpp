@@ -18,6 +18,7 @@
 #include "ui/window/file_opener.h"
 #include "ui/window/focus_areas.h"
 #include "ui/window/main_window.h"
+#include "ui/window/own_objects_menu.h"
 #include "ui/window/recent_files.h"
 #include "ui/window/screenshot.h"
 #include "ui/window/theme_menu.h"
@@ -321,6 +322,7 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
     make.add(tr("&Press its button"), {},
              tr("The red button of the exhibit that you look at; E does the same while the picture has the focus."),
              [&window] { window.viewport().press(); });
+    make.submenu(ownObjectsMenu(window));
     make.separator();
     for (const auto& [i, exhibit] : window.museum().exhibits()) {
         const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9

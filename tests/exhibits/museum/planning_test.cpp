@@ -99,7 +99,7 @@ std::vector<Scene> twoUsers()
         if (u == 0)
             coat.set(fur.ringModel, std::string("models/teddy.glb"));
         else
-            scene.hall().set(test::hallTable().model, render::asset("models/teddy.glb").string());
+            scene.hall().set(test::hallTable().objects.front().model, render::asset("models/teddy.glb").string());
         // Both see all of it.
         scene.request.runEverything = true;
         scene.request.time = 0.9;

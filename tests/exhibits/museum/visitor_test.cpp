@@ -289,12 +289,12 @@ TEST(Pick, TheVisitorsOwnObjectCanBeVisited)
     const auto found = pointed(scene);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->exhibit, std::size_t{0});
-    EXPECT_EQ(found->name, "Your object");
+    EXPECT_EQ(found->name, "Your object: teddy.glb");
     // Its view shows it, from outside and not from afar.
     scene.see(found->view);
     const auto again = pointed(scene);
     ASSERT_TRUE(again);
-    EXPECT_EQ(again->name, "Your object");
+    EXPECT_EQ(again->name, "Your object: teddy.glb");
     EXPECT_GT(again->distance, 0.2);
     EXPECT_LT(again->distance, 4);
 }

@@ -1,0 +1,244 @@
+// The visitor's own objects: where they stand, what they stand on, what they draw.
+#include "exhibits/hall/hall_scene.h"
+
+#include "exhibits/hall/plinth.h"
+#include "exhibits/hall/walk.h"
+#include "exhibits/kit/exhibit_pass.h"
+#include "exhibits/kit/surface_draw.h"
+#include "render/scene/gltf.h"
+#include "render/scene/held_bytes.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine {
+namespace {
+
+using render::Draw;
+using render::MeshInstance;
+using render::Pass;
+
+constexpr const char* plinthMaterial = "travertine";
+constexpr int freePlinthPlace = 10;
+constexpr double narrowestPlinth = 0.18, widestPlinth = 0.9;  ///< Half the width, meters.
+
+render::AssetStore::Made<render::Model> readModel(const std::string& path)
+{
+    auto model = std::make_shared<render::Model>(render::loadGltf(path));
+    const std::uint64_t bytes = heldBytes(*model);
+    return {std::move(model), bytes};
+}
+
+/// Meters per unit of the model.
+double scaleOf(const render::Model& model, double largestSide)
+{
+    const glm::dvec3 extent = 2.0 * model.bounds.halfSize();
+    return largestSide / std::max({extent.x, extent.y, extent.z, 1e-9});
+}
+
+/// Half the width of the plinth below an object: as wide as that is, and a little more.
+double plinthHalfWidth(const render::Model& model, double largestSide)
+{
+    const glm::dvec3 half = model.bounds.halfSize() * scaleOf(model, largestSide);
+    return std::clamp(std::max(half.x, half.z) + 0.08, narrowestPlinth, widestPlinth);
+}
+
+/// Half the width and the height of the plinth of its own, meters; nothing: it has none. To whole millimeters, so that
+/// one that grows slowly is not made anew for every picture.
+std::optional<glm::dvec2> plinthSize(const OwnObjectRows& rows, const ParameterValues& values,
+                                     const render::Model& model)
+{
+    if (values[rows.modelStand] != ObjectStand::ownPlinth) return std::nullopt;
+    const glm::dvec2 size(plinthHalfWidth(model, values[rows.modelSize]), values[rows.modelPlinthHeight]);
+    return glm::round(1000.0 * size) / 1000.0;
+}
+
+std::shared_ptr<const render::Mesh> plinthFor(const OwnObjectRows& rows, const ParameterValues& values,
+                                              const render::Model& model, render::AssetStore& assets)
+{
+    const std::optional<glm::dvec2> size = plinthSize(rows, values, model);
+    if (!size) return nullptr;
+    const std::string key = std::to_string(size->x) + ';' + std::to_string(size->y);
+    return assets.made<render::Mesh>("hall.plinth", key, [&] { return makePlinth(size->x, size->y); }).value;
+}
+
+/// World from where the object stands: the top of the free plinth or of its own, or the floor.
+glm::dmat4 worldFromStand(const HallModel& hall, const OwnObjectRows& rows, const ParameterValues& values,
+                          const render::Model& model)
+{
+    if (values[rows.modelStand] == ObjectStand::freePlinth) {
+        const Place* free = hall.place(freePlinthPlace);
+        return free ? free->worldFromPlace : glm::dmat4(1);
+    }
+    const double top = plinthSize(rows, values, model).value_or(glm::dvec2(0)).y;
+    const glm::dvec2 at = standingPlace(hall.colliders(), {values[rows.modelAcross], values[rows.modelAlong]},
+                                        plinthHalfWidth(model, values[rows.modelSize]));
+    return glm::translate(glm::dmat4(1), glm::dvec3(at.x, top, at.y));
+}
+
+/// Upright boxes that keep visitors off the object, as it is turned, and off its plinth. Of an object that fills the
+/// hall they are kept off the middle only: it would shut them in.
+std::vector<Collider> collidersOf(const render::Box& turned, const glm::dmat4& worldFromTurned,
+                                  const std::optional<glm::dvec2>& plinth)
+{
+    constexpr double widest = 1.2;
+    const glm::dvec3 half = glm::min(turned.halfSize(), glm::dvec3(widest, 100, widest));
+    std::vector<Collider> made{
+        {glm::translate(glm::dmat4(1), -turned.center()) * glm::inverse(worldFromTurned), half, false}};
+    if (plinth) {
+        const glm::dvec3 middle(worldFromTurned[3].x, plinth->y / 2, worldFromTurned[3].z);
+        made.push_back({glm::translate(glm::dmat4(1), -middle), {plinth->x, plinth->y / 2, plinth->x}, false});
+    }
+    return made;
+}
+
+/// An object where its rows put it.
+OwnObject standing(const HallModel& hall, std::size_t which, const OwnObjectRows& rows, const ParameterValues& values,
+                   const PreparedObject& prepared)
+{
+    const render::Model& model = *prepared.model;
+    const render::Box& box = model.bounds;
+    const glm::dmat4 worldFromTurned =
+        glm::rotate(worldFromStand(hall, rows, values, model), values[rows.modelRotation], glm::dvec3(0, 1, 0));
+    // It stands on its lowest point, above the middle of what it stands on.
+    const glm::dmat4 turnedFromModel =
+        glm::translate(glm::scale(glm::dmat4(1), glm::dvec3(scaleOf(model, values[rows.modelSize]))),
+                       -glm::dvec3(box.center().x, box.low.y, box.center().z));
+    OwnObject object{which, prepared.model, worldFromTurned * turnedFromModel, {}};
+    object.box = box.transformed(object.worldFromModel);
+    object.colliders = collidersOf(box.transformed(turnedFromModel), worldFromTurned, plinthSize(rows, values, model));
+    if (prepared.plinth) {
+        static const auto stone = std::make_shared<const render::Material>(render::Material{.name = plinthMaterial});
+        const glm::dvec3 foot(worldFromTurned[3].x, 0, worldFromTurned[3].z);
+        object.plinth = MeshInstance{"plinth", prepared.plinth, stone, glm::translate(glm::dmat4(1), foot)};
+    }
+    return object;
+}
+
+/// Of a model that names no material.
+const render::Material& plainMaterial()
+{
+    static const render::Material red = [] {
+        render::Material m;
+        m.baseColor = {0.62F, 0.035F, 0.025F, 1};
+        m.metalness = 0;
+        m.roughness = 0.28F;
+        return m;
+    }();
+    return red;
+}
+
+void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneLighting& light,
+                   const Channels& channels, render::FramePlan& plan)
+{
+    const bool onFreePlinth = scene.values[scene.table.objects[object.which].modelStand] == ObjectStand::freePlinth;
+    Pass pass =
+        surfacePass(ownPassName(object.which),
+                    onFreePlinth ? "an object stands on the free plinth" : "an object of the visitor's stands here",
+                    light, channels, {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP", "EMISSIVE_MAP", "ALPHA_MASK"});
+    pass.state.cull = render::Cull::none;
+    pass.depthOnly.reset();  // Its textures cut holes.
+    Pass blended = pass;
+    blended.name += "/blended";
+    blended.phase = render::PassPhase::transparent;
+    blended.state.blend = render::Blend::alpha;
+    blended.state.depthWrite = false;
+    blended.colors.resize(1);
+    std::erase_if(blended.shader.defines, [](const std::string& define) { return define.starts_with("WRITE_"); });
+    for (const MeshInstance& part : object.model->parts) {
+        const render::Material& material = part.material ? *part.material : plainMaterial();
+        Draw draw = surfaceDraw(part.mesh, object.worldFromModel * part.modelFromPart, material);
+        (material.alphaMode == render::AlphaMode::blend ? blended : pass).draws.push_back(std::move(draw));
+    }
+    if (!pass.draws.empty()) plan.add(std::move(pass));
+    if (!blended.draws.empty())
+        plan.add(std::move(blended));
+    else
+        plan.skip(blended.name, "nothing of the visitor's object is translucent");
+}
+
+/// Why there is nothing to draw of this one.
+std::string whyNone(const HallScene& scene, std::size_t which)
+{
+    const OwnObjectRows& rows = scene.table.objects[which];
+    if (!scene.values[rows.model].empty()) return "its file is not read";
+    return which == 0 ? "the free plinth is empty" : "no file is chosen for it";
+}
+
+}  // namespace
+
+std::string ownPassName(std::size_t which)
+{
+    return which == 0 ? "hall/visitor" : "hall/visitor/" + std::to_string(which + 1);
+}
+
+std::array<PreparedObject, mostOwnObjects> preparedObjects(const HallTable& table, const ParameterValues& values,
+                                                           render::AssetStore& assets, render::Hash& files,
+                                                           const ToldUnreadable& unreadable)
+{
+    std::array<PreparedObject, mostOwnObjects> made;
+    for (std::size_t which = 0; which < mostOwnObjects; ++which) {
+        const OwnObjectRows& rows = table.objects[which];
+        const std::string path = values[rows.model];
+        if (path.empty()) continue;
+        const render::Asset<render::Model> found = assets.get<render::Model>("hall.model", path, readModel);
+        if (!found.failure.empty()) unreadable(which, found.failure);
+        files.addValue(found.id);
+        if (found.value) made.at(which) = {found.value, plinthFor(rows, values, *found.value, assets)};
+    }
+    return made;
+}
+
+std::vector<OwnObject> objectsAt(const HallModel& hall, const HallTable& table, const ParameterValues& values,
+                                 const std::array<PreparedObject, mostOwnObjects>& prepared)
+{
+    std::vector<OwnObject> all;
+    for (std::size_t which = 0; which < mostOwnObjects; ++which)
+        if (prepared.at(which).model)
+            all.push_back(standing(hall, which, table.objects[which], values, prepared.at(which)));
+    return all;
+}
+
+void planOwnObjects(const HallScene& scene, const SceneLighting& light, const Channels& channels,
+                    render::FramePlan& plan)
+{
+    // From far to near, so that what is translucent lies over what is behind it.
+    std::vector<const OwnObject*> farFirst;
+    for (const OwnObject& object : scene.objects) farFirst.push_back(&object);
+    std::stable_sort(farFirst.begin(), farFirst.end(), [&](const OwnObject* a, const OwnObject* b) {
+        return glm::distance(a->box.center(), plan.view.eye) > glm::distance(b->box.center(), plan.view.eye);
+    });
+    for (std::size_t which = 0; which < mostOwnObjects; ++which)
+        if (std::none_of(farFirst.begin(), farFirst.end(), [&](const OwnObject* o) { return o->which == which; }))
+            plan.skip(ownPassName(which), whyNone(scene, which));
+    for (const OwnObject* object : farFirst) {
+        const std::string why = plan.runEverything ? std::string() : whyHidden(scene.model, object->box, plan.view);
+        if (why.empty())
+            planOwnObject(scene, *object, light, channels, plan);
+        else
+            plan.skip(ownPassName(object->which), why);
+    }
+}
+
+std::vector<StandingShape> ownShapes(const HallScene& scene)
+{
+    std::vector<StandingShape> shapes;
+    for (const OwnObject& object : scene.objects) {
+        const std::vector<MeshInstance>& parts = object.model->parts;
+        if (object.plinth)
+            shapes.push_back(
+                moved(standingBox(object.plinth->mesh->bounds, scene.model.material(plinthMaterial).meanColor),
+                      object.plinth->modelFromPart));
+        if (parts.empty()) continue;
+        glm::dvec3 color(0);
+        for (const MeshInstance& part : parts)
+            color += glm::dvec3(part.material ? part.material->baseColor : glm::vec4(0.5F)) /
+                     static_cast<double>(parts.size());
+        shapes.push_back(moved(standingBox(object.model->bounds, color), object.worldFromModel));
+    }
+    return shapes;
+}
+
+}  // namespace vitrine

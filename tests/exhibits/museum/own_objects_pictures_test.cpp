@@ -1,0 +1,71 @@
+// Pictures of the visitor's own objects: each at its place, and nothing else of the picture changed.
+
+#include "render/files/assets.h"
+#include "tests/support/gallery.h"
+
+#include <algorithm>
+
+namespace vitrine {
+namespace {
+
+using test::gallery;
+using test::hallTable;
+using test::Picture;
+using test::Shot;
+
+class OwnObjectsPictures : public test::GlTest {};
+
+/// The hall from its entrance without what spreads light from one thing to another, so that a change is where it is.
+Shot plainHall()
+{
+    Shot shot;
+    shot.inHall().size(192, 108);
+    shot.request.frame.camera = gallery().museum.initialSceneState().camera;
+    shot.request.frame.subject.reset();
+    shot.request.frame.time = 0;
+    shot.hall().set(hallTable().sunShadows, false);
+    shot.hall().set(hallTable().reflectionProbe, false);
+    shot.hall().set(hallTable().contactShadows, false);
+    return shot;
+}
+
+TEST_F(OwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPixelsAlone)
+{
+    Shot shot = plainHall();
+    const Picture none = shot.take();
+    for (const OwnObjectRows& rows : hallTable().objects) {
+        shot.hall().set(rows.model, render::asset("models/teddy.glb").string());
+        shot.hall().set(rows.modelSize, 1.2);
+    }
+    const Picture all = shot.take();
+    const auto prepared = gallery().museum.prepare(shot.sceneState, shot.request.frame);
+    const std::vector<OwnObjectShown> objects = gallery().museum.ownObjects(prepared);
+    ASSERT_EQ(objects.size(), mostOwnObjects);
+    for (const OwnObjectShown& one : objects) {
+        SCOPED_TRACE(one.which);
+        const OwnObjectRows& rows = hallTable().objects[one.which];
+        Shot without = shot;
+        without.hall().set(rows.model, std::string());
+        const Picture picture = without.take();
+        // The box of the object and of the plinth below it.
+        render::Box box = one.box;
+        box.low -= glm::dvec3(0.15, one.box.low.y, 0.15);
+        box.high += 0.15;
+        int changed = 0, inBox = 0;
+        picture.each([&](int x, int y) {
+            if (all.color(x, y) == picture.color(x, y)) return;
+            ++changed;
+            const glm::dvec2 ndc((x + 0.5) / picture.width() * 2 - 1, 1 - (y + 0.5) / picture.height() * 2);
+            const render::Ray ray{picture.view.eye, picture.view.direction(ndc)};
+            inBox += std::isfinite(render::firstHit(ray, box));
+        });
+        EXPECT_GT(changed, 8);
+        EXPECT_EQ(inBox, changed);
+    }
+    // All taken away, the hall is as it was to the bit.
+    for (const OwnObjectRows& rows : hallTable().objects) shot.hall().set(rows.model, std::string());
+    EXPECT_EQ(test::largestDifference(none.image, shot.take().image), 0);
+}
+
+}  // namespace
+}  // namespace vitrine
