@@ -63,16 +63,22 @@ private:
 /// Draws gray, whatever is asked for.
 class BlankBackend final : public render::RenderBackend {
 public:
-    render::FrameReport draw(const render::FramePlan&) override { return {}; }
-    [[nodiscard]] render::Image read(const std::string&) override
+    render::FrameReport draw(const render::FramePlan& plan) override
     {
-        return {ui::RenderThread::taskTile, ui::RenderThread::taskTile, 4, 0.5F};  // As large as any tile.
+        size_ = glm::max(glm::ivec2(ui::RenderThread::taskTile), plan.view.raster.size);
+        return {};
+    }
+    /// As large as any tile, and as what was drawn; depth is one number.
+    [[nodiscard]] render::Image read(const std::string& name) override
+    {
+        return {size_.x, size_.y, name.find("epth") == std::string::npos ? 4 : 1, 0.5F};
     }
     [[nodiscard]] const render::PersistentState& persistentState() const override { return kept_; }
     [[nodiscard]] int largestSide() const override { return 16384; }
 
 private:
     render::PersistentState kept_;
+    glm::ivec2 size_{ui::RenderThread::taskTile};
 };
 
 /// The hall with plain exhibits in it.

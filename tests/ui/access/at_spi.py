@@ -85,6 +85,16 @@ def find(app, name, role=None):
     return None
 
 
+def near(app, name):
+    """A window of the program or a panel of one, without asking all that they hold; None where it is not seen."""
+    windows = [app.get_child_at_index(i) for i in range(app.get_child_count())]
+    panels = [window.get_child_at_index(i) for window in windows for i in range(window.get_child_count())]
+    for node in windows + panels:
+        if node and node.get_name() == name and node.get_state_set().contains(Atspi.StateType.VISIBLE):
+            return node
+    return None
+
+
 def press(node, which):
     action = node.get_action_iface()
     for i in range(action.get_n_actions() if action else 0):
@@ -99,7 +109,10 @@ def answer(request):
         return {"app": False}
     what = request["do"]
     if what == "tree":
-        told, count = complaints(app)
+        part = near(app, request["within"]) if "within" in request else app
+        if part is None:
+            return {"found": False}
+        told, count = complaints(part)
         return {"complaints": told, "roles": count}
     if what == "heard":
         said, heard[:] = list(heard), []

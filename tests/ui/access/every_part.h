@@ -75,7 +75,8 @@ protected:
         lookAt(
             "Sprites",
             [this] {
-                (new ui::SpriteDialog(PixelArt().parameters().initial(), *gallery_, window_->viewport().renderThread(),
+                static const PixelArt sprites;  // Its table outlives the dialog.
+                (new ui::SpriteDialog(sprites.parameters().initial(), *gallery_, window_->viewport().renderThread(),
                                       window_.get()))
                     ->show();
             },

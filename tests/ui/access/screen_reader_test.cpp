@@ -4,6 +4,7 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/lessons/lesson_desk.h"
 
+#include <QAccessible>
 #include <QCheckBox>
 #include <QCoreApplication>
 #include <QFile>
@@ -75,13 +76,19 @@ private slots:
         window_->comparison().holdPresent();
         QStringList complaints;
         int parts = 0;
-        const auto look = [&](const QString& name) {
-            const QJsonObject told = ask({{"do", "tree"}});
+        const auto look = [&](const QString& name, QJsonObject request) {
+            request["do"] = "tree";
+            const QJsonObject told = ask(request);
+            if (!told.contains("roles")) complaints << name + ": is not there";
             for (const QString& each : strings(told["complaints"])) complaints << name + ": " + each;
             for (const QJsonValue& count : told["roles"].toObject()) parts += count.toInt();
         };
-        forEveryDock([&](QDockWidget& dock) { look(dock.objectName()); });
-        forEveryDialog([&](const QString& name, QWidget&) { look(name); });
+        const auto within = [](QWidget& part) {
+            return QJsonObject{{"within", QAccessible::queryAccessibleInterface(&part)->text(QAccessible::Name)}};
+        };
+        look("window", {});
+        forEveryDock([&](QDockWidget& dock) { look(dock.objectName(), within(dock)); });
+        forEveryDialog([&](const QString& name, QWidget& dialog) { look(name, within(dialog)); });
         complaints.removeDuplicates();
         QVERIFY2(complaints.isEmpty(), qPrintable('\n' + complaints.join('\n')));
         QVERIFY2(parts > 2000, qPrintable(QString::number(parts)));
