@@ -55,18 +55,6 @@ std::string materialName(const MeshInstance& part)
     return part.material ? part.material->name : std::string();
 }
 
-const render::Material& buttonMaterial()
-{
-    static const render::Material red = [] {
-        render::Material m;
-        m.baseColor = {0.62F, 0.035F, 0.025F, 1};
-        m.metalness = 0;
-        m.roughness = 0.28F;
-        return m;
-    }();
-    return red;
-}
-
 void planButtons(const HallScene& scene, const SceneLighting& light, const Channels& channels, render::FramePlan& plan)
 {
     Pass pass = surfacePass("hall/buttons", "", light, channels);
@@ -80,7 +68,7 @@ void planButtons(const HallScene& scene, const SceneLighting& light, const Chann
         const double squash = i < scene.poses.size() ? buttonScale(scene.poses[i].sincePress) : 1;
         moving += squash < 1;
         const glm::dmat4 world = *place->worldFromButton * glm::scale(glm::dmat4(1), 0.035 * glm::dvec3(1, squash, 1));
-        pass.draws.push_back(surfaceDraw(domeMesh(), world, buttonMaterial()));
+        pass.draws.push_back(surfaceDraw(domeMesh(), world, redPaint()));
     }
     if (pass.draws.empty()) {
         plan.skip(pass.name, "no button is in view");
@@ -136,6 +124,18 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
 }
 
 }  // namespace
+
+const render::Material& redPaint()
+{
+    static const render::Material red = [] {
+        render::Material m;
+        m.baseColor = {0.62F, 0.035F, 0.025F, 1};
+        m.metalness = 0;
+        m.roughness = 0.28F;
+        return m;
+    }();
+    return red;
+}
 
 std::vector<MeshInstance> standingParts(const HallScene& scene)
 {

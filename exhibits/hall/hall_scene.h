@@ -113,6 +113,9 @@ void bindLightmaps(const HallScene&, const SceneLighting&, render::Pass&);
 
 // hall_passes.cpp
 
+/// Of buttons, and of models that name no material.
+[[nodiscard]] const render::Material& redPaint();
+
 /// Cloths over empty places, stands of occupied ones, the visitor's own plinths: what is in the hall beside its walls
 /// and never moves by itself.
 [[nodiscard]] std::vector<render::MeshInstance> standingParts(const HallScene&);

@@ -117,19 +117,6 @@ OwnObject standing(const HallModel& hall, std::size_t which, const OwnObjectRows
     return object;
 }
 
-/// Of a model that names no material.
-const render::Material& plainMaterial()
-{
-    static const render::Material red = [] {
-        render::Material m;
-        m.baseColor = {0.62F, 0.035F, 0.025F, 1};
-        m.metalness = 0;
-        m.roughness = 0.28F;
-        return m;
-    }();
-    return red;
-}
-
 void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneLighting& light,
                    const Channels& channels, render::FramePlan& plan)
 {
@@ -148,7 +135,7 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
     blended.colors.resize(1);
     std::erase_if(blended.shader.defines, [](const std::string& define) { return define.starts_with("WRITE_"); });
     for (const MeshInstance& part : object.model->parts) {
-        const render::Material& material = part.material ? *part.material : plainMaterial();
+        const render::Material& material = part.material ? *part.material : redPaint();
         Draw draw = surfaceDraw(part.mesh, object.worldFromModel * part.modelFromPart, material);
         (material.alphaMode == render::AlphaMode::blend ? blended : pass).draws.push_back(std::move(draw));
     }

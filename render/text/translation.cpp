@@ -30,6 +30,12 @@ std::optional<int> placeAt(std::string_view text, std::size_t at)
     return text[at + 1] >= '1' && text[at + 1] <= '9' ? std::optional(text[at + 1] - '0') : std::nullopt;
 }
 
+std::size_t lettersOf(std::string_view text)
+{
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c) != 0; }));
+}
+
 std::optional<SentencePattern> patternOf(std::string_view english, std::string translation)
 {
     SentencePattern made{{{}}, {}, std::move(translation), 0};
@@ -40,9 +46,9 @@ std::optional<SentencePattern> patternOf(std::string_view english, std::string t
             i += 2;
         } else {
             made.pieces.back() += english[i];
-            if (std::isalpha(static_cast<unsigned char>(english[i])) != 0) ++made.letters;
         }
     }
+    for (const std::string& piece : made.pieces) made.letters += lettersOf(piece);
     return made.places.empty() || made.letters == 0 ? std::nullopt : std::optional(std::move(made));
 }
 
@@ -75,12 +81,6 @@ struct Said {
     std::string text;
     std::size_t letters = 0;
 };
-
-std::size_t lettersOf(std::string_view text)
-{
-    return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c) != 0; }));
-}
 
 }  // namespace
 
