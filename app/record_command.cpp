@@ -41,7 +41,8 @@ Pace paceOf(const RecordOptions& options, Pace otherwise)
 }
 
 /// Round what the view looks at: once round in a loop, or to and fro about the view.
-void turnRound(const RecordOptions& options, const Museum& museum, RecordingRequest& request)
+void turnRound(const RecordOptions& options, const Museum& museum, const SceneState& sceneState,
+               RecordingRequest& request)
 {
     const FrameRequest& frame = request.picture.frame;
     const double degrees = options.turn != 0 ? options.turn : frame.alone ? 360 : 60;
@@ -49,18 +50,20 @@ void turnRound(const RecordOptions& options, const Museum& museum, RecordingRequ
     request.closed = isWholeTurns(angle);
     request.camera = turntable(frame.camera, angle, paceOf(options, request.closed ? Pace::constant : Pace::eased));
     if (frame.alone) return;
-    const double hit = firstCollision(museum, request.camera);
+    const double hit = firstCollision(museum.colliders(sceneState), request.camera);
     if (hit >= 0)
-        throw Failure(Blame::usage, "A camera that turns by " + render::shortestNumber(degrees) + " degrees round " +
-                                        options.subject +
-                                        " runs into a wall or furniture; give a smaller --turn, or --alone.");
+        throw Failure(Blame::usage,
+                      "A camera that turns by " + render::shortestNumber(degrees) + " degrees round " +
+                          options.subject +
+                          " runs into a wall or what stands in the hall; give a smaller --turn, or --alone.");
 }
 
 /// Along a tour, at its own pace or the one asked for.
-void follow(const RecordOptions& options, const Museum& museum, const Tour& tour, RecordingRequest& request)
+void follow(const RecordOptions& options, const std::vector<Collider>& obstacles, const Tour& tour,
+            RecordingRequest& request)
 {
     request.closed = tour.closed;
-    request.camera = [path = tourPath(museum, tour), pace = paceOf(options, tour.pace)](double part) {
+    request.camera = [path = tourPath(obstacles, tour), pace = paceOf(options, tour.pace)](double part) {
         return path.at(paced(pace, part));
     };
 }
@@ -83,14 +86,14 @@ RecordingRequest recordingRequest(const RecordOptions& options, const Museum& mu
     if (isTourFile(options)) {
         Tour tour = parseTour(render::readFile(options.subject, presetLimits.bytes), options.subject);
         for (const std::string& note : tour.notes) job.notes.push_back(options.subject + ": " + note);
-        follow(options, museum, tour, request);
+        follow(options, museum.colliders(job.sceneState), tour, request);
     } else if (path == "still") {
         request.camera = [camera = job.request.frame.camera](double) { return camera; };
         request.closed = true;
     } else if (path == "turntable") {
-        turnRound(options, museum, request);
+        turnRound(options, museum, job.sceneState, request);
     } else if (isHall) {
-        follow(options, museum, museumTour(museum, job.sceneState), request);
+        follow(options, museum.colliders(job.sceneState), museumTour(museum, job.sceneState), request);
     } else {
         throw Failure(Blame::usage,
                       "--path tour: the tour goes through the hall; record hall, or choose turntable or still.");

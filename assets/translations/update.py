@@ -75,7 +75,7 @@ def window_texts(texts):
 
 
 def engine_texts(texts):
-    for name, source in cpp_files('render', 'exhibits', 'app'):
+    for name, source in cpp_files('render', 'exhibits', 'app', 'ui'):
         if NOT_SHOWN.search(name):
             continue
         command = name.startswith('app/')
@@ -87,6 +87,8 @@ def engine_texts(texts):
                 continue
             if not is_sentence(text):
                 continue
+            if name.startswith('ui/') and 'Failure' not in before[-8:]:
+                continue  # The window's own texts are marked by tr; what it throws is told as the engine's are.
             if command and (not text.endswith('.') or text.endswith('...')) or text.startswith(('{"', '{1}"child')) or 'Exit codes' in text or text.startswith('\n'):
                 continue  # Of the command line, errors are translated and help is not.
             texts.add(text, name)

@@ -1164,8 +1164,8 @@ Zeiten nach: %2.</translation>
         <translation>ein Knopf wurde gedrückt</translation>
     </message>
     <message>
-        <source>A camera that turns by {1} degrees round {2} runs into a wall or furniture; give a smaller --turn, or --alone.</source>
-        <translation>Eine Kamera, die sich um {1} Grad um {=2} dreht, stößt an eine Wand oder ein Möbel; geben Sie ein kleineres --turn an, oder --alone.</translation>
+        <source>A camera that turns by {1} degrees round {2} runs into a wall or what stands in the hall; give a smaller --turn, or --alone.</source>
+        <translation>Eine Kamera, die sich um {1} Grad um {=2} dreht, stößt an eine Wand oder etwas, das in der Halle steht; geben Sie ein kleineres --turn an, oder --alone.</translation>
     </message>
     <message>
         <source>A chart needs at least 40 mm across the lenses and 44 mm along them.</source>
@@ -5588,6 +5588,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Game Boy</translation>
     </message>
     <message>
+        <source>Gamepads cannot be read: {1}.</source>
+        <translation>Gamepads können nicht gelesen werden: {1}.</translation>
+    </message>
+    <message>
         <source>Gathered in screen space</source>
         <translation>Im Bildraum gesammelt</translation>
     </message>
@@ -7535,6 +7539,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Detailstufe</translation>
     </message>
     <message>
+        <source>libvitrine_gamepad.so belongs to another version of Vitrine; build both together.</source>
+        <translation>libvitrine_gamepad.so gehört zu einer anderen Version von Vitrine; bauen Sie beide zusammen.</translation>
+    </message>
+    <message>
         <source>Light</source>
         <translation>Licht</translation>
     </message>
@@ -8343,6 +8351,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>dafür ist keine Datei gewählt</translation>
     </message>
     <message>
+        <source>No film can be recorded: there is no graphics context.</source>
+        <translation>Es kann kein Film aufgenommen werden: Es gibt keinen Grafikkontext.</translation>
+    </message>
+    <message>
         <source>No frame has been drawn yet.</source>
         <translation>Noch wurde kein Frame gezeichnet.</translation>
     </message>
@@ -8403,6 +8415,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Kein Parameter passt zu „%1“.</translation>
     </message>
     <message>
+        <source>No picture can be made: there is no graphics context.</source>
+        <translation>Es kann kein Bild gemacht werden: Es gibt keinen Grafikkontext.</translation>
+    </message>
+    <message>
         <source>no plaque is in view</source>
         <translation>kein Schild ist im Blick</translation>
     </message>
@@ -8435,12 +8451,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>kein Himmel ist im Blick</translation>
     </message>
     <message>
+        <source>No sprites can be drawn: there is no graphics context.</source>
+        <translation>Es können keine Sprites gezeichnet werden: Es gibt keinen Grafikkontext.</translation>
+    </message>
+    <message>
         <source>no such row</source>
         <translation>keine solche Zeile</translation>
     </message>
     <message>
         <source>no technique in use makes them</source>
         <translation>keine benutzte Technik erzeugt sie</translation>
+    </message>
+    <message>
+        <source>No views can be rendered: there is no graphics context.</source>
+        <translation>Es können keine Ansichten gerendert werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
         <source>No views could be read.</source>
@@ -8451,8 +8475,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Keine Ansicht konnte gerendert werden.</translation>
     </message>
     <message>
-        <source>No way without a wall or furniture was found from the bookmark &quot;{1}&quot; to &quot;{2}&quot;; put another one between them.</source>
-        <translation>Vom Lesezeichen „{=1}“ zu „{=2}“ fand sich kein Weg ohne Wand oder Möbel; setzen Sie ein weiteres dazwischen.</translation>
+        <source>No way past the walls and what stands in the hall was found from the bookmark &quot;{1}&quot; to &quot;{2}&quot;; put another one between them.</source>
+        <translation>Vom Lesezeichen „{=1}“ zu „{=2}“ fand sich kein Weg an den Wänden und dem, was in der Halle steht, vorbei; setzen Sie ein weiteres dazwischen.</translation>
     </message>
     <message>
         <source>no work looks its noise up</source>
@@ -8589,6 +8613,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Nothing became B: select a preset in the list first.</source>
         <translation>Nichts wurde zu B: Wählen Sie zuerst ein Preset in der Liste.</translation>
+    </message>
+    <message>
+        <source>Nothing can be drawn: there is no graphics context.</source>
+        <translation>Es kann nichts gezeichnet werden: Es gibt keinen Grafikkontext.</translation>
+    </message>
+    <message>
+        <source>Nothing can be measured: there is no graphics context.</source>
+        <translation>Es kann nichts gemessen werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
         <source>Nothing depends on {1} at present: every setting gives the same picture. Switch on what it acts on, and study again.</source>
@@ -9299,6 +9331,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>On and off are.</source>
         <translation>„on“ und „off“ wären welche.</translation>
+    </message>
+    <message>
+        <source>On its way round the camera runs into a wall or what stands in the hall; turn by a smaller angle.</source>
+        <translation>Auf ihrem Weg ringsum stößt die Kamera an eine Wand oder etwas, das in der Halle steht; drehen Sie um einen kleineren Winkel.</translation>
     </message>
     <message>
         <source>On show</source>
@@ -12316,8 +12352,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Körper halten Licht vom Boden ab</translation>
     </message>
     <message>
-        <source>The bookmark &quot;{1}&quot; is inside of a wall or a piece of furniture; move it.</source>
-        <translation>Das Lesezeichen „{=1}“ liegt in einer Wand oder einem Möbel; versetzen Sie es.</translation>
+        <source>The bookmark &quot;{1}&quot; is inside of a wall or of what stands in the hall; move it.</source>
+        <translation>Das Lesezeichen „{=1}“ liegt in einer Wand oder in etwas, das in der Halle steht; versetzen Sie es.</translation>
     </message>
     <message>
         <source>the border is {1}; give 0 or more</source>
@@ -12874,6 +12910,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The picture. W A S D walk, Ctrl and the arrows look around, Enter visits.</source>
         <translation>Das Bild. W A S D gehen, Strg mit den Pfeiltasten schaut sich um, Eingabe besucht.</translation>
+    </message>
+    <message>
+        <source>The pictures of this study were not kept, its numbers were: pictures of studies with names in {1} take all the room that there is; delete one of those.</source>
+        <translation>Die Bilder dieser Studie wurden nicht aufgehoben, ihre Zahlen schon: Bilder von Studien mit Namen in {1} nehmen allen Platz ein, den es gibt; löschen Sie eine von ihnen.</translation>
     </message>
     <message>
         <source>the pictures together are larger than {1} bytes; simplify the model.</source>
@@ -13537,6 +13577,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>These studies share no count of work that tells their settings apart{1}; measure them by the same counter.</source>
         <translation>Diese Studien haben keinen gemeinsamen Zählwert der Arbeit, der ihre Einstellungen unterscheidet{1}; messen Sie sie mit demselben Zähler.</translation>
+    </message>
+    <message>
+        <source>These studies share no count of work, so no chart can show them together.</source>
+        <translation>Diese Studien haben keinen gemeinsamen Zählwert der Arbeit; kein Diagramm kann sie zusammen zeigen.</translation>
     </message>
     <message>
         <source>These vary an older look, or under other locks. Draw anew varies this one.</source>
@@ -15007,10 +15051,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was zu sehen ist</translation>
     </message>
     <message>
-        <source>What to see in this step</source>
-        <translation>Was in diesem Schritt zu sehen ist</translation>
-    </message>
-    <message>
         <source>What white reflects that faces it, linear.</source>
         <translation>Was Weiß zurückwirft, das ihm zugewandt ist, linear.</translation>
     </message>
@@ -15574,6 +15614,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} Bytes; kürzen Sie sie</translation>
     </message>
     <message>
+        <source>{1} does not hold the pictures of {2}; delete it.</source>
+        <translation>{=1} enthält nicht die Bilder von {=2}; löschen Sie die Datei.</translation>
+    </message>
+    <message>
         <source>{1} failed ({2})</source>
         <translation>{1} ist misslungen ({=2})</translation>
     </message>
@@ -15600,6 +15644,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1} has no values between two others; let a number, a color or a direction run.</source>
         <translation>{1} hat keine Werte zwischen zwei anderen; lassen Sie eine Zahl, eine Farbe oder eine Richtung laufen.</translation>
+    </message>
+    <message>
+        <source>{1} is a preset of &quot;{2}&quot;, which is not in this museum.</source>
+        <translation>{=1} ist ein Preset von „{=2}“, das es in diesem Museum nicht gibt.</translation>
     </message>
     <message>
         <source>{1} is missing; make all parts anew.</source>
@@ -15828,6 +15876,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1}: this frame is missing or of other settings; draw it anew.</source>
         <translation>{=1}: Dieser Frame fehlt oder hat andere Einstellungen; zeichnen Sie ihn neu.</translation>
+    </message>
+    <message>
+        <source>{1}: this picture carries no preset; choose a preset file, or a picture that Vitrine made.</source>
+        <translation>{=1}: In diesem Bild steht kein Preset; wählen Sie eine Preset-Datei oder ein Bild, das Vitrine gemacht hat.</translation>
     </message>
     <message>
         <source>{1}: this picture carries no preset; give a preset file, or a picture that Vitrine made.</source>

@@ -94,17 +94,31 @@ glm::dvec3 Museum::walk(const glm::dvec3& from, const glm::dvec3& to) const
 
 glm::dvec3 Museum::walk(const Prepared& prepared, const glm::dvec3& from, const glm::dvec3& to) const
 {
-    std::vector<Collider> own;
-    for (const OwnObject& object : hall_->scene(prepared.sceneState.hall(), false, prepared.hall.get()).objects)
-        own.insert(own.end(), object.colliders.begin(), object.colliders.end());
-    if (own.empty()) return walk(from, to);
-    own.insert(own.end(), model_->colliders().begin(), model_->colliders().end());
-    return walkAround(own, from, to);
+    return walkAround(colliders(prepared), from, to);
 }
 
-bool Museum::cameraPasses(const glm::dvec3& from, const glm::dvec3& to) const
+const std::vector<Collider>& Museum::colliders() const
 {
-    return vitrine::cameraPasses(model_->colliders(), from, to);
+    return model_->colliders();
+}
+
+std::vector<Collider> Museum::collidersWith(const ParameterValues& hall, const PreparedHall* prepared) const
+{
+    std::vector<Collider> all;
+    for (const OwnObject& object : hall_->scene(hall, false, prepared).objects)
+        all.insert(all.end(), object.colliders.begin(), object.colliders.end());
+    all.insert(all.end(), model_->colliders().begin(), model_->colliders().end());
+    return all;
+}
+
+std::vector<Collider> Museum::colliders(const Prepared& prepared) const
+{
+    return collidersWith(prepared.sceneState.hall(), prepared.hall.get());
+}
+
+std::vector<Collider> Museum::colliders(const SceneState& sceneState) const
+{
+    return collidersWith(sceneState.hall(), hall_->prepare(sceneState.hall(), *assets_).get());
 }
 
 std::vector<int> Museum::emptyPlaces() const

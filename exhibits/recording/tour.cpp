@@ -160,7 +160,7 @@ std::string tourText(const Tour& tour)
     return render::writeJson(root);
 }
 
-double firstCollision(const Museum& museum, const CameraMotion& motion)
+double firstCollision(const std::vector<Collider>& obstacles, const CameraMotion& motion)
 {
     // Cameras look where they go: the eye's way counts, and it is short between two of these.
     constexpr int steps = 2000;
@@ -168,30 +168,30 @@ double firstCollision(const Museum& museum, const CameraMotion& motion)
     for (int i = 0; i <= steps; ++i) {
         const double part = static_cast<double>(i) / steps;
         const glm::dvec3 next = motion(part).eye;
-        if (!museum.cameraPasses(before, next)) return part;
+        if (!cameraPasses(obstacles, before, next)) return part;
         before = next;
     }
     return -1;
 }
 
-CameraPath tourPath(const Museum& museum, const Tour& tour)
+CameraPath tourPath(const std::vector<Collider>& obstacles, const Tour& tour)
 {
     for (const Bookmark& bookmark : tour.bookmarks)
-        if (!museum.cameraPasses(bookmark.camera.eye, bookmark.camera.eye))
+        if (!cameraPasses(obstacles, bookmark.camera.eye, bookmark.camera.eye))
             throw Failure(Blame::file, "The bookmark \"" + bookmark.name +
-                                           "\" is inside of a wall or a piece of furniture; move it.");
+                                           "\" is inside of a wall or of what stands in the hall; move it.");
     const std::size_t count = tour.bookmarks.size();
     std::vector<Leg> legs(tour.closed ? count : count - 1);
     // Where a visitor could not go straight, a camera would fly over plinths and through what stands on them.
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const render::Camera &from = tour.bookmarks[i].camera, &to = tour.bookmarks[(i + 1) % count].camera;
-        if (glm::length(museum.walk(from.eye, to.eye) - to.eye) > 1e-6)
-            legs[i].between = walked(wayAround(museum, from.eye, to.eye, strides[0]), from, to);
+        if (glm::length(walkAround(obstacles, from.eye, to.eye) - to.eye) > 1e-6)
+            legs[i].between = walked(wayAround(obstacles, from.eye, to.eye, strides[0]), from, to);
     }
     std::vector<std::size_t> legOfStop;
     for (;;) {
         CameraPath path = pathThrough(tour, legs, legOfStop);
-        const double hit = firstCollision(museum, [&](double part) { return path.at(part); });
+        const double hit = firstCollision(obstacles, [&](double part) { return path.at(part); });
         if (hit < 0) return path;
         const std::size_t at = std::min(legOfStop[path.stopBefore(hit)], legs.size() - 1);
         Leg& leg = legs[at];
@@ -199,26 +199,29 @@ CameraPath tourPath(const Museum& museum, const Tour& tour)
         const Bookmark& to = tour.bookmarks[(at + 1) % count];
         const std::vector<glm::dvec3> way =
             leg.tries < static_cast<int>(strides.size())
-                ? wayAround(museum, from.camera.eye, to.camera.eye, strides.at(static_cast<std::size_t>(leg.tries)))
+                ? wayAround(obstacles, from.camera.eye, to.camera.eye, strides.at(static_cast<std::size_t>(leg.tries)))
                 : std::vector<glm::dvec3>();
         ++leg.tries;
         if (way.empty())
-            throw Failure(Blame::file, "No way without a wall or furniture was found from the bookmark \"" + from.name +
-                                           "\" to \"" + to.name + "\"; put another one between them.");
+            throw Failure(Blame::file,
+                          "No way past the walls and what stands in the hall was found from the bookmark \"" +
+                              from.name + "\" to \"" + to.name + "\"; put another one between them.");
         leg.between = walked(way, from.camera, to.camera);
     }
 }
 
 Tour museumTour(const Museum& museum, const SceneState& sceneState)
 {
+    const std::vector<Collider> obstacles = museum.colliders(sceneState);
     Tour tour{"The museum", {}, true, Pace::constant};
     tour.bookmarks.push_back({std::string(museum.hall().title()), museum.bestView(hallIndex, sceneState.hall())});
     const auto add = [&](const std::string& name, const render::Camera& next) {
+        if (!cameraPasses(obstacles, next.eye, next.eye)) return;
         // On the way it steps back into the middle of the hall, and turns to what comes: walls are dull from near.
         const render::Camera& before = tour.bookmarks.back().camera;
         const glm::dvec3 half = (before.eye + next.eye) / 2.0;
         const glm::dvec3 middle(half.x / 4, 1.65, half.z);
-        if (glm::length(museum.walk(middle, middle) - middle) < 1e-6)
+        if (glm::length(walkAround(obstacles, middle, middle) - middle) < 1e-6)
             tour.bookmarks.push_back({"To " + name, {middle, next.target, next.fovY}});
         tour.bookmarks.push_back({name, next});
     };

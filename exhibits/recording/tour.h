@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/hall/walk.h"
 #include "exhibits/museum/museum.h"
 #include "exhibits/recording/camera_path.h"
 #include "render/files/strict_json.h"
@@ -47,16 +48,17 @@ struct Tour {
 [[nodiscard]] Tour parseTour(std::string text, std::string fileName);
 [[nodiscard]] std::string tourText(const Tour&);
 
-/// A path through the bookmarks that runs into nothing. Where the smooth way between two of them would, it is led round
-/// by a way that a visitor can walk, looking ahead. Throws Failure (Blame::file) naming the two where there is none, or
-/// the one that is itself inside of a wall or a piece of furniture.
-[[nodiscard]] CameraPath tourPath(const Museum&, const Tour&);
+/// A path through the bookmarks that runs into none of the obstacles (`Museum::colliders`). Where the smooth way
+/// between two of them would, it is led round by a way that a visitor can walk, looking ahead. Throws Failure
+/// (Blame::file) naming the two where there is none, or the one that is itself inside of an obstacle.
+[[nodiscard]] CameraPath tourPath(const std::vector<Collider>&, const Tour&);
 
-/// Past the best views of all exhibits in the museum's order, from the hall's own and back to it.
+/// Past the best views of all exhibits in the museum's order, from the hall's own and back to it. Views that an object
+/// of the visitor's own stands in are left out.
 [[nodiscard]] Tour museumTour(const Museum&, const SceneState&);
 
 /// The share of a motion (0 to 1) at which the camera first runs into something; negative: nowhere. Looks at it every
 /// `longestStep` meters or closer.
-[[nodiscard]] double firstCollision(const Museum&, const CameraMotion&);
+[[nodiscard]] double firstCollision(const std::vector<Collider>&, const CameraMotion&);
 
 }  // namespace vitrine

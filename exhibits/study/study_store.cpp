@@ -4,6 +4,7 @@
 #include "exhibits/framework/state_folder.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
+#include "render/image/image_io.h"
 
 #include <algorithm>
 
@@ -39,6 +40,26 @@ void move(const fs::path& from, const fs::path& to)
     if (error)
         throw Failure(Blame::file, "Cannot move " + from.string() + " to " + to.string() + ": " + error.message() +
                                        "; check your permissions.");
+}
+
+fs::path picturesOf(const fs::path& study)
+{
+    fs::path path = study;
+    return path.replace_extension(".pictures.exr");
+}
+
+/// Pictures are the lesser part: where they cannot be moved along, they are lost, and the study is not.
+void movePictures(const fs::path& from, const fs::path& to)
+{
+    std::error_code ignored;
+    fs::rename(picturesOf(from), picturesOf(to), ignored);
+}
+
+void removeWithPictures(const fs::path& study)
+{
+    std::error_code ignored;
+    fs::remove(study, ignored);
+    fs::remove(picturesOf(study), ignored);
 }
 
 bool isNewer(const StudyEntry& a, const StudyEntry& b)
@@ -98,8 +119,49 @@ void StudyStore::makeRoomFor(std::uintmax_t bytes) const
         throw Failure(Blame::file,
                       "This study was not kept: those with names in " + folder_.string() +
                           " take all the room that there is; delete one of them, or save this one elsewhere.");
+    for (const fs::path& path : leaving) removeWithPictures(path);
+}
+
+void StudyStore::makeRoomForPictures(const fs::path& added) const
+{
+    std::uintmax_t taken = 0;
+    for (const fs::path& path : filesIn(folder_)) taken += sizeOf(picturesOf(path));
+    if (taken <= limits_.pictureBytes) return;
+    const std::vector<StudyEntry> entries = list();
+    std::vector<fs::path> leaving;
+    for (auto entry = entries.rbegin(); entry != entries.rend() && taken > limits_.pictureBytes; ++entry) {
+        const std::uintmax_t bytes = sizeOf(picturesOf(entry->path));
+        if (bytes == 0 || entry->path == added || !entry->problem.empty() || !entry->study.name.empty()) continue;
+        leaving.push_back(picturesOf(entry->path));
+        taken -= std::min(taken, bytes);
+    }
     std::error_code ignored;
+    if (taken > limits_.pictureBytes) {
+        fs::remove(picturesOf(added), ignored);
+        throw Failure(Blame::file, "The pictures of this study were not kept, its numbers were: pictures of studies "
+                                   "with names in " +
+                                       folder_.string() + " take all the room that there is; delete one of those.");
+    }
     for (const fs::path& path : leaving) fs::remove(path, ignored);
+}
+
+void StudyStore::keepPictures(const fs::path& study, const ContactSheet& sheet) const
+{
+    if (sheet.empty()) return;
+    render::writePicture(picturesOf(study), sheet.image, render::PictureFormat::exr);
+    makeRoomForPictures(study);
+}
+
+ContactSheet StudyStore::pictures(const fs::path& path, const KeptStudy& study) const
+{
+    const fs::path file = picturesOf(path);
+    std::error_code ignored;
+    if (!fs::exists(file, ignored)) return {};
+    ContactSheet sheet{render::readImage(file), study.size, study.views.size(), study.points.size()};
+    if (glm::ivec2(sheet.image.width, sheet.image.height) != sheet.extent() || sheet.image.channels != 3)
+        throw Failure(Blame::file,
+                      file.string() + " does not hold the pictures of " + path.filename().string() + "; delete it.");
+    return sheet;
 }
 
 fs::path StudyStore::write(const Json& study) const
@@ -145,6 +207,7 @@ RemovedStudy StudyStore::remove(const fs::path& path) const
 {
     const fs::path trashed = freePath(trash_, path.stem().string());
     move(path, trashed);
+    movePictures(path, trashed);
     return {path, trashed};
 }
 
@@ -152,6 +215,7 @@ fs::path StudyStore::restore(const RemovedStudy& removed) const
 {
     const fs::path to = freePath(removed.original.parent_path(), removed.original.stem().string());
     move(removed.trashed, to);
+    movePictures(removed.trashed, to);
     return to;
 }
 

@@ -138,7 +138,8 @@ ParameterSection::ParameterSection(const QString& title, QWidget* parent) : QWid
     heading_ = new SectionHeading(title, this);
     layout->addWidget(heading_);
     connect(heading_, &SectionHeading::menuAsked, this, &ParameterSection::menuAsked);
-    connect(heading_, &QAbstractButton::clicked, this, [this](bool open) {
+    // Not `clicked`: a screen reader toggles it without a click.
+    connect(heading_, &QAbstractButton::toggled, this, [this](bool open) {
         layOut();
         emit foldedByVisitor(!open);
     });
@@ -158,6 +159,7 @@ bool ParameterSection::folded() const
 void ParameterSection::setFolded(bool folded)
 {
     if (!heading_) return;
+    const QSignalBlocker quiet(heading_);
     heading_->setChecked(!folded);
     layOut();
 }

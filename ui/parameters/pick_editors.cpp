@@ -53,11 +53,13 @@ ToggleEditor::ToggleEditor(const ValueRef& value, QWidget* parent)
     QHBoxLayout* layout = rowLayout(this);
     layout->addWidget(box_);
     layout->addStretch(1);
-    connect(box_, &QCheckBox::clicked, this, [this](bool on) { edit(on ? 1.0 : 0.0, newGesture()); });
+    // Not `clicked`: a screen reader toggles it without a click.
+    connect(box_, &QCheckBox::toggled, this, [this](bool on) { edit(on ? 1.0 : 0.0, newGesture()); });
 }
 
 void ToggleEditor::showValue(const Value& value)
 {
+    const QSignalBlocker quiet(box_);
     box_->setChecked(std::get<double>(value) != 0);
 }
 

@@ -203,10 +203,15 @@ void PreferencesDialog::addSwitch(QGridLayout& lines, const QString& words, cons
 {
     auto* box = new QCheckBox(words, this);
     box->setAccessibleName(words);
-    connect(box, &QCheckBox::clicked, this,
+    // Not `clicked`: a screen reader toggles it without a click.
+    connect(box, &QCheckBox::toggled, this,
             [this, member](bool on) { change([&](PreferenceValues& values) { values.*member = on; }); });
     addLine(
-        lines, {}, tip, *box, [box, member](const PreferenceValues& values) { box->setChecked(values.*member); },
+        lines, {}, tip, *box,
+        [box, member](const PreferenceValues& values) {
+            const QSignalBlocker quiet(box);
+            box->setChecked(values.*member);
+        },
         [member](const PreferenceValues& values) { return values.*member != PreferenceValues().*member; },
         [member](PreferenceValues& values) { values.*member = PreferenceValues().*member; });
 }

@@ -26,6 +26,7 @@
 #include <QVBoxLayout>
 
 #include <exception>
+#include <memory>
 
 namespace vitrine::ui {
 namespace {
@@ -66,6 +67,12 @@ KeptStudies::KeptStudies(Subjects subjects, History& history, StudyStore store, 
             [this](QListWidgetItem* item) { show(item->data(pathRole).toString()); });
     connect(list_, &QListWidget::itemChanged, this, &KeptStudies::noteTicks);
     noteTicks();
+    pictures_.setMaxThreadCount(1);
+}
+
+KeptStudies::~KeptStudies()
+{
+    pictures_.waitForDone();  // What was kept, is.
 }
 
 void KeptStudies::addButtons()
@@ -235,11 +242,20 @@ void KeptStudies::noteTicks()
     compare_->setAccessibleName(tr("Compare the ticked studies"));
 }
 
-void KeptStudies::keep(render::Json study, bool complete)
+void KeptStudies::keep(render::Json study, bool complete, ContactSheet pictures)
 {
     trySafely([&] {
         const QString now = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-ddTHH:mm:ss"));
-        store_.keep(std::move(study), now.toStdString(), complete);
+        const std::filesystem::path path = store_.keep(std::move(study), now.toStdString(), complete);
+        if (pictures.empty()) return;
+        pictures_.start([this, store = store_, path, sheet = std::make_shared<ContactSheet>(std::move(pictures))] {
+            try {
+                store.keepPictures(path, *sheet);
+            } catch (const std::exception& thrown) {
+                QMetaObject::invokeMethod(
+                    this, [this, why = messageOf(thrown)] { emit failed(why); }, Qt::QueuedConnection);
+            }
+        });
     });
     if (isVisible()) refresh();
 }
@@ -249,7 +265,27 @@ void KeptStudies::show(const QString& path)
     if (path.isEmpty()) return;
     trySafely([&] {
         const std::string json = render::readFile(path.toStdString(), studyLimits.bytes);
-        emit showAsked(parseStudy(render::parseJson(json, path.toStdString(), studyLimits)), json);
+        const KeptStudy study = parseStudy(render::parseJson(json, path.toStdString(), studyLimits));
+        emit showAsked(study, json);
+        readPictures(path, study);
+    });
+}
+
+void KeptStudies::readPictures(const QString& path, const KeptStudy& study)
+{
+    pictures_.start([this, store = store_, path = path.toStdString(), study, number = ++shown_] {
+        ContactSheet sheet;
+        QString why;
+        try {
+            sheet = store.pictures(path, study);
+        } catch (const std::exception& thrown) {
+            why = messageOf(thrown);
+        }
+        const auto take = [this, sheet = std::move(sheet), why, number] {
+            if (!why.isEmpty()) emit failed(why);
+            if (number == shown_ && !sheet.empty()) emit picturesRead(sheet);
+        };
+        QMetaObject::invokeMethod(this, take, Qt::QueuedConnection);
     });
 }
 
@@ -293,6 +329,7 @@ void KeptStudies::remove()
     const QString path = selected();
     if (path.isEmpty()) return;
     trySafely([&] {
+        pictures_.waitForDone();  // They go along.
         // Fails here, before there is a step to undo, when the file may not be deleted.
         const QString title = list_->currentItem()->text();
         auto removed = std::make_shared<RemovedStudy>(store_.remove(path.toStdString()));

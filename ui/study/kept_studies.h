@@ -3,6 +3,7 @@
 #include "exhibits/framework/subject.h"
 #include "exhibits/study/study_store.h"
 
+#include <QThreadPool>
 #include <QWidget>
 
 #include <functional>
@@ -25,8 +26,10 @@ public:
     /// Subjects and history must outlive it.
     KeptStudies(Subjects, History&, StudyStore, QWidget* parent = nullptr);
 
-    /// Keeps what `studyJson` made. Says `failed` where it cannot.
-    void keep(render::Json study, bool complete);
+    ~KeptStudies() override;
+
+    /// Keeps what `studyJson` made, and its pictures. Says `failed` where it cannot.
+    void keep(render::Json study, bool complete, ContactSheet pictures);
     /// Keeps a copy of a study's file, and asks to show it.
     void openFile(const QString& path);
     /// What the list calls a study.
@@ -36,6 +39,8 @@ public:
 signals:
     /// `json`: the file's text.
     void showAsked(const KeptStudy&, const std::string& json);
+    /// Of the study that was asked for last; not sent where none were kept.
+    void picturesRead(const ContactSheet&);
     void failed(const QString& why);
 
 protected:
@@ -48,6 +53,7 @@ private:
     void refresh();
     void trySafely(const std::function<void()>&);
     void show(const QString& path);
+    void readPictures(const QString& path, const KeptStudy&);
     void askForFile();
     void rename();
     void remove();
@@ -64,6 +70,8 @@ private:
     Subjects subjects_;
     History& history_;
     StudyStore store_;
+    QThreadPool pictures_;  ///< One thread that writes and reads pictures, in the order of asking.
+    int shown_ = 0;         ///< Grows with every study that is asked for.
     QListWidget* list_;
     QPushButton* compare_;
 };

@@ -156,6 +156,7 @@ void StudyDock::connectParts()
         shown_->showKept(study, json, kept_->titleOf(study));
         showIdle();
     });
+    connect(kept_, &KeptStudies::picturesRead, shown_, &StudyView::showKeptPictures);
     connect(shown_, &StudyView::refused, this, &StudyDock::failed);
     connect(&history_, &History::replaced, this, [this] {
         if (table_ && !table_->hasRowsOf(history_.sceneState().values[subject_].table())) setSubject(subject_);
@@ -338,7 +339,8 @@ void StudyDock::keepMeasured()
 {
     const auto& points = result().points;
     const auto measured = std::count_if(points.begin(), points.end(), [](const StudyPoint& p) { return p.cost > 0; });
-    if (result().complete || measured >= leastToKeep) kept_->keep(shown_->json(), result().complete);
+    if (result().complete || measured >= leastToKeep)
+        kept_->keep(shown_->json(), result().complete, contactSheet(result()));
 }
 
 void StudyDock::showIdle()

@@ -126,7 +126,15 @@ void StudyView::showKept(KeptStudy study, std::string json, const QString& title
     view_->clear();
     for (const std::string& view : study.views) view_->addItem(said(view));
     kept_ = std::move(study);
+    keptPictures_ = {};
     refresh();
+}
+
+void StudyView::showKeptPictures(const ContactSheet& sheet)
+{
+    if (!kept_ || sheet.points != kept_->points.size() || sheet.views != kept_->views.size()) return;
+    keptPictures_ = sheet;
+    showPoint(shownPoint_);
 }
 
 void StudyView::say(const QString& words)
@@ -248,7 +256,7 @@ QString StudyView::captionOf(const KeptStudy& study, std::size_t point) const
     QString text = said(study.pointText(point)) + tr(": error %1").arg(shortNumber(p.error));
     if (study.cost != "ms") text += workText(p.cost, study.cost);
     if (p.time) text += timesText(p.time->median, p.time->interval.low, p.time->interval.high);
-    return tr("%1. Its pictures were not kept.").arg(text);
+    return keptPictures_.empty() ? tr("%1. Its pictures were not kept.").arg(text) : text;
 }
 
 QString StudyView::captionOf(const StudyPoint& p) const
@@ -265,10 +273,17 @@ void StudyView::showKeptPoint(int wanted)
     const std::optional<std::size_t> present = presentKeptPoint();
     const std::optional<std::size_t> fallback = present ? present : kept_->knee;
     const int point = wanted >= 0 ? wanted : fallback ? static_cast<int>(*fallback) : -1;
-    shown_ = {};
-    pictures_->show({}, {}, {});
     const bool is = point >= 0 && static_cast<std::size_t>(point) < kept_->points.size();
-    showCaption(is ? captionOf(*kept_, static_cast<std::size_t>(point)) : tr("Its pictures were not kept."));
+    const auto at = static_cast<std::size_t>(std::max(point, 0));
+    const auto view = static_cast<std::size_t>(std::max(view_->currentIndex(), 0));
+    if (is && view < keptPictures_.views && kept_->points[at].measured()) {
+        showPictures(keptPictures_.picture(at, view), keptPictures_.reference(view), kept_->metric);
+    } else {
+        shown_ = {};
+        pictures_->show({}, {}, {});
+    }
+    const QString none = keptPictures_.empty() ? tr("Its pictures were not kept.") : QString();
+    showCaption(is ? captionOf(*kept_, at) : none);
     fillLarge();
 }
 
@@ -289,21 +304,20 @@ void StudyView::showPoint(int wanted)
     } else {
         const StudyPoint& p = result_.points[static_cast<std::size_t>(point)];
         if (p.shots[view].picture.empty()) return;
-        showPicture(p, view);
+        showPictures(p.shots[view].picture, result_.references[view], request_.metric);
         showCaption(captionOf(p));
     }
     fillLarge();
 }
 
-void StudyView::showPicture(const StudyPoint& p, std::size_t view)
+void StudyView::showPictures(render::Image picture, render::Image reference, render::Metric metric)
 {
-    shown_.picture = p.shots[view].picture;
-    shown_.reference = result_.references[view];
-    shown_.errors = render::errorMap(request_.metric, shown_.reference, shown_.picture)
+    shown_.picture = std::move(picture);
+    shown_.reference = std::move(reference);
+    shown_.errors = render::errorMap(metric, shown_.reference, shown_.picture)
                         .value_or(render::differenceMap(shown_.reference, shown_.picture));
-    shown_.full = render::fullScale(request_.metric, shown_.errors);
-    shownScale_ =
-        tr("The heat map goes from 0 to %1 (%2).").arg(shortNumber(shown_.full), said(title(request_.metric)));
+    shown_.full = render::fullScale(metric, shown_.errors);
+    shownScale_ = tr("The heat map goes from 0 to %1 (%2).").arg(shortNumber(shown_.full), said(title(metric)));
     pictures_->show(screenImage(shown_.picture), screenImage(shown_.reference),
                     screenImage(render::heatMap(shown_.errors, shown_.full)), shortNumber(shown_.full));
     pictures_->setAccessibleDescription(

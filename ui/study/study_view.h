@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/study/contact_sheet.h"
 #include "exhibits/study/kept_rows.h"
 #include "exhibits/study/study_result.h"
 #include "ui/study/picture_panes.h"
@@ -20,7 +21,7 @@ class StudyChart;
 class StudyPictures;
 
 /// A study as it is seen: chart, pictures, and what it came to in words. One that was measured here, or one that was
-/// kept, of which there are numbers alone. A click on a point applies it.
+/// kept, perhaps without its pictures. A click on a point applies it.
 class StudyView final : public QWidget {
     Q_OBJECT
 
@@ -32,6 +33,8 @@ public:
     void showMeasured(const StudyRequest&, StudyResult, const render::Json& machine, bool isNew);
     /// `json`: of its file; `title`: for people.
     void showKept(KeptStudy, std::string json, const QString& title);
+    /// Of the kept study on show, once they have been read.
+    void showKeptPictures(const ContactSheet&);
     /// The look or the tables changed.
     void refresh();
     /// In place of what a study came to.
@@ -61,7 +64,7 @@ private:
     void layOut();
     void connectParts();
     void showPoint(int point);
-    void showPicture(const StudyPoint&, std::size_t view);
+    void showPictures(render::Image picture, render::Image reference, render::Metric);
     void showKeptPoint(int point);
     void showCaption(const QString&);
     void refreshKept();
@@ -86,6 +89,7 @@ private:
     std::string keptJson_;
     QString keptTitle_;
     KeptRows keptRows_;
+    ContactSheet keptPictures_;
     int shownPoint_ = -1;
     PictureTriple shown_;  ///< In the pictures.
     QString shownScale_;

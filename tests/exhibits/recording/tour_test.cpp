@@ -5,6 +5,7 @@
 #include "exhibits/recording/tour.h"
 #include "exhibits/recording/way_around.h"
 #include "render/failure.h"
+#include "render/files/assets.h"
 #include "tests/support/museum_on_paper.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +80,7 @@ TEST(TourFile, WhatIsWrongIsNamedByLineAndKey)
 
 TEST(TourPath, GoesStraightWhereNothingStands)
 {
-    const CameraPath path = tourPath(museum(), twoViews({-0.5, 1.65, 10.5}, {0.5, 1.65, 10.5}));
+    const CameraPath path = tourPath(museum().colliders(), twoViews({-0.5, 1.65, 10.5}, {0.5, 1.65, 10.5}));
     EXPECT_NEAR(path.length(), 1, 1e-6);
 }
 
@@ -111,9 +112,10 @@ TEST(TourPath, IsLedRoundWhatStandsBetween)
         dvec3 a = dvec3(world * glm::dvec4(-reach, 0, 0, 1)), b = dvec3(world * glm::dvec4(reach, 0, 0, 1));
         a.y = b.y = 0.8;  // Below the tops of plinths.
         const bool inside = std::abs(a.x) < 6 && std::abs(b.x) < 6 && std::abs(a.z) < 12 && std::abs(b.z) < 12;
-        if (!inside || museum().cameraPasses(a, b) || !museum().cameraPasses(a, a) || !museum().cameraPasses(b, b))
+        if (!inside || cameraPasses(museum().colliders(), a, b) || !cameraPasses(museum().colliders(), a, a) ||
+            !cameraPasses(museum().colliders(), b, b))
             continue;
-        const CameraPath path = tourPath(museum(), twoViews(a, b));
+        const CameraPath path = tourPath(museum().colliders(), twoViews(a, b));
         EXPECT_GE(clearance(path), cameraRadius - 0.01);
         EXPECT_GT(path.length(), glm::length(a - b));
         ++tried;
@@ -121,11 +123,43 @@ TEST(TourPath, IsLedRoundWhatStandsBetween)
     EXPECT_GT(tried, 0);
 }
 
+TEST(TourPath, IsLedRoundTheVisitorsOwnObjects)
+{
+    const HallTable& table = test::hallTable();
+    const OwnObjectRows& rows = table.objects[1];
+    SceneState sceneState = museum().initialSceneState();
+    sceneState.hall().set(rows.model, render::asset("models/teddy.glb").string());
+    sceneState.hall().set(rows.modelStand, ObjectStand::ownPlinth);
+    sceneState.hall().set(rows.modelAcross, 0.0);
+    sceneState.hall().set(rows.modelAlong, 10.2);
+    const std::vector<Collider> obstacles = museum().colliders(sceneState);
+    ASSERT_GT(obstacles.size(), museum().colliders().size());
+    const Tour past = twoViews({-1.6, 0.9, 10.2}, {1.6, 0.9, 10.2});
+    EXPECT_NEAR(tourPath(museum().colliders(), past).length(), 3.2, 1e-6) << "nothing else stands there";
+    const CameraPath path = tourPath(obstacles, past);
+    EXPECT_GT(path.length(), 3.3);
+    // Nothing of the plinth, whose sides are at least 0.18 m from its middle, is within a camera's reach.
+    for (int i = 0; i <= 2000; ++i) {
+        const dvec3 eye = path.at(i / 2000.0).eye;
+        EXPECT_GT(std::max(std::abs(eye.x), std::abs(eye.z - 10.2)), 0.18 + cameraRadius - 0.01) << i;
+    }
+    // The museum's own tour leaves out the view that the object fills.
+    const Tour before = museumTour(museum(), museum().initialSceneState());
+    const dvec3 eye = before.bookmarks.front().camera.eye;
+    sceneState.hall().set(rows.modelAcross, before.bookmarks.back().camera.eye.x);
+    sceneState.hall().set(rows.modelAlong, before.bookmarks.back().camera.eye.z);
+    sceneState.hall().set(rows.modelPlinthHeight, 1.2);
+    const Tour after = museumTour(museum(), sceneState);
+    EXPECT_EQ(after.bookmarks.front().camera.eye, eye);
+    EXPECT_LT(after.bookmarks.size(), before.bookmarks.size());
+    EXPECT_NO_THROW(static_cast<void>(tourPath(museum().colliders(sceneState), after)));
+}
+
 TEST(TourPath, ErrorsNameTheBookmarks)
 {
     const auto said = [](const dvec3& a, const dvec3& b) -> std::string {
         try {
-            static_cast<void>(tourPath(museum(), twoViews(a, b)));
+            static_cast<void>(tourPath(museum().colliders(), twoViews(a, b)));
             return {};
         } catch (const Failure& failure) {
             return failure.what();
@@ -150,7 +184,7 @@ TEST(TourPath, TheMuseumsOwnPassesEveryExhibitAndHitsNothing)
         };
         EXPECT_TRUE(std::any_of(tour.bookmarks.begin(), tour.bookmarks.end(), isIt)) << each.exhibit.name();
     }
-    const CameraPath path = tourPath(museum(), tour);
+    const CameraPath path = tourPath(museum().colliders(), tour);
     EXPECT_GE(clearance(path), cameraRadius - 0.01);
     EXPECT_EQ(path.at(0), path.at(1));
     for (const Bookmark& bookmark : tour.bookmarks) {
@@ -165,16 +199,16 @@ TEST(WayAround, IsFreeBetweenAllOfItsPlaces)
 {
     const dvec3 from(0, 1.65, 11), to(0, 1.65, -11);
     for (const double stride : {3.0, 0.5}) {
-        std::vector<dvec3> way = wayAround(museum(), from, to, stride);
+        std::vector<dvec3> way = wayAround(museum().colliders(), from, to, stride);
         ASSERT_FALSE(way.empty());
         way.insert(way.begin(), from);
         way.push_back(to);
         for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-            EXPECT_TRUE(museum().cameraPasses(way[i], way[i + 1])) << i;
+            EXPECT_TRUE(cameraPasses(museum().colliders(), way[i], way[i + 1])) << i;
             EXPECT_LE(glm::length(way[i + 1] - way[i]), stride + 1e-9) << i;
         }
     }
-    EXPECT_TRUE(wayAround(museum(), from, {0, 1.65, 300}, 2).empty());
+    EXPECT_TRUE(wayAround(museum().colliders(), from, {0, 1.65, 300}, 2).empty());
 }
 
 TEST(FramePath, CountsFromOne)

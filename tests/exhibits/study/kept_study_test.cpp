@@ -205,6 +205,78 @@ TEST_F(KeptStudies, TheOldestWithoutANameMakeRoom)
     EXPECT_FALSE(std::filesystem::exists(old));
 }
 
+TEST_F(KeptStudies, KeepTheirPictures)
+{
+    const auto path = store_.keep(json_, "2026-11-25T10:00:00", true);
+    EXPECT_TRUE(store_.pictures(path, readStudy(path)).empty()) << "none were kept";
+    store_.keepPictures(path, ContactSheet());
+    EXPECT_TRUE(store_.pictures(path, readStudy(path)).empty()) << "an empty sheet is none";
+    store_.keepPictures(path, contactSheet(result_));
+    const auto expectAll = [&](const std::filesystem::path& study) {
+        const ContactSheet sheet = store_.pictures(study, readStudy(study));
+        ASSERT_EQ(sheet.views, result_.references.size());
+        ASSERT_EQ(sheet.points, result_.points.size());
+        for (std::size_t view = 0; view < sheet.views; ++view) {
+            const auto expectSame = [&](const render::Image& kept, const render::Image& drawn) {
+                ASSERT_EQ(kept.width, drawn.width);
+                ASSERT_EQ(kept.height, drawn.height);
+                for (int y = 0; y < drawn.height; ++y)
+                    for (int x = 0; x < drawn.width; ++x)
+                        for (int c = 0; c < 3; ++c) ASSERT_EQ(kept.at(x, y, c), drawn.at(x, y, c));
+            };
+            expectSame(sheet.reference(view), result_.references[view]);
+            for (std::size_t i = 0; i < sheet.points; ++i)
+                expectSame(sheet.picture(i, view), result_.points[i].shots[view].picture);
+        }
+        // Settings differ in these pictures, so one in another's place is noticed.
+        EXPECT_NE(sheet.picture(0, 0).pixels, sheet.picture(sheet.points - 1, 0).pixels);
+    };
+    expectAll(path);
+    store_.rename(path, "With pictures");
+    const RemovedStudy removed = store_.remove(path);
+    EXPECT_TRUE(std::filesystem::is_empty(folder_ / "studies"));
+    expectAll(store_.restore(removed));
+
+    // Of another study, or of none.
+    KeptStudy other = readStudy(path);
+    other.points.pop_back();
+    EXPECT_FAILURE(store_.pictures(path, other), "does not hold the pictures");
+    std::filesystem::path file = path;
+    writeBytes(file.replace_extension(".pictures.exr"), "no picture");
+    EXPECT_FAILURE(store_.pictures(path, readStudy(path)), ".pictures.exr");
+}
+
+TEST_F(KeptStudies, ThePicturesOfTheOldestWithoutANameMakeRoom)
+{
+    const auto picturesOf = [](std::filesystem::path path) { return path.replace_extension(".pictures.exr"); };
+    const ContactSheet sheet = contactSheet(result_);
+    const auto first = store_.keep(json_, "2026-11-01T10:00:00", true);
+    store_.keepPictures(first, sheet);
+    const std::uintmax_t bytes = std::filesystem::file_size(picturesOf(first));
+    const StudyStore tight(folder_ / "studies", folder_ / "trash", {3, 32U << 20U, 2 * bytes + bytes / 2});
+    tight.rename(first, "Mine");
+    const auto second = tight.keep(json_, "2026-11-02T10:00:00", true);
+    tight.keepPictures(second, sheet);
+    const auto third = tight.keep(json_, "2026-11-03T10:00:00", true);
+    tight.keepPictures(third, sheet);
+    EXPECT_TRUE(std::filesystem::exists(picturesOf(first))) << "it has a name";
+    EXPECT_FALSE(std::filesystem::exists(picturesOf(second)));
+    EXPECT_TRUE(std::filesystem::exists(second)) << "its numbers stay";
+    EXPECT_TRUE(std::filesystem::exists(picturesOf(third)));
+    // Those with names do not go, so what is new does.
+    tight.rename(third, "Mine, too");
+    EXPECT_FAILURE(tight.keepPictures(second, sheet), "were not kept");
+    EXPECT_FALSE(std::filesystem::exists(picturesOf(second)));
+    EXPECT_TRUE(std::filesystem::exists(picturesOf(first)) && std::filesystem::exists(picturesOf(third)));
+    // A study that makes room takes its pictures along.
+    const auto fourth = tight.keep(json_, "2026-11-04T10:00:00", true);
+    EXPECT_FALSE(std::filesystem::exists(second));
+    tight.rename(third, "");
+    const auto fifth = tight.keep(json_, "2026-11-05T10:00:00", true);
+    EXPECT_FALSE(std::filesystem::exists(third) || std::filesystem::exists(picturesOf(third)));
+    EXPECT_TRUE(std::filesystem::exists(fourth) && std::filesystem::exists(fifth));
+}
+
 TEST_F(KeptStudies, FromElsewhereAreCopiedOnceUnderTheNameOfTheirFolder)
 {
     const auto file = folder_ / "coarse march/study.json";

@@ -6,8 +6,11 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/parameters/number_field.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/parameters/parameter_section.h"
 #include "ui/window/status_line.h"
 
+#include <QCheckBox>
 #include <QLabel>
 #include <QLineEdit>
 
@@ -93,6 +96,39 @@ private slots:
         of(field)->valueInterface()->setCurrentValue(0.75);
         QCOMPARE(roughness(), 0.75);
         QCOMPARE(of(field)->text(QAccessible::Value), field->text());
+    }
+
+    void aSwitchAndAHeadingAreToggledWithoutAClick()
+    {
+        window_->choose(1);
+        const auto animated = [this] {
+            const ParameterValues& values = window_->history().sceneState().values[1];
+            return std::get<double>(values.row(values.table().find("animated").value())) != 0;
+        };
+        const auto toggle = [](QWidget* button) {
+            of(button)->actionInterface()->doAction(QAccessibleActionInterface::toggleAction());
+        };
+        const bool before = animated();
+        auto* box = in<QCheckBox>("animated");
+        toggle(box);
+        QCOMPARE(animated(), !before);
+        QCOMPARE(window_->history().stack().count(), 1);
+        window_->history().stack().undo();
+        QCOMPARE(animated(), before);
+        QCOMPARE(box->isChecked(), before);
+        QCOMPARE(window_->history().stack().count(), 1);
+        for (QAbstractButton* each : window_->panel().findChildren<QAbstractButton*>()) {
+            if (of(each)->role() != QAccessible::Button && each->isCheckable() && each->isVisible() && each != box &&
+                each->parentWidget()->inherits("vitrine::ui::ParameterSection")) {
+                auto* section = qobject_cast<ParameterSection*>(each->parentWidget());
+                const bool folded = section->folded();
+                toggle(each);
+                QCOMPARE(section->folded(), !folded);
+                QVERIFY(section->findChild<ParameterRow*>()->isVisible() == folded);
+                return;
+            }
+        }
+        QFAIL("no heading was found");
     }
 
     void aFieldThatIsTypedInGivesItsTextAndCaret()

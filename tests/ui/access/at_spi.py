@@ -108,16 +108,16 @@ def answer(request):
     if app is None:
         return {"app": False}
     what = request["do"]
-    if what == "tree":
-        part = near(app, request["within"]) if "within" in request else app
-        if part is None:
-            return {"found": False}
-        told, count = complaints(part)
-        return {"complaints": told, "roles": count}
     if what == "heard":
         said, heard[:] = list(heard), []
         return {"heard": said}
-    node = find(app, request["name"], request.get("role"))
+    part = near(app, request["within"]) if "within" in request else app
+    if part is None:
+        return {"found": False}
+    if what == "tree":
+        told, count = complaints(part)
+        return {"complaints": told, "roles": count}
+    node = find(part, request["name"], request.get("role"))
     if node is None:
         return {"found": False}
     if what == "number":

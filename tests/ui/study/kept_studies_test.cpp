@@ -77,6 +77,7 @@ private:
             if (button->text() == QLatin1String("Kept")) button->click();
         QTRY_VERIFY(list()->isVisible() && dock_->kept().width() >= list()->minimumWidth());
     }
+    [[nodiscard]] StudyPictures* pictures() { return dock_->view().findChild<StudyPictures*>(); }
     [[nodiscard]] QPushButton* button(const QString& start)
     {
         for (QPushButton* each : dock_->findChildren<QPushButton*>())
@@ -133,6 +134,9 @@ private slots:
     {
         measure("steps");
         const std::size_t points = dock_->result().points.size();
+        const QSize size(400, 180);
+        pictures()->setFixedSize(size);
+        const QImage measured = pictures()->grab().toImage();
         close();
         open();
         showList();
@@ -142,7 +146,16 @@ private slots:
         QTest::keyClick(list(), Qt::Key_Return);
         QVERIFY(dock_->view().showsKept());
         QCOMPARE(dock_->chart().points().size(), points);
-        QVERIFY(words().join(' ').contains("pictures were not kept"));
+        // Its pictures come a moment later.
+        QTRY_VERIFY(pictures()->spokenText().isEmpty());
+        QVERIFY(!words().join(' ').contains("pictures were not kept"));
+        QTest::keyClick(pictures(), Qt::Key_Return);
+        auto* large = dock_->findChild<LargePictures*>();
+        QVERIFY(large && large->isVisible());
+        large->close();
+        pictures()->setFixedSize(size);
+        const QImage kept = pictures()->grab().toImage();
+        QCOMPARE(kept, measured);
         // A click applies its values, as of one that was just measured.
         const auto& shown = dock_->chart().points();
         std::size_t other = 0;
