@@ -50,7 +50,7 @@ void turnRound(const RecordOptions& options, const Museum& museum, const SceneSt
     request.closed = isWholeTurns(angle);
     request.camera = turntable(frame.camera, angle, paceOf(options, request.closed ? Pace::constant : Pace::eased));
     if (frame.alone) return;
-    const double hit = firstCollision(museum.colliders(sceneState), request.camera);
+    const double hit = firstCollision(museum.obstacles(sceneState), request.camera);
     if (hit >= 0)
         throw Failure(Blame::usage,
                       "A camera that turns by " + render::shortestNumber(degrees) + " degrees round " +
@@ -59,8 +59,7 @@ void turnRound(const RecordOptions& options, const Museum& museum, const SceneSt
 }
 
 /// Along a tour, at its own pace or the one asked for.
-void follow(const RecordOptions& options, const std::vector<Collider>& obstacles, const Tour& tour,
-            RecordingRequest& request)
+void follow(const RecordOptions& options, const Obstacles& obstacles, const Tour& tour, RecordingRequest& request)
 {
     request.closed = tour.closed;
     request.camera = [path = tourPath(obstacles, tour), pace = paceOf(options, tour.pace)](double part) {
@@ -86,14 +85,14 @@ RecordingRequest recordingRequest(const RecordOptions& options, const Museum& mu
     if (isTourFile(options)) {
         Tour tour = parseTour(render::readFile(options.subject, presetLimits.bytes), options.subject);
         for (const std::string& note : tour.notes) job.notes.push_back(options.subject + ": " + note);
-        follow(options, museum.colliders(job.sceneState), tour, request);
+        follow(options, museum.obstacles(job.sceneState), tour, request);
     } else if (path == "still") {
         request.camera = [camera = job.request.frame.camera](double) { return camera; };
         request.closed = true;
     } else if (path == "turntable") {
         turnRound(options, museum, job.sceneState, request);
     } else if (isHall) {
-        follow(options, museum.colliders(job.sceneState), museumTour(museum, job.sceneState), request);
+        follow(options, museum.obstacles(job.sceneState), museumTour(museum, job.sceneState), request);
     } else {
         throw Failure(Blame::usage,
                       "--path tour: the tour goes through the hall; record hall, or choose turntable or still.");

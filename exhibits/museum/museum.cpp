@@ -94,31 +94,31 @@ glm::dvec3 Museum::walk(const glm::dvec3& from, const glm::dvec3& to) const
 
 glm::dvec3 Museum::walk(const Prepared& prepared, const glm::dvec3& from, const glm::dvec3& to) const
 {
-    return walkAround(colliders(prepared), from, to);
+    return obstacles(prepared).walk(from, to);
 }
 
-const std::vector<Collider>& Museum::colliders() const
+Obstacles Museum::obstacles() const
 {
-    return model_->colliders();
+    return Obstacles(model_->colliders());
 }
 
-std::vector<Collider> Museum::collidersWith(const ParameterValues& hall, const PreparedHall* prepared) const
+Obstacles Museum::obstaclesWith(const ParameterValues& hall, const PreparedHall* prepared) const
 {
     std::vector<Collider> all;
     for (const OwnObject& object : hall_->scene(hall, false, prepared).objects)
         all.insert(all.end(), object.colliders.begin(), object.colliders.end());
     all.insert(all.end(), model_->colliders().begin(), model_->colliders().end());
-    return all;
+    return Obstacles(std::move(all));
 }
 
-std::vector<Collider> Museum::colliders(const Prepared& prepared) const
+Obstacles Museum::obstacles(const Prepared& prepared) const
 {
-    return collidersWith(prepared.sceneState.hall(), prepared.hall.get());
+    return obstaclesWith(prepared.sceneState.hall(), prepared.hall.get());
 }
 
-std::vector<Collider> Museum::colliders(const SceneState& sceneState) const
+Obstacles Museum::obstacles(const SceneState& sceneState) const
 {
-    return collidersWith(sceneState.hall(), hall_->prepare(sceneState.hall(), *assets_).get());
+    return obstaclesWith(sceneState.hall(), hall_->prepare(sceneState.hall(), *assets_).get());
 }
 
 std::vector<int> Museum::emptyPlaces() const

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/exhibit.h"
 #include "exhibits/framework/frame_request.h"
+#include "exhibits/museum/obstacles.h"
 #include "exhibits/museum/prepared.h"
 #include "exhibits/museum/read_tables.h"
 #include "exhibits/museum/scene_state.h"
@@ -55,7 +56,6 @@ struct PictureRegion {
 
 class Hall;
 class HallModel;
-struct Collider;
 struct HallScene;
 
 /// The building and everything in it.
@@ -119,12 +119,12 @@ public:
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
     /// The same where objects of the visitor's own stand as well: they and their plinths stop him, too.
     [[nodiscard]] glm::dvec3 walk(const Prepared&, const glm::dvec3& from, const glm::dvec3& to) const;
-    /// What stops visitors and cameras: walls and furniture.
-    [[nodiscard]] const std::vector<Collider>& colliders() const;
+    /// Walls and furniture.
+    [[nodiscard]] Obstacles obstacles() const;
     /// The same with the visitor's own objects and their plinths; those whose file cannot be read stop nobody.
-    [[nodiscard]] std::vector<Collider> colliders(const Prepared&) const;
+    [[nodiscard]] Obstacles obstacles(const Prepared&) const;
     /// The same where nothing is prepared: reads the files of the hall's table.
-    [[nodiscard]] std::vector<Collider> colliders(const SceneState&) const;
+    [[nodiscard]] Obstacles obstacles(const SceneState&) const;
     /// The button within 2 m that the middle of the view rests on, when nothing stands before it.
     [[nodiscard]] std::optional<LookedAt> lookedAt(const Prepared&) const;
     /// The exhibit, button or visitor's object seen at `ndc` (each -1 to 1, y up) of that picture; nothing where the
@@ -157,7 +157,7 @@ private:
     [[nodiscard]] std::vector<Present> presentIn(const Prepared&, const FrameRequest&, const HallScene&,
                                                  const render::View&) const;
     [[nodiscard]] HallScene sceneOf(const Prepared&, bool alone) const;
-    [[nodiscard]] std::vector<Collider> collidersWith(const ParameterValues& hall, const PreparedHall*) const;
+    [[nodiscard]] Obstacles obstaclesWith(const ParameterValues& hall, const PreparedHall*) const;
     [[nodiscard]] std::vector<render::LocalLight> lampsOf(const Prepared&, const std::vector<Present>&,
                                                           bool alone) const;
 

@@ -160,7 +160,7 @@ std::string tourText(const Tour& tour)
     return render::writeJson(root);
 }
 
-double firstCollision(const std::vector<Collider>& obstacles, const CameraMotion& motion)
+double firstCollision(const Obstacles& obstacles, const CameraMotion& motion)
 {
     // Cameras look where they go: the eye's way counts, and it is short between two of these.
     constexpr int steps = 2000;
@@ -168,16 +168,16 @@ double firstCollision(const std::vector<Collider>& obstacles, const CameraMotion
     for (int i = 0; i <= steps; ++i) {
         const double part = static_cast<double>(i) / steps;
         const glm::dvec3 next = motion(part).eye;
-        if (!cameraPasses(obstacles, before, next)) return part;
+        if (!obstacles.cameraPasses(before, next)) return part;
         before = next;
     }
     return -1;
 }
 
-CameraPath tourPath(const std::vector<Collider>& obstacles, const Tour& tour)
+CameraPath tourPath(const Obstacles& obstacles, const Tour& tour)
 {
     for (const Bookmark& bookmark : tour.bookmarks)
-        if (!cameraPasses(obstacles, bookmark.camera.eye, bookmark.camera.eye))
+        if (!obstacles.cameraPasses(bookmark.camera.eye, bookmark.camera.eye))
             throw Failure(Blame::file, "The bookmark \"" + bookmark.name +
                                            "\" is inside of a wall or of what stands in the hall; move it.");
     const std::size_t count = tour.bookmarks.size();
@@ -185,7 +185,7 @@ CameraPath tourPath(const std::vector<Collider>& obstacles, const Tour& tour)
     // Where a visitor could not go straight, a camera would fly over plinths and through what stands on them.
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const render::Camera &from = tour.bookmarks[i].camera, &to = tour.bookmarks[(i + 1) % count].camera;
-        if (glm::length(walkAround(obstacles, from.eye, to.eye) - to.eye) > 1e-6)
+        if (!obstacles.walks(from.eye, to.eye))
             legs[i].between = walked(wayAround(obstacles, from.eye, to.eye, strides[0]), from, to);
     }
     std::vector<std::size_t> legOfStop;
@@ -212,17 +212,16 @@ CameraPath tourPath(const std::vector<Collider>& obstacles, const Tour& tour)
 
 Tour museumTour(const Museum& museum, const SceneState& sceneState)
 {
-    const std::vector<Collider> obstacles = museum.colliders(sceneState);
+    const Obstacles obstacles = museum.obstacles(sceneState);
     Tour tour{"The museum", {}, true, Pace::constant};
     tour.bookmarks.push_back({std::string(museum.hall().title()), museum.bestView(hallIndex, sceneState.hall())});
     const auto add = [&](const std::string& name, const render::Camera& next) {
-        if (!cameraPasses(obstacles, next.eye, next.eye)) return;
+        if (!obstacles.cameraPasses(next.eye, next.eye)) return;
         // On the way it steps back into the middle of the hall, and turns to what comes: walls are dull from near.
         const render::Camera& before = tour.bookmarks.back().camera;
         const glm::dvec3 half = (before.eye + next.eye) / 2.0;
         const glm::dvec3 middle(half.x / 4, 1.65, half.z);
-        if (glm::length(walkAround(obstacles, middle, middle) - middle) < 1e-6)
-            tour.bookmarks.push_back({"To " + name, {middle, next.target, next.fovY}});
+        if (obstacles.walks(middle, middle)) tour.bookmarks.push_back({"To " + name, {middle, next.target, next.fovY}});
         tour.bookmarks.push_back({name, next});
     };
     for (const MuseumExhibit& each : museum.exhibits())

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "exhibits/hall/walk.h"
 #include "exhibits/museum/museum.h"
 #include "exhibits/recording/camera_path.h"
 #include "render/files/strict_json.h"
@@ -48,10 +47,10 @@ struct Tour {
 [[nodiscard]] Tour parseTour(std::string text, std::string fileName);
 [[nodiscard]] std::string tourText(const Tour&);
 
-/// A path through the bookmarks that runs into none of the obstacles (`Museum::colliders`). Where the smooth way
+/// A path through the bookmarks that runs into none of the obstacles (`Museum::obstacles`). Where the smooth way
 /// between two of them would, it is led round by a way that a visitor can walk, looking ahead. Throws Failure
 /// (Blame::file) naming the two where there is none, or the one that is itself inside of an obstacle.
-[[nodiscard]] CameraPath tourPath(const std::vector<Collider>&, const Tour&);
+[[nodiscard]] CameraPath tourPath(const Obstacles&, const Tour&);
 
 /// Past the best views of all exhibits in the museum's order, from the hall's own and back to it. Views that an object
 /// of the visitor's own stands in are left out.
@@ -59,6 +58,6 @@ struct Tour {
 
 /// The share of a motion (0 to 1) at which the camera first runs into something; negative: nowhere. Looks at it every
 /// `longestStep` meters or closer.
-[[nodiscard]] double firstCollision(const std::vector<Collider>&, const CameraMotion&);
+[[nodiscard]] double firstCollision(const Obstacles&, const CameraMotion&);
 
 }  // namespace vitrine

@@ -22,20 +22,15 @@ glm::dvec3 placeOf(const Cell& cell)
     return {cell.first * gridStep, walkingHeight, cell.second * gridStep};
 }
 
-bool walks(const std::vector<Collider>& obstacles, const glm::dvec3& from, const glm::dvec3& to)
-{
-    return glm::length(walkAround(obstacles, from, to) - to) < 1e-6;
-}
-
 /// With room around it, so that a smooth way near to it is free, too.
-bool passesWithRoom(const std::vector<Collider>& obstacles, const glm::dvec3& from, const glm::dvec3& to)
+bool passesWithRoom(const Obstacles& obstacles, const glm::dvec3& from, const glm::dvec3& to)
 {
     constexpr double room = 0.12;
-    if (!cameraPasses(obstacles, from, to)) return false;
+    if (!obstacles.cameraPasses(from, to)) return false;
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 aside(0);
         aside[axis] = room;
-        if (!cameraPasses(obstacles, from + aside, to + aside) || !cameraPasses(obstacles, from - aside, to - aside))
+        if (!obstacles.cameraPasses(from + aside, to + aside) || !obstacles.cameraPasses(from - aside, to - aside))
             return false;
     }
     return true;
@@ -43,7 +38,7 @@ bool passesWithRoom(const std::vector<Collider>& obstacles, const glm::dvec3& fr
 
 /// A way of cells under search.
 struct Search {
-    const std::vector<Collider>& obstacles;
+    const Obstacles& obstacles;
     glm::dvec3 goal;
     std::map<Cell, double> traveled;
     std::map<Cell, Cell> cameFrom;
@@ -51,7 +46,7 @@ struct Search {
 
     [[nodiscard]] bool reaches(const glm::dvec3& a, const glm::dvec3& b, bool withRoom) const
     {
-        return withRoom ? passesWithRoom(obstacles, a, b) : cameraPasses(obstacles, a, b);
+        return withRoom ? passesWithRoom(obstacles, a, b) : obstacles.cameraPasses(a, b);
     }
 
     [[nodiscard]] double left(const glm::dvec3& p) const { return std::hypot(goal.x - p.x, goal.z - p.z); }
@@ -74,7 +69,7 @@ struct Search {
                 const Cell cell(middle.first + dx, middle.second + dz);
                 const glm::dvec3 p = placeOf(cell);
                 const double away = glm::length(p - from);
-                if (away < farthestStart && walks(obstacles, p, p) && reaches(from, p, withRoom)) offer(cell, away);
+                if (away < farthestStart && obstacles.walks(p, p) && reaches(from, p, withRoom)) offer(cell, away);
             }
     }
 
@@ -94,7 +89,7 @@ struct Search {
                     const double longer = length + gridStep * std::hypot(dx, dz);
                     const auto known = traveled.find(next);
                     if (known != traveled.end() && known->second <= longer) continue;
-                    if (!walks(obstacles, p, placeOf(next))) continue;
+                    if (!obstacles.walks(p, placeOf(next))) continue;
                     offer(next, longer);
                     cameFrom[next] = cell;
                 }
@@ -104,8 +99,8 @@ struct Search {
 };
 
 /// Cells from one that can be reached from `from` to one from which `to` can be; empty: there are none.
-std::vector<glm::dvec3> cellsBetween(const std::vector<Collider>& obstacles, const glm::dvec3& from,
-                                     const glm::dvec3& to, bool withRoom)
+std::vector<glm::dvec3> cellsBetween(const Obstacles& obstacles, const glm::dvec3& from, const glm::dvec3& to,
+                                     bool withRoom)
 {
     Search search{obstacles, to, {}, {}, {}};
     search.begin(from, withRoom);
@@ -120,7 +115,7 @@ std::vector<glm::dvec3> cellsBetween(const std::vector<Collider>& obstacles, con
 
 }  // namespace
 
-std::vector<glm::dvec3> wayAround(const std::vector<Collider>& obstacles, const glm::dvec3& from, const glm::dvec3& to,
+std::vector<glm::dvec3> wayAround(const Obstacles& obstacles, const glm::dvec3& from, const glm::dvec3& to,
                                   double stride)
 {
     std::vector<glm::dvec3> places = cellsBetween(obstacles, from, to, true);
@@ -128,7 +123,7 @@ std::vector<glm::dvec3> wayAround(const std::vector<Collider>& obstacles, const 
     if (places.empty()) return {};
     std::vector<glm::dvec3> corners{from, places.front()};
     for (std::size_t i = 1; i < places.size(); ++i)
-        if (i + 1 == places.size() || !walks(obstacles, corners.back(), places[i + 1])) corners.push_back(places[i]);
+        if (i + 1 == places.size() || !obstacles.walks(corners.back(), places[i + 1])) corners.push_back(places[i]);
     corners.push_back(to);
     std::vector<glm::dvec3> way;
     for (std::size_t i = 1; i < corners.size(); ++i) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "exhibits/hall/walk.h"
+#include "exhibits/museum/obstacles.h"
 
 #include <glm/glm.hpp>
 
@@ -12,7 +12,7 @@ namespace vitrine {
 /// them: as a visitor walks, at his height, where it can. The ends are not among them and need only be near to where he
 /// can stand. Empty: there is no such way. The shortest over a grid of 0.25 m (A*: Hart, Nilsson and Raphael 1968),
 /// without the corners that can be cut.
-[[nodiscard]] std::vector<glm::dvec3> wayAround(const std::vector<Collider>&, const glm::dvec3& from,
-                                                const glm::dvec3& to, double stride);
+[[nodiscard]] std::vector<glm::dvec3> wayAround(const Obstacles&, const glm::dvec3& from, const glm::dvec3& to,
+                                                double stride);
 
 }  // namespace vitrine

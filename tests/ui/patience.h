@@ -13,3 +13,5 @@ inline constexpr int patience = 300000;  ///< Milliseconds.
 #define QTRY_VERIFY(condition) QTRY_VERIFY_WITH_TIMEOUT(condition, vitrine::test::patience)
 #undef QTRY_COMPARE
 #define QTRY_COMPARE(actual, expected) QTRY_COMPARE_WITH_TIMEOUT(actual, expected, vitrine::test::patience)
+#undef QTRY_VERIFY2
+#define QTRY_VERIFY2(condition, message) QTRY_VERIFY2_WITH_TIMEOUT(condition, message, vitrine::test::patience)

@@ -40,7 +40,7 @@ QList<QDoubleSpinBox*> keptNumbers(const QDialog& dialog)
 }
 
 /// Throws Failure where the way round leads into something.
-void requireFreeWay(const std::vector<Collider>& obstacles, const CameraMotion& motion)
+void requireFreeWay(const Obstacles& obstacles, const CameraMotion& motion)
 {
     if (firstCollision(obstacles, motion) >= 0)
         throw Failure(
@@ -241,14 +241,14 @@ FilmWish RecordDialog::wish() const
     } else if (way() == Way::round) {
         request.closed = isWholeTurns(angle);
         request.camera = turntable(camera, angle, request.closed ? Pace::constant : Pace::eased);
-        requireFreeWay(window_.museum().colliders(wish.sceneState), request.camera);
+        requireFreeWay(window_.museum().obstacles(wish.sceneState), request.camera);
     }
     wish.request = [request] { return request; };
     if (way() != Way::bookmarks && way() != Way::tour) return wish;
     const Tour tour = way() == Way::tour ? museumTour(window_.museum(), wish.sceneState) : bookmarks_.tour();
     wish.request = [request, tour, &museum = window_.museum(), sceneState = wish.sceneState] {
         RecordingRequest along = request;
-        along.camera = [path = tourPath(museum.colliders(sceneState), tour), pace = tour.pace](double part) {
+        along.camera = [path = tourPath(museum.obstacles(sceneState), tour), pace = tour.pace](double part) {
             return path.at(paced(pace, part));
         };
         return along;

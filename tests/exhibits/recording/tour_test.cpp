@@ -80,7 +80,7 @@ TEST(TourFile, WhatIsWrongIsNamedByLineAndKey)
 
 TEST(TourPath, GoesStraightWhereNothingStands)
 {
-    const CameraPath path = tourPath(museum().colliders(), twoViews({-0.5, 1.65, 10.5}, {0.5, 1.65, 10.5}));
+    const CameraPath path = tourPath(museum().obstacles(), twoViews({-0.5, 1.65, 10.5}, {0.5, 1.65, 10.5}));
     EXPECT_NEAR(path.length(), 1, 1e-6);
 }
 
@@ -112,10 +112,10 @@ TEST(TourPath, IsLedRoundWhatStandsBetween)
         dvec3 a = dvec3(world * glm::dvec4(-reach, 0, 0, 1)), b = dvec3(world * glm::dvec4(reach, 0, 0, 1));
         a.y = b.y = 0.8;  // Below the tops of plinths.
         const bool inside = std::abs(a.x) < 6 && std::abs(b.x) < 6 && std::abs(a.z) < 12 && std::abs(b.z) < 12;
-        if (!inside || cameraPasses(museum().colliders(), a, b) || !cameraPasses(museum().colliders(), a, a) ||
-            !cameraPasses(museum().colliders(), b, b))
+        if (!inside || museum().obstacles().cameraPasses(a, b) || !museum().obstacles().cameraPasses(a, a) ||
+            !museum().obstacles().cameraPasses(b, b))
             continue;
-        const CameraPath path = tourPath(museum().colliders(), twoViews(a, b));
+        const CameraPath path = tourPath(museum().obstacles(), twoViews(a, b));
         EXPECT_GE(clearance(path), cameraRadius - 0.01);
         EXPECT_GT(path.length(), glm::length(a - b));
         ++tried;
@@ -132,10 +132,10 @@ TEST(TourPath, IsLedRoundTheVisitorsOwnObjects)
     sceneState.hall().set(rows.modelStand, ObjectStand::ownPlinth);
     sceneState.hall().set(rows.modelAcross, 0.0);
     sceneState.hall().set(rows.modelAlong, 10.2);
-    const std::vector<Collider> obstacles = museum().colliders(sceneState);
-    ASSERT_GT(obstacles.size(), museum().colliders().size());
+    const Obstacles obstacles = museum().obstacles(sceneState);
+    ASSERT_GT(obstacles.count(), museum().obstacles().count());
     const Tour past = twoViews({-1.6, 0.9, 10.2}, {1.6, 0.9, 10.2});
-    EXPECT_NEAR(tourPath(museum().colliders(), past).length(), 3.2, 1e-6) << "nothing else stands there";
+    EXPECT_NEAR(tourPath(museum().obstacles(), past).length(), 3.2, 1e-6) << "nothing else stands there";
     const CameraPath path = tourPath(obstacles, past);
     EXPECT_GT(path.length(), 3.3);
     // Nothing of the plinth, whose sides are at least 0.18 m from its middle, is within a camera's reach.
@@ -152,14 +152,14 @@ TEST(TourPath, IsLedRoundTheVisitorsOwnObjects)
     const Tour after = museumTour(museum(), sceneState);
     EXPECT_EQ(after.bookmarks.front().camera.eye, eye);
     EXPECT_LT(after.bookmarks.size(), before.bookmarks.size());
-    EXPECT_NO_THROW(static_cast<void>(tourPath(museum().colliders(sceneState), after)));
+    EXPECT_NO_THROW(static_cast<void>(tourPath(museum().obstacles(sceneState), after)));
 }
 
 TEST(TourPath, ErrorsNameTheBookmarks)
 {
     const auto said = [](const dvec3& a, const dvec3& b) -> std::string {
         try {
-            static_cast<void>(tourPath(museum().colliders(), twoViews(a, b)));
+            static_cast<void>(tourPath(museum().obstacles(), twoViews(a, b)));
             return {};
         } catch (const Failure& failure) {
             return failure.what();
@@ -184,7 +184,7 @@ TEST(TourPath, TheMuseumsOwnPassesEveryExhibitAndHitsNothing)
         };
         EXPECT_TRUE(std::any_of(tour.bookmarks.begin(), tour.bookmarks.end(), isIt)) << each.exhibit.name();
     }
-    const CameraPath path = tourPath(museum().colliders(), tour);
+    const CameraPath path = tourPath(museum().obstacles(), tour);
     EXPECT_GE(clearance(path), cameraRadius - 0.01);
     EXPECT_EQ(path.at(0), path.at(1));
     for (const Bookmark& bookmark : tour.bookmarks) {
@@ -199,16 +199,16 @@ TEST(WayAround, IsFreeBetweenAllOfItsPlaces)
 {
     const dvec3 from(0, 1.65, 11), to(0, 1.65, -11);
     for (const double stride : {3.0, 0.5}) {
-        std::vector<dvec3> way = wayAround(museum().colliders(), from, to, stride);
+        std::vector<dvec3> way = wayAround(museum().obstacles(), from, to, stride);
         ASSERT_FALSE(way.empty());
         way.insert(way.begin(), from);
         way.push_back(to);
         for (std::size_t i = 0; i + 1 < way.size(); ++i) {
-            EXPECT_TRUE(cameraPasses(museum().colliders(), way[i], way[i + 1])) << i;
+            EXPECT_TRUE(museum().obstacles().cameraPasses(way[i], way[i + 1])) << i;
             EXPECT_LE(glm::length(way[i + 1] - way[i]), stride + 1e-9) << i;
         }
     }
-    EXPECT_TRUE(wayAround(museum().colliders(), from, {0, 1.65, 300}, 2).empty());
+    EXPECT_TRUE(wayAround(museum().obstacles(), from, {0, 1.65, 300}, 2).empty());
 }
 
 TEST(FramePath, CountsFromOne)

@@ -2,6 +2,7 @@
 // here.
 #include "tests/ui/access/accessible_tree.h"
 #include "tests/ui/access/every_part.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_overlay.h"
@@ -193,6 +194,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(AccessibleTest)
+VITRINE_UI_TEST(AccessibleTest)
 
 #include "accessible_test.moc"

@@ -1,6 +1,7 @@
 // The whole window by the keyboard alone.
 #include "tests/ui/access/every_part.h"
 #include "tests/ui/access/keyboard_walk.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/compare/compare_desk.h"
 #include "ui/compare/compare_overlay.h"
@@ -224,6 +225,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(KeyboardTest)
+VITRINE_UI_TEST(KeyboardTest)
 
 #include "keyboard_test.moc"

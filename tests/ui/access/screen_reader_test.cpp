@@ -1,5 +1,6 @@
 // The window as a screen reader has it: its tree over AT-SPI, on a session bus of its own, asked by a script.
 #include "tests/ui/access/every_part.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/compare/compare_desk.h"
 #include "ui/lessons/lesson_desk.h"
@@ -186,6 +187,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(ScreenReaderTest)
+VITRINE_UI_TEST(ScreenReaderTest)
 
 #include "screen_reader_test.moc"

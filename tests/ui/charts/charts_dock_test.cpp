@@ -1,6 +1,7 @@
 // The dock of charts, over an exhibit that offers some and one that does not. No GL.
 
 #include "tests/exhibits/study/known_law.h"
+#include "tests/ui/ui_main.h"
 
 #include "exhibits/framework/capabilities.h"
 #include "exhibits/museum/museum.h"
@@ -149,5 +150,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(ChartsDockTest)
+VITRINE_UI_TEST(ChartsDockTest)
 #include "charts_dock_test.moc"

@@ -1,6 +1,7 @@
 // The picture of B in the real window: when it is drawn, from where, what is made of it, and what it costs.
 
 #include "tests/ui/compare/open_comparison.h"
+#include "tests/ui/ui_main.h"
 
 #include "render/failure.h"
 #include "render/image/image_io.h"
@@ -219,6 +220,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(ComparePictureTest)
+VITRINE_UI_TEST(ComparePictureTest)
 
 #include "compare_picture_test.moc"

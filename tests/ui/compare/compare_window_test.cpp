@@ -1,6 +1,7 @@
 // What is compared, how it is shown and what moves between A and B, in the real window.
 
 #include "tests/ui/compare/open_comparison.h"
+#include "tests/ui/ui_main.h"
 
 #include "exhibits/framework/preset.h"
 #include "render/image/image_io.h"
@@ -314,6 +315,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(CompareWindowTest)
+VITRINE_UI_TEST(CompareWindowTest)
 
 #include "compare_window_test.moc"

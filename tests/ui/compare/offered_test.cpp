@@ -1,6 +1,7 @@
 // What the visited exhibit offers to be compared with, in the real window.
 
 #include "tests/ui/compare/open_comparison.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
@@ -146,6 +147,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(OfferedTest)
+VITRINE_UI_TEST(OfferedTest)
 
 #include "offered_test.moc"

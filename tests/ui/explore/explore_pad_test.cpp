@@ -223,5 +223,5 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(ExplorePadTest)
+VITRINE_WINDOW_TEST(ExplorePadTest)
 #include "explore_pad_test.moc"

@@ -250,5 +250,5 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(VariationsTest)
+VITRINE_WINDOW_TEST(VariationsTest)
 #include "variations_test.moc"

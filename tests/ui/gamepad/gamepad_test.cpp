@@ -1,6 +1,7 @@
 // A gamepad that SDL makes up, in the hands of a visitor of the real window.
 #include "tests/ui/gamepad/virtual_pad.h"
 #include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/gamepad/gamepad_control.h"
 #include "ui/gamepad/stick.h"
@@ -260,6 +261,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(GamepadTest)
+VITRINE_UI_TEST(GamepadTest)
 
 #include "gamepad_test.moc"

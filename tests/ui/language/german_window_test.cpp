@@ -131,5 +131,5 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(GermanWindowTest)
+VITRINE_WINDOW_TEST(GermanWindowTest)
 #include "german_window_test.moc"

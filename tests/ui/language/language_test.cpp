@@ -1,5 +1,7 @@
 // The German translation: complete, alike in its places and mnemonics, and chosen by the locale or by the visitor.
 
+#include "tests/ui/ui_main.h"
+
 #include "ui/kit/language.h"
 
 #include "exhibits/exhibits.h"
@@ -207,5 +209,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(LanguageTest)
+VITRINE_UI_TEST(LanguageTest)
 #include "language_test.moc"

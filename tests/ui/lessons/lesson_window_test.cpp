@@ -1,4 +1,5 @@
 #include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
 
 #include "exhibits/exhibits.h"
 #include "render/files/assets.h"
@@ -291,6 +292,6 @@ private:
     }
 };
 
-QTEST_MAIN(LessonWindowTest)
+VITRINE_UI_TEST(LessonWindowTest)
 
 #include "lesson_window_test.moc"

@@ -1,6 +1,7 @@
 #include "tests/support/balls.h"
 #include "tests/support/blocks.h"
 #include "tests/ui/sample_tables.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/model/history.h"
 
@@ -287,6 +288,6 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(HistoryTest)
+VITRINE_UI_TEST(HistoryTest)
 
 #include "history_test.moc"

@@ -162,5 +162,5 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(GroupEditsTest)
+VITRINE_WINDOW_TEST(GroupEditsTest)
 #include "group_edits_test.moc"

@@ -1,4 +1,5 @@
 #include "tests/ui/parameters/open_panel.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/parameters/color_editor.h"
 #include "ui/parameters/parameter_section.h"
@@ -367,6 +368,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(ParameterPanelTest)
+VITRINE_UI_TEST(ParameterPanelTest)
 
 #include "parameter_panel_test.moc"

@@ -1,4 +1,5 @@
 #include "tests/ui/parameters/open_panel.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/parameters/color_editor.h"
 #include "ui/parameters/color_picker.h"
@@ -300,6 +301,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(ValueEditorsTest)
+VITRINE_UI_TEST(ValueEditorsTest)
 
 #include "value_editors_test.moc"

@@ -1,4 +1,5 @@
 #include "tests/ui/preferences/open_preferences.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/compare/compare_bar.h"
 #include "ui/window/command_palette.h"
@@ -152,9 +153,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    return test::runWithBus<KeysWindowTest>(argc, argv);
-}
+VITRINE_ADD_TEST(KeysWindowTest, &test::runWithBus<KeysWindowTest>)
 
 #include "keys_window_test.moc"

@@ -1,3 +1,5 @@
+#include "tests/ui/ui_main.h"
+
 #include "exhibits/framework/state_folder.h"
 #include "ui/kit/appearance.h"
 #include "ui/kit/preferences.h"
@@ -313,5 +315,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(PreferencesTest)
+VITRINE_UI_TEST(PreferencesTest)
 #include "preferences_test.moc"

@@ -1,5 +1,6 @@
 #include "tests/ui/few_samples.h"
 #include "tests/ui/preferences/open_preferences.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/kit/language.h"
 #include "ui/kit/message_strip.h"
@@ -305,9 +306,6 @@ private slots:
     }
 };
 
-int main(int argc, char** argv)
-{
-    return test::runWithBus<PreferencesWindowTest>(argc, argv);
-}
+VITRINE_ADD_TEST(PreferencesWindowTest, &test::runWithBus<PreferencesWindowTest>)
 
 #include "preferences_window_test.moc"

@@ -1,4 +1,5 @@
 #include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/presets/preset_preview.h"
 #include "ui/presets/preset_shelf.h"
@@ -236,6 +237,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(PresetBrowserTest)
+VITRINE_UI_TEST(PresetBrowserTest)
 
 #include "preset_browser_test.moc"

@@ -1,4 +1,5 @@
 #include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/kit/message_strip.h"
 #include "ui/kit/name_dialog.h"
@@ -198,6 +199,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(PresetShelfTest)
+VITRINE_UI_TEST(PresetShelfTest)
 
 #include "preset_shelf_test.moc"

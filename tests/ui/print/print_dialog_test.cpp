@@ -1,3 +1,5 @@
+#include "tests/ui/ui_main.h"
+
 #include "exhibits/framework/state_folder.h"
 #include "tests/ui/print/open_print_dialog.h"
 
@@ -156,6 +158,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(PrintDialogTest)
+VITRINE_UI_TEST(PrintDialogTest)
 
 #include "print_dialog_test.moc"

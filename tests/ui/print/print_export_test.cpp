@@ -1,3 +1,5 @@
+#include "tests/ui/ui_main.h"
+
 #include "exhibits/printing/print_json.h"
 #include "render/files/read_file.h"
 #include "tests/ui/print/open_print_dialog.h"
@@ -190,6 +192,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(PrintExportTest)
+VITRINE_UI_TEST(PrintExportTest)
 
 #include "print_export_test.moc"

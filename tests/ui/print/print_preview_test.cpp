@@ -1,4 +1,5 @@
 #include "tests/ui/print/open_print_dialog.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/print/eyes_preview.h"
 #include "ui/print/strip_preview.h"
@@ -103,6 +104,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(PrintPreviewTest)
+VITRINE_UI_TEST(PrintPreviewTest)
 
 #include "print_preview_test.moc"

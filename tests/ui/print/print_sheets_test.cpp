@@ -1,3 +1,5 @@
+#include "tests/ui/ui_main.h"
+
 #include "exhibits/printing/sheet.h"
 #include "tests/ui/print/open_print_dialog.h"
 
@@ -144,6 +146,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(PrintSheetsTest)
+VITRINE_UI_TEST(PrintSheetsTest)
 
 #include "print_sheets_test.moc"

@@ -194,5 +194,5 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(RecordWindowTest)
+VITRINE_WINDOW_TEST(RecordWindowTest)
 #include "record_window_test.moc"

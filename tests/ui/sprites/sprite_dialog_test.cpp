@@ -261,6 +261,6 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(SpriteDialogTest)
+VITRINE_WINDOW_TEST(SpriteDialogTest)
 
 #include "sprite_dialog_test.moc"

@@ -1,6 +1,7 @@
 // The study dock: what it shows, applies and leaves alone, over an exhibit whose law is known. No GL.
 
 #include "tests/ui/study/known_gallery.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/kit/theme.h"
 #include "ui/study/study_chart.h"
@@ -328,5 +329,5 @@ private slots:
 
 }  // namespace
 
-QTEST_MAIN(StudyDockTest)
+VITRINE_UI_TEST(StudyDockTest)
 #include "study_dock_test.moc"

@@ -197,6 +197,6 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(TreeBlocksTest)
+VITRINE_WINDOW_TEST(TreeBlocksTest)
 
 #include "tree_blocks_test.moc"

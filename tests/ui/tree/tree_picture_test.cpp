@@ -1,5 +1,7 @@
 // Where outlines and handles are in a picture, and what dragging a handle means. No GL.
 
+#include "tests/ui/ui_main.h"
+
 #include "ui/tree/tree_handles.h"
 #include "ui/tree/tree_outline.h"
 
@@ -144,6 +146,6 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TreePictureTest)
+VITRINE_UI_TEST(TreePictureTest)
 
 #include "tree_picture_test.moc"

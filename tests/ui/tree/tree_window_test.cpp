@@ -295,6 +295,6 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(TreeWindowTest)
+VITRINE_WINDOW_TEST(TreeWindowTest)
 
 #include "tree_window_test.moc"

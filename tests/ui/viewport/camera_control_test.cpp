@@ -1,3 +1,5 @@
+#include "tests/ui/ui_main.h"
+
 #include "ui/viewport/camera_control.h"
 
 #include <QTest>
@@ -288,6 +290,6 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(CameraControlTest)
+VITRINE_UI_TEST(CameraControlTest)
 
 #include "camera_control_test.moc"

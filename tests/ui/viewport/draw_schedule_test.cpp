@@ -1,3 +1,5 @@
+#include "tests/ui/ui_main.h"
+
 #include "ui/viewport/draw_schedule.h"
 
 #include <QTest>
@@ -265,6 +267,6 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(DrawScheduleTest)
+VITRINE_UI_TEST(DrawScheduleTest)
 
 #include "draw_schedule_test.moc"

@@ -1,5 +1,7 @@
 // The renderers of the window's thread, on the museum: what they wait for, and what not.
 
+#include "tests/ui/ui_main.h"
+
 #include "exhibits/museum/museum.h"
 #include "ui/viewport/museum_renderers.h"
 
@@ -123,6 +125,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(MuseumRenderersTest)
+VITRINE_UI_TEST(MuseumRenderersTest)
 
 #include "museum_renderers_test.moc"

@@ -207,6 +207,6 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(DraggedRowsTest)
+VITRINE_WINDOW_TEST(DraggedRowsTest)
 
 #include "dragged_rows_test.moc"

@@ -206,6 +206,6 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(KeptWorkTest)
+VITRINE_WINDOW_TEST(KeptWorkTest)
 
 #include "kept_work_test.moc"

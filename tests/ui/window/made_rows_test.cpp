@@ -153,6 +153,6 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(MadeRowsTest)
+VITRINE_WINDOW_TEST(MadeRowsTest)
 
 #include "made_rows_test.moc"

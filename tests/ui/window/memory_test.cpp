@@ -1,5 +1,7 @@
 // A thousand steps of ordinary use on the real window: what is kept at step 1000 is what was kept at step 200.
 //   VITRINE_MEMORY_STEPS=300   fewer, at least 300
+#include "tests/ui/ui_main.h"
+
 #include "exhibits/exhibits.h"
 #include "exhibits/museum/museum.h"
 #include "render/measure/memory.h"
@@ -227,6 +229,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(MemoryTest)
+VITRINE_UI_TEST(MemoryTest)
 
 #include "memory_test.moc"

@@ -423,6 +423,6 @@ private:
     QList<QUrl> opened_;
 };
 
-VITRINE_TEST_MAIN(MissingFilesTest)
+VITRINE_WINDOW_TEST(MissingFilesTest)
 
 #include "missing_files_test.moc"

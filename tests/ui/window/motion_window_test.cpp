@@ -193,6 +193,6 @@ private:
     }
 };
 
-VITRINE_TEST_MAIN(MotionWindowTest)
+VITRINE_WINDOW_TEST(MotionWindowTest)
 
 #include "motion_window_test.moc"

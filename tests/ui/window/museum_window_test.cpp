@@ -1,3 +1,5 @@
+#include "tests/ui/ui_main.h"
+
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/capabilities.h"
 #include "exhibits/museum/museum.h"
@@ -315,6 +317,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(MuseumWindowTest)
+VITRINE_UI_TEST(MuseumWindowTest)
 
 #include "museum_window_test.moc"

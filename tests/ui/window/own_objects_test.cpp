@@ -1,4 +1,5 @@
 #include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
 
 #include "render/files/assets.h"
 #include "ui/kit/message_strip.h"
@@ -160,6 +161,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(OwnObjectsTest)
+VITRINE_UI_TEST(OwnObjectsTest)
 
 #include "own_objects_test.moc"

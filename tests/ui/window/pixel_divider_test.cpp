@@ -90,6 +90,6 @@ private slots:
     }
 };
 
-VITRINE_TEST_MAIN(PixelDividerTest)
+VITRINE_WINDOW_TEST(PixelDividerTest)
 
 #include "pixel_divider_test.moc"

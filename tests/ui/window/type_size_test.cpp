@@ -192,5 +192,5 @@ private:
     }
 };
 
-VITRINE_TEST_MAIN(TypeSizeTest)
+VITRINE_WINDOW_TEST(TypeSizeTest)
 #include "type_size_test.moc"

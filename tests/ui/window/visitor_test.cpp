@@ -1,4 +1,5 @@
 #include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/number_field.h"
@@ -463,6 +464,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(VisitorTest)
+VITRINE_UI_TEST(VisitorTest)
 
 #include "visitor_test.moc"

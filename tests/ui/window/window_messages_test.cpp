@@ -1,4 +1,5 @@
 #include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
@@ -156,6 +157,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(WindowMessagesTest)
+VITRINE_UI_TEST(WindowMessagesTest)
 
 #include "window_messages_test.moc"

@@ -1,4 +1,5 @@
 #include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/kit/message_strip.h"
 #include "ui/viewport/overlay.h"
@@ -351,6 +352,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(WindowPictureTest)
+VITRINE_UI_TEST(WindowPictureTest)
 
 #include "window_picture_test.moc"

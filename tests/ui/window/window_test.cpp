@@ -1,4 +1,5 @@
 #include "tests/ui/open_window.h"
+#include "tests/ui/ui_main.h"
 
 #include "ui/kit/message_strip.h"
 #include "ui/kit/preferences.h"
@@ -289,6 +290,6 @@ private slots:
     }
 };
 
-QTEST_MAIN(WindowTest)
+VITRINE_UI_TEST(WindowTest)
 
 #include "window_test.moc"

@@ -1,0 +1,37 @@
+// One program for all tests of the window: `ui_test CLASS [FUNCTION...]`, without arguments the classes.
+#include "tests/ui/ui_main.h"
+
+#include <cstdio>
+#include <map>
+#include <string>
+
+namespace vitrine::test {
+namespace {
+
+std::map<std::string, RunsTest>& addedTests()
+{
+    static std::map<std::string, RunsTest> tests;
+    return tests;
+}
+
+}  // namespace
+
+AddedTest::AddedTest(const char* name, RunsTest run)
+{
+    addedTests()[name] = run;
+}
+
+}  // namespace vitrine::test
+
+int main(int argc, char** argv)
+{
+    const auto& tests = vitrine::test::addedTests();
+    const auto found = argc > 1 ? tests.find(argv[1]) : tests.end();
+    if (found == tests.end()) {
+        if (argc > 1) std::fprintf(stderr, "There is no test class %s; these are here:\n", argv[1]);
+        for (const auto& [name, run] : tests) std::printf("%s\n", name.c_str());
+        return argc > 1 ? 2 : 0;
+    }
+    argv[1] = argv[0];
+    return found->second(argc - 1, argv + 1);
+}
