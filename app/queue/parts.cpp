@@ -120,8 +120,8 @@ Parts::Parts(const fs::path& out) : folder_(folderOf(out))
         if (const std::string why = problemOf(part, renderers); !why.empty())
             problems += "\n  part " + std::to_string(part) + " " + why + "; make it by: " + commandOf(part);
     if (!problems.empty())
-        throw Failure(Blame::check, folder_.string() + ": nothing was merged, because of " + std::to_string(shard_.of) +
-                                        " parts" + problems);
+        throw Failure(Blame::check, folder_.string() + ": nothing was merged. Of " + std::to_string(shard_.of) +
+                                        " parts," + problems);
     if (renderers.size() > 1)
         throw Failure(Blame::check, folder_.string() + ": nothing was merged, because part " +
                                         std::to_string(renderers.begin()->second) + " was drawn by " +

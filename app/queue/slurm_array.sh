@@ -1,6 +1,6 @@
 #!/bin/sh
 # slurm_array.sh PARTS VITRINE-COMMAND...: hands a recording, print or study to Slurm as a job array of so many parts, and
-# a job that puts them together once all have ended well. All nodes must see the folder of OUT.
+# a job that puts them together once all have ended, or names those that failed. All nodes must see the folder of OUT.
 #   sh app/queue/slurm_array.sh 64 study fur shellCount --out studies/shells
 # VITRINE=PATH: the program; SBATCH_OPTIONS="--time=1:00:00 --gres=gpu:1": for the array. Parts that were drawn by
 # different renderers are not merged: ask for nodes of one kind.
@@ -21,6 +21,6 @@ quoted() {
 # shellcheck disable=SC2086
 array=$(sbatch --parsable ${SBATCH_OPTIONS:-} --job-name=vitrine --array="1-$parts" \
     --wrap="$(quoted "$program" "$@") --shard \$SLURM_ARRAY_TASK_ID/$parts")
-merge=$(sbatch --parsable --job-name=vitrine-merge --dependency="afterok:${array%%;*}" \
+merge=$(sbatch --parsable --job-name=vitrine-merge --dependency="afterany:${array%%;*}" \
     --wrap="$(quoted "$program" merge "$out")")
 echo "parts: job $array, then merging: job $merge"

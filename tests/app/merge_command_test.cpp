@@ -195,4 +195,41 @@ TEST(MergeCommand, TheScriptForGnuParallelMakesTheSameFilm)
     EXPECT_TRUE(test::bytesOf(out) == whole);
 }
 
+TEST(MergeCommand, TheScriptForSlurmMakesTheSameFilmAndNamesAPartThatFailed)
+{
+    const TemporaryFolder folder;
+    // Does at once what Slurm does in its own time: all tasks of the array, then the job that depends on it.
+    test::writeBytes(folder / "sbatch",
+                     "#!/bin/sh\n"
+                     "last=\nfor word in \"$@\"; do case $word in\n"
+                     "--array=1-*) last=${word#--array=1-} ;;\n"
+                     "--dependency=*) [ \"$word\" = --dependency=afterany:7 ] || exit 1 ;;\n"
+                     "--wrap=*) wrap=${word#--wrap=} ;;\nesac; done\n"
+                     "if [ -n \"$last\" ]; then\n"
+                     "for task in $(seq $last); do SLURM_ARRAY_TASK_ID=$task sh -c \"$wrap\" >/dev/null; done\n"
+                     "echo 7\nelse sh -c \"$wrap\" >&2 || true\necho 8\nfi\n");
+    test::writeBytes(folder / "failing", "#!/bin/sh\n"
+                                         "[ \"$SLURM_ARRAY_TASK_ID\" != 2 ] || exit 4\n"
+                                         "exec " VITRINE_PROGRAM " \"$@\"\n");
+    for (const char* script : {"sbatch", "failing"})
+        fs::permissions(fs::path(folder / script), fs::perms::owner_exec, fs::perm_options::add);
+    const std::string whole = folder / "whole.apng";
+    ASSERT_EQ(test::vitrine(film(whole)).code, 0);
+    const auto queued = [&](const std::string& program, const std::string& out) {
+        std::string line = "PATH='" + std::string(folder / "") + "':$PATH VITRINE='" + program + "' sh " +
+                           VITRINE_SOURCE_DIR "/app/queue/slurm_array.sh 3";
+        for (const std::string& word : film(out)) line += " \"" + word + "\"";
+        EXPECT_EQ(std::system((line + " >/dev/null 2>'" + std::string(folder / "errors") + "'").c_str()), 0);
+        return test::bytesOf(folder / "errors");
+    };
+    const std::string out = folder / "visitor's film.apng";
+    queued(VITRINE_PROGRAM, out);
+    EXPECT_TRUE(test::bytesOf(out) == test::bytesOf(whole));
+    const std::string second = folder / "second.apng";
+    const std::string errors = queued(folder / "failing", second);
+    EXPECT_NE(errors.find("part 2 is missing"), std::string::npos) << errors;
+    EXPECT_EQ(errors.find("part 1 is missing"), std::string::npos) << errors;
+    EXPECT_FALSE(fs::exists(second));
+}
+
 }  // namespace vitrine
