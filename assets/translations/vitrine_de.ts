@@ -868,6 +868,10 @@ Zeiten nach: %2.</translation>
         <translation>1 Zeile verschieden</translation>
     </message>
     <message>
+        <source>1 to 9</source>
+        <translation>1 bis 9</translation>
+    </message>
+    <message>
         <source>1 triangle without area was left out</source>
         <translation>1 Dreieck ohne Fläche wurde weggelassen</translation>
     </message>
@@ -5655,8 +5659,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Glas steht in der Sonne</translation>
     </message>
     <message>
-        <source>Glides to the view kept there.</source>
-        <translation>Gleitet zur dort gemerkten Ansicht.</translation>
+        <source>Glide to that bookmark</source>
+        <translation>Zu diesem Lesezeichen gleiten</translation>
+    </message>
+    <message>
+        <source>Glides to the view kept there; where none is yet, keeps the present one.</source>
+        <translation>Gleitet zur dort behaltenen Ansicht; wo es noch keine gibt, wird die jetzige behalten.</translation>
     </message>
     <message>
         <source>Gloss along the strands: 0 is wool, high is silk.</source>
@@ -5675,10 +5683,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Go to bookmark %1</source>
         <translation>Zu Lesezeichen %1</translation>
-    </message>
-    <message>
-        <source>Go to bookmark %1 (empty)</source>
-        <translation>Zu Lesezeichen %1 (leer)</translation>
     </message>
     <message>
         <source>Goes to the filter above the parameters.</source>
@@ -7200,6 +7204,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Keep mine</source>
         <translation>Meine behalten</translation>
+    </message>
+    <message>
+        <source>Keep this view as bookmark %1</source>
+        <translation>Diese Ansicht als Lesezeichen %1 behalten</translation>
     </message>
     <message>
         <source>Keep what is on show here</source>

@@ -149,7 +149,7 @@ private:
     struct Seen;
     struct Present;
     struct Frame;
-    [[nodiscard]] Seen firstSeen(const Prepared&, const render::Ray&) const;
+    [[nodiscard]] Seen firstSeen(const Prepared&, const HallScene&, const render::Ray&) const;
     [[nodiscard]] render::Box boundsOf(const Prepared&, const Exhibit&, std::size_t i) const;
     [[nodiscard]] std::string whyHidden(const render::Box& worldBox, const render::View&, bool alone) const;
     /// Hides all but the nearest of those in view, where no more are asked for. What lies over the frame stays.

@@ -62,11 +62,10 @@ struct Museum::Seen {
     }
 };
 
-Museum::Seen Museum::firstSeen(const Prepared& prepared, const render::Ray& ray) const
+Museum::Seen Museum::firstSeen(const Prepared& prepared, const HallScene& scene, const render::Ray& ray) const
 {
     using enum Seen::What;
     Seen seen;
-    const HallScene scene = sceneOf(prepared, false);
     for (const render::MeshInstance& part : model_->walls())
         seen.take(building, hallIndex, render::firstHit(ray, part, render::Faces::front));
     for (std::size_t own = 0; own < scene.objects.size(); ++own) {
@@ -100,7 +99,8 @@ std::optional<Pointed> Museum::pick(const Prepared& prepared, const FrameRequest
     using enum Seen::What;
     const render::View view = render::makeView(request.camera, request.raster);
     const render::Ray ray{view.eye, glm::normalize(view.direction(ndc))};
-    const Seen seen = firstSeen(prepared, ray);
+    const HallScene scene = sceneOf(prepared, false);
+    const Seen seen = firstSeen(prepared, scene, ray);
     if (seen.what == nothing || seen.what == building) return std::nullopt;
     Pointed found{seen.exhibit,
                   {},
@@ -109,9 +109,9 @@ std::optional<Pointed> Museum::pick(const Prepared& prepared, const FrameRequest
                   seen.what == button && seen.distance <= reachOfButton,
                   {}};
     if (seen.what == visitorsObject) {
-        const OwnObjectShown object = ownObjects(prepared)[seen.own];
-        found.name = object.name;
-        found.view = object.view;
+        const OwnObject& object = scene.objects[seen.own];
+        found.name = nameOf(object, scene);
+        found.view = viewOf(object, scene);
         return found;
     }
     const Exhibit& shown = exhibit(seen.exhibit);
@@ -132,7 +132,8 @@ std::vector<OwnObjectShown> Museum::ownObjects(const Prepared& prepared) const
 double Museum::distanceTo(const Prepared& prepared, const FrameRequest& request, glm::dvec2 ndc) const
 {
     const render::View view = render::makeView(request.camera, request.raster);
-    return firstSeen(prepared, {view.eye, glm::normalize(view.direction(ndc))}).distance;
+    const render::Ray ray{view.eye, glm::normalize(view.direction(ndc))};
+    return firstSeen(prepared, sceneOf(prepared, false), ray).distance;
 }
 
 std::optional<LookedAt> Museum::lookedAt(const Prepared& prepared) const
@@ -149,7 +150,7 @@ std::optional<LookedAt> Museum::lookedAt(const Prepared& prepared) const
         const double along = glm::dot(toButton, forward);
         if (along <= 0 || along > reachOfButton || glm::length(toButton - forward * along) > radiusOfAim) continue;
         // Straight to the button, which the look itself may miss by a little.
-        const Seen seen = firstSeen(prepared, {sceneState.camera.eye, toButton});
+        const Seen seen = firstSeen(prepared, sceneOf(prepared, false), {sceneState.camera.eye, toButton});
         if (seen.what != Seen::What::button || seen.exhibit != i) continue;
         return LookedAt{i, buttonLine(*button)};
     }

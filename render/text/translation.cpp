@@ -1,6 +1,7 @@
 #include "render/text/translation.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <mutex>
@@ -116,7 +117,8 @@ private:
 
     const std::unordered_map<std::string, std::string>& whole_;
     const std::vector<SentencePattern>& patterns_;
-    std::unordered_map<std::string_view, std::optional<Said>> known_;
+    /// By depth: what lies deeper is read less far.
+    std::array<std::unordered_map<std::string_view, std::optional<Said>>, deepest + 1> known_;
 };
 
 std::optional<Said> Reading::by(const SentencePattern& pattern, std::string_view english, int depth)
@@ -147,14 +149,15 @@ std::optional<Said> Reading::wholeOf(std::string_view english, int depth)
 {
     const std::size_t all = lettersOf(english);
     if (const auto entry = whole_.find(std::string(english)); entry != whole_.end()) return Said{entry->second, all};
-    if (const auto before = known_.find(english); before != known_.end()) return before->second;
+    auto& known = known_.at(static_cast<std::size_t>(depth));
+    if (const auto before = known.find(english); before != known.end()) return before->second;
     std::optional<Said> best;
     for (const SentencePattern& pattern : patterns_) {
         std::optional<Said> said = by(pattern, english, depth);
         if (said && (!best || said->letters > best->letters)) best = std::move(said);
         if (best && best->letters >= all) break;
     }
-    known_.emplace(english, best);
+    known.emplace(english, best);
     return best;
 }
 

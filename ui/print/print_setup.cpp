@@ -4,6 +4,7 @@
 #include "exhibits/printing/print_json.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
+#include "ui/kit/language.h"
 
 #include <QSettings>
 

@@ -71,6 +71,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     connect(input_.get(), &ViewportInput::goBackAsked, this, &Viewport::goBack);
     connect(input_.get(), &ViewportInput::pressAsked, this, &Viewport::press);
     connect(input_.get(), &ViewportInput::actAsked, this, &Viewport::act);
+    connect(input_.get(), &ViewportInput::bookmarkAsked, this, &Viewport::bookmarkAsked);
     fileWatch_.setInterval(lookAtFilesEvery);
     connect(&fileWatch_, &QTimer::timeout, this, [this] {
         if (stateOfFiles(museum_.subjects(), history_.sceneState()) == filesDrawn_) return;

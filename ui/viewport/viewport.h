@@ -116,6 +116,8 @@ public slots:
     void press();
 
 signals:
+    /// The key of that number, 1 to 9, was pressed in the picture.
+    void bookmarkAsked(int number);
     void visited(std::size_t exhibit);
     void walkedOn();
     /// The visitor pressed this exhibit's button.

@@ -145,6 +145,10 @@ bool ViewportInput::pressKey(const QKeyEvent& event)
         if (!event.isAutoRepeat()) emit pressAsked();
         return true;
     }
+    if (event.key() >= Qt::Key_1 && event.key() <= Qt::Key_9) {
+        if (!event.isAutoRepeat()) emit bookmarkAsked(event.key() - Qt::Key_0);
+        return true;
+    }
     if (!setKey(event.key(), true)) return false;
     if (!event.isAutoRepeat()) emit walking();
     return true;

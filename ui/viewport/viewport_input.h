@@ -60,6 +60,8 @@ signals:
     void pressAsked();
     /// What is in the middle of the picture is to be visited or pressed.
     void actAsked();
+    /// A number from 1 to 9.
+    void bookmarkAsked(int number);
 
 protected:
     bool eventFilter(QObject*, QEvent*) override;

@@ -142,6 +142,7 @@ void addUsual(QTreeWidget& tree)
             ShortcutSheet::tr("Press the red button you look at, or that of the exhibit you visit"));
     addLine(tree, QStringLiteral("Esc"), ShortcutSheet::tr("Leave the exhibit and walk on"));
     addLine(tree, ShortcutSheet::tr("Backspace, Alt+Left"), ShortcutSheet::tr("Back to where you stood before"));
+    addLine(tree, ShortcutSheet::tr("1 to 9"), ShortcutSheet::tr("Glide to that bookmark"));
     addLine(tree, ShortcutSheet::tr("F6, Shift+F6"),
             ShortcutSheet::tr("From the picture to the next panel, and on to the one before"));
     addHeading(tree, ShortcutSheet::tr("In the tree"));

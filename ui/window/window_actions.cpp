@@ -339,17 +339,19 @@ void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
     Bookmarks& bookmarks = window.bookmarks();
     const auto key = [](int number) { return static_cast<Qt::Key>(Qt::Key_0 + number); };
     for (int number = 1; number <= Bookmarks::most; ++number) {
-        QAction* go =
-            make.add(QStringLiteral("go-to-bookmark-%1").arg(number), {}, {QKeySequence(Qt::CTRL | key(number))},
-                     tr("Glides to the view kept there."), [&bookmarks, number] { bookmarks.go(number); });
+        QAction* go = make.add(
+            QStringLiteral("go-to-bookmark-%1").arg(number), {}, {QKeySequence(Qt::CTRL | key(number))},
+            tr("Glides to the view kept there; where none is yet, keeps the present one."),
+            [&bookmarks, number] { bookmarks.name(number).isEmpty() ? bookmarks.set(number) : bookmarks.go(number); });
         const auto name = [go, &bookmarks, number] {
             const QString there = bookmarks.name(number);
-            go->setText(there.isEmpty() ? tr("Go to bookmark %1 (empty)").arg(number)
+            go->setText(there.isEmpty() ? tr("Keep this view as bookmark %1").arg(number)
                                         : tr("Go to bookmark %1").arg(menuText(there)));
         };
         name();
         QObject::connect(&bookmarks, &Bookmarks::changed, go, name);
     }
+    QObject::connect(&window.viewport(), &Viewport::bookmarkAsked, &bookmarks, &Bookmarks::go);
     make.separator();
     for (int number = 1; number <= Bookmarks::most; ++number)
         make.add(QStringLiteral("set-bookmark-%1").arg(number), tr("Set bookmark %1").arg(number),

@@ -29,6 +29,8 @@
 #include <QScrollArea>
 #include <QTabBar>
 
+#include <algorithm>
+
 namespace vitrine::ui {
 
 WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
@@ -191,7 +193,9 @@ void WindowDocks::showStudy()
 {
     studyDock_->show();
     studyDock_->raise();
-    if (studyDock_->height() < 300) window_.resizeDocks({studyDock_}, {320}, Qt::Vertical);
+    // So high that the chart has its axes, and not more than half of the window.
+    if (studyDock_->height() < 300)
+        window_.resizeDocks({studyDock_}, {std::clamp(window_.height() * 45 / 100, 320, 420)}, Qt::Vertical);
 }
 
 }  // namespace vitrine::ui

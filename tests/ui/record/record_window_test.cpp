@@ -68,10 +68,18 @@ private slots:
         const render::Camera kept = camera();
         press(Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
         QCOMPARE(window_->bookmarks().name(3).left(1), QStringLiteral("3"));
-        QVERIFY(action("Go to bookmark 4 (empty)"));
         stand(-0.5);
-        press(Qt::Key_4, Qt::ControlModifier);  // None: one stays.
+        press(Qt::Key_4, Qt::NoModifier);  // None: one stays.
         QCOMPARE(camera().eye.x, -0.5);
+        QVERIFY(action("Keep this view as bookmark 4"));
+        press(Qt::Key_4, Qt::ControlModifier);  // It becomes one.
+        QCOMPARE(window_->bookmarks().name(4).left(1), QStringLiteral("4"));
+        stand(0.25);
+        press(Qt::Key_4, Qt::ControlModifier);
+        QTRY_COMPARE(camera().eye.x, -0.5);
+        stand(0.25);
+        press(Qt::Key_4, Qt::NoModifier);
+        QTRY_COMPARE(camera().eye.x, -0.5);
         closeWindow();
         openWindow();
         stand(-0.5);
