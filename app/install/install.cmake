@@ -16,7 +16,11 @@ endforeach()
 install(FILES ${PROJECT_SOURCE_DIR}/assets/icons/vitrine.svg
         DESTINATION share/icons/hicolor/scalable/apps RENAME org.vitrine.Vitrine.svg)
 install(FILES ${vitrine_install}/org.vitrine.Vitrine.desktop DESTINATION share/applications)
-install(FILES ${vitrine_install}/org.vitrine.Vitrine.metainfo.xml DESTINATION share/metainfo)
+set(VITRINE_PICTURES_URL "" CACHE STRING "Where assets/pictures is published (https://...): AppStream's screenshots")
+install(CODE "
+execute_process(COMMAND ${CMAKE_COMMAND} -DVITRINE_PICTURES_URL=${VITRINE_PICTURES_URL} -DOUT=${vitrine_generated}/org.vitrine.Vitrine.metainfo.xml
+                -P ${vitrine_install}/metainfo.cmake COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES ${vitrine_generated}/org.vitrine.Vitrine.metainfo.xml DESTINATION share/metainfo)
 install(FILES ${vitrine_install}/org.vitrine.Vitrine.mime.xml DESTINATION share/mime/packages RENAME org.vitrine.Vitrine.xml)
 
 # The help texts are the one home of what commands and options are: manual page and completion are made of them at install.

@@ -2,7 +2,8 @@
 # install_test.sh BUILD: installs a built tree into an empty folder and looks at what lies there with the tools of the
 # desktop, as far as they are here; then makes the Debian package and asks lintian. Exit 77: none of the tools is here.
 set -e
-build=$1
+build=$(cd "$1" && pwd)
+source=$(cd "$(dirname "$0")/../.." && pwd)
 root=$(mktemp -d)
 trap 'rm -rf "$root"' EXIT
 asked=0
@@ -50,11 +51,20 @@ translated() {  # translated FILE TAG: as many of these elements in German as wi
 for tag in summary developer_name p li; do translated "$share/metainfo/org.vitrine.Vitrine.metainfo.xml" "$tag"; done
 translated "$share/mime/packages/org.vitrine.Vitrine.xml" comment
 
+# Where its pictures are published, the screenshots are named; each is a picture that there is.
+cmake -DVITRINE_PICTURES_URL=https://example.org/pictures -DOUT="$root/published.metainfo.xml" -P "$source/app/install/metainfo.cmake"
+shown=$(sed -n 's|.*<image type="source">https://example.org/pictures/\(.*\)</image>|\1|p' "$root/published.metainfo.xml")
+[ "$(echo "$shown" | wc -l)" -ge 3 ] || fail "the AppStream file names too few screenshots: $shown"
+for picture in $shown; do [ -s "$source/assets/pictures/$picture" ] || fail "there is no picture $picture"; done
+translated "$root/published.metainfo.xml" caption
+
 if has desktop-file-validate; then
     desktop-file-validate "$share/applications/org.vitrine.Vitrine.desktop" || fail "the desktop file is wrong"
 fi
 if has appstreamcli; then
-    appstreamcli validate --no-net "$share/metainfo/org.vitrine.Vitrine.metainfo.xml" || fail "the AppStream file is wrong"
+    for file in "$share/metainfo/org.vitrine.Vitrine.metainfo.xml" "$root/published.metainfo.xml"; do
+        appstreamcli validate --no-net "$file" || fail "the AppStream file is wrong"
+    done
 fi
 if has xmllint; then xmllint --noout "$share/mime/packages/org.vitrine.Vitrine.xml"; fi
 if has mandoc; then
@@ -67,7 +77,7 @@ if has bash; then
     [ "$words" = render ] || fail "bash completes \"ren\" to \"$words\""
 fi
 if has flatpak-builder; then
-    flatpak-builder --show-manifest "$(dirname "$0")/../../app/install/org.vitrine.Vitrine.yml" >"$root/manifest" ||
+    flatpak-builder --show-manifest "$source/app/install/org.vitrine.Vitrine.yml" >"$root/manifest" ||
         fail "the Flatpak manifest is wrong"
 fi
 if has zsh; then zsh -n "$share/zsh/vendor-completions/_vitrine" || fail "the completion for zsh is wrong"; fi
