@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdio>
 #include <cstring>
+#include <random>
 
 namespace vitrine::app {
 namespace {
@@ -83,6 +84,27 @@ Job jobIn(const fs::path& folder)
     throw Failure(Blame::usage, folder.string() + ": " + why + "; remove the folder, or give another --out.");
 }
 
+/// Makes the folder with the job in it in one step: of parts that begin at once, on whatever machines, each finds all
+/// of it or nothing. Where the folder is there and not empty, it stays as it is.
+void makeFolder(const fs::path& folder, const std::string& job)
+{
+    fs::path made = folder;
+    made += '.' + std::to_string(std::random_device()());
+    std::error_code error, ignored;
+    try {
+        render::atomicWriteMakingFolder(made / jobFile, job);
+    } catch (...) {
+        fs::remove_all(made, ignored);
+        throw;
+    }
+    fs::rename(made, folder, error);
+    if (!error) return;
+    fs::remove_all(made, ignored);
+    if (!fs::exists(folder, ignored))
+        throw Failure(Blame::file, "Cannot make the folder " + folder.string() + ": " + error.message() +
+                                       "; check your permissions, or give another --out.");
+}
+
 }  // namespace
 
 Parts::Parts(const fs::path& out, const Shard& shard)
@@ -91,15 +113,11 @@ Parts::Parts(const fs::path& out, const Shard& shard)
     std::error_code error;
     const fs::path job = file(jobFile);
     const Json wanted = jobOf(command_, shard.of);
-    if (fs::exists(job, error)) {
-        const std::optional<Json> there = readReport(job);
-        if (!there || *there != wanted)
-            another(folder_, "the parts of another job, or of another version of the program, are here");
-    } else if (fs::exists(folder_, error) && !fs::is_empty(folder_, error)) {
-        another(folder_, "something else is here");
-    } else {
-        render::atomicWriteMakingFolder(job, wanted.dump(1) + "\n");
-    }
+    if (!fs::exists(job, error)) makeFolder(folder_, wanted.dump(1) + "\n");
+    if (!fs::exists(job, error)) another(folder_, "something else is here");
+    const std::optional<Json> there = readReport(job);
+    if (!there || *there != wanted)
+        another(folder_, "the parts of another job, or of another version of the program, are here");
     fs::remove(reportOf(shard.part), error);
 }
 

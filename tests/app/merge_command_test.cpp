@@ -195,6 +195,26 @@ TEST(MergeCommand, TheScriptForGnuParallelMakesTheSameFilm)
     EXPECT_TRUE(test::bytesOf(out) == whole);
 }
 
+TEST(MergeCommand, PartsThatBeginAtOnceShareOneFolder)
+{
+    const TemporaryFolder folder;
+    for (int turn = 0; turn < 2; ++turn) {
+        const std::string out = folder / (std::to_string(turn) + ".apng");
+        std::string line;
+        for (int part = 1; part <= 5; ++part) {
+            line += VITRINE_PROGRAM;
+            for (const std::string& word : film(out)) line += " '" + word + "'";
+            line += " --shard " + std::to_string(part) + "/5 >/dev/null & ";
+        }
+        ASSERT_EQ(std::system((line + "wait").c_str()), 0);
+        const auto merged = test::vitrine({"merge", out});
+        EXPECT_EQ(merged.code, 0) << merged.err;
+    }
+    // Nothing is left beside the films and their parts.
+    for (const auto& file : fs::directory_iterator(folder / ""))
+        EXPECT_TRUE(file.path().extension() == ".apng" || file.path().extension() == ".parts") << file.path();
+}
+
 TEST(MergeCommand, TheScriptForSlurmMakesTheSameFilmAndNamesAPartThatFailed)
 {
     const TemporaryFolder folder;

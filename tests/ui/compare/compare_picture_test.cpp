@@ -113,9 +113,14 @@ private slots:
         action("Hold what is on show as B")->trigger();
         window_->history().set(1, row, std::string(), newGesture());
         rest();
-        const std::size_t drawn = gallery_->otherRequests().size();
-        QTest::qWait(1200);
-        QCOMPARE(gallery_->otherRequests().size(), drawn);  // A control: nothing changed.
+        // A control: where no file changes, nothing is drawn for longer than files are looked at. On a busy machine a
+        // better program, or a picture of another size, may come before that.
+        std::size_t drawn = 0;
+        for (int turn = 0; turn < 10 && drawn != gallery_->otherRequests().size(); ++turn) {
+            drawn = gallery_->otherRequests().size();
+            QTest::qWait(1200);
+        }
+        QCOMPARE(gallery_->otherRequests().size(), drawn);
         write(8);
         QTRY_VERIFY(gallery_->otherRequests().size() > drawn);
         QCOMPARE(desk().other().name(), QString("A as it was"));
