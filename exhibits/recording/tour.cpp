@@ -19,10 +19,10 @@ using render::JsonDocument;
 
 constexpr const char* tourFormat = "vitrine-tour";
 
-const Json& tourKey(const JsonDocument& document, const Json& object, const std::string& place, const char* key)
+const Json& tourKey(const JsonDocument& document, const Json& object, std::string_view place, const char* key)
 {
     if (!object.contains(key))
-        throw document.failure(place, "the key \"" + std::string(key) + "\" is missing; add it.");
+        throw document.failure(std::string(place), "the key \"" + std::string(key) + "\" is missing; add it.");
     return object[key];
 }
 
