@@ -38,15 +38,15 @@ public:
     }
 };
 
-struct Spoken {
+struct CurrentLanguage {
     QString code = QStringLiteral("en");
     bool asked = false;
     std::unique_ptr<QTranslator> ours, qts;
 };
 
-Spoken& spoken()
+CurrentLanguage& currentLanguage()
 {
-    static Spoken now;
+    static CurrentLanguage now;
     return now;
 }
 
@@ -140,7 +140,7 @@ QString languageOfWindow()
 
 void speak(const QString& code)
 {
-    Spoken& now = spoken();
+    CurrentLanguage& now = currentLanguage();
     now.asked = true;
     for (auto* old : {&now.ours, &now.qts})
         if (*old) {
@@ -161,12 +161,12 @@ void speak(const QString& code)
 
 QString spokenLanguage()
 {
-    return spoken().code;
+    return currentLanguage().code;
 }
 
 bool languageAsked()
 {
-    return spoken().asked;
+    return currentLanguage().asked;
 }
 
 QString said(std::string_view english)
@@ -176,12 +176,12 @@ QString said(std::string_view english)
 
 QString within(const QString& name)
 {
-    return spoken().code == QLatin1String("en") ? name.toLower() : name;
+    return currentLanguage().code == QLatin1String("en") ? name.toLower() : name;
 }
 
 std::string saidInLocale(std::string_view english)
 {
-    const QString code = spoken().code == QLatin1String("en") ? languageOfLocale() : spoken().code;
+    const QString code = currentLanguage().code == QLatin1String("en") ? languageOfLocale() : currentLanguage().code;
     const std::unique_ptr<QTranslator> translator = translatorFor(code);
     const std::shared_ptr<const Catalog> texts = translator ? catalogOf(code, *translator) : nullptr;
     return texts ? texts->translated(english) : std::string(english);

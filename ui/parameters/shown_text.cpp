@@ -76,7 +76,7 @@ std::optional<Value> meantBy(const ParameterInfo& row, const QString& typed)
 {
     if (std::optional<Value> value = parseValue(row, (row.isNumeric() ? withPoint(typed) : typed).toStdString()))
         return value;
-    if (row.kind != Kind::color || typed.startsWith(QLatin1Char('#')) || !QColor::isValidColor(typed))
+    if (row.kind != Kind::color || typed.startsWith(QLatin1Char('#')) || !QColor::isValidColorName(typed))
         return std::nullopt;
     return linear(QColor(typed));
 }
