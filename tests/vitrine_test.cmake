@@ -9,10 +9,6 @@ find_package(rapidcheck QUIET)
 set(vitrine_unoptimized "$<$<CONFIG:Release>:-O0>")
 set(vitrine_little_optimized "$<$<CONFIG:Release>:-O1>")
 
-# tests/run counts two for each processor that there is: tests of the window wait half of their time and take one, what
-# computes takes two.
-set(vitrine_busy 2)
-
 # Where tests that draw keep the programs that the driver compiled: for all of them, whoever draws them first.
 set(vitrine_program_caches ${PROJECT_BINARY_DIR}/tests/exhibits/caches/llvmpipe)
 file(MAKE_DIRECTORY ${vitrine_program_caches})
@@ -62,7 +58,7 @@ function(vitrine_test name)
     endif()
     vitrine_gtest_program(${name} ${optimized} SOURCES ${arg_SOURCES} LIBRARIES ${arg_LIBRARIES})
     add_test(NAME ${name} COMMAND ${name})
-    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600 PROCESSORS ${vitrine_busy})
+    set_tests_properties(${name} PROPERTIES LABELS "${arg_LABELS}" TIMEOUT 600)
 endfunction()
 
 # vitrine_suites(<program> [AS <name>] [LONG <regex>] LABELS <label>... [PROPERTIES <key> <value>...]
@@ -82,7 +78,7 @@ set(name [==[${arg_AS}]==])
 set(labels [==[${arg_LABELS}]==])
 set(long [==[${arg_LONG}]==])
 set(environment [==[${arg_ENVIRONMENT}]==])
-set(properties [==[PROCESSORS;${vitrine_busy};${arg_PROPERTIES}]==])
+set(properties [==[${arg_PROPERTIES}]==])
 include([==[${PROJECT_SOURCE_DIR}/tests/list_suites.cmake]==])
 ")
     set_property(DIRECTORY APPEND PROPERTY TEST_INCLUDE_FILES ${listing})
