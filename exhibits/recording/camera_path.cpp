@@ -17,8 +17,10 @@ render::Camera cameraAt(const std::array<double, 7>& p)
 {
     render::Camera camera;
     camera.eye = {p[0], p[1], p[2]};
-    // Not quite straight up or down, where there is no bearing.
-    const double height = std::clamp(p[4], -1.5690, 1.5690);
+    // Not quite straight up or down, where there is no bearing: the sine stays below the 0.99999 from which makeView
+    // turns the picture by another axis than the vertical.
+    constexpr double steepest = 1.566;
+    const double height = std::clamp(p[4], -steepest, steepest);
     const glm::dvec3 look(std::cos(height) * std::sin(p[3]), std::sin(height), -std::cos(height) * std::cos(p[3]));
     camera.target = camera.eye + std::exp(p[5]) * look;
     camera.fovY = p[6];
