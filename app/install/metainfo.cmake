@@ -3,22 +3,21 @@
 set(VITRINE_SCREENSHOTS "")
 if(VITRINE_PICTURES_URL)
     string(APPEND VITRINE_SCREENSHOTS "  <screenshots>\n")
-    # A picture of assets/pictures, what it shows, the same in German.
+    # A picture of assets/pictures, what it shows, the same in German; the first is the default.
+    set(kind " type=\"default\"")
     foreach(shown IN ITEMS
-            "default|window.png|The window: hall, exhibits, presets, parameters and the ledger of the frame|Das Fenster: Halle, Exponate, Presets, Parameter und was das Bild kostete"
-            "source|golden-hour.png|The hall towards evening|Die Halle gegen Abend"
-            "source|fur.png|Fur with physics|Fell mit Physik"
-            "source|print_dialog.png|A lenticular print and what each eye sees of it|Ein Linsendruck und was jedes Auge davon sieht")
+            "window.png|The window: hall, exhibits, presets, parameters and the ledger of the frame|Das Fenster: Halle, Exponate, Presets, Parameter und was das Bild kostete"
+            "golden-hour.png|The hall towards evening|Die Halle gegen Abend"
+            "fur.png|Fur with physics|Fell mit Physik"
+            "print_dialog.png|A lenticular print and what each eye sees of it|Ein Linsendruck und was jedes Auge davon sieht")
         string(REPLACE "|" ";" shown "${shown}")
-        list(GET shown 0 kind)
-        list(GET shown 1 picture)
-        list(GET shown 2 caption)
-        list(GET shown 3 german)
-        string(REPLACE "source" "" kind "${kind}")
-        string(REPLACE "default" " type=\"default\"" kind "${kind}")
+        list(GET shown 0 picture)
+        list(GET shown 1 caption)
+        list(GET shown 2 german)
         string(APPEND VITRINE_SCREENSHOTS "    <screenshot${kind}>\n      <caption>${caption}</caption>\n"
                "      <caption xml:lang=\"de\">${german}</caption>\n"
                "      <image type=\"source\">${VITRINE_PICTURES_URL}/${picture}</image>\n    </screenshot>\n")
+        set(kind "")
     endforeach()
     string(APPEND VITRINE_SCREENSHOTS "  </screenshots>\n")
 endif()

@@ -2,7 +2,6 @@
 
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"
-#include "exhibits/hall/walk.h"
 #include "exhibits/kit/blue_noise.h"
 
 #include <algorithm>
@@ -24,7 +23,7 @@ std::vector<ExhibitSlot> slotsOf(const std::vector<std::unique_ptr<Exhibit>>& ex
 
 Museum::Museum(std::vector<std::unique_ptr<Exhibit>> exhibits)
     : blueNoise_(std::async(std::launch::async, [] { (void)blueNoise(); })),
-      model_(std::make_shared<const HallModel>()), owned_(std::move(exhibits)),
+      model_(std::make_shared<const HallModel>()), building_(model_->colliders()), owned_(std::move(exhibits)),
       hall_(std::make_unique<const Hall>(model_, slotsOf(owned_))), subjects_{hall_.get()},
       assets_(std::make_unique<render::AssetStore>())
 {
@@ -89,7 +88,7 @@ render::Camera Museum::bestView(std::size_t i, const ParameterValues& values) co
 
 glm::dvec3 Museum::walk(const glm::dvec3& from, const glm::dvec3& to) const
 {
-    return walkAround(model_->colliders(), from, to);
+    return building_.walk(from, to);
 }
 
 glm::dvec3 Museum::walk(const Prepared& prepared, const glm::dvec3& from, const glm::dvec3& to) const
@@ -97,16 +96,12 @@ glm::dvec3 Museum::walk(const Prepared& prepared, const glm::dvec3& from, const 
     return obstacles(prepared).walk(from, to);
 }
 
-Obstacles Museum::obstacles() const
-{
-    return Obstacles(model_->colliders());
-}
-
 Obstacles Museum::obstaclesWith(const ParameterValues& hall, const PreparedHall* prepared) const
 {
     std::vector<Collider> all;
     for (const OwnObject& object : hall_->scene(hall, false, prepared).objects)
         all.insert(all.end(), object.colliders.begin(), object.colliders.end());
+    if (all.empty()) return building_;
     all.insert(all.end(), model_->colliders().begin(), model_->colliders().end());
     return Obstacles(std::move(all));
 }

@@ -120,7 +120,7 @@ public:
     /// The same where objects of the visitor's own stand as well: they and their plinths stop him, too.
     [[nodiscard]] glm::dvec3 walk(const Prepared&, const glm::dvec3& from, const glm::dvec3& to) const;
     /// Walls and furniture.
-    [[nodiscard]] Obstacles obstacles() const;
+    [[nodiscard]] const Obstacles& obstacles() const { return building_; }
     /// The same with the visitor's own objects and their plinths; those whose file cannot be read stop nobody.
     [[nodiscard]] Obstacles obstacles(const Prepared&) const;
     /// The same where nothing is prepared: reads the files of the hall's table.
@@ -163,6 +163,7 @@ private:
 
     std::future<void> blueNoise_;  ///< Made while the hall is read; most frames ask for it.
     std::shared_ptr<const HallModel> model_;
+    Obstacles building_;
     std::vector<std::unique_ptr<Exhibit>> owned_;
     std::unique_ptr<const Hall> hall_;
     std::vector<const Subject*> subjects_;

@@ -68,8 +68,8 @@ void Viewport::goTo(const render::Camera& camera)
 {
     remember();
     constexpr double visitorsEye = 1.65;
-    const bool stands = std::abs(camera.eye.y - visitorsEye) < 1e-6 &&
-                        glm::length(museum_.walk(prepared(), camera.eye, camera.eye) - camera.eye) < 1e-6;
+    const bool stands =
+        std::abs(camera.eye.y - visitorsEye) < 1e-6 && museum_.obstacles(prepared()).walks(camera.eye, camera.eye);
     control_.glideTo({camera, stands ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     leftFor();
 }

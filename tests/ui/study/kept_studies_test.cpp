@@ -90,12 +90,7 @@ class KeptStudiesTest : public test::OpenStudyDock {
     }
 
 private slots:
-    void init()
-    {
-        home_ = std::make_unique<QTemporaryDir>();
-        QVERIFY(home_->isValid());
-        open();
-    }
+    void init() { start(); }
     void cleanup() { close(); }
 
     void aFinishedStudyIsKeptAndSurvivesARestart()
@@ -259,6 +254,7 @@ private slots:
         dock_->kept().openFile(file);
         QVERIFY(dock_->view().showsKept());
         QVERIFY(words().join(' ').contains(QString::fromUtf8("no exhibit “gone”")));
+        QVERIFY(words().join(' ').contains("pictures were not kept"));
         QSignalSpy failed(dock_.get(), &StudyDock::failed);
         const SceneState before = history_->sceneState();
         dock_->chart().replot();

@@ -21,12 +21,7 @@ class LargePicturesTest : public test::OpenStudyDock {
     Q_OBJECT
 
 private slots:
-    void init()
-    {
-        home_ = std::make_unique<QTemporaryDir>();
-        QVERIFY(home_->isValid());
-        open();
-    }
+    void init() { start(); }
     void cleanup() { close(); }
 
     void aDoubleClickOpensThePicturesLargeAndTheyFollowTheStudy()

@@ -22,6 +22,12 @@ protected:
     std::unique_ptr<ui::RenderThread> thread_;
     std::unique_ptr<ui::StudyDock> dock_;
 
+    void start()
+    {
+        home_ = std::make_unique<QTemporaryDir>();
+        QVERIFY(home_->isValid());
+        open();
+    }
     void open()
     {
         gallery_ = std::make_unique<KnownGallery>();
