@@ -2,6 +2,7 @@
 
 #include <isa-l.h>
 
+#include <algorithm>
 #include <cassert>
 #include <stdexcept>
 #include <vector>
@@ -13,12 +14,35 @@ namespace {
 /// hardly smaller.
 constexpr std::uint32_t isalLevel = 1;
 
+/// These are a block of their own: where more than 16 bytes begin a stream, ISA-L (2.30, igzip_icf_body_h1_gr_bt.asm,
+/// .write_first_byte) hashes the third one by what a register holds, the address of the stream.
+constexpr std::size_t firstBytes = 16;
+
 }  // namespace
 
 struct PieceDeflater::State {
     isal_zstream stream{};
     std::vector<std::uint8_t> buffer = std::vector<std::uint8_t>(ISAL_DEF_LVL1_DEFAULT);
+
+    void deflate(std::span<const std::uint8_t> data, RawBytes& out);
 };
+
+void PieceDeflater::State::deflate(std::span<const std::uint8_t> data, RawBytes& out)
+{
+    stream.flush = SYNC_FLUSH;
+    stream.next_in = const_cast<std::uint8_t*>(data.data());  // It is only read.
+    stream.avail_in = static_cast<std::uint32_t>(data.size());
+    // Room for what nothing could be saved of, and a little: a second round is rare.
+    const std::size_t room = data.size() + data.size() / 64 + 1024;
+    do {
+        const std::size_t before = out.size();
+        out.resize(before + room);
+        stream.next_out = out.data() + before;
+        stream.avail_out = static_cast<std::uint32_t>(room);
+        if (isal_deflate(&stream) != COMP_OK) throw std::logic_error("ISA-L refused to deflate a piece");
+        out.resize(out.size() - stream.avail_out);
+    } while (stream.avail_out == 0);
+}
 
 PieceDeflater::PieceDeflater() : state_(std::make_unique<State>())
 {
@@ -34,21 +58,10 @@ PieceDeflater::~PieceDeflater() = default;
 void PieceDeflater::append(std::span<const std::uint8_t> data, RawBytes& out)
 {
     assert(data.size() <= std::size_t{1} << 30U);
-    isal_zstream& stream = state_->stream;
-    isal_deflate_reset(&stream);
-    stream.flush = SYNC_FLUSH;
-    stream.next_in = const_cast<std::uint8_t*>(data.data());  // It is only read.
-    stream.avail_in = static_cast<std::uint32_t>(data.size());
-    // Room for what nothing could be saved of, and a little: a second round is rare.
-    const std::size_t room = data.size() + data.size() / 64 + 1024;
-    do {
-        const std::size_t before = out.size();
-        out.resize(before + room);
-        stream.next_out = out.data() + before;
-        stream.avail_out = static_cast<std::uint32_t>(room);
-        if (isal_deflate(&stream) != COMP_OK) throw std::logic_error("ISA-L refused to deflate a piece");
-        out.resize(out.size() - stream.avail_out);
-    } while (stream.avail_out == 0);
+    isal_deflate_reset(&state_->stream);
+    const std::size_t first = std::min(firstBytes, data.size());
+    state_->deflate(data.first(first), out);
+    if (first < data.size()) state_->deflate(data.subspan(first), out);
 }
 
 }  // namespace vitrine::render
