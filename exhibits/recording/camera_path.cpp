@@ -10,7 +10,7 @@
 namespace vitrine {
 namespace {
 
-constexpr std::size_t piecesOfLeg = 512;
+constexpr std::size_t piecesOfLeg = 2048;
 constexpr double metersPerRadian = 1.5;
 
 render::Camera cameraAt(const std::array<double, 7>& p)
