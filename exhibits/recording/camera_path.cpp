@@ -12,16 +12,15 @@ namespace {
 
 constexpr std::size_t piecesOfLeg = 2048;
 constexpr double metersPerRadian = 1.5;
+/// The most that a look rises or falls, in radians: not quite straight up or down, where there is no bearing. The sine
+/// stays below the 0.99999 from which makeView turns the picture by another axis than the vertical.
+constexpr double steepest = 1.566;
 
 render::Camera cameraAt(const std::array<double, 7>& p)
 {
     render::Camera camera;
     camera.eye = {p[0], p[1], p[2]};
-    // Not quite straight up or down, where there is no bearing: the sine stays below the 0.99999 from which makeView
-    // turns the picture by another axis than the vertical.
-    constexpr double steepest = 1.566;
-    const double height = std::clamp(p[4], -steepest, steepest);
-    const glm::dvec3 look(std::cos(height) * std::sin(p[3]), std::sin(height), -std::cos(height) * std::cos(p[3]));
+    const glm::dvec3 look(std::cos(p[4]) * std::sin(p[3]), std::sin(p[4]), -std::cos(p[4]) * std::cos(p[3]));
     camera.target = camera.eye + std::exp(p[5]) * look;
     camera.fovY = p[6];
     return camera;
@@ -108,6 +107,8 @@ CameraPath::Point CameraPath::onLeg(std::size_t leg, double part) const
             for (std::size_t c = 0; c < p[0].size(); ++c)
                 p.at(i).at(c) = (1 - share) * p.at(i).at(c) + share * p.at(i + 1).at(c);
         }
+    // Here and not where the camera is made, so that the length knows where the look stands still.
+    p[0][4] = std::clamp(p[0][4], -steepest, steepest);
     return p[0];
 }
 
