@@ -42,7 +42,7 @@ public:
     [[nodiscard]] double nextChange(const ParameterValues&, double) const override { return INFINITY; }
     [[nodiscard]] double nextChangeOf(const ExhibitState& state) const override
     {
-        return moves || state.sinceOwnPress < movesFor ? 0 : INFINITY;
+        return moves || state.sinceOwnPress < movesFor ? 0 : changesIn;
     }
 
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext& context) const override
@@ -52,8 +52,9 @@ public:
     }
 
     bool moves = false;
-    double movesFor = 0;  ///< Seconds after a press.
-    std::string file;     ///< That it is made of; empty: of none. Set while nothing is drawn, as `read` is.
+    double movesFor = 0;          ///< Seconds after a press.
+    double changesIn = INFINITY;  ///< Seconds: it looks another way by then, without moving before.
+    std::string file;             ///< That it is made of; empty: of none. Set while nothing is drawn, as `read` is.
     std::function<render::AssetStore::Made<int>(const std::string&)> read;
 
 private:
@@ -108,6 +109,7 @@ public:
         if (another) own_ = std::make_unique<PlainMuseum>(std::move(another));
         exhibit().moves = false;
         exhibit().movesFor = 0;
+        exhibit().changesIn = INFINITY;
         exhibit().file.clear();
     }
     [[nodiscard]] const Museum& museum() { return shown().museum; }

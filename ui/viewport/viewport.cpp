@@ -62,9 +62,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     timer_.setSingleShot(true);
     timer_.setTimerType(Qt::PreciseTimer);
     connect(&timer_, &QTimer::timeout, this, &Viewport::tick);
-    connect(input_.get(), &ViewportInput::walking, this, [this] {
-        if (!timer_.isActive()) timer_.start(0);
-    });
+    connect(input_.get(), &ViewportInput::walking, this, &Viewport::tickSoon);
     connect(input_.get(), &ViewportInput::turned, this, &Viewport::cameraChanged);
     connect(input_.get(), &ViewportInput::clicked, this, &Viewport::click);
     connect(input_.get(), &ViewportInput::walkOnAsked, this, &Viewport::walkOn);
@@ -131,7 +129,7 @@ void Viewport::paintGL()
         paintOpening(painter);
     else
         painter.drawImage(rect(), shown_);
-    if (!drawing_ && !timer_.isActive()) timer_.start(0);  // Who was hidden may have something to draw.
+    if (!drawing_) tickSoon();  // Who was hidden may have something to draw.
 }
 
 void Viewport::paintOpening(QPainter& painter)
@@ -353,6 +351,12 @@ void Viewport::advanceClock(double at)
     schedule_.setMoving(animated || input_->keys().moves() || control_.moving(), at);
 }
 
+void Viewport::tickSoon()
+{
+    // It may be waiting for what changes by itself, much later.
+    if (!timer_.isActive() || timer_.interval() > 0) timer_.start(0);
+}
+
 void Viewport::tick()
 {
     prepared_.lookAgain();
@@ -389,7 +393,7 @@ void Viewport::sceneStateChanged()
     ++sceneStateNumber_;
     takeQuality();
     schedule_.changed(now());
-    if (!timer_.isActive()) timer_.start(0);
+    tickSoon();
 }
 
 void Viewport::cameraChanged()
@@ -402,7 +406,7 @@ void Viewport::cameraChanged()
         schedule_.changed(now());
     else
         schedule_.cameraMoved(now());
-    if (!timer_.isActive()) timer_.start(0);
+    tickSoon();
     lookedAt_ = control_.mode() == CameraControl::Mode::walk ? museum_.lookedAt(prepared()) : std::nullopt;
     label_->say(lookedAt_ ? said(lookedAt_->text) : QString());
     input_->lookAgain();
@@ -457,7 +461,7 @@ void Viewport::setWholePictures(bool on)
 {
     wholePictures_ = on;
     if (on && !regionImage_.isNull()) sceneStateChanged();  // A part of it is newer than the rest.
-    if (!timer_.isActive()) timer_.start(0);
+    tickSoon();
 }
 
 void Viewport::setCovered(bool covered)

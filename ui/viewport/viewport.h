@@ -107,6 +107,9 @@ public:
     /// How often what is asked of the museum was prepared since the start: tests count that one moment of one look
     /// takes one.
     [[nodiscard]] long long preparations() const { return prepared_.preparations(); }
+    /// Until it looks whether a picture is due, milliseconds; -1: it waits for a change, or for a picture that is
+    /// drawn.
+    [[nodiscard]] int nextTick() const { return timer_.remainingTime(); }
     [[nodiscard]] RenderThread& renderThread() { return *thread_; }
 
 public slots:
@@ -144,6 +147,7 @@ private:
     [[nodiscard]] FrameRequest request(double time) const;
     [[nodiscard]] QSize devicePixels() const;
     void tick();
+    void tickSoon();
     void advanceClock(double now);
     void passTime(double seconds);
     void valuesChanged();

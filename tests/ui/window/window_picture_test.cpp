@@ -57,6 +57,22 @@ private slots:
         QVERIFY(window_->findChild<FrameGraph*>()->summary().contains("frame"));
     }
 
+    void aChangeDoesNotWaitForWhatChangesByItselfMuchLater()
+    {
+        window_->choose(1);
+        gallery_->exhibit().changesIn = 3600;
+        window_->viewport().sceneStateChanged();
+        settle();
+        QTRY_VERIFY(window_->viewport().nextTick() > 1'000'000);
+        dragRoughness(60);
+        QCOMPARE(window_->viewport().nextTick(), 0);
+        settle();
+        QTRY_VERIFY(window_->viewport().nextTick() > 1'000'000);
+        QTest::keyPress(&window_->viewport(), Qt::Key_W);
+        QCOMPARE(window_->viewport().nextTick(), 0);
+        QTest::keyRelease(&window_->viewport(), Qt::Key_W);
+    }
+
     void valuesThatRestAreDrawnFasterWithoutAnotherPicture()
     {
         window_->choose(1);
