@@ -12,15 +12,15 @@ namespace {
 constexpr double fullTurn = 2 * std::numbers::pi;
 constexpr int mostSteps = 200;  // Towards a mean on circle or sphere, of which a few do where the parts are near.
 
-template <typename T> struct Part {
+template <typename T> struct Weighted {
     T value;
     double weight;
 };
-template <typename T> using Parts = std::vector<Part<T>>;
+template <typename T> using WeightedParts = std::vector<Weighted<T>>;
 
-template <typename T> Parts<T> partsOf(std::span<const Value> values, std::span<const double> weights)
+template <typename T> WeightedParts<T> partsOf(std::span<const Value> values, std::span<const double> weights)
 {
-    Parts<T> parts;
+    WeightedParts<T> parts;
     for (std::size_t i = 0; i < values.size(); ++i)
         if (weights[i] > 0) parts.push_back({std::get<T>(values[i]), weights[i]});
     return parts;
@@ -32,7 +32,7 @@ std::size_t heaviest(std::span<const double> weights)
     return static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
 }
 
-template <typename T> T mean(const Parts<T>& parts)
+template <typename T> T mean(const WeightedParts<T>& parts)
 {
     T sum{0};
     for (const auto& [value, weight] : parts) sum += weight * value;
@@ -46,7 +46,7 @@ bool isTurn(const ParameterInfo& row)
 }
 
 /// The mean on the circle, within one turn from `low`.
-double turned(const Parts<double>& parts, double low)
+double turned(const WeightedParts<double>& parts, double low)
 {
     double angle = parts[0].value;
     if (parts.size() == 2) {
@@ -71,25 +71,25 @@ bool isWord(const ParameterInfo& row, double value)
 }
 
 /// Without words, if a number weighs most; nothing where a word does. The rest weighs 1 again.
-Parts<double> withoutWords(const ParameterInfo& row, const Parts<double>& parts)
+WeightedParts<double> withoutWords(const ParameterInfo& row, const WeightedParts<double>& parts)
 {
     const auto most =
         std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; });
     if (isWord(row, most->value)) return {};
-    Parts<double> rest;
+    WeightedParts<double> rest;
     double whole = 0;
-    for (const Part<double>& part : parts)
+    for (const Weighted<double>& part : parts)
         if (!isWord(row, part.value)) {
             rest.push_back(part);
             whole += part.weight;
         }
-    for (Part<double>& part : rest) part.weight /= whole;
+    for (Weighted<double>& part : rest) part.weight /= whole;
     return rest;
 }
 
-double morphedNumber(const ParameterInfo& row, Parts<double> parts)
+double morphedNumber(const ParameterInfo& row, WeightedParts<double> parts)
 {
-    const auto word = [&](const Part<double>& part) { return isWord(row, part.value); };
+    const auto word = [&](const Weighted<double>& part) { return isWord(row, part.value); };
     if (std::any_of(parts.begin(), parts.end(), word)) {
         parts = withoutWords(row, parts);
         if (parts.empty()) return row.word->value;
@@ -101,7 +101,7 @@ double morphedNumber(const ParameterInfo& row, Parts<double> parts)
     const double lowest = low->value, highest = high->value;
     const bool logarithmic = row.range.scale == Scale::logarithmic && lowest > 0;
     if (logarithmic)
-        for (Part<double>& part : parts) part.value = std::log(part.value);
+        for (Weighted<double>& part : parts) part.value = std::log(part.value);
     const double between = std::clamp(logarithmic ? std::exp(mean(parts)) : mean(parts), lowest, highest);
     return row.kind == Kind::count ? std::round(between) : between;
 }
@@ -126,7 +126,7 @@ glm::dvec3 gone(const glm::dvec3& from, const glm::dvec3& way)
     return std::cos(angle) * from + std::sin(angle) * (way / angle);
 }
 
-glm::dvec3 meanDirection(const Parts<glm::dvec3>& parts)
+glm::dvec3 meanDirection(const WeightedParts<glm::dvec3>& parts)
 {
     if (parts.size() == 2) return gone(parts[0].value, parts[1].weight * wayTo(parts[0].value, parts[1].value));
     const glm::dvec3 sum = mean(parts);
@@ -182,8 +182,8 @@ Value morphed(const ParameterInfo& row, std::span<const Value> values, std::span
     case Kind::real:
     case Kind::count: return morphedNumber(row, partsOf<double>(values, weights));
     case Kind::color: {
-        Parts<glm::dvec3> parts = partsOf<glm::dvec3>(values, weights);
-        for (Part<glm::dvec3>& part : parts) part.value = render::oklabFromLinear(part.value);
+        WeightedParts<glm::dvec3> parts = partsOf<glm::dvec3>(values, weights);
+        for (Weighted<glm::dvec3>& part : parts) part.value = render::oklabFromLinear(part.value);
         return glm::clamp(render::linearFromOklab(mean(parts)), 0.0, 1.0);
     }
     case Kind::direction: return meanDirection(partsOf<glm::dvec3>(values, weights));

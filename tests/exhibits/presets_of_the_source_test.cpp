@@ -11,6 +11,7 @@
 #include "exhibits/pixel_art/pixel_art_table.h"
 #include "exhibits/sdf_morph/sdf_morph_table.h"
 #include "render/files/read_file.h"
+#include "tests/support/degree.h"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@
 namespace vitrine {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
+using test::degree;
 
 ParameterValues preset(const std::string& exhibit, const std::string& file, const Parameters& table)
 {

@@ -8,17 +8,23 @@
 
 namespace vitrine::test {
 
-/// The message of the Failure that `work` throws; fails the test when it throws none.
-template <typename Work> std::string failureOf(const Work& work)
+/// The message of the Failure that `work` throws; fails the test when it throws none, or another one.
+template <typename Work> std::string failureOf(const Work& work, Blame blame = Blame::file)
 {
     try {
-        work();
+        (void)work();
     } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::file);
+        EXPECT_EQ(failure.blame(), blame);
         return failure.what();
     }
     ADD_FAILURE() << "nothing was thrown";
     return {};
+}
+
+/// The same where what is asked for is to blame.
+template <typename Work> std::string refusalOf(const Work& work)
+{
+    return failureOf(work, Blame::usage);
 }
 
 }  // namespace vitrine::test

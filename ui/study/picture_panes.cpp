@@ -18,8 +18,8 @@ namespace {
 
 constexpr double gap = 8;  // Between panes, pixels of the screen.
 constexpr double largestScale = 64;
-constexpr double step = 1.25;    // Of zoom: a notch of the wheel, or a key.
-constexpr double lineWidth = 6;  // Around the line of the wipe.
+constexpr double zoomStep = 1.25;  // Of zoom: a notch of the wheel, or a key.
+constexpr double lineWidth = 6;    // Around the line of the wipe.
 
 QString valuesText(const render::Image& picture, QPoint at)
 {
@@ -264,7 +264,7 @@ void PicturePanes::wheelEvent(QWheelEvent* event)
     const QRectF pane = paneAt(event->position());
     if (pane.isNull()) return;
     pointer_ = event->position();
-    zoomAt(event->position(), pane, std::pow(step, event->angleDelta().y() / 120.0));
+    zoomAt(event->position(), pane, std::pow(zoomStep, event->angleDelta().y() / 120.0));
     event->accept();
 }
 
@@ -316,8 +316,8 @@ void PicturePanes::keyPressEvent(QKeyEvent* event)
     const bool line = event->modifiers() & Qt::ControlModifier;
     switch (event->key()) {
     case Qt::Key_Plus:
-    case Qt::Key_Equal: return zoomBy(step);
-    case Qt::Key_Minus: return zoomBy(1 / step);
+    case Qt::Key_Equal: return zoomBy(zoomStep);
+    case Qt::Key_Minus: return zoomBy(1 / zoomStep);
     case Qt::Key_0: return fit();
     case Qt::Key_1: return setActualSize();
     case Qt::Key_Left: return line ? setWipe(wipe_ - 0.05) : moveBy({-far, 0});

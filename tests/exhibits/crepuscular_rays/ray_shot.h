@@ -1,14 +1,12 @@
 #pragma once
 
+#include "tests/support/degree.h"
 #include "tests/support/gallery.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vitrine::test {
-
-inline constexpr double degree = std::numbers::pi / 180;
 
 class Rays : public GlTest {};
 

@@ -5,6 +5,7 @@
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 #include "exhibits/hall/sun.h"
 #include "tests/support/block_of.h"
+#include "tests/support/degree.h"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/planned.h"
 
@@ -20,12 +21,11 @@ namespace {
 
 using glm::dvec2;
 using glm::dvec3;
+using test::degree;
 using test::raysTable;
 using test::reasonFor;
 using test::runs;
 using test::Scene;
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Looks along the hall at the window.
 Scene atTheWindow(RayTechnique technique = RayTechnique::both)

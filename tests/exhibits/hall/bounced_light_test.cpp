@@ -3,21 +3,20 @@
 
 #include "exhibits/hall/sun.h"
 #include "render/files/strict_json.h"
+#include "tests/support/degree.h"
 #include "tests/support/museum_on_paper.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace vitrine {
 namespace {
 
 using test::Air;
+using test::degree;
 using test::reasonFor;
-
-constexpr double degree = std::numbers::pi / 180;
 constexpr const char* bouncePasses[] = {"hall/bounced light in the air", "hall/bounced light",
                                         "hall/bounced light/edges"};
 

@@ -2,6 +2,7 @@
 #include "exhibits/hall/hall.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "tests/exhibits/hall/bounced_light.h"
+#include "tests/support/degree.h"
 #include "tests/support/gallery.h"
 
 #include <gtest/gtest.h>
@@ -10,18 +11,16 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 #include <string>
 #include <vector>
 
 namespace vitrine {
 namespace {
 
+using test::degree;
 using test::hallTable;
 using test::Picture;
 using test::Shot;
-
-constexpr double degree = std::numbers::pi / 180;
 
 class LightLevels : public test::GlTest {};
 

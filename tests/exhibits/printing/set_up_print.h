@@ -2,16 +2,16 @@
 
 #include "exhibits/printing/print_table.h"
 #include "exhibits/printing/print_views.h"
+#include "tests/support/degree.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <memory>
-#include <numbers>
 
 namespace vitrine::printing::test {
 
-inline constexpr double degree = std::numbers::pi / 180;  ///< Radians.
+using vitrine::test::degree;
 
 /// The settings of a small print of views from files, and a folder.
 class SetUpPrint : public testing::Test {

@@ -1,9 +1,9 @@
 #include "exhibits/printing/view_files.h"
 #include "exhibits/printing/view_set.h"
 
-#include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
+#include "tests/support/failures.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -13,20 +13,10 @@
 namespace vitrine::printing {
 namespace {
 
+using vitrine::test::refusalOf;
 using vitrine::test::TemporaryFolder;
 using vitrine::test::writeBytes;
 using Row = std::vector<std::size_t>;
-
-std::string refusalOf(const std::function<void()>& work, Blame blame = Blame::usage)
-{
-    try {
-        work();
-    } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), blame);
-        return failure.what();
-    }
-    return {};
-}
 
 TEST(ViewFiles, CountNumbersInNamesByTheirValue)
 {
@@ -47,8 +37,9 @@ TEST(ViewFiles, CountNumbersInNamesByTheirValue)
 TEST(ViewFiles, SayWhenThereAreNone)
 {
     const TemporaryFolder folder;
-    EXPECT_NE(refusalOf([&] { (void)viewFiles({folder.path().string()}); }, Blame::file)
-                  .find("no pictures in " + folder.path().string()),
+    EXPECT_NE(vitrine::test::failureOf([&] {
+                  (void)viewFiles({folder.path().string()});
+              }).find("no pictures in " + folder.path().string()),
               std::string::npos);
     EXPECT_NE(refusalOf([&] { (void)viewFiles({}); }).find("no views"), std::string::npos);
 }

@@ -1,8 +1,8 @@
 #include "exhibits/printing/view_maker.h"
 
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
-#include "render/failure.h"
 #include "tests/exhibits/printing/samples.h"
+#include "tests/support/failures.h"
 #include "tests/support/museum_on_paper.h"
 
 #include <gtest/gtest.h>
@@ -15,6 +15,7 @@ namespace {
 
 using vitrine::test::hallTable;
 using vitrine::test::museum;
+using vitrine::test::refusalOf;
 using vitrine::test::Scene;
 using vitrine::test::sdfTable;
 
@@ -32,17 +33,6 @@ std::vector<ViewShot> shots(int count)
 glm::dvec3 placed(const ViewShot& shot, const glm::dvec3& p)
 {
     return glm::dvec3(shot.request.frame.exhibitTransform * glm::dvec4(p, 1));
-}
-
-std::string refusalOf(const std::function<void()>& work)
-{
-    try {
-        work();
-    } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::usage);
-        return failure.what();
-    }
-    return {};
 }
 
 TEST(Shots, EachHasItsOwnCameraAndItsOwnNoise)

@@ -1,7 +1,7 @@
 #include "exhibits/printing/view_rig.h"
 
-#include "render/failure.h"
 #include "tests/exhibits/printing/samples.h"
+#include "tests/support/failures.h"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,8 @@
 
 namespace vitrine::printing {
 namespace {
+
+using vitrine::test::refusalOf;
 
 const render::Camera middle{{0.3, 1.6, 2.5}, {0.1, 1.4, 0.2}, 0.7};
 const glm::ivec2 size(900, 600);
@@ -42,17 +44,6 @@ glm::dvec2 pixelOf(const render::Camera& camera, const glm::dvec3& point)
 {
     const glm::dvec4 clip = render::makeView(camera, {.size = size}).clipFromWorld * glm::dvec4(point, 1);
     return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(size);
-}
-
-template <typename Work> std::string refusalOf(const Work& work)
-{
-    try {
-        (void)work();
-    } catch (const Failure& failure) {
-        EXPECT_EQ(failure.blame(), Blame::usage);
-        return failure.what();
-    }
-    return {};
 }
 
 TEST(ViewRig, CamerasStandAtEqualDistancesFromLeftToRightAndLookTheSameWay)

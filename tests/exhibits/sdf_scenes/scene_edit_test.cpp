@@ -13,42 +13,42 @@ namespace {
 
 using render::JsonText;
 
-const std::string written = "{\"format\" : \"vitrine-scene\",\"version\":1,\n"
-                            "\t\"root\": { \"kind\":\"union\",   \"children\": [\n"
-                            "      {\"kind\": \"sphere\", \"radius\": 0.50},\n"
-                            "      {\"kind\": \"box\"}  ] } }\n\n";
+const std::string sceneOfTwo = "{\"format\" : \"vitrine-scene\",\"version\":1,\n"
+                               "\t\"root\": { \"kind\":\"union\",   \"children\": [\n"
+                               "      {\"kind\": \"sphere\", \"radius\": 0.50},\n"
+                               "      {\"kind\": \"box\"}  ] } }\n\n";
 
 TEST(SceneEdit, AChangedNumberChangesNothingElse)
 {
-    const JsonText text(written, "a.json");
-    std::string expected = written;
+    const JsonText text(sceneOfTwo, "a.json");
+    std::string expected = sceneOfTwo;
     expected.replace(expected.find("0.50"), 4, "0.75");
     EXPECT_EQ(text.withValue(text.at("root.children[0].radius").value(), "0.75"), expected);
 }
 
 TEST(SceneEdit, EveryEditIsReadAgainAndCanBeTakenBack)
 {
-    const JsonText text(written, "a.json");
+    const JsonText text(sceneOfTwo, "a.json");
     const std::string added = text.withMember(text.at("root.children[1]").value(), "material", "\"red\"");
     EXPECT_NE(added.find("{\"kind\": \"box\", \"material\": \"red\"}"), std::string::npos) << added;
     const JsonText withMaterial(added, "a.json");
-    EXPECT_EQ(withMaterial.without(withMaterial.at("root.children[1].material").value()), written);
+    EXPECT_EQ(withMaterial.without(withMaterial.at("root.children[1].material").value()), sceneOfTwo);
 
     const std::string longer = text.withElement(text.at("root.children").value(), 2, "{\"kind\": \"torus\"}");
     EXPECT_NE(longer.find("{\"kind\": \"box\"},\n      {\"kind\": \"torus\"}  ]"), std::string::npos) << longer;
     const JsonText three(longer, "a.json");
-    EXPECT_EQ(three.without(three.at("root.children[2]").value()), written);
+    EXPECT_EQ(three.without(three.at("root.children[2]").value()), sceneOfTwo);
     EXPECT_EQ(test::readText(longer).scene->nodes.size(), 4U);
 
     const std::string before = text.withElement(text.at("root.children").value(), 0, "{\"kind\": \"torus\"}");
     EXPECT_NE(before.find("[\n      {\"kind\": \"torus\"},\n      {\"kind\": \"sphere\""), std::string::npos) << before;
     const JsonText first(before, "a.json");
-    EXPECT_EQ(first.without(first.at("root.children[0]").value()), written);
+    EXPECT_EQ(first.without(first.at("root.children[0]").value()), sceneOfTwo);
 }
 
 TEST(SceneEdit, WrappingANodeKeepsItsText)
 {
-    const JsonText text(written, "a.json");
+    const JsonText text(sceneOfTwo, "a.json");
     const std::uint32_t node = text.at("root.children[0]").value();
     const std::string wrapped =
         text.withValue(node, "{\"kind\": \"round\", \"child\": " + std::string(text.written(node)) + "}");

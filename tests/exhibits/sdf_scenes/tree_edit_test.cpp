@@ -16,7 +16,7 @@ using scenes::findKind;
 using scenes::NodeKind;
 using scenes::SceneEdit;
 
-const std::string written =
+const std::string sceneOfThree =
     test::sceneText("{ \"kind\":\"union\",   \"children\": [\n"
                     "      {\"kind\": \"sphere\", \"name\": \"ball\", \"radius\": 0.50},\n"
                     "      {\"kind\": \"box\", \"translate\": [1, 0, 0]},\n"
@@ -54,29 +54,29 @@ TEST(TreeEdit, EveryKindCanBeAddedAndTakenAwayAgain)
 {
     for (const NodeKind& kind : scenes::nodeKinds())
         for (const std::size_t before : {std::size_t{0}, std::size_t{1}, std::size_t{99}}) {
-            const EditedScene added = SceneEdit(written).added("root", before, kind);
+            const EditedScene added = SceneEdit(sceneOfThree).added("root", before, kind);
             EXPECT_EQ(kindAt(added.text, added.path), kind.name);
             (void)readAgain(added.text);
             const EditedScene again = SceneEdit(added.text).removed(added.path);
-            EXPECT_EQ(again.text, written) << kind.name;
+            EXPECT_EQ(again.text, sceneOfThree) << kind.name;
             EXPECT_EQ(again.path, "root");
         }
 }
 
 TEST(TreeEdit, ACopyHasANameOfItsOwnAndChangesNoDistance)
 {
-    const EditedScene copy = SceneEdit(written).duplicated("root.children[0]");
+    const EditedScene copy = SceneEdit(sceneOfThree).duplicated("root.children[0]");
     EXPECT_EQ(copy.path, "root.children[1]");
-    EXPECT_EQ(largestDifference(written, copy.text), 0);
+    EXPECT_EQ(largestDifference(sceneOfThree, copy.text), 0);
     EXPECT_EQ(readAgain(copy.text)->nodes[2].name, "ball 2");
     EXPECT_NE(copy.text.find("{\"kind\": \"sphere\", \"name\": \"ball\", \"radius\": 0.50}"), std::string::npos);
     EXPECT_EQ(readAgain(SceneEdit(copy.text).duplicated("root.children[0]").text)->nodes[2].name, "ball 3");
     // Where there is room for one.
     for (const std::string node : {"root", "root.children[2].child"}) {
-        const EditedScene both = SceneEdit(written).duplicated(node);
+        const EditedScene both = SceneEdit(sceneOfThree).duplicated(node);
         EXPECT_EQ(both.path, node + ".children[1]");
         EXPECT_EQ(kindAt(both.text, node), "union");
-        EXPECT_EQ(largestDifference(written, both.text), 0);
+        EXPECT_EQ(largestDifference(sceneOfThree, both.text), 0);
     }
 }
 
@@ -85,29 +85,29 @@ TEST(TreeEdit, WhatIsWrappedCanBeUnwrapped)
     for (const NodeKind& kind : scenes::nodeKinds()) {
         if (kind.form == scenes::Form::shape) continue;
         for (const std::string node : {"root", "root.children[1]", "root.children[2].child"}) {
-            const EditedScene inside = SceneEdit(written).wrapped(node, kind);
+            const EditedScene inside = SceneEdit(sceneOfThree).wrapped(node, kind);
             EXPECT_EQ(kindAt(inside.text, inside.path), kind.name);
             (void)readAgain(inside.text);
             if (kind.form == scenes::Form::pair) continue;
-            EXPECT_EQ(SceneEdit(inside.text).unwrapped(inside.path).text, written) << kind.name;
+            EXPECT_EQ(SceneEdit(inside.text).unwrapped(inside.path).text, sceneOfThree) << kind.name;
         }
     }
 }
 
 TEST(TreeEdit, AnOperationThatWouldBeEmptyGoesWithItsLastChild)
 {
-    const EditedScene gone = SceneEdit(written).removed("root.children[2].child");
+    const EditedScene gone = SceneEdit(sceneOfThree).removed("root.children[2].child");
     EXPECT_EQ(gone.path, "root");
     EXPECT_EQ(readAgain(gone.text)->nodes.size(), 3U);
     // Of a pair, the other one stays.
-    const std::string pair = SceneEdit(written).wrapped("root.children[1]", *findKind("morph")).text;
+    const std::string pair = SceneEdit(sceneOfThree).wrapped("root.children[1]", *findKind("morph")).text;
     const EditedScene left = SceneEdit(pair).removed("root.children[1].children[1]");
-    EXPECT_EQ(left.text, written);
+    EXPECT_EQ(left.text, sceneOfThree);
 }
 
 TEST(TreeEdit, MovingReordersAndReparents)
 {
-    const std::string unions = SceneEdit(written).wrapped("root.children[1]", *findKind("union")).text;
+    const std::string unions = SceneEdit(sceneOfThree).wrapped("root.children[1]", *findKind("union")).text;
     const std::vector<std::string> nodes{"root.children[0]", "root.children[1]", "root.children[2]"};
     for (const std::string& node : nodes)
         for (std::size_t to = 0; to <= 3; ++to) {
@@ -162,7 +162,7 @@ TEST(TreeEdit, AnotherKindKeepsWhatItHasToo)
 
 TEST(TreeEdit, SoloShowsOneNodeAndAllShownTheRest)
 {
-    const std::string nested = SceneEdit(written).wrapped("root.children[1]", *findKind("union")).text;
+    const std::string nested = SceneEdit(sceneOfThree).wrapped("root.children[1]", *findKind("union")).text;
     const std::string crowded = SceneEdit(nested).added("root.children[1]", 1, *findKind("torus")).text;
     const EditedScene alone = SceneEdit(crowded).solo("root.children[1].children[0]");
     const std::string box = test::sceneText("{\"kind\": \"box\", \"translate\": [1, 0, 0]}");
@@ -178,11 +178,12 @@ TEST(TreeEdit, NumbersAreWrittenInTheUnitOfTheFile)
 {
     const scenes::Field& rotate = scenes::placeFields()[1];
     ASSERT_EQ(rotate.name, "rotate");
-    const EditedScene turned = SceneEdit(written).withNumbers("root.children[1]", rotate, {0, 0, std::acos(-1.0) / 2});
+    const EditedScene turned =
+        SceneEdit(sceneOfThree).withNumbers("root.children[1]", rotate, {0, 0, std::acos(-1.0) / 2});
     EXPECT_NE(turned.text.find("\"rotate\": [0, 0, 90]"), std::string::npos) << turned.text;
     const NodeKind& sphere = *findKind("sphere");
-    const EditedScene large = SceneEdit(written).withNumbers("root.children[0]", sphere.fields[0], {0.75});
-    std::string expected = written;
+    const EditedScene large = SceneEdit(sceneOfThree).withNumbers("root.children[0]", sphere.fields[0], {0.75});
+    std::string expected = sceneOfThree;
     expected.replace(expected.find("0.50"), 4, "0.75");
     EXPECT_EQ(large.text, expected);
     // Every field of every kind is written so that it is read again as what it was.
@@ -208,7 +209,7 @@ TEST(TreeEdit, NumbersAreWrittenInTheUnitOfTheFile)
 
 TEST(TreeEdit, WhatMakesNoSenseIsRefusedInASentence)
 {
-    const SceneEdit edit(written);
+    const SceneEdit edit(sceneOfThree);
     const std::vector<std::function<EditedScene()>> senseless{
         [&] { return edit.removed("root"); },
         [&] { return edit.removed("root.children[7]"); },

@@ -19,8 +19,6 @@ using test::reasonFor;
 using test::Scene;
 using test::sdfTable;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
 TEST(ContributionBound, IsInProportionToEveryFactor)
 {
     const ContributionBound bound = boundOf(0.5, 3, {{0.5, "a"}, {4, "b"}});
@@ -32,8 +30,8 @@ TEST(ContributionBound, IsInProportionToEveryFactor)
 
 TEST(ContributionBound, OfNothingIsZeroWhateverItWouldBeAndTheFirstCauseIsTold)
 {
-    for (const double other : {1.0, infinity, std::nan("")}) {
-        const ContributionBound bound = boundOf(other, infinity, {{other, "there"}, {0, "first"}, {0, "second"}});
+    for (const double other : {1.0, double{INFINITY}, std::nan("")}) {
+        const ContributionBound bound = boundOf(other, INFINITY, {{other, "there"}, {0, "first"}, {0, "second"}});
         EXPECT_TRUE(bound.isZero()) << other;
         EXPECT_EQ(bound.whyNone, "first");
     }
