@@ -1,5 +1,6 @@
 // The study dock: what it shows, applies and leaves alone, over an exhibit whose law is known. No GL.
 
+#include "tests/ui/point_at.h"
 #include "tests/ui/study/known_gallery.h"
 #include "tests/ui/ui_main.h"
 
@@ -205,7 +206,7 @@ private slots:
         const QImage before = pictures->grab().toImage();
         emit dock_->chart().hovered(0);
         QVERIFY(pictures->grab().toImage() != before);
-        QTest::mouseMove(pictures, QPoint(3, 3));
+        vitrine::test::pointAt(*pictures, QPoint(3, 3));
         QVERIFY(pictures->wipe() < 0.2);
     }
 
@@ -217,10 +218,10 @@ private slots:
         chart.replot();
         std::size_t other = 0;
         while (chart.points()[other].present) ++other;
-        QTest::mouseMove(&chart, chart.placeOf(other).toPoint());
+        vitrine::test::pointAt(chart, chart.placeOf(other).toPoint());
         auto* pictures = dock_->findChild<StudyPictures*>();
         const QImage hovered = pictures->grab().toImage();
-        QTest::mouseMove(&chart, chart.rect().topRight() + QPoint(-3, 3));  // Over the empty part of the chart ...
+        vitrine::test::pointAt(chart, chart.rect().topRight() + QPoint(-3, 3));  // Over the empty part of the chart ...
         QEvent leave(QEvent::Leave);
         QApplication::sendEvent(&chart, &leave);  // ... and out of it.
         QCOMPARE(pictures->grab().toImage(), hovered);

@@ -1,4 +1,5 @@
 #include "tests/ui/open_window.h"
+#include "tests/ui/point_at.h"
 #include "tests/ui/ui_main.h"
 
 #include "render/files/assets.h"
@@ -112,8 +113,8 @@ private slots:
             QTRY_VERIFY(glm::distance(camera().eye, away.eye) < 1e-6);
             settle();
             const QPoint middle = window_->viewport().rect().center();
-            QTest::mouseMove(&window_->viewport(), middle - QPoint(200, 100));
-            QTest::mouseMove(&window_->viewport(), middle + QPoint(1, 0));
+            vitrine::test::pointAt(window_->viewport(), middle - QPoint(200, 100));
+            vitrine::test::pointAt(window_->viewport(), middle + QPoint(1, 0));
             const QString name = QString::fromStdString(object.name);
             QTRY_VERIFY2(overlays().contains(name), qPrintable(name + " is not named: " + overlays().join(';')));
             QTest::mouseClick(&window_->viewport(), Qt::LeftButton, {}, middle);

@@ -1,4 +1,5 @@
 #include "tests/ui/open_window.h"
+#include "tests/ui/point_at.h"
 #include "tests/ui/ui_main.h"
 
 #include "ui/kit/message_strip.h"
@@ -147,10 +148,10 @@ private slots:
     void pointingNamesWhatAClickVisitsAndAWallIsNothing()
     {
         Viewport& viewport = window_->viewport();
-        QTest::mouseMove(&viewport, at(0, 0));
+        vitrine::test::pointAt(viewport, at(0, 0));
         QTRY_VERIFY(overlays().contains("Torus to mug"));
         QCOMPARE(viewport.cursor().shape(), Qt::PointingHandCursor);
-        QTest::mouseMove(&viewport, at(-0.8, 0.6));
+        vitrine::test::pointAt(viewport, at(-0.8, 0.6));
         QTRY_VERIFY(!overlays().contains("Torus to mug"));
         QVERIFY(viewport.cursor().shape() != Qt::PointingHandCursor);
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, at(-0.8, 0.6));
