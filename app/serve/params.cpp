@@ -99,7 +99,8 @@ void readParams(CLI::App& options, const std::string& method, const Json& params
     options.set_help_flag();
     for (const auto& [key, value] : params.items()) {
         const std::vector<CLI::Option*> all = options.get_options();
-        const auto found = std::find_if(all.begin(), all.end(), [&](const CLI::Option* o) { return keyOf(*o) == key; });
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&name = key](const CLI::Option* o) { return keyOf(*o) == name; });
         if (found == all.end()) {
             const std::string keys = keysOf(options);
             throw Failure(Blame::usage,

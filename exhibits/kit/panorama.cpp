@@ -27,7 +27,7 @@ render::AssetStore::Made<Panorama> readPanorama(const std::string& path)
     auto picture = render::loadTexture(path, true, true);
     const double brightest = brightestOf(*picture);
     const std::uint64_t bytes = heldBytes(*picture);
-    return {std::make_shared<Panorama>(std::move(picture), brightest), bytes};
+    return {std::make_shared<Panorama>(Panorama{std::move(picture), brightest}), bytes};
 }
 
 }  // namespace vitrine

@@ -44,7 +44,7 @@ Raster someRaster(std::uint64_t seed, std::int64_t width, std::int64_t height, i
             int value = random.below(256);
             if (kind == 1) value = 77;
             if (kind == 2) value = static_cast<int>((i / 3 + 2 * y) & 255U);
-            if (kind == 3 && y % 4 != 0) value = row[i - stride];
+            if (kind == 3 && y % 4 != 0) value = raster.bytes[(y - 1) * stride + i];
             if (kind == 4 && value > 2) value = 255;
             if (kind == 5 && i % 3 != 0) value = row[i - 1];
             row[i] = static_cast<std::uint8_t>(value);
