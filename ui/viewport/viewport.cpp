@@ -129,7 +129,7 @@ void Viewport::paintGL()
         paintOpening(painter);
     else
         painter.drawImage(rect(), shown_);
-    if (!drawing_) tickSoon();  // Who was hidden may have something to draw.
+    if (!drawing_ && !timer_.isActive()) timer_.start(0);  // Who was hidden may have something to draw.
 }
 
 void Viewport::paintOpening(QPainter& painter)

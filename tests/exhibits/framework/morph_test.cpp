@@ -7,6 +7,7 @@
 #include "render/image/oklab.h"
 #include "render/image/srgb.h"
 #include "tests/support/balls.h"
+#include "tests/support/degree.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +17,8 @@
 
 namespace vitrine {
 namespace {
+
+using test::degree;
 
 struct MorphTable final : Parameters {
     Group group1 = group("All");
@@ -57,7 +60,6 @@ TEST(Morphing, NumbersGoEvenlyAndLogarithmicOnesByFactors)
 TEST(Morphing, AnglesOfAFullTurnGoTheShorterWay)
 {
     Ends ends;
-    const double degree = std::numbers::pi / 180;
     ends.a.set(ends.table.azimuth, 170 * degree);
     ends.b.set(ends.table.azimuth, -170 * degree);
     EXPECT_NEAR(ends.number(ends.table.azimuth, 0.25), 175 * degree, 1e-12);
@@ -178,7 +180,7 @@ TEST(Morphing, AmongFourDirectionsIsTheirMeanOnTheSphere)
     const MorphTable table;
     const ParameterInfo& axis = table.rows()[table.axis.row];
     const auto about = [](double degrees, double azimuth) {
-        const double polar = degrees * std::numbers::pi / 180;
+        const double polar = degrees * degree;
         return Value(
             glm::dvec3(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar)));
     };

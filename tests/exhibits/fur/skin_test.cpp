@@ -2,7 +2,7 @@
 
 #include "exhibits/fur/coat.h"
 #include "exhibits/fur/coat_mesh.h"
-#include "render/failure.h"
+#include "tests/support/failures.h"
 
 #include <gtest/gtest.h>
 
@@ -183,15 +183,8 @@ TEST(Fins, HaveFewerRowsWhereThereAreManyEdges)
 TEST(ModelSkin, OfNothingNamesTheFile)
 {
     std::vector<std::string> notes;
-    for (const render::Model& model : {render::Model{}, modelOf({{0, 0, 0}, {1, 0, 0}}, {0, 1, 1})}) {
-        try {
-            (void)modelSkin(model, "bare.glb", 0.5, notes);
-            FAIL() << "nothing was refused";
-        } catch (const Failure& failure) {
-            EXPECT_EQ(failure.blame(), Blame::file);
-            EXPECT_NE(std::string(failure.what()).find("bare.glb"), std::string::npos);
-        }
-    }
+    for (const render::Model& model : {render::Model{}, modelOf({{0, 0, 0}, {1, 0, 0}}, {0, 1, 1})})
+        EXPECT_FAILURE(modelSkin(model, "bare.glb", 0.5, notes), "bare.glb");
 }
 
 TEST(Fins, StandOnEveryEdgeOnce)

@@ -1,6 +1,7 @@
 // The sky by the height of the sun: its colors, its light, and that it changes little by little.
 #include "exhibits/hall/clear_sky.h"
 #include "exhibits/hall/sun.h"
+#include "tests/support/degree.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,7 @@
 namespace vitrine {
 namespace {
 
-constexpr double perDegree = std::numbers::pi / 180;  ///< Radians.
+using test::degree;
 
 double luminanceOf(const glm::dvec3& color)
 {
@@ -19,13 +20,13 @@ double luminanceOf(const glm::dvec3& color)
 
 TEST(ClearSky, IsBlueAtNoonAndRedWhereTheSunSets)
 {
-    const glm::dvec3 noon = clearSkyRadiance(42 * perDegree, 80 * perDegree, 0);
+    const glm::dvec3 noon = clearSkyRadiance(42 * degree, 80 * degree, 0);
     EXPECT_GT(noon.z, 1.8 * noon.x);
-    const glm::dvec3 below = clearSkyRadiance(0, 3 * perDegree, 0.3);
+    const glm::dvec3 below = clearSkyRadiance(0, 3 * degree, 0.3);
     EXPECT_GT(below.x, 3 * below.z);
     // The other side is darker then, and the zenith stays bluer.
-    EXPECT_LT(luminanceOf(clearSkyRadiance(0, 3 * perDegree, std::numbers::pi)), 0.5 * luminanceOf(below));
-    const glm::dvec3 zenith = clearSkyRadiance(0, 90 * perDegree, 0);
+    EXPECT_LT(luminanceOf(clearSkyRadiance(0, 3 * degree, std::numbers::pi)), 0.5 * luminanceOf(below));
+    const glm::dvec3 zenith = clearSkyRadiance(0, 90 * degree, 0);
     EXPECT_GT(zenith.z / zenith.x, 3 * below.z / below.x);
 }
 
@@ -39,11 +40,11 @@ TEST(ClearSky, ScattersNoMoreThanTheSunBrings)
             for (int k = 0; k < around; ++k) {
                 const double up = (i + 0.5) / rings * std::numbers::pi / 2;
                 const double fromSun = (k + 0.5) / around * std::numbers::pi;
-                sum += clearSkyRadiance(sun * perDegree, up, fromSun) * (std::sin(up) * std::cos(up));
+                sum += clearSkyRadiance(sun * degree, up, fromSun) * (std::sin(up) * std::cos(up));
             }
         sum *= (std::numbers::pi / 2 / rings) * (2 * std::numbers::pi / around);
         // A clear sky sends between a tenth and a half of what falls on the air above it.
-        const double falls = std::sin(sun * perDegree);
+        const double falls = std::sin(sun * degree);
         EXPECT_GT(luminanceOf(sum), 0.05 * falls) << sun;
         EXPECT_LT(sum.z, 0.55 * falls) << sun;
     }
@@ -54,13 +55,13 @@ TEST(ClearSky, IsFiniteInEveryDirectionAndGoneByNight)
     for (const double sun : {-90.0, -30.0, -5.0, 0.0, 0.01, 45.0, 90.0})
         for (const double up : {-90.0, -10.0, 0.0, 1.0, 89.9, 90.0})
             for (const double beside : {0.0, 1.0, 3.14159265358979}) {
-                const glm::dvec3 color = clearSkyRadiance(sun * perDegree, up * perDegree, beside);
+                const glm::dvec3 color = clearSkyRadiance(sun * degree, up * degree, beside);
                 for (int i = 0; i < 3; ++i) {
                     EXPECT_TRUE(std::isfinite(color[i])) << sun << ' ' << up << ' ' << beside;
                     EXPECT_GE(color[i], 0) << sun << ' ' << up << ' ' << beside;
                 }
             }
-    EXPECT_LT(luminanceOf(clearSkyRadiance(-20 * perDegree, 90 * perDegree, 0)), 1e-9);
+    EXPECT_LT(luminanceOf(clearSkyRadiance(-20 * degree, 90 * degree, 0)), 1e-9);
 }
 
 TEST(SkyTint, IsNoneAtTheReferenceAndFollowsTheSunLittleByLittle)
@@ -70,9 +71,9 @@ TEST(SkyTint, IsNoneAtTheReferenceAndFollowsTheSunLittleByLittle)
         EXPECT_NEAR(still.zenith[i], 1, 1e-9);
         EXPECT_NEAR(still.horizon[i], 1, 1e-9);
     }
-    double before = luminanceOf(skyTint(-12 * perDegree).zenith);
+    double before = luminanceOf(skyTint(-12 * degree).zenith);
     for (double sun = -11.9; sun < 60; sun += 0.1) {
-        const double now = luminanceOf(skyTint(sun * perDegree).zenith);
+        const double now = luminanceOf(skyTint(sun * degree).zenith);
         EXPECT_GE(now, before) << sun;
         EXPECT_LT(now - before, 0.02) << sun;
         before = now;

@@ -3,8 +3,8 @@
 #include "exhibits/lenticular/card_mesh.h"
 #include "exhibits/lenticular/card_sheet.h"
 #include "exhibits/lenticular/lenticular.h"
-#include "render/failure.h"
 #include "shaders/lib/bindings.glsl"
+#include "tests/support/failures.h"
 #include "tests/support/museum_on_paper.h"
 #include "tests/support/planned.h"
 #include "tests/support/temporary_folder.h"
@@ -154,13 +154,7 @@ TEST(CardPlan, PrintsThatCannotBeReadAreNamed)
     for (const std::string& path : {std::string("/no/such/folder"), folder.path().string()}) {
         scene.values().set(scene.t.frontPrint, path);
         scene.request.needsFiles = true;
-        try {
-            (void)scene.plan();
-            ADD_FAILURE() << path;
-        } catch (const Failure& failure) {
-            EXPECT_EQ(failure.blame(), Blame::file);
-            EXPECT_NE(std::string(failure.what()).find(path), std::string::npos) << failure.what();
-        }
+        EXPECT_FAILURE(scene.plan(), path);
     }
     scene.values().set(scene.t.frontPrint, std::string());
     EXPECT_TRUE(scene.plan().find("lenticular/card"));
