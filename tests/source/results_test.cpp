@@ -198,6 +198,32 @@ TEST(Results, WouldBeRefusedIfTheyWereEdited)
             << command;
 }
 
+/// What `git ARGUMENTS` prints in the source folder; empty where it fails.
+std::string gitPrints(const std::string& arguments)
+{
+    FILE* pipe = ::popen(("git -C '" VITRINE_SOURCE_DIR "' " + arguments + " 2>/dev/null").c_str(), "r");
+    std::string text;
+    std::array<char, 65536> bytes{};
+    while (const std::size_t got = pipe ? std::fread(bytes.data(), 1, bytes.size(), pipe) : 0)
+        text.append(bytes.data(), got);
+    return pipe && ::pclose(pipe) == 0 ? text : std::string();
+}
+
+TEST(Results, NameCommitsOfTheHistory)
+{
+    if (gitPrints("rev-parse --is-shallow-repository") != "false\n")
+        GTEST_SKIP() << "the history is not at hand: no clone, or a shallow one";
+    const std::vector<std::string> commits = test::lines(gitPrints("rev-list HEAD"));
+    const std::set<std::string> history(commits.begin(), commits.end());
+    ASSERT_FALSE(history.contains(std::string(40, 'a')));
+    for (const std::string& file : resultFiles()) {
+        if (fs::path(file).extension() != ".md") continue;
+        const std::string commit = parsed(test::sourceText(results + file)).head["commit"].substr(0, 40);
+        EXPECT_TRUE(history.contains(commit))
+            << file << " names the commit " << commit << ", which is not in the history: measure it again";
+    }
+}
+
 TEST(Results, ArePrintedByProgramsThatExist)
 {
     for (const auto& [name, entry] : entries()) {
