@@ -175,6 +175,68 @@ double luminanceAt(LakeShot& shot, const Picture& p, const dvec3& place)
     return sum / 9;
 }
 
+TEST_F(LakeViews, H71_TheMistIsLitFinitelyAroundAnEyeInAFlame)
+{
+    LakeShot shot;
+    shot.inTheDark().set(row().fog, 0.05).set(row().flicker, 0.0);
+    const auto l = shot.withOneLantern();
+    const double half = lakeBlock(row(), shot.values(), 0).paperHeight / 2;
+    const auto middle = [&](const dvec3& off) {
+        const dvec3 eye = l.place + dvec3(0, half, 0) + off;
+        const Picture p = shot.from(eye, eye + dvec3(1, 0.02, 0.01), 0.4).take();
+        EXPECT_EQ(notFinite(p.image, 4), "");
+        return p.mean();
+    };
+    const double here = middle({0, 0, 0});
+    // One over the square of the distance would grow by 10^4 from each of these places to the next one.
+    for (const double off : {1e-6, 1e-4, 1e-2}) EXPECT_NEAR(middle({0, 0, off}) / here, 1, 0.05) << off;
+    shot.set(row().fog, 0.0);
+    EXPECT_NE(middle({0, 0, 0}), here) << "the mist was not lit";
+}
+
+TEST_F(LakeViews, P15_ALanternShadesItsBaseFromTheMoonWhereATracedRayIsBlocked)
+{
+    LakeShot shot;
+    shot.inTheDark().set(row().candles, false).set(row().bounces, 0).set(row().moon, 10.0).set(row().moonSize, 0.01);
+    shot.set(row().moonElevation, 0.6).set(row().moonAzimuth, 1.5);
+    const auto l = shot.withOneLantern();
+    glsl::Lake lake = lakeAtFloat64(shot.values(), lakeTime(row(), shot.values(), 0));
+    const std::vector<glsl::Lake::Lantern> only{l};
+    const dvec3 moon(lake.lake.towardsMoon);
+    // From the side, where both what the moon lights and what it does not is seen.
+    const dvec3 eye = l.place + 3.0 * glm::normalize(dvec3(moon.z, 0, -moon.x)) + dvec3(0, 5, 0);
+    shot.request.frame.raster.size = {192, 192};
+    const Picture p = shot.from(eye, l.place, 0.45).take();
+    const auto met = [&](const dvec3& from, const dvec3& direction, double to) {
+        glsl::Lake::LanternRay ray{};
+        ray.origin = from;
+        ray.direction = direction;
+        ray.to = to;
+        return nearestOfAll(lake, only, ray);
+    };
+    double lit = 0, shaded = 0;
+    int litPlaces = 0, shadedPlaces = 0;
+    const double top = lake.lake.baseHalfHeight, inner = lake.lake.baseHalfWidth - 0.06;
+    const glm::dmat3 axes = lake.lakeFromLantern(l);
+    for (double u = -inner; u <= inner; u += 0.03)
+        for (double v = -inner; v <= inner; v += 0.03) {
+            const dvec3 place = l.place + axes * dvec3(u, top + 1e-3, v);
+            const dvec3 away = eye - place;
+            if (met(place, glm::normalize(away), glm::length(away)) < glm::length(away)) continue;
+            // Edges of the shadow are left to the other places: those nearby have to agree.
+            int blocked = 0;
+            for (const dvec2 off : {dvec2(0), dvec2(0.05, 0), dvec2(-0.05, 0), dvec2(0, 0.05), dvec2(0, -0.05)})
+                blocked += met(place + axes * dvec3(off.x, 0, off.y), moon, 20) < 20;
+            if (blocked != 0 && blocked != 5) continue;
+            (blocked ? shaded : lit) += luminanceAt(shot, p, place);
+            ++(blocked ? shadedPlaces : litPlaces);
+        }
+    ASSERT_GT(litPlaces, 20);
+    ASSERT_GT(shadedPlaces, 20);
+    // The wood is one and its normal is one: without the shadow both are equally bright.
+    EXPECT_LT(shaded / shadedPlaces, 0.3 * lit / litPlaces);
+}
+
 TEST_F(LakeViews, P15_ALanternsMoonShadowFallsOnTheWaterWhereItShows)
 {
     LakeShot shot;

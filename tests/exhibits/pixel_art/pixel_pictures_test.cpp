@@ -152,7 +152,8 @@ TEST_F(PixelPictures, N10_EitherWayRoundIsTheSamePicture)
                 EXPECT_EQ(reversed.normal.at(x, y, 3), standard.normal.at(x, y, 3));
                 differ += glm::distance(at(reversed.normal, x, y), at(standard.normal, x, y)) > 0.02;
             }
-        EXPECT_LT(differ, shot.size.x * shot.size.y / 50);
+        // One and five texels of 8160 differ, where rounding decides between two sides that are as good.
+        EXPECT_LE(differ, shot.size.x * shot.size.y / 1000);
     }
 }
 

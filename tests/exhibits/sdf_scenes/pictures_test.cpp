@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <numbers>
 #include <thread>
 
 namespace vitrine {
@@ -137,11 +139,16 @@ TEST_F(ScenePicture, E8_E22_AsInTheSourceIsPhongWithAMirrorShownAsNumbers)
 
 TEST_F(ScenePicture, E8_BouncesAreCounted)
 {
-    // A ring that mirrors itself.
-    SceneShot shot(shippedScene("environment_mapping_1"));
-    shot.values().set(scenesTable().look, SceneLook::source);
+    // The eye between two boards that mirror each other: each bounce adds up to half of the one before.
+    SceneShot shot(test::writeScene(folder_, R"({"kind": "union", "material": "mirror", "children": [
+      {"kind": "sphere", "radius": 1}, {"kind": "box", "size": [90, 90, 0.1], "translate": [0, 0, 5]},
+      {"kind": "box", "size": [90, 90, 0.1], "translate": [0, 0, -5]}]})",
+                                    R"("camera": {"position": [0, 0, 4], "target": [0, 0, 0], "fieldOfView": 60},
+ "materials": {"mirror": {"model": "phong", "color": [0.8, 0.4, 0.2], "diffuse": 0.5, "mirror": 0.5}},
+ "lights": [{"kind": "point", "position": [2, 3, 4], "color": [0.9, 1, 0.8]}],
+ "look": {"asInTheSource": true, "bounces": 4},)"));
     std::vector<test::Picture> pictures;
-    for (int bounces = 0; bounces <= 2; ++bounces) {
+    for (int bounces = 0; bounces <= 4; ++bounces) {
         shot.values().set(scenesTable().bounces, bounces);
         pictures.push_back(shot.take());
     }
@@ -199,12 +206,22 @@ TEST_F(ScenePicture, E11_OcclusionOfAWallIsAHalfAtItsFoot)
     EXPECT_GT(rays, 0.44);
     EXPECT_LT(rays, 0.58);
     EXPECT_GT(openness(SceneOcclusion::hemisphere, 32) / all, rays) << "farther from it, more is open";
-    shot.values().set(scenesTable().occlusionRange, 0.5);
-    for (const SceneOcclusion method : {SceneOcclusion::taps, SceneOcclusion::cones}) {
-        const double estimate = openness(method, 17) / all;
-        EXPECT_GT(estimate, 0.1);
-        EXPECT_LT(estimate, 0.95);
+    const double range = 0.5;
+    shot.values().set(scenesTable().occlusionRange, range);
+    // The floor's point in row 17 is nearer to the wall than to the taps above that height.
+    const test::Picture p = shot.take();
+    const glm::dmat4 scene = shot.sceneFromWorld();
+    const dvec3 eye(scene * glm::dvec4(p.view.eye, 1)), ray(scene * glm::dvec4(test::rayOf(p.view, 16, 17), 0));
+    const double before = eye.z - ray.z * eye.y / ray.y;
+    double blocked = 0, weights = 0;
+    for (int k = 1; k <= 5; ++k) {
+        const double height = range * glm::length(dvec3(scene[0])) * k * k / 25;
+        blocked += (1 - std::min(height, before) / height) / k;
+        weights += 1.0 / k;
     }
+    // Its sample lies anywhere in the pixel, from whose upper to whose lower edge the value changes by a tenth.
+    EXPECT_NEAR(openness(SceneOcclusion::taps, 17) / all, 1 - blocked / weights, 0.03);
+    EXPECT_NEAR(openness(SceneOcclusion::cones, 17) / all, openness(SceneOcclusion::hemisphere, 17) / all, 0.15);
     shot.values().set(scenesTable().occlusionRange, 0.01);
     EXPECT_GT(openness(SceneOcclusion::hemisphere, 32) / all, 0.97) << "E13: what is farther away than the range";
 }
