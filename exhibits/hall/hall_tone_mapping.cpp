@@ -56,6 +56,7 @@ void planToneMapping(const SceneLighting& lighting, const FrameRequest& request,
                    averaged ? "sample " + std::to_string(request.sample + 1) + " of " + std::to_string(request.samples)
                             : "linear light is handed out as it is");
     average.phase = render::PassPhase::present;
+    if (!toneMapped) average.shader.defines.emplace_back("COVERAGE");
     if (averaged && request.sample > 0) {
         average.state.blend = render::Blend::mean;
         average.state.meanWeight = 1.0F / static_cast<float>(request.sample + 1);

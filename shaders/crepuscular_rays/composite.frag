@@ -49,7 +49,7 @@ void main()
 {
     vec2 pixel = floor(gl_FragCoord.xy) + frameTile();
 #ifdef SHOW_MASK
-    over = vec4(inverseTonemap(maskAt((pixel + 0.5) * rays.maskScale) * 0.98) * rays.inverseExposure, 1.0);
+    over = vec4(maskAt((pixel + 0.5) * rays.maskScale) * rays.inverseExposure, DISPLAY_LIGHT);
     return;
 #endif
     float depth = depthAt(pixel);

@@ -8,6 +8,6 @@ layout(location = 0) out vec4 display;
 void main()
 {
     vec4 radiance = texelFetch(source, ivec2(gl_FragCoord.xy), 0);
-    display = vec4(tonemap(radiance.rgb * light.exposure), radiance.a);
+    display = vec4(displayLight(radiance.rgb * light.exposure, radiance.a), min(radiance.a, 1.0));
     if (radiance.a <= 0.0) display.rgb = vec3(0.0);
 }

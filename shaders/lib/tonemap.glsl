@@ -1,9 +1,8 @@
-// Scene light to display light, and back: a filmic curve that keeps hue. Colors are first drawn a little
+// Scene light to display light: a filmic curve that keeps hue. Colors are first drawn a little
 // towards each other (so that a saturated bright color pales instead of clipping), each channel follows a
 // sigmoid in log exposure, and the drawing-together is undone: the idea of AgX (Sobotka 2022) with a
 // Naka-Rushton sigmoid (1966). Its log exposure is bent at both ends: a long shoulder leaves the sunlit floor,
-// which has a hundred times the light of walls in the shade, its stone, and a toe keeps shadows deep. Both bends have
-// an exact inverse.
+// which has a hundred times the light of walls in the shade, its stone, and a toe keeps shadows deep.
 
 const float TONEMAP_INSET = 0.10;      // share of the neighbors mixed into each channel
 const float TONEMAP_GRAY = 0.18;       // maps to itself
@@ -19,9 +18,8 @@ vec3 tonemapMix(vec3 c, float share)
 
 vec3 tonemap(vec3 radiance)
 {
-    // Infinite light is white: infinity over infinity below would be NaN. What `inverseTonemap` makes of saturated
-    // colors is below 0 in some channels.
-    vec3 c = tonemapMix(clamp(radiance, -1e9, 1e9), TONEMAP_INSET);
+    // Infinite light is white: infinity over infinity below would be NaN.
+    vec3 c = tonemapMix(clamp(radiance, 0.0, 1e9), TONEMAP_INSET);
     vec3 u = log(max(c, vec3(1e-7)) / TONEMAP_GRAY);
     vec3 above = max(u, vec3(0.0));
     vec3 below = min(u, vec3(0.0));
@@ -30,15 +28,15 @@ vec3 tonemap(vec3 radiance)
     return clamp(tonemapMix(y, -TONEMAP_INSET / (1.0 - TONEMAP_INSET)), 0.0, 1.0);
 }
 
-// The scene light that `tonemap` shows as `display`: for colors that mean something, such as heat maps.
-vec3 inverseTonemap(vec3 display)
+// Alpha of a pixel whose color is display light already: a debug view, or a picture made of numbers. Saturated bright
+// colors have no scene light of 0 or more that `tonemap` would show as them.
+const float DISPLAY_LIGHT = 2.0;
+
+// Display light of a pixel. `exposed`: radiance times exposure, and the alpha that opaque passes and what is blended
+// over them left: 1 is covered by scene light, DISPLAY_LIGHT by display light.
+vec3 displayLight(vec3 exposed, float alpha)
 {
-    vec3 y = clamp(tonemapMix(display, TONEMAP_INSET), 1e-5, 0.995);
-    vec3 bent = log(y / (1.0 - y) * ((1.0 - TONEMAP_GRAY) / TONEMAP_GRAY)) / TONEMAP_CONTRAST;
-    vec3 above = max(bent, vec3(0.0)) - 1.0;
-    vec3 below = min(bent, vec3(0.0));
-    vec3 u = mix((1.0 - sqrt(1.0 - 4.0 * TONEMAP_TOE * below)) / (2.0 * TONEMAP_TOE),
-                 (above + sqrt(above * above + 4.0 * TONEMAP_SHOULDER * (above + 1.0))) / (2.0 * TONEMAP_SHOULDER),
-                 greaterThan(bent, vec3(0.0)));
-    return tonemapMix(TONEMAP_GRAY * exp(u), -TONEMAP_INSET / (1.0 - TONEMAP_INSET));
+    float share = clamp(alpha - 1.0, 0.0, 1.0);
+    vec3 shown = share < 1.0 ? tonemap(exposed) : vec3(0.0);
+    return share > 0.0 ? mix(shown, clamp(exposed, 0.0, 1.0), share) : shown;
 }

@@ -1,6 +1,6 @@
 // The small picture on its screen, every texel a sharp square. Permutations: those of kit/portal.
+#define PORTAL_DISPLAY_LIGHT
 #include "kit/portal/portal.glsl"
-#include "lib/tonemap.glsl"
 #include "pixel_art/pixel_block.glsl"
 #include "pixel_art/upscale.glsl"
 
@@ -52,7 +52,7 @@ PortalSeen portalSeen(PortalRay ray)
     vec2 beyond = abs(place) - SCREEN_HALF;
     light = max(beyond.x, beyond.y) > 0.0 ? bezel(beyond) : screenLight(at, seen.distance * ray.footprint / texel);
 #endif
-    seen.radiance = inverseTonemap(light);
+    seen.radiance = light;
     return seen;
 }
 

@@ -1,11 +1,13 @@
 // A scene behind the frame: its field is generated, everything around it is here.
 // Permutations: SOURCE_LOOK; LIGHTS, SHADOWS (a method), OCCLUSION (a method), MIRRORS, GLASS, GLOWS, LAMPS, PANORAMA, as far as the scene
 // has any; HEAT_MAP, COUNT_SHAPES (in place of evaluations).
+#if defined(SOURCE_LOOK) || defined(HEAT_MAP)
+#define PORTAL_DISPLAY_LIGHT
+#endif
 #include "kit/portal/portal.glsl"
 #include "lib/numerics.glsl"
 #include "lib/hash.glsl"
 #include "lib/heat_color.glsl"
-#include "lib/tonemap.glsl"
 #include "sdf_scenes/generated_field.glsl"
 #include "lib/sphere_tracing.glsl"
 
@@ -39,7 +41,7 @@ PortalSeen portalSeen(PortalRay ray)
     if (parameters.heatMap == heatMap_shapes) count = float(shapesAsked);
     vec3 shown = heatColor(count / parameters.heatScale);
     if (parameters.heatMap == heatMap_normals) shown = found.normal * 0.5 + 0.5;
-    seen.radiance = inverseTonemap(shown * 0.98);
+    seen.radiance = shown;
 #endif
     return seen;
 }

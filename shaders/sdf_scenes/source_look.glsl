@@ -1,12 +1,11 @@
 // As the source lights its scenes: Phong with a mirror, light from everywhere counted twice, numbers shown as they are.
 // Akgul, Boucher and El Hajal, "Ray Marching and Ambient Occlusion Rendering".
 
-// What is shown is the number, without a curve.
+// Display light of a number that a screen shows without a curve.
 vec3 asShown(vec3 color)
 {
     vec3 c = clamp(color, 0.0, 1.0);
-    vec3 linear = mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, lessThanEqual(c, vec3(0.04045)));
-    return inverseTonemap(linear);
+    return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, lessThanEqual(c, vec3(0.04045)));
 }
 
 vec3 phongLit(SceneHit hit, SceneMaterial m, vec3 toEye)
@@ -16,7 +15,7 @@ vec3 phongLit(SceneHit hit, SceneMaterial m, vec3 toEye)
     for (int i = 0; i < min(stage.lights, SCENE_MOST_LIGHTS); ++i) {
         SceneLight l = sceneLight(i, hit.position);
         float cosine = dot(hit.normal, l.direction);
-        if (cosine <= 0.0) continue;
+        if (cosine <= 0.0 || max(m.diffuse, m.specular) <= 0.0) continue;
 #ifdef SHADOWS
         float visible = sceneVisibility(hit.position + hit.normal * (2.0 * hit.tolerance), l, uint(i));
 #else

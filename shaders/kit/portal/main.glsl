@@ -1,5 +1,8 @@
 // One ray per pixel into the world beyond. The depth is the opening's; with ALONE, that of what is seen.
-// Permutations: ALONE, WRITE_NORMAL, WRITE_EVALUATIONS.
+// Permutations: ALONE, WRITE_NORMAL, WRITE_EVALUATIONS; PORTAL_DISPLAY_LIGHT, which the shader that includes this file
+// defines: what is seen are colors of a display.
+#include "lib/tonemap.glsl"
+
 layout(location = 0) out vec4 radiance;
 #ifdef WRITE_NORMAL
 layout(location = 1) out vec4 normalOut;
@@ -18,6 +21,9 @@ void main()
     PortalRay ray = portalRay(gl_FragCoord.xy);
     PortalSeen seen = portalSeen(ray);
     radiance = vec4(clamp(seen.radiance * portal.radianceScale, vec3(0.0), vec3(6e4)), 1.0);
+#ifdef PORTAL_DISPLAY_LIGHT
+    radiance.a = DISPLAY_LIGHT;
+#endif
 #ifdef WRITE_NORMAL
     vec3 n = dot(seen.normal, seen.normal) > 0.5 ? normalize(seen.normal * mat3(portal.workFromWorld)) : portal.plane.xyz;
     normalOut = vec4(n, 1.0);

@@ -26,7 +26,7 @@ struct PortalRay {
 };
 
 struct PortalSeen {
-    vec3 radiance;      // as the film sees it: 1 is bright
+    vec3 radiance;      // as the film sees it: 1 is bright; with PORTAL_DISPLAY_LIGHT, display light, 0 to 1
     vec3 normal;        // unit, in the world beyond; 0 where nothing solid is seen
     float distance;     // from the eye; at least 1e20 where nothing is seen
     float evaluations;  // of whatever the shader counts

@@ -18,6 +18,7 @@ layout(location = 1) out vec4 normalOut;
 layout(depth_any) out float gl_FragDepth;
 #endif
 
+// Radiance whose exposed color is the view's.
 vec3 heat(March march, Hit hit)
 {
     vec3 shown;
@@ -25,7 +26,7 @@ vec3 heat(March march, Hit hit)
     else if (parameters.heatMap == heatMap_evaluations) shown = heatColor(float(evaluations) / parameters.heatScale);
     else if (parameters.heatMap == heatMap_normals) shown = hit.worldNormal * 0.5 + 0.5;
     else shown = heatColor(0.5 + 0.5 * march.distance / max(4.0 * hit.tolerance, 1e-7));
-    return inverseTonemap(shown * 0.98) / light.exposure;
+    return shown / light.exposure;
 }
 
 void main()
@@ -53,10 +54,10 @@ void main()
 #ifndef DEPTH_ONLY
     Hit hit = findHit(ray.origin, ray.direction, march, settings);
     vec3 color = fieldRadiance(ray, hit, settings);
-#ifdef HEAT_MAP
-    color = heat(march, hit);
-#endif
     radiance = vec4(min(color, vec3(6e4)), 1.0);  // Half floats end at 65504.
+#ifdef HEAT_MAP
+    radiance = vec4(heat(march, hit), DISPLAY_LIGHT);
+#endif
 #ifdef WRITE_NORMAL
     normalOut = vec4(hit.worldNormal, 1.0);
 #endif

@@ -138,6 +138,52 @@ TEST_F(Robustness, LegalValuesNeverMakeWhatIsNotANumber)
     }
 }
 
+/// A view that shows numbers, or a picture made of them, as colors of a display.
+struct NumbersShown {
+    const char* exhibit;
+    const char* row;
+    double value;
+};
+
+TEST_F(Robustness, WhatIsShownAsNumbersIsTheSameColorInFilesOfLight)
+{
+    for (const NumbersShown& view : {NumbersShown{"sdf_morph", "heatMap", 1}, NumbersShown{"sdf_morph", "heatMap", 2},
+                                     NumbersShown{"sdf_morph", "heatMap", 3}, NumbersShown{"sdf_morph", "heatMap", 4},
+                                     NumbersShown{"ice_cream", "heatMap", 4}, NumbersShown{"sdf_scenes", "heatMap", 1},
+                                     NumbersShown{"sdf_scenes", "heatMap", 3}, NumbersShown{"sdf_scenes", "look", 2},
+                                     NumbersShown{"pixel_art", "view", 0}, NumbersShown{"pixel_art", "view", 1},
+                                     NumbersShown{"crepuscular_rays", "view", 1}}) {
+        SCOPED_TRACE(std::string(view.exhibit) + '.' + view.row + ' ' + std::to_string(view.value));
+        Shot shot;
+        const std::size_t exhibit = *gallery().museum.find(view.exhibit);
+        ParameterValues& values = shot.sceneState.values[exhibit];
+        values.setRow(*values.table().find(view.row), view.value);
+        shot.request.frame.alone = exhibit;
+        shot.request.frame.transparent = std::string_view(view.exhibit) != "crepuscular_rays";
+        shot.request.frame.camera = gallery().museum.subject(exhibit).bestView(values);
+        shot.size(48, 27);
+        const Picture light = shot.take();
+        shot.request.frame.averageIn = AverageIn::display;
+        const Picture shown = shot.take();
+        // One exposure for all pixels: that of the brightest.
+        double brightest = 0, exposure = 0;
+        light.each([&](int x, int y) {
+            for (int c = 0; c < 3; ++c) {
+                if (light.alpha(x, y) < 1 || shown.color(x, y)[c] <= brightest) continue;
+                brightest = shown.color(x, y)[c];
+                exposure = brightest / light.color(x, y)[c];
+            }
+        });
+        ASSERT_GT(brightest, 0.1);
+        light.each([&](int x, int y) {
+            EXPECT_LE(light.alpha(x, y), 1);
+            for (int c = 0; c < 3; ++c) EXPECT_GE(light.color(x, y)[c], 0) << "negative light";
+            if (light.alpha(x, y) < 1) return;
+            for (int c = 0; c < 3; ++c) EXPECT_NEAR(exposure * light.color(x, y)[c], shown.color(x, y)[c], 2e-3);
+        });
+    }
+}
+
 TEST_F(Robustness, H48_APanoramaWithTexelsThatAreNoNumbersLeavesThePictureFinite)
 {
     const test::TemporaryFolder folder;

@@ -257,10 +257,10 @@ TEST_F(Material, TheNormalsMapShowsTheNormals)
     const Picture p = shot.take();
     double worst = 0;
     p.each([&](int x, int y) {
-        // 2 %: colors are stored as half floats, and saturated ones are drawn together by the tone curve and back.
-        if (p.hit(x, y)) worst = std::max(worst, glm::length(p.color(x, y) - (p.normal(x, y) * 0.5 + 0.5) * 0.98));
+        // Colors are stored as half floats.
+        if (p.hit(x, y)) worst = std::max(worst, glm::length(p.color(x, y) - (p.normal(x, y) * 0.5 + 0.5)));
     });
-    EXPECT_LT(worst, 0.05);
+    EXPECT_LT(worst, 0.002);
 }
 
 }  // namespace
