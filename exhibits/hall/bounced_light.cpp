@@ -81,7 +81,7 @@ render::ContributionBound boundOfBounce(const HallScene& scene, double most)
     return render::boundOf(0, sun.strength * scene.model.sunTransfer().surfaceScale(),
                            {{scene.alone ? 0.0 : 1.0, "there is no hall to bounce it"},
                             {sun.strength, sun.elevation > 0 ? "the sun's strength is 0" : "the sun has set"},
-                            {most, "the sun shines in neither through the window nor through the oculus"}});
+                            {most, "too little of the sun comes in by window and oculus"}});
 }
 
 void planBouncedLight(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
@@ -119,7 +119,7 @@ void planBouncedLight(const HallScene& scene, const SceneLighting& light, render
 
 void lookUpAirLight(const HallScene& scene, SceneLighting& light)
 {
-    if (scene.alone || !scene.values[scene.table.bakedLight]) return;
+    if (scene.alone) return;
     const render::Box& box = scene.model.sunTransfer().grid().box;
     light.light.hasAirLight = true;
     light.light.airLow = glm::vec3(box.low);
@@ -129,7 +129,8 @@ void lookUpAirLight(const HallScene& scene, SceneLighting& light)
 
 void planAirLight(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
 {
-    if (!light.light.hasAirLight) {
+    const bool forProbe = light.light.hasProbe && !scene.alone;
+    if (!light.light.hasAirLight && !forProbe) {
         plan.skip("hall/light in the air", scene.alone ? "there is no hall" : "baked light is switched off");
         return;
     }

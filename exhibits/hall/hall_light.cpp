@@ -215,7 +215,7 @@ SceneLighting sceneLighting(const HallScene& scene, bool runEverything)
         result.inputs.push_back({UNIT_PROBE, std::string("probe")});
         result.inputs.push_back({UNIT_PROBE_IRRADIANCE, std::string("probe.irradiance")});
     }
-    lookUpAirLight(scene, result);
+    if (values[table.bakedLight]) lookUpAirLight(scene, result);
     if (scene.environment) result.inputs.push_back({UNIT_ENVIRONMENT, scene.environment});
     return result;
 }

@@ -30,11 +30,15 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
     return pass;
 }
 
-/// The probe must not read itself while it is being made; and it has the light of the hall alone, for its key does not
-/// tell where the exhibits' shadows lie, nor which lamps a view reckons with.
-SceneLighting lightOfHallAlone(const SceneLighting& light, const std::optional<render::LocalLighting>& lamps)
+/// Light that the probe is captured in. The probe must not read itself: what has no lightmap is lit by the light in the
+/// air, also where baked light is switched off. Exhibits' shadows and the lamps that a view selects are left out,
+/// because the probe's key does not hold them.
+SceneLighting lightOfHallAlone(const HallScene& scene, const SceneLighting& light,
+                               const std::optional<render::LocalLighting>& lamps)
 {
     SceneLighting hallLight = light;
+    hallLight.light.hasProbe = false;
+    if (!hallLight.light.hasAirLight) lookUpAirLight(scene, hallLight);
     hallLight.light.exhibitsCastShadow = false;
     hallLight.glassCastsShadow = false;
     hallLight.localLights = lamps;
@@ -236,7 +240,7 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     if (!scene.alone)
         plan.image(
             {.name = "probe.depth", .format = render::Format::depth32f, .size = glm::ivec2(size), .persistent = true});
-    const SceneLighting hallLight = lightOfHallAlone(light, lamps);
+    const SceneLighting hallLight = lightOfHallAlone(scene, light, lamps);
     const Surroundings around = scene.alone ? Surroundings() : Surroundings{wallDraws(scene), thingDraws(scene)};
     for (int face = 0; face < 6; ++face) planFace(scene, hallLight, around, face, size, key, plan);
     for (int level = 0; level < levels; ++level)

@@ -1,8 +1,11 @@
 // The sun's bounced light: against a path tracer, and where, when and how smoothly it comes.
 #include "tests/exhibits/hall/bounced_light.h"
 
+#include "exhibits/framework/scene_lighting.h"
 #include "exhibits/hall/sun.h"
 #include "render/files/strict_json.h"
+#include "shaders/lib/bindings.glsl"
+#include "tests/support/block_of.h"
 #include "tests/support/degree.h"
 #include "tests/support/museum_on_paper.h"
 
@@ -154,6 +157,14 @@ TEST(BouncedLight, IsOnWhatHasNoLightmapAsOnTheWallBesideIt)
     EXPECT_EQ(reasonFor(scene.plan(), "hall/light in the air"), "it ran");
     scene.hall().set(test::hallTable().bakedLight, false);
     EXPECT_FALSE(readsAir("hall/props"));
+    // While the probe is captured, there is no probe to read.
+    EXPECT_TRUE(readsAir("probe/things/0"));
+    const render::FramePlan plan = scene.plan();
+    for (const char* capture : {"probe/sky/0", "probe/walls/0", "probe/things/0"}) {
+        const std::map<int, render::Bytes>& blocks = plan.find(capture)->blocks;
+        EXPECT_FALSE(test::blockOf<LightBlock>(blocks.at(BLOCK_LIGHT)).hasProbe) << capture;
+    }
+    scene.hall().set(test::hallTable().reflectionProbe, false);
     EXPECT_EQ(reasonFor(scene.plan(), "hall/light in the air"), "baked light is switched off");
 }
 
@@ -166,8 +177,7 @@ TEST(BouncedLight, IsNoneWhileTheSunShinesInNowhere)
     for (const char* pass : bouncePasses) EXPECT_EQ(reasonFor(scene.plan(), pass), "it ran") << pass;
     scene.hall().set(test::hallTable().sunAzimuth, 170 * degree);
     scene.hall().set(test::hallTable().sunElevation, 12 * degree);
-    EXPECT_EQ(reasonFor(scene.plan(), "hall/bounced light"),
-              "the sun shines in neither through the window nor through the oculus");
+    EXPECT_EQ(reasonFor(scene.plan(), "hall/bounced light"), "too little of the sun comes in by window and oculus");
     scene.hall().set(test::hallTable().sunAzimuth, 0.0);
     scene.hall().set(test::hallTable().sunStrength, 0.0);
     EXPECT_EQ(reasonFor(scene.plan(), "hall/bounced light"), "the sun's strength is 0");
