@@ -30,7 +30,8 @@ double mostRadianceBy(const render::LocalLighting& lighting)
     double most = 0;
     for (std::size_t i = 0; i < lighting.chosen.size(); ++i) {
         const render::LocalLightEntry& light = lighting.block.lights[i];
-        const double nearest = std::max(static_cast<double>(light.radius), render::localShadowNear);
+        const double nearest =
+            std::max({static_cast<double>(light.radius), static_cast<double>(light.nearest), render::localShadowNear});
         const auto intensity = static_cast<double>(std::max({light.intensity.x, light.intensity.y, light.intensity.z}));
         most += mostReflected * intensity / (nearest * nearest);
     }

@@ -242,6 +242,7 @@ std::vector<render::LocalLight> Lenticular::localLights(const ExhibitState& stat
     lamp.axis = -fromCard / distance;
     lamp.coneInner = std::atan(whole / distance);
     lamp.coneOuter = std::atan(edge / distance);
+    lamp.nearest = 0.65 * distance;  // All in its cone is farther away, where it hangs at first.
     return {lamp};
 }
 

@@ -40,6 +40,7 @@ LocalLighting localLighting(std::span<const LocalLight> lights, const glm::dvec3
         entry.radius = static_cast<float>(std::max(light.radius, 0.0));
         entry.intensity = glm::vec3(light.intensity);
         entry.range = static_cast<float>(light.range);
+        entry.nearest = static_cast<float>(std::max(light.nearest, 0.0));
         if (light.axis != glm::dvec3(0)) {
             entry.axis = glm::vec3(light.axis);
             entry.coneCosine = static_cast<float>(std::cos(light.coneInner));

@@ -21,6 +21,9 @@ struct LocalLight {
     glm::dvec3 axis{0};        ///< Unit, the middle of its cone; 0: it shines to all sides.
     double coneInner = 0;      ///< Half the angle within which it has all its intensity, radians ...
     double coneOuter = 0;      ///< ... and that beyond which it has none: more, and at most pi.
+    /// Meters: surfaces nearer than this get the irradiance of this distance, so that a bound of its light is known; 0:
+    /// no limit.
+    double nearest = 0;
 
     bool operator==(const LocalLight&) const = default;
 };

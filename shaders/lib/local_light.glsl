@@ -61,6 +61,7 @@ vec3 localIrradiance(LocalLightEntry light, vec3 place, vec3 normal)
     bool isPoint = light.radius < 1.0e-3 * distance;
     float geometry = max(cosine, 0.0) / squared;
     if (!isPoint) geometry = sphereFormFactor(cosine, distance, light.radius) / (light.radius * light.radius);
+    if (light.nearest > 0.0) geometry = min(geometry, 1.0 / (light.nearest * light.nearest));
     return light.intensity * (geometry * reach);
 }
 

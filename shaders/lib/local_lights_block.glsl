@@ -12,7 +12,8 @@
     FIELD(float, nearPlane)   /* of these maps, meters */ \
     FIELD(vec3, axis)         /* of the cone that it shines in, unit */ \
     FIELD(float, coneCosine)  /* of half the angle within which it has all its intensity */ \
-    FIELD(float, coneScale)   /* 1 over what the cosine falls by until it has none; 0: no cone */
+    FIELD(float, coneScale)   /* 1 over what the cosine falls by until it has none; 0: no cone */ \
+    FIELD(float, nearest)     /* meters: surfaces nearer than this get the irradiance of this distance; 0: no limit */
 BLOCK_STRUCT(LocalLightEntry, LOCAL_LIGHT_FIELDS)
 
 #define LOCAL_LIGHTS_FIELDS(FIELD, ARRAY) \

@@ -39,6 +39,7 @@ glsl::LocalLightEntry entryOf(const LocalLight& light)
 {
     glsl::LocalLightEntry entry{
         light.position, light.radius, light.intensity, light.range, false, 0, 0, light.axis, 0, 0};
+    entry.nearest = light.nearest;
     if (light.axis == glm::dvec3(0)) return entry;
     entry.coneCosine = std::cos(light.coneInner);
     entry.coneScale = 1 / (std::cos(light.coneInner) - std::cos(light.coneOuter));
@@ -52,6 +53,7 @@ TEST_F(LocalLightsOnTheDriver, AddUpAsAtFloat64)
 {
     const std::vector<LocalLight> lights{
         {.position = {0.5, 1, 0.2}, .intensity = {1, 2, 3}},
+        {.position = {1.5, 0.3, 1}, .intensity = {0.4, 0.2, 0.3}, .nearest = 0.8},
         {.position = {-1, 0.2, 0.5}, .radius = 0.4, .intensity = {3, 1, 0.5}},
         {.position = {2, 0.6, -2}, .radius = 0.05, .intensity = {0.2, 4, 1}, .range = 2},
         {.position = {-2, 2, -1},

@@ -23,6 +23,19 @@ glsl::LocalLightEntry lightAt(const glm::dvec3& position, double radius = 0, dou
     return {position, radius, glm::dvec3(2, 3, 5), range, false, 0, 0, glm::dvec3(0), 0, 0};
 }
 
+TEST(LocalLight, NearerThanItsLimitIsAsBrightAsAtTheLimit)
+{
+    for (const double radius : {0.0, 0.2}) {
+        glsl::LocalLightEntry light = lightAt({0, 0, 0}, radius);
+        const glm::dvec3 far = glsl::localIrradiance(light, {0, -3, 0}, {0, 1, 0});
+        const glm::dvec3 near = glsl::localIrradiance(light, {0, -0.5, 0}, {0, 1, 0});
+        EXPECT_GT(near.x, 2 / (1.5 * 1.5));
+        light.nearest = 1.5;
+        EXPECT_EQ(glsl::localIrradiance(light, {0, -3, 0}, {0, 1, 0}), far);
+        EXPECT_NEAR(glsl::localIrradiance(light, {0, -0.5, 0}, {0, 1, 0}).x, 2 / (1.5 * 1.5), 1e-12);
+    }
+}
+
 // All that a point sends downward falls on the plane below it: half of 4 pi I.
 TEST(LocalLight, AsAPointSendsHalfOfItsFluxOntoAPlane)
 {
