@@ -314,6 +314,7 @@ std::vector<render::LocalLight> Fur::localLights(const ExhibitState& state) cons
     lamp.axis = -towards;
     lamp.coneInner = std::atan(whole / distance);
     lamp.coneOuter = std::atan(edge / distance);
+    lamp.nearest = 0.65 * distance;  // All in its cone is farther away, where it hangs at first.
     return {lamp};
 }
 
@@ -327,7 +328,9 @@ std::vector<StandingShape> Fur::reflectedShapes(const ParameterValues& values) c
         const CoatRows& rows = table_.coats[body];
         const render::Box skin = skins_[body]->bounds;
         const glm::dvec3 half = coats.bounds(i, skin).halfSize();
-        const glm::dvec3 color = 0.5 * (values[rows.root].value + values[rows.tip].value);
+        // Bare skin has the color of the roots.
+        const glm::dvec3 outer = values[values[rows.length] > 0 ? rows.tip : rows.root].value;
+        const glm::dvec3 color = 0.5 * (values[rows.root].value + outer);
         shapes.push_back(standingCylinder({states[body].position - half, states[body].position + half}, color));
     }
     return shapes;

@@ -102,7 +102,9 @@ void setBounds(const PaperLanternsTable& t, const ParameterValues& values, LakeB
     block.reach = std::max(base + block.baseHalfHeight * lean + 0.02F, tubeReach(block));
     block.low = -height - base * lean - block.baseHalfHeight - 0.02F;
     block.high = height + tall + (block.paperRadius + wires) * lean + 0.02F;
-    block.cell = std::max(static_cast<float>(values[t.spacing]), 2 * block.reach + 0.1F);
+    // Around a lantern that was set free on an empty lake, cells are as wide as at first: `spacing` does not act there.
+    const double spacing = anyAfloat(t, values) ? values[t.spacing] : t.initial()[t.spacing];
+    block.cell = std::max(static_cast<float>(spacing), 2 * block.reach + 0.1F);
     block.jitter = static_cast<float>(values[t.irregularity]) * (0.5F * block.cell - block.reach - 0.04F);
 }
 

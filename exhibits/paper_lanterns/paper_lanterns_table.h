@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/studied_rows.h"
 
 namespace vitrine {
 
@@ -52,8 +53,7 @@ struct PaperLanternsTable final : Parameters {
                                    "What they float on: a wave that the water does not have, or the water under their "
                                    "base.",
                                    whenLaterAbove("waveHeight", 0));
-    Real drift = real("drift", 0.12, none, Range{0, 20}.soft(0, 1), "Meters a second by which the wind moves them.",
-                      afloat&& moving);
+    Real drift = real("drift", 0.12, none, Range{0, 20}.soft(0, 1), "Meters a second by which the wind moves them.");
     Choice<LakeRelease> release = choice("release", LakeRelease::rises, {"rises", "drifts away"},
                                          "What the lantern does that the button sets free.");
 
@@ -117,7 +117,7 @@ struct PaperLanternsTable final : Parameters {
         real("moonSize", degrees(2.4), degree, Range{degrees(0.1), degrees(20)}.soft(degrees(0.5), degrees(6)),
              "Of its disk: the real one has half a degree.", ours&& moonlit);
     File panorama = file("panorama", "A picture of all directions, twice as wide as high, in place of the night sky.",
-                         endings("hdr exr jpg jpeg png tif tiff"));
+                         endings("hdr exr jpg jpeg png tif tiff webp"));
     Real stars = real("stars", 0.7, none, Range{0, 10}.soft(0, 2), "How bright they are.", ours);
     Real dusk = real("dusk", 0.12, none, Range{0, 10}.soft(0, 2), "Light of the day that is left in the sky.", ours);
     Real afterglow = real("afterglow", 0.5, none, {0, 1}, "How warm its horizon is: of the sun that has set, or rises.",
@@ -160,6 +160,17 @@ struct PaperLanternsTable final : Parameters {
              "How near a part rays go on by small even steps until they touch, in pixels at that distance: more "
              "makes edges uneven.",
              quality(0.01));
+
+    StudiedRows studied{
+        *this,
+        // Without lanterns so far away that they are points of light, which cells around a step leave out.
+        {{.name = "repetition", .with = {{"lanterns", 16}, {"pointSize", 0.5}}},
+         {.name = "bounces", .settles = "Mirrored rays lead upwards and seldom meet the water again."},
+         {.name = "waterSteps", .settles = "Rays have found the water in fewer steps."},
+         {.name = "rows", .lifted = {"meanSize"}},
+         {.name = "pointSize", .lifted = {"meanSize", "rows"}},
+         {.name = "meanSize", .lifted = {"rows"}, .settles = "The rows end before lanterns look so narrow."},
+         {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."}}};
 };
 
 }  // namespace vitrine

@@ -131,7 +131,9 @@ void main()
     CoatStrands strands = strandsSeen(distance_, shrink);
     StrandLattice lattice = strandLattice(n, body.seed);
     CoatRay ray = rayHere(n, v);
-    MetStrand met = walkStrands(ray, strands, lattice, n, stretchHere(ray, distance_), body.samplesBetween);
+    // Strands of length 0 are bare skin: none is looked for.
+    bool bald = body.strandLength <= 0.0;
+    MetStrand met = walkStrands(ray, strands, lattice, n, stretchHere(ray, distance_), bald ? 0 : body.samplesBetween);
     if (!met.met && height > 0.0) discard;
 
 #ifndef SHADOW
@@ -149,7 +151,7 @@ void main()
         seen.body = body.number;
         seen.viewDepth = (1.0 + met.t / distance_) / gl_FragCoord.w;
         // What is thinner than two pixels is no longer seen as round, nor as a strand of its own.
-        float known = clamp(0.5 * met.radius / max(strands.pixel, 1e-6), 0.0, 1.0);
+        float known = bald ? 0.0 : clamp(0.5 * met.radius / max(strands.pixel, 1e-6), 0.0, 1.0);
         seen.rank = 0.5 + (met.strand.rank - 0.5) * known;
         vec3 outwards = strandOffset(lattice, met.strand, known / max(met.radius, 1e-6));
         seen.across = clamp(dot(outwards, safeNormalize(cross(way, v), vec3(0.0))), -1.0, 1.0);
