@@ -12,20 +12,12 @@
         <translation> (erlaubt 1 bis 175 Grad, im Bogenmaß)</translation>
     </message>
     <message>
-        <source> (which acts when {1})</source>
-        <translation> (was wirkt, wenn {1})</translation>
-    </message>
-    <message>
-        <source> ({1} to {2} with 95 % confidence)</source>
-        <translation> ({1} bis {2} mit 95 % Konfidenz)</translation>
-    </message>
-    <message>
-        <source> and </source>
-        <translation> und </translation>
-    </message>
-    <message>
         <source> and %1 more</source>
         <translation> und %1 weitere</translation>
+    </message>
+    <message>
+        <source> and {1} at {2}</source>
+        <translation> und {1} bei {2}</translation>
     </message>
     <message>
         <source> at {1} to {2} m</source>
@@ -46,10 +38,6 @@
     <message>
         <source> of {1}</source>
         <translation> von {1}</translation>
-    </message>
-    <message>
-        <source> or </source>
-        <translation> oder </translation>
     </message>
     <message>
         <source> pixels takes </source>
@@ -116,8 +104,16 @@
         <translation>„{=1}“ steht hier nicht zur Wahl; wählen Sie eines von {=2}.</translation>
     </message>
     <message>
+        <source>&quot;{1}&quot; is no ease; give one of {2}</source>
+        <translation>&quot;{=1}&quot; ist kein Verlauf; geben Sie einen an von {=2}</translation>
+    </message>
+    <message>
         <source>&quot;{1}&quot; is no format of Vitrine; choose a preset.</source>
         <translation>„{=1}“ ist kein Format von Vitrine; wählen Sie ein Preset.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is no kind of motion; give one of {2}</source>
+        <translation>&quot;{=1}&quot; ist keine Art von Bewegung; geben Sie eine an von {=2}</translation>
     </message>
     <message>
         <source>&quot;{1}&quot; is no metric; correct it there.</source>
@@ -136,8 +132,20 @@
         <translation>„{=1}“ ist kein Rundgang; wählen Sie eine andere Datei.</translation>
     </message>
     <message>
+        <source>&quot;{1}&quot; is no value for it.</source>
+        <translation>&quot;{=1}&quot; ist kein Wert dafür.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is no {2}; choose one of {3}.</source>
+        <translation>&quot;{=1}&quot; ist nichts für „{2}“; wählen Sie eines von {=3}.</translation>
+    </message>
+    <message>
         <source>&quot;{1}&quot; is not known and was left out.</source>
         <translation>„{=1}“ ist nicht bekannt und wurde weggelassen.</translation>
+    </message>
+    <message>
+        <source>&quot;{1}&quot; is nothing that {2} goes by.</source>
+        <translation>&quot;{=1}&quot; ist nichts, wonach {=2} sich richtet.</translation>
     </message>
     <message>
         <source>&quot;{1}&quot; is one of the sheets that come with the program; choose another name.</source>
@@ -166,6 +174,10 @@
     <message>
         <source>#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.</source>
         <translation>#f80, #ff8800, orange und 1, 0.25, 0 (lineares Rot, Grün, Blau) wären welche.</translation>
+    </message>
+    <message>
+        <source>#rrggbb or r,g,b</source>
+        <translation>#rrggbb oder r,g,b</translation>
     </message>
     <message>
         <source>%1 %</source>
@@ -213,8 +225,12 @@
         <translation>%1 gehört zu „%2“. Dort wegnehmen?</translation>
     </message>
     <message>
-        <source>%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.</source>
-        <translation>%1 kann nicht geöffnet werden: Vitrine öffnet .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg und .tif.</translation>
+        <source>%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp and its own recordings.</source>
+        <translation>%1 kann nicht geöffnet werden: Vitrine öffnet .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp und eigene Aufnahmen.</translation>
+    </message>
+    <message>
+        <source>%1 carries no settings: choose a recording that Vitrine made.</source>
+        <translation>%1 enthält keine Einstellungen: Wählen Sie eine Aufnahme, die Vitrine erzeugt hat.</translation>
     </message>
     <message>
         <source>%1 cm</source>
@@ -249,6 +265,14 @@
         <translation>%1 hat keine eigene Tabelle; das Bedienfeld „Studie“ misst seine Parameter.</translation>
     </message>
     <message>
+        <source>%1 in all views</source>
+        <translation>%1 in allen Ansichten</translation>
+    </message>
+    <message>
+        <source>%1 is not measured yet.</source>
+        <translation>%1 ist noch nicht gemessen.</translation>
+    </message>
+    <message>
         <source>%1 is there already.</source>
         <translation>%1 gibt es bereits.</translation>
     </message>
@@ -275,6 +299,18 @@
     <message>
         <source>%1 of %2 are drawn.</source>
         <translation>%1 von %2 sind gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 settings are drawn.
+Their work is compared when all of them are.</source>
+        <translation>%1 von %2 Einstellungen sind gezeichnet.
+Ihre Arbeit wird verglichen, wenn es alle sind.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 settings are drawn.
+Times come when all of them are.</source>
+        <translation>%1 von %2 Einstellungen sind gezeichnet.
+Zeiten kommen, wenn es alle sind.</translation>
     </message>
     <message numerus="yes">
         <source>%1 over %2, both logarithmic: %n points.</source>
@@ -344,6 +380,10 @@
         <translation>%1 wurde geladen, mit Änderungen:</translation>
     </message>
     <message>
+        <source>%1 was not measured.</source>
+        <translation>%1 wurde nicht gemessen.</translation>
+    </message>
+    <message>
         <source>%1 was not put into the hall: every place for an object of yours is taken. Clear the file of one in the parameters of the hall, or drop this one there to replace it.</source>
         <translation>%1 wurde nicht in die Halle gestellt: Alle Plätze für Ihre Objekte sind belegt. Bitte die Datei eines Objekts in den Parametern der Halle leeren oder diese dort ablegen, um es zu ersetzen.</translation>
     </message>
@@ -384,8 +424,8 @@
         <translation>%1 × %2 px</translation>
     </message>
     <message>
-        <source>%1 – Vitrine</source>
-        <translation>%1 – Vitrine</translation>
+        <source>%1 — Vitrine</source>
+        <translation>%1 — Vitrine</translation>
     </message>
     <message>
         <source>%1, %2, from %3</source>
@@ -446,6 +486,10 @@ Zeiten nach: %2.</translation>
         <translation>%1: anderes Maß, weggelassen</translation>
     </message>
     <message>
+        <source>%1: error %2</source>
+        <translation>%1: Fehler %2</translation>
+    </message>
+    <message>
         <source>%1: from %2 at %3 to %4 at %5.</source>
         <translation>%1: von %2 bei %3 bis %4 bei %5.</translation>
     </message>
@@ -456,6 +500,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>%1: what is on show, a preset, or a look that is kept there.</source>
         <translation>%1: das Gezeigte, ein Preset, oder ein dort gemerktes Aussehen.</translation>
+    </message>
+    <message>
+        <source>%1: why does it do nothing?</source>
+        <translation>%1: Warum bewirkt das nichts?</translation>
     </message>
     <message>
         <source>%1; a part of them is shown here</source>
@@ -521,6 +569,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>&amp;Cost</source>
         <translation>&amp;Kosten</translation>
+    </message>
+    <message>
+        <source>&amp;Cost:</source>
+        <translation>&amp;Kosten:</translation>
     </message>
     <message>
         <source>&amp;Draw anew</source>
@@ -751,6 +803,10 @@ Zeiten nach: %2.</translation>
         <translation>, und ein Druck rollt nach dem anderen herein</translation>
     </message>
     <message>
+        <source>, and {1} more</source>
+        <translation>, und {1} weitere</translation>
+    </message>
+    <message>
         <source>, as cheap as at present as far as can be told</source>
         <translation>, so billig wie jetzt, soweit es sich sagen lässt</translation>
     </message>
@@ -809,6 +865,186 @@ Zeiten nach: %2.</translation>
     <message>
         <source>, {1} times the cost of the present setting</source>
         <translation>, das {1}-fache der Kosten der jetzigen Einstellung</translation>
+    </message>
+    <message>
+        <source>--alone: the hall cannot be shown without the hall; name an exhibit.</source>
+        <translation>--alone: Die Halle lässt sich nicht ohne die Halle zeigen; nennen Sie ein Exponat.</translation>
+    </message>
+    <message>
+        <source>--animate {1}: {2}</source>
+        <translation>--animate {=1}: {2}</translation>
+    </message>
+    <message>
+        <source>--border-mm: charts have a border of their own.</source>
+        <translation>--border-mm: Testtafeln haben einen eigenen Rand.</translation>
+    </message>
+    <message>
+        <source>--channels: &quot;{1}&quot; is no channel; give color, depth, normal or evaluations, separated by commas.</source>
+        <translation>--channels: &quot;{=1}&quot; ist kein Kanal; nennen Sie color, depth, normal oder evaluations, durch Kommas getrennt.</translation>
+    </message>
+    <message>
+        <source>--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.</source>
+        <translation>--channels: Nur OpenEXR trägt mehr als Farbe; geben Sie --out einen Namen, der auf .exr endet.</translation>
+    </message>
+    <message>
+        <source>--cost &quot;{1}&quot; is no cost of a chart; give ms or work.</source>
+        <translation>--cost „{=1}“ sind keine Kosten eines Diagramms; geben Sie ms oder work an.</translation>
+    </message>
+    <message>
+        <source>--cost work: these studies share no count of work; give ms.</source>
+        <translation>--cost work: Diese Studien haben keine gemeinsame Zählung der Arbeit; geben Sie ms an.</translation>
+    </message>
+    <message>
+        <source>--count {1}: there are {2} views; give 1 to {3}, or leave it out for all.</source>
+        <translation>--count {=1}: Es gibt {=2} Ansichten; geben Sie 1 bis {=3} an, oder lassen Sie es für alle weg.</translation>
+    </message>
+    <message>
+        <source>--dither is for 8 bits; 16 bits need none.</source>
+        <translation>--dither gilt für 8 Bit; 16 Bit brauchen keines.</translation>
+    </message>
+    <message>
+        <source>--every and --ping-pong choose among pictures; the views of an exhibit are made as many as --count says.</source>
+        <translation>--every und --ping-pong wählen unter Bildern aus; von einem Exponat entstehen so viele Ansichten, wie --count sagt.</translation>
+    </message>
+    <message>
+        <source>--every {1}: give 1 or more.</source>
+        <translation>--every {=1}: Geben Sie 1 oder mehr an.</translation>
+    </message>
+    <message>
+        <source>--high: all three numbers are above those of --low.</source>
+        <translation>--high: Alle drei Zahlen liegen über denen von --low.</translation>
+    </message>
+    <message>
+        <source>--low and --high belong together: two corners of the part that is meshed.</source>
+        <translation>--low und --high gehören zusammen: zwei Ecken des Teils, der vernetzt wird.</translation>
+    </message>
+    <message>
+        <source>--lpi is missing: give the sheet's lenses per inch, or a --sheet.</source>
+        <translation>--lpi fehlt: Geben Sie die Linsen pro Zoll der Folie an, oder ein --sheet.</translation>
+    </message>
+    <message>
+        <source>--metric {1}: both pictures need the channel for it; make them with `vitrine render ... --channels color,depth,normal --out NAME.exr`.</source>
+        <translation>--metric {=1}: Beide Bilder brauchen den Kanal dafür; erzeugen Sie sie mit `vitrine render ... --channels color,depth,normal --out NAME.exr`.</translation>
+    </message>
+    <message>
+        <source>--out is missing: say where the print goes, to a name that ends in .tif or .png.</source>
+        <translation>--out fehlt: Sagen Sie, wohin der Druck geht, mit einem Namen, der auf .tif oder .png endet.</translation>
+    </message>
+    <message>
+        <source>--out {1}: give a name that ends in .glb, .stl or .ply.</source>
+        <translation>--out {=1}: Geben Sie einen Namen an, der auf .glb, .stl oder .ply endet.</translation>
+    </message>
+    <message>
+        <source>--out {1}: give a name that ends in .png or .tif.</source>
+        <translation>--out {=1}: Geben Sie einen Namen an, der auf .png oder .tif endet.</translation>
+    </message>
+    <message>
+        <source>--out {1}: give a name that ends in .tif or .png.</source>
+        <translation>--out {=1}: Geben Sie einen Namen an, der auf .tif oder .png endet.</translation>
+    </message>
+    <message>
+        <source>--out {1}: sprite sheets are PNG files; give a name with .png.</source>
+        <translation>--out {=1}: Spritebögen sind PNG-Dateien; geben Sie einen Namen mit .png an.</translation>
+    </message>
+    <message>
+        <source>--out {1}: this folder holds something else than {2}; name another.</source>
+        <translation>--out {=1}: Dieser Ordner enthält etwas anderes als {2}; nennen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>--out {1}: this is a file; name a folder.</source>
+        <translation>--out {=1}: Dies ist eine Datei; nennen Sie einen Ordner.</translation>
+    </message>
+    <message>
+        <source>--path tour: the tour goes through the hall; record hall, or choose turntable or still.</source>
+        <translation>--path tour: Der Rundgang führt durch die Halle; nehmen Sie hall auf, oder wählen Sie turntable oder still.</translation>
+    </message>
+    <message>
+        <source>--quilt &quot;{1}&quot;: give columns x rows, each from 1 to 1000, and the picture, such as --quilt 8x6 quilt.png.</source>
+        <translation>--quilt „{=1}“: Geben Sie Spalten x Zeilen an, jeweils 1 bis 1000, und das Bild, etwa --quilt 8x6 quilt.png.</translation>
+    </message>
+    <message>
+        <source>--save-views {1}: {2}.</source>
+        <translation>--save-views {=1}: {2}.</translation>
+    </message>
+    <message>
+        <source>--scale {1}: a scale of 0 leaves nothing to draw; give three numbers away from 0.</source>
+        <translation>--scale {=1}: Ein Maßstab von 0 lässt nichts zu zeichnen; geben Sie drei Zahlen an, die nicht 0 sind.</translation>
+    </message>
+    <message>
+        <source>--set {1}: &quot;{2}&quot; is no value for it; give {3}</source>
+        <translation>--set {=1}: &quot;{=2}&quot; ist kein Wert dafür; geben Sie an: {3}</translation>
+    </message>
+    <message>
+        <source>--set {1}: give name=value.</source>
+        <translation>--set {=1}: Geben Sie Name=Wert an.</translation>
+    </message>
+    <message>
+        <source>--set {1}: the scene has no such parameter and no other.</source>
+        <translation>--set {=1}: Die Szene hat keinen solchen Parameter und auch keinen anderen.</translation>
+    </message>
+    <message>
+        <source>--set {1}: the scene has no such parameter; it has {2}.</source>
+        <translation>--set {=1}: Die Szene hat keinen solchen Parameter; sie hat {=2}.</translation>
+    </message>
+    <message>
+        <source>--set {1}: {2} was brought to {3}, the nearest that is allowed ({4}).</source>
+        <translation>--set {=1}: {=2} wurde auf {=3} gebracht, den nächsten erlaubten Wert ({4}).</translation>
+    </message>
+    <message>
+        <source>--set {1}: {2} was brought to {3}, the nearest that is allowed ({4}; degrees are written {5}deg).</source>
+        <translation>--set {=1}: {=2} wurde auf {=3} gebracht, den nächsten erlaubten Wert ({4}; Grad schreibt man {=5}deg).</translation>
+    </message>
+    <message>
+        <source>--set {1}={2}: give a number from {3} to {4} {5}.</source>
+        <translation>--set {=1}={=2}: Geben Sie eine Zahl von {=3} bis {=4} {=5} an.</translation>
+    </message>
+    <message>
+        <source>--shard {1}: give the part and how many there are, from 1/1 to {2}/{3}, such as --shard 2/8.</source>
+        <translation>--shard {=1}: Geben Sie den Teil und die Anzahl an, von 1/1 bis {=2}/{=3}, etwa --shard 2/8.</translation>
+    </message>
+    <message>
+        <source>--shard {1}: only views that are rendered are made in parts; give an --exhibit and --out.</source>
+        <translation>--shard {=1}: Nur gerenderte Ansichten entstehen in Teilen; geben Sie --exhibit und --out an.</translation>
+    </message>
+    <message>
+        <source>--socket {1}: a socket's path has 1 to {2} bytes, and this one has {3}; choose a shorter one.</source>
+        <translation>--socket {=1}: Der Pfad eines Sockets hat 1 bis {=2} Bytes, und dieser hat {=3}; wählen Sie einen kürzeren.</translation>
+    </message>
+    <message>
+        <source>--socket {1}: another server answers there; stop it first, or choose another path.</source>
+        <translation>--socket {=1}: Dort antwortet ein anderer Server; beenden Sie ihn zuerst, oder wählen Sie einen anderen Pfad.</translation>
+    </message>
+    <message>
+        <source>--socket {1}: {2}</source>
+        <translation>--socket {=1}: {2}</translation>
+    </message>
+    <message>
+        <source>--sweep &quot;{1}&quot;: give name=from..to, such as --sweep morph=0..1.</source>
+        <translation>--sweep &quot;{=1}&quot;: Geben Sie Name=von..bis an, etwa --sweep morph=0..1.</translation>
+    </message>
+    <message>
+        <source>--time: give a finite number of seconds.</source>
+        <translation>--time: Geben Sie eine endliche Zahl von Sekunden an.</translation>
+    </message>
+    <message>
+        <source>--values: &quot;{1}&quot; is no value for {2}; give {3}</source>
+        <translation>--values: &quot;{=1}&quot; ist kein Wert für {=2}; geben Sie an: {3}</translation>
+    </message>
+    <message>
+        <source>--values: give values separated by commas, such as --values 16,64,256.</source>
+        <translation>--values: Geben Sie Werte durch Kommas getrennt an, etwa --values 16,64,256.</translation>
+    </message>
+    <message>
+        <source>--values: name exactly one parameter before it.</source>
+        <translation>--values: Nennen Sie davor genau einen Parameter.</translation>
+    </message>
+    <message>
+        <source>--view-size {1}: a view has at most {2} pixels on a side.</source>
+        <translation>--view-size {=1}: Eine Ansicht hat höchstens {=2} Pixel je Seite.</translation>
+    </message>
+    <message>
+        <source>--with: these settings change no exhibit; say with --exhibit which one is compared.</source>
+        <translation>--with: Diese Einstellungen ändern kein Exponat; nennen Sie mit --exhibit das zu vergleichende.</translation>
     </message>
     <message>
         <source>0 is a circle; -1/n² the ellipse without spherical aberration.</source>
@@ -1092,10 +1328,6 @@ Zeiten nach: %2.</translation>
         <translation>960 x 540</translation>
     </message>
     <message>
-        <source>: error %1</source>
-        <translation>: Fehler %1</translation>
-    </message>
-    <message>
         <source>; a timer query shows {1} of the wall clock's time</source>
         <translation>; eine Timer-Abfrage zeigt das {1}-fache der Zeit der Wanduhr</translation>
     </message>
@@ -1112,8 +1344,16 @@ Zeiten nach: %2.</translation>
         <translation>; korrigieren Sie es dort.</translation>
     </message>
     <message>
+        <source>; did you mean {1}?</source>
+        <translation>; meinten Sie {=1}?</translation>
+    </message>
+    <message>
         <source>; skipping saves %1 ms</source>
         <translation>; Auslassen spart %1 ms</translation>
+    </message>
+    <message>
+        <source>; the hall asks for %1 samples, the preferences allow %2</source>
+        <translation>; die Halle verlangt %1 Samples, die Einstellungen erlauben %2</translation>
     </message>
     <message>
         <source>; the sheet cannot be: {1}</source>
@@ -1170,6 +1410,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A camera that turns by {1} degrees round {2} runs into a wall or what stands in the hall; give a smaller --turn, or --alone.</source>
         <translation>Eine Kamera, die sich um {1} Grad um {=2} dreht, stößt an eine Wand oder etwas, das in der Halle steht; geben Sie ein kleineres --turn an, oder --alone.</translation>
+    </message>
+    <message>
+        <source>A cell has a size above 0.</source>
+        <translation>Eine Zelle ist größer als 0.</translation>
     </message>
     <message>
         <source>A chart needs at least 40 mm across the lenses and 44 mm along them.</source>
@@ -1250,6 +1494,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A film along bookmarks, round what you look at, or past all exhibits: a video, or frames.</source>
         <translation>Ein Film entlang von Lesezeichen, um das Betrachtete herum oder an allen Exponaten vorbei: ein Video oder Frames.</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>eine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>a finite number.</source>
+        <translation>eine endliche Zahl.</translation>
     </message>
     <message>
         <source>A GIF counts in hundredths of a second, and programs show no more than 50 frames a second of it; give at most 50, or choose .webp or .apng.</source>
@@ -1336,6 +1588,10 @@ Zeiten nach: %2.</translation>
         <translation>anstelle des Felds wird ein Netz gezeigt</translation>
     </message>
     <message>
+        <source>A mesh with cells of {1} m would take about {2} GB of memory, more than {3} GB; give --cell {4}m or more, or a smaller part.</source>
+        <translation>Ein Netz mit Zellen von {=1} m bräuchte etwa {=2} GB Speicher, mehr als {=3} GB; geben Sie --cell {=4}m oder mehr an, oder einen kleineren Teil.</translation>
+    </message>
+    <message>
         <source>a name that ends in &quot;{1}&quot; does not fit the format {2}</source>
         <translation>ein Name, der auf „{=1}“ endet, passt nicht zum Format {2}</translation>
     </message>
@@ -1362,6 +1618,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A node under &quot;nodes&quot;, here.</source>
         <translation>Ein Knoten unter „nodes“, hier.</translation>
+    </message>
+    <message>
+        <source>a number from {1} to {2}</source>
+        <translation>eine Zahl von {=1} bis {=2}</translation>
     </message>
     <message>
         <source>a number in degrees, or an expression such as &quot;90 * t&quot;</source>
@@ -1391,6 +1651,10 @@ Zeiten nach: %2.</translation>
         <source>A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.</source>
         <extracomment>tables</extracomment>
         <translation>Ein Panorama (HDR, EXR oder ein gewöhnliches Bild, doppelt so breit wie hoch) anstelle des Himmels.</translation>
+    </message>
+    <message>
+        <source>a panorama is in place of the night sky</source>
+        <translation>ein Panorama steht an der Stelle des Nachthimmels</translation>
     </message>
     <message>
         <source>a parameter cannot depend on others; give a number</source>
@@ -1479,8 +1743,8 @@ Zeiten nach: %2.</translation>
         <translation>Eine Pyramide mit quadratischer Grundfläche auf y = 0.</translation>
     </message>
     <message>
-        <source>A quilt of {1} x {2} pixels does not divide into {3} x {4} views.</source>
-        <translation>Ein Quilt von {1} x {2} Pixeln lässt sich nicht in {3} x {4} Ansichten teilen.</translation>
+        <source>A quilt of {1} x {2} pixels does not hold {3} x {4} views; give fewer columns and rows.</source>
+        <translation>Ein Quilt von {1} x {2} Pixeln fasst keine {3} x {4} Ansichten; geben Sie weniger Spalten und Zeilen an.</translation>
     </message>
     <message>
         <source>a range is two numbers, the lower one first: [0, 1]</source>
@@ -1690,6 +1954,10 @@ Zeiten nach: %2.</translation>
         <translation>Eine Ansicht ist leer; wählen Sie ein anderes Bild.</translation>
     </message>
     <message>
+        <source>a view of numbers is on show in place of the picture</source>
+        <translation>statt des Bildes wird eine Ansicht von Zahlen gezeigt</translation>
+    </message>
+    <message>
         <source>a viewing zone of {1} degrees; a lens focused on its back reaches {2} degrees with this index</source>
         <translation>eine Betrachtungszone von {1} Grad; eine auf ihre Rückseite fokussierte Linse erreicht mit diesem Index {2} Grad</translation>
     </message>
@@ -1708,6 +1976,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a whole number from 0 up</source>
         <translation>eine ganze Zahl ab 0</translation>
+    </message>
+    <message>
+        <source>a whole number from {1} to {2}</source>
+        <translation>eine ganze Zahl von {=1} bis {=2}</translation>
+    </message>
+    <message>
+        <source>a whole number.</source>
+        <translation>eine ganze Zahl.</translation>
     </message>
     <message>
         <source>A, ms</source>
@@ -1815,6 +2091,18 @@ Zeiten nach: %2.</translation>
         <source>Afterglow</source>
         <extracomment>tables</extracomment>
         <translation>Nachglühen</translation>
+    </message>
+    <message>
+        <source>against everything exact</source>
+        <translation>gegen alles exakt</translation>
+    </message>
+    <message>
+        <source>against these parameters exact</source>
+        <translation>gegen diese Parameter exakt</translation>
+    </message>
+    <message>
+        <source>against this parameter exact</source>
+        <translation>gegen diesen Parameter exakt</translation>
     </message>
     <message>
         <source>Air</source>
@@ -1970,6 +2258,10 @@ Zeiten nach: %2.</translation>
         <translation>ein Array von drei Zahlen</translation>
     </message>
     <message>
+        <source>an array of two numbers</source>
+        <translation>ein Array von zwei Zahlen</translation>
+    </message>
+    <message>
         <source>an array: [ ... ]</source>
         <translation>ein Array: [ ... ]</translation>
     </message>
@@ -2022,6 +2314,10 @@ Zeiten nach: %2.</translation>
         <extracomment>tables</extracomment>
         <translation>Anaglyphe</translation>
     </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
     <message numerus="yes">
         <source>and %n more</source>
         <translation>
@@ -2071,6 +2367,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>animation {1}</source>
         <translation>Animation {1}</translation>
+    </message>
+    <message>
+        <source>Animations are not played in the hall; the model stands still.</source>
+        <translation>Animationen werden in der Halle nicht abgespielt; das Modell steht still.</translation>
     </message>
     <message>
         <source>Animations are not supported; the model stands still.</source>
@@ -3441,6 +3741,10 @@ Zeiten nach: %2.</translation>
         <translation>{=1} kann nicht geändert werden: Es gehört zu Vitrine; speichern Sie eine Kopie unter einem anderen Namen.</translation>
     </message>
     <message>
+        <source>Cannot compare {1}: {2}.</source>
+        <translation>{1} lässt sich nicht vergleichen: {2}.</translation>
+    </message>
+    <message>
         <source>Cannot follow the reference &quot;{1}&quot; inside {2}: {3}; use a plain relative path.</source>
         <translation>Dem Verweis „{=1}“ in {=2} kann nicht gefolgt werden: {3}; verwenden Sie einen einfachen relativen Pfad.</translation>
     </message>
@@ -3455,6 +3759,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Cannot look at {1}: it carries no description of its sheet, and there is no {2} beside it; choose a file that vitrine print wrote.</source>
         <translation>{=1} kann nicht betrachtet werden: Er enthält keine Beschreibung seiner Folie, und daneben gibt es kein {=2}; wählen Sie eine Datei, die vitrine print geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Cannot make the folder {1}: {2}; check your permissions, or give another --out.</source>
+        <translation>Der Ordner {=1} lässt sich nicht anlegen: {2}; prüfen Sie Ihre Rechte, oder geben Sie ein anderes --out an.</translation>
     </message>
     <message>
         <source>Cannot make {1}: there is not enough memory for it; choose a smaller one.</source>
@@ -3475,6 +3783,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Cannot open {1}, which {2}: {3}install {4} or build Vitrine again.</source>
         <translation>{=1} kann nicht geöffnet werden; die Bibliothek {2}. {3}Installieren Sie {4}, oder bauen Sie Vitrine neu.</translation>
+    </message>
+    <message>
+        <source>Cannot open {1}: there is no such file; check the name.</source>
+        <translation>{=1} kann nicht geöffnet werden: Eine solche Datei gibt es nicht; prüfen Sie den Namen.</translation>
     </message>
     <message>
         <source>Cannot read the folder {1}: {2}.</source>
@@ -3507,6 +3819,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Cannot read {1}: {2}.</source>
         <translation>{=1} kann nicht gelesen werden: {2}.</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: {2}; choose another file.</source>
+        <translation>{=1} kann nicht gelesen werden: {2}; wählen Sie eine andere Datei.</translation>
     </message>
     <message>
         <source>Cannot read {1}: {2}; choose another picture.</source>
@@ -3596,6 +3912,10 @@ Zeiten nach: %2.</translation>
         <source>Cells of the strands' lattice at most that a ray looks into at each shell, where it grazes it.</source>
         <extracomment>tables</extracomment>
         <translation>Höchstzahl der Zellen des Haargitters, in die ein Strahl in jeder Shell schaut, wo er sie streift.</translation>
+    </message>
+    <message>
+        <source>Cells of {1} m are too small for a scene that reaches {2} m; give --cell {3}m or more.</source>
+        <translation>Zellen von {=1} m sind zu klein für eine Szene, die {=2} m weit reicht; geben Sie --cell {=3}m oder mehr an.</translation>
     </message>
     <message>
         <source>Cells with room for a lantern, in a square whose corner is at the frame: one, or up to the horizon.</source>
@@ -3803,12 +4123,16 @@ Zeiten nach: %2.</translation>
         <translation>%1 schließen</translation>
     </message>
     <message>
-        <source>close up</source>
-        <translation>ganz nah</translation>
+        <source>Close all</source>
+        <translation>Alle schließen</translation>
     </message>
     <message>
-        <source>Close Vitrine?</source>
-        <translation>Vitrine schließen?</translation>
+        <source>Close the window?</source>
+        <translation>Fenster schließen?</translation>
+    </message>
+    <message>
+        <source>close up</source>
+        <translation>ganz nah</translation>
     </message>
     <message>
         <source>Close when it is done</source>
@@ -3969,6 +4293,10 @@ Zeiten nach: %2.</translation>
         <translation>Farben von Bedienfeldern und Dialogen. „Wie der Desktop“ übernimmt auch dessen Wunsch nach mehr Kontrast; hoher Kontrast ist hell oder dunkel, wie der Desktop es ist.</translation>
     </message>
     <message>
+        <source>columns x rows of views</source>
+        <translation>Spalten x Reihen von Ansichten</translation>
+    </message>
+    <message>
         <source>Comb</source>
         <extracomment>tables</extracomment>
         <translation>Kämmen</translation>
@@ -4031,6 +4359,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>compare-settings: name a second setting, or what A is compared --with.</source>
         <translation>compare-settings: Nennen Sie eine zweite Einstellung, oder mit --with, womit A verglichen wird.</translation>
+    </message>
+    <message>
+        <source>compare-studies: give files of two to {1} studies; there are {2}</source>
+        <translation>compare-studies: Geben Sie Dateien von zwei bis {=1} Studien an; es sind {=2}</translation>
     </message>
     <message>
         <source>Compared with</source>
@@ -4226,12 +4558,24 @@ Zeiten nach: %2.</translation>
         <translation>Kosten</translation>
     </message>
     <message>
+        <source>Costs of the chart</source>
+        <translation>Kosten im Diagramm</translation>
+    </message>
+    <message>
         <source>Count</source>
         <translation>Anzahl</translation>
     </message>
     <message>
         <source>count</source>
         <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Counted work</source>
+        <translation>Gezählte Arbeit</translation>
+    </message>
+    <message>
+        <source>counted work</source>
+        <translation>gezählte Arbeit</translation>
     </message>
     <message>
         <source>Coverage</source>
@@ -4262,6 +4606,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Crepuscular Rays</source>
         <translation>Strahlenbüschel</translation>
+    </message>
+    <message>
+        <source>crop</source>
+        <translation>beschneiden</translation>
     </message>
     <message>
         <source>Cross left, right</source>
@@ -4506,10 +4854,6 @@ Zeiten nach: %2.</translation>
         <translation>Richtung</translation>
     </message>
     <message>
-        <source>direction {1}</source>
-        <translation>Richtung {1}</translation>
-    </message>
-    <message>
         <source>Directions</source>
         <translation>Richtungen</translation>
     </message>
@@ -4526,6 +4870,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Dismiss this message</source>
         <translation>Diese Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Dismisses all messages.</source>
+        <translation>Schließt alle Meldungen.</translation>
     </message>
     <message>
         <source>Disorder</source>
@@ -4606,6 +4954,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Done</source>
         <translation>Fertig</translation>
+    </message>
+    <message>
+        <source>Done (%1 of %1 samples); only what moves is drawn again, %2 × %3 pixels</source>
+        <translation>Fertig (%1 von %1 Samples); neu gezeichnet wird nur, was sich bewegt, %2 × %3 Pixel</translation>
+    </message>
+    <message>
+        <source>Done (%1 of %2 samples); nothing changes</source>
+        <translation>Fertig (%1 von %2 Samples); nichts ändert sich</translation>
     </message>
     <message>
         <source>Dots down</source>
@@ -4819,6 +5175,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>EGA</translation>
     </message>
     <message>
+        <source>Either order holds the same depths, so that the picture is the same.</source>
+        <translation>Beide Ordnungen halten dieselben Tiefen, das Bild ist also dasselbe.</translation>
+    </message>
+    <message>
         <source>Elevation</source>
         <extracomment>tables</extracomment>
         <translation>Höhenwinkel</translation>
@@ -4958,6 +5318,14 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>exakt</translation>
     </message>
     <message>
+        <source>exact in these parameters</source>
+        <translation>exakt in diesen Parametern</translation>
+    </message>
+    <message>
+        <source>exact in this parameter</source>
+        <translation>exakt in diesem Parameter</translation>
+    </message>
+    <message>
         <source>Exaggeration</source>
         <extracomment>tables</extracomment>
         <translation>Überhöhung</translation>
@@ -5077,6 +5445,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>weit weg</translation>
     </message>
     <message>
+        <source>farthest={1} is before nearest={2}; give it a number from {3} to {4}</source>
+        <translation>farthest={=1} liegt vor nearest={=2}; gültig ist eine Zahl von {=3} bis {=4}</translation>
+    </message>
+    <message>
         <source>Fewer shells where the coat is far away and small.</source>
         <extracomment>tables</extracomment>
         <translation>Weniger Shells, wo das Fell weit weg und klein ist.</translation>
@@ -5188,8 +5560,16 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Einpassen</translation>
     </message>
     <message>
+        <source>fit</source>
+        <translation>ganz zeigen</translation>
+    </message>
+    <message>
         <source>Fit depth</source>
         <translation>Tiefe anpassen</translation>
+    </message>
+    <message>
+        <source>Fitting</source>
+        <translation>Einpassen</translation>
     </message>
     <message>
         <source>Fix void</source>
@@ -5605,6 +5985,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>GGX</translation>
     </message>
     <message>
+        <source>give a kind and two values, such as {1}:0.1:0.9, and what else it goes by.</source>
+        <translation>geben Sie eine Art und zwei Werte an, etwa {=1}:0.1:0.9, und wonach sie sich sonst richtet.</translation>
+    </message>
+    <message>
+        <source>give depth, normal or evaluations; correct it there.</source>
+        <translation>geben Sie depth, normal oder evaluations an; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
         <source>Gives all commands their usual shortcuts.</source>
         <translation>Gibt allen Befehlen ihre üblichen Tastenkürzel.</translation>
     </message>
@@ -5818,6 +6206,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Schein in der Halle</translation>
     </message>
     <message>
+        <source>Halving the error</source>
+        <translation>Den Fehler zu halbieren</translation>
+    </message>
+    <message>
         <source>Hand rotation</source>
         <extracomment>tables</extracomment>
         <translation>Drehung von Hand</translation>
@@ -5922,9 +6314,21 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>zurückgehaltene Ansicht {1}</translation>
     </message>
     <message>
+        <source>heldAt={1}: give a number of seconds.</source>
+        <translation>heldAt={=1}: Geben Sie eine Zahl von Sekunden an.</translation>
+    </message>
+    <message>
         <source>hemisphere</source>
         <extracomment>tables</extracomment>
         <translation>Halbkugel</translation>
+    </message>
+    <message>
+        <source>here is a zero byte, which no text has; remove it</source>
+        <translation>hier steht ein Nullbyte, das kein Text hat; entfernen Sie es</translation>
+    </message>
+    <message>
+        <source>here is a zero byte, which no text has; remove it.</source>
+        <translation>hier steht ein Nullbyte, das in keinem Text vorkommt; entfernen Sie es.</translation>
     </message>
     <message>
         <source>Hide %1</source>
@@ -6657,6 +7061,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>in Perspektive</translation>
     </message>
     <message>
+        <source>in place</source>
+        <translation>auf der Stelle</translation>
+    </message>
+    <message>
         <source>In preparation</source>
         <translation>In Vorbereitung</translation>
     </message>
@@ -6675,6 +7083,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>In the museum</source>
         <translation>Im Museum</translation>
+    </message>
+    <message>
+        <source>In the reference, {1} is at {2}.</source>
+        <translation>In der Referenz steht {1} auf {2}.</translation>
     </message>
     <message>
         <source>in the step above</source>
@@ -6773,8 +7185,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Unregelmäßigkeit</translation>
     </message>
     <message>
-        <source>is above {1}</source>
-        <translation>über {1} liegt</translation>
+        <source>is damaged ({1})</source>
+        <translation>ist beschädigt ({=1})</translation>
     </message>
     <message>
         <source>is not a finite number; reset it.</source>
@@ -6794,6 +7206,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>die Datei wurde kürzer, während sie gelesen wurde; versuchen Sie es noch einmal.</translation>
     </message>
     <message>
+        <source>it cannot be opened</source>
+        <translation>sie lässt sich nicht öffnen</translation>
+    </message>
+    <message>
         <source>it claims to unpack to {1} times its size, more than the format can pack</source>
         <translation>es will sich zum {1}-fachen seiner Größe entpacken, mehr, als das Format packen kann</translation>
     </message>
@@ -6804,6 +7220,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>it has no channels</source>
         <translation>es hat keine Kanäle</translation>
+    </message>
+    <message>
+        <source>it has no color: there are neither channels R, G and B nor Y, only {1}</source>
+        <translation>es hat keine Farbe: Es gibt weder Kanäle R, G und B noch Y, nur {1}</translation>
     </message>
     <message>
         <source>it has no pixels</source>
@@ -6858,8 +7278,24 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>das ist ein absoluter Pfad</translation>
     </message>
     <message>
+        <source>it is an animation; save its pictures one by one</source>
+        <translation>es ist eine Animation; speichern Sie ihre Bilder einzeln</translation>
+    </message>
+    <message>
         <source>it is broken ({1})</source>
         <translation>es ist beschädigt ({=1})</translation>
+    </message>
+    <message>
+        <source>it is broken: it ends within its header</source>
+        <translation>es ist beschädigt: Es endet in seinem Kopf</translation>
+    </message>
+    <message>
+        <source>it is broken: its attribute &quot;{1}&quot; claims {2} bytes, and the file has {3} left</source>
+        <translation>es ist beschädigt: Sein Attribut „{1}“ gibt {2} Byte an, und die Datei hat nur noch {3}</translation>
+    </message>
+    <message>
+        <source>it is broken: its header claims more than the file holds</source>
+        <translation>es ist beschädigt: Sein Kopf verspricht mehr, als die Datei enthält</translation>
     </message>
     <message>
         <source>it is cut short: the file ends within the picture</source>
@@ -6894,10 +7330,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>sie ist kein Text</translation>
     </message>
     <message>
-        <source>it is not a PNG, JPEG, TIFF, OpenEXR or HDR picture</source>
-        <translation>es ist kein PNG-, JPEG-, TIFF-, OpenEXR- oder HDR-Bild</translation>
-    </message>
-    <message>
         <source>it is not a regular file; choose a file.</source>
         <translation>das ist keine gewöhnliche Datei; wählen Sie eine Datei.</translation>
     </message>
@@ -6906,12 +7338,20 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>das ist keine gewöhnliche Datei; wählen Sie einen anderen Namen.</translation>
     </message>
     <message>
+        <source>it is not a {1} picture</source>
+        <translation>es ist kein Bild in {1}</translation>
+    </message>
+    <message>
         <source>it is not of glTF version 2</source>
         <translation>die Datei ist nicht von glTF-Version 2</translation>
     </message>
     <message>
         <source>it is not written as settings are</source>
         <translation>sie ist nicht so geschrieben, wie Einstellungen es sind</translation>
+    </message>
+    <message>
+        <source>it is packed in pieces of more than 512 MiB; save it in smaller ones</source>
+        <translation>es ist in Stücken von mehr als 512 MiB gepackt; speichern Sie es in kleineren</translation>
     </message>
     <message>
         <source>it is too large</source>
@@ -6954,8 +7394,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es spart jedem Strahl den Weg zum Objekt</translation>
     </message>
     <message>
-        <source>it sends no light</source>
-        <translation>er sendet kein Licht</translation>
+        <source>it says that it is to be shown turned or mirrored, so that its lenses lie elsewhere; use the file as it was written</source>
+        <translation>sie sagt, dass sie gedreht oder gespiegelt zu zeigen ist, sodass ihre Linsen anderswo liegen; verwenden Sie die Datei, wie sie geschrieben wurde</translation>
     </message>
     <message>
         <source>it stands in the hall</source>
@@ -6994,16 +7434,32 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Sein Mittelpunkt.</translation>
     </message>
     <message>
+        <source>its color channels lie too far apart among its others; save them alone</source>
+        <translation>seine Farbkanäle liegen zwischen den anderen zu weit auseinander; speichern Sie sie allein</translation>
+    </message>
+    <message>
+        <source>Its color profile cannot be used and is ignored; its pixels are taken as sRGB.</source>
+        <translation>Sein Farbprofil ist nicht zu gebrauchen und wird nicht beachtet; seine Pixel gelten als sRGB.</translation>
+    </message>
+    <message>
+        <source>Its color profile does not fit its pixels and is ignored; they are taken as sRGB.</source>
+        <translation>Sein Farbprofil passt nicht zu seinen Pixeln und wird nicht beachtet; sie gelten als sRGB.</translation>
+    </message>
+    <message>
+        <source>its colors are coded as XYZE, and only RGBE is read; convert it, for example with Radiance's ra_xyze -r</source>
+        <translation>seine Farben sind als XYZE kodiert, und nur RGBE wird gelesen; rechnen Sie es um, zum Beispiel mit ra_xyze -r von Radiance</translation>
+    </message>
+    <message>
+        <source>its colors are stored as luminance and chroma (Y, RY, BY), which is not read; save it with the channels R, G and B</source>
+        <translation>seine Farben sind als Helligkeit und Farbdifferenz (Y, RY, BY) gespeichert, was nicht gelesen wird; speichern Sie es mit den Kanälen R, G und B</translation>
+    </message>
+    <message>
         <source>its content is {1} although its name ends in &quot;{2}&quot;</source>
         <translation>der Inhalt ist {1}, obwohl der Name auf „{=2}“ endet</translation>
     </message>
     <message>
         <source>its count differs from that of other attributes</source>
         <translation>die Anzahl weicht von der anderer Attribute ab</translation>
-    </message>
-    <message>
-        <source>Its data window differs from its display window: the data window was read.</source>
-        <translation>Das Datenfenster weicht vom Anzeigefenster ab: Gelesen wurde das Datenfenster.</translation>
     </message>
     <message>
         <source>its elements reach beyond the buffer view, which has {1} bytes</source>
@@ -7024,6 +7480,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>its first chunk is not JSON</source>
         <translation>der erste Block ist nicht JSON</translation>
+    </message>
+    <message>
+        <source>its folder cannot be locked ({1}).</source>
+        <translation>Sein Ordner lässt sich nicht sperren ({1}).</translation>
+    </message>
+    <message>
+        <source>its folder cannot be opened ({1}); make it, or choose another.</source>
+        <translation>Sein Ordner lässt sich nicht öffnen ({1}); legen Sie ihn an, oder wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>its half is out of view</source>
@@ -7133,9 +7597,17 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>dem zweiten Block</translation>
     </message>
     <message>
+        <source>its settings are {1} bytes and a JPEG holds {2}; choose PNG</source>
+        <translation>seine Einstellungen haben {=1} Bytes, und ein JPEG fasst {=2}; wählen Sie PNG</translation>
+    </message>
+    <message>
         <source>Its size against the source's, which is 1.4 m high.</source>
         <extracomment>tables</extracomment>
         <translation>Seine Größe gegenüber dem Original, das 1.4 m hoch ist.</translation>
+    </message>
+    <message>
+        <source>its size is no multiple of its tiles' size, which the OpenImageIO library that Vitrine uses cannot read safely (the file is good); save it by scanlines</source>
+        <translation>seine Größe ist kein Vielfaches der Größe seiner Kacheln, was die Bibliothek OpenImageIO, die Vitrine verwendet, nicht sicher lesen kann (die Datei ist gut); speichern Sie es zeilenweise</translation>
     </message>
     <message>
         <source>its stride is smaller than an element</source>
@@ -7144,10 +7616,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>its symbolic links lead in a circle; name the file itself.</source>
         <translation>die symbolischen Links führen im Kreis; nennen Sie die Datei selbst.</translation>
-    </message>
-    <message>
-        <source>its tiles do not fit its size; save it by scanlines</source>
-        <translation>die Kacheln passen nicht zur Größe; speichern Sie es zeilenweise</translation>
     </message>
     <message>
         <source>its times do not rise; export the file again.</source>
@@ -7160,6 +7628,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>its type or component type is none of glTF's; export the file again.</source>
         <translation>Typ oder Komponententyp ist keiner von glTF; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>its windows lie too far from the origin</source>
+        <translation>seine Fenster liegen zu weit vom Ursprung</translation>
     </message>
     <message>
         <source>its {1} does not fit the file</source>
@@ -7230,6 +7702,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Aufbewahrt</translation>
     </message>
     <message>
+        <source>kept</source>
+        <translation>beibehalten</translation>
+    </message>
+    <message>
         <source>Kept studies</source>
         <translation>Aufbewahrte Studien</translation>
     </message>
@@ -7253,6 +7729,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Kind</source>
         <extracomment>tables</extracomment>
         <translation>Art</translation>
+    </message>
+    <message>
+        <source>kind of motion</source>
+        <translation>Art von Bewegung</translation>
     </message>
     <message>
         <source>kind of node</source>
@@ -7384,6 +7864,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
 A double click, or Enter, opens them large, to zoom into.</source>
         <translation>Links der Linie: die Einstellung. Rechts davon: die Referenz. Daneben: wo sie sich unterscheiden.
 Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</translation>
+    </message>
+    <message>
+        <source>Left out of the folder {1}, because these files are no {2} pictures: {3}.</source>
+        <translation>Aus dem Ordner {1} weggelassen, weil es keine Bilder in {2} sind: {3}.</translation>
     </message>
     <message>
         <source>Left out.</source>
@@ -7552,7 +8036,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <source>Light</source>
+        <extracomment>tables</extracomment>
         <translation>Licht</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <comment>theme</comment>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>light alone</source>
@@ -7676,6 +8166,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Lines of one texel by thresholds that follow distance and slope, or the formulas of the source, in meters.</source>
         <extracomment>tables</extracomment>
         <translation>Linien von einem Texel nach Schwellen, die Entfernung und Steigung folgen, oder nach den Formeln des Originals, in Metern.</translation>
+    </message>
+    <message>
+        <source>list --manual: there is no exhibit &quot;{1}&quot;; `vitrine list` names them.</source>
+        <translation>list --manual: Kein Exponat heißt &quot;{=1}&quot;; `vitrine list` nennt alle.</translation>
     </message>
     <message>
         <source>list of primitives</source>
@@ -8055,12 +8549,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Verfahren für Normalen aus der Tiefe</translation>
     </message>
     <message>
+        <source>Milliseconds</source>
+        <translation>Millisekunden</translation>
+    </message>
+    <message>
         <source>milliseconds</source>
         <translation>Millisekunden</translation>
     </message>
     <message>
         <source>milliseconds of a picture</source>
         <translation>Millisekunden eines Bildes</translation>
+    </message>
+    <message>
+        <source>milliseconds of a picture, by a clock that is not trusted</source>
+        <translation>Millisekunden eines Bildes, nach einer Uhr, der nicht zu trauen ist</translation>
     </message>
     <message>
         <source>Milliseconds that a skipped step took when it last ran. “Run everything” measures them all.</source>
@@ -8079,6 +8581,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Mirror images of mirror images, at most; a scene may ask for fewer.</source>
         <extracomment>tables</extracomment>
         <translation>Spiegelbilder von Spiegelbildern, höchstens; eine Szene kann weniger verlangen.</translation>
+    </message>
+    <message>
+        <source>Mirrored rays lead upwards and seldom meet the water again.</source>
+        <translation>Gespiegelte Strahlen führen nach oben und treffen das Wasser selten noch einmal.</translation>
     </message>
     <message>
         <source>Mirrored repeat is not supported; textures repeat.</source>
@@ -8250,6 +8756,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bewegt sich: %1. Von Hand gesetzt, endet die Bewegung.</translation>
     </message>
     <message>
+        <source>Moving: drawn at %1 % of full resolution</source>
+        <translation>In Bewegung: mit %1 % der vollen Auflösung gezeichnet</translation>
+    </message>
+    <message>
         <source>ms</source>
         <translation>ms</translation>
     </message>
@@ -8275,10 +8785,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Name of the sheet</source>
         <translation>Name der Folie</translation>
-    </message>
-    <message>
-        <source>names a file</source>
-        <translation>eine Datei nennt</translation>
     </message>
     <message>
         <source>nearest</source>
@@ -8335,6 +8841,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>keine Animation des Modells ist gewählt</translation>
     </message>
     <message>
+        <source>no background is behind the air</source>
+        <translation>hinter der Luft ist kein Hintergrund</translation>
+    </message>
+    <message>
         <source>No beams</source>
         <translation>Keine Strahlen</translation>
     </message>
@@ -8351,8 +8861,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>kein Tuch oder Ständer ist im Blick</translation>
     </message>
     <message>
+        <source>No count of work tells these settings apart.</source>
+        <translation>Keine gezählte Arbeit unterscheidet diese Einstellungen.</translation>
+    </message>
+    <message>
         <source>no exhibit stands here</source>
         <translation>hier steht kein Exponat</translation>
+    </message>
+    <message>
+        <source>no exhibit throws a shadow that may be seen</source>
+        <translation>kein Exponat wirft einen Schatten, der zu sehen sein könnte</translation>
     </message>
     <message>
         <source>no file is chosen for it</source>
@@ -8403,12 +8921,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>keine Lasten verschiedener Größe wurden gemessen</translation>
     </message>
     <message>
-        <source>no mesh was made</source>
-        <translation>kein Netz wurde erzeugt</translation>
+        <source>no material sends light of the lights</source>
+        <translation>kein Material sendet Licht der Lichter</translation>
     </message>
     <message>
-        <source>no mist is so thick that lanterns are seen to light it</source>
-        <translation>kein Nebel ist so dicht, dass man ihn von Laternen beleuchtet sieht</translation>
+        <source>no mesh was made</source>
+        <translation>kein Netz wurde erzeugt</translation>
     </message>
     <message>
         <source>no motion follows this picture</source>
@@ -8427,6 +8945,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Es kann kein Bild gemacht werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
+        <source>No pixel differs.</source>
+        <translation>Kein Pixel unterscheidet sich.</translation>
+    </message>
+    <message>
         <source>no plaque is in view</source>
         <translation>kein Schild ist im Blick</translation>
     </message>
@@ -8443,8 +8965,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Kein Preset hat diese Wörter und Tags.</translation>
     </message>
     <message>
+        <source>No ray grazes a shell along so many cells.</source>
+        <translation>Kein Strahl streift eine Schale über so viele Zellen.</translation>
+    </message>
+    <message>
         <source>no ray is followed that the water mirrors</source>
         <translation>kein Strahl wird verfolgt, den das Wasser spiegelt</translation>
+    </message>
+    <message>
+        <source>No ray meets the object so often.</source>
+        <translation>Kein Strahl trifft das Objekt so oft.</translation>
     </message>
     <message>
         <source>no row differs</source>
@@ -8459,6 +8989,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>kein Himmel ist im Blick</translation>
     </message>
     <message>
+        <source>no socket can be made there ({1}); choose a folder that you may write to.</source>
+        <translation>Dort lässt sich kein Socket anlegen ({1}); wählen Sie einen Ordner, in den Sie schreiben dürfen.</translation>
+    </message>
+    <message>
         <source>No sprites can be drawn: there is no graphics context.</source>
         <translation>Es können keine Sprites gezeichnet werden: Es gibt keinen Grafikkontext.</translation>
     </message>
@@ -8467,8 +9001,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>keine solche Zeile</translation>
     </message>
     <message>
+        <source>no sunbeam wider than 30 cm comes in by the window</source>
+        <translation>durch das Fenster fällt kein Sonnenstrahl, der breiter als 30 cm ist</translation>
+    </message>
+    <message>
+        <source>no sunbeam wider than 30 cm comes in by window or oculus</source>
+        <translation>durch Fenster oder Oculus fällt kein Sonnenstrahl, der breiter als 30 cm ist</translation>
+    </message>
+    <message>
         <source>no technique in use makes them</source>
         <translation>keine benutzte Technik erzeugt sie</translation>
+    </message>
+    <message>
+        <source>no view on show has shadows</source>
+        <translation>keine gezeigte Ansicht hat Schatten</translation>
     </message>
     <message>
         <source>No views can be rendered: there is no graphics context.</source>
@@ -8536,10 +9082,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>keine</translation>
     </message>
     <message>
-        <source>none are seen</source>
-        <translation>keine sind zu sehen</translation>
-    </message>
-    <message>
         <source>None yet</source>
         <translation>Noch keine</translation>
     </message>
@@ -8595,6 +9137,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nicht alle Dateien sagen, auf welchem Rechner sie gemessen wurden, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
     <message>
+        <source>Not all of it is known here; it was kept as %1:</source>
+        <translation>Nicht alles davon ist hier bekannt; er wurde als %1 aufbewahrt:</translation>
+    </message>
+    <message>
         <source>Not all settings were timed: their work is compared, which counts the same anywhere.</source>
         <translation>Nicht bei allen Einstellungen wurde die Zeit gemessen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
@@ -8635,8 +9181,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Von {1} hängt zurzeit nichts ab: Jede Einstellung gibt dasselbe Bild. Schalten Sie ein, worauf es wirkt, und untersuchen Sie noch einmal.</translation>
     </message>
     <message>
+        <source>nothing in the picture is translucent</source>
+        <translation>nichts im Bild ist durchscheinend</translation>
+    </message>
+    <message>
         <source>nothing in the scene mirrors</source>
         <translation>nichts in der Szene spiegelt</translation>
+    </message>
+    <message>
+        <source>Nothing is called so.</source>
+        <translation>Nichts heißt so.</translation>
     </message>
     <message>
         <source>Nothing is drawn yet.</source>
@@ -8663,6 +9217,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nichts am Objekt des Besuchers ist durchscheinend</translation>
     </message>
     <message>
+        <source>Nothing of {1} is to be seen: every pixel of every frame is empty; choose an object with more opacity, or larger frames.</source>
+        <translation>Von {1} ist nichts zu sehen: Jedes Pixel jedes Frames ist leer; wählen Sie ein Objekt mit mehr Deckkraft oder größere Frames.</translation>
+    </message>
+    <message>
+        <source>Nothing of {1} is to be seen: it has no triangles; choose another file, or export it with its meshes.</source>
+        <translation>Von {1} ist nichts zu sehen: Es hat keine Dreiecke; wählen Sie eine andere Datei, oder exportieren Sie es mit seinen Meshes.</translation>
+    </message>
+    <message>
+        <source>Nothing of {1} is to be seen: it is scaled to a point or a line; export it with a scale other than 0.</source>
+        <translation>Von {1} ist nichts zu sehen: Es ist zu einem Punkt oder einer Linie skaliert; exportieren Sie es mit einer Skalierung ungleich 0.</translation>
+    </message>
+    <message>
         <source>nothing reads what it writes</source>
         <translation>nichts liest, was er schreibt</translation>
     </message>
@@ -8681,6 +9247,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Nothing to print yet</source>
         <translation>Noch nichts zu drucken</translation>
+    </message>
+    <message>
+        <source>Nothing to visit is in the middle of the picture.</source>
+        <translation>In der Bildmitte ist nichts zu besuchen.</translation>
     </message>
     <message>
         <source>nothing was drawn before</source>
@@ -8858,6 +9428,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Of its fur at the tips.</source>
         <extracomment>tables</extracomment>
         <translation>Seines Fells an den Spitzen.</translation>
+    </message>
+    <message>
+        <source>Of its layers {1} is read; &quot;{2}&quot; and others are left out.</source>
+        <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ und andere fallen weg.</translation>
+    </message>
+    <message>
+        <source>Of its layers {1} is read; &quot;{2}&quot; is left out.</source>
+        <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ fällt weg.</translation>
     </message>
     <message>
         <source>Of its longest strands: 0 leaves the bare skin.</source>
@@ -9345,6 +9923,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Auf ihrem Weg ringsum stößt die Kamera an eine Wand oder etwas, das in der Halle steht; drehen Sie um einen kleineren Winkel.</translation>
     </message>
     <message>
+        <source>on or off</source>
+        <translation>on oder off</translation>
+    </message>
+    <message>
         <source>On show</source>
         <extracomment>tables</extracomment>
         <translation>Gezeigt</translation>
@@ -9430,6 +10012,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>einer davon nennt keinen Knoten; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
+        <source>one of {1}</source>
+        <translation>eines von {=1}</translation>
+    </message>
+    <message>
         <source>One part alone, or all of them.</source>
         <extracomment>tables</extracomment>
         <translation>Ein Teil allein, oder alle.</translation>
@@ -9468,6 +10054,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nur geänderte</translation>
     </message>
     <message>
+        <source>Only one of its {1} parts is read.</source>
+        <translation>Nur einer seiner {1} Teile wird gelesen.</translation>
+    </message>
+    <message>
         <source>Only prints with vertical lenses can be cut into tiles.</source>
         <translation>Nur Drucke mit senkrechten Linsen lassen sich in Kacheln schneiden.</translation>
     </message>
@@ -9480,8 +10070,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nur die Standardszene wird gezeigt.</translation>
     </message>
     <message>
-        <source>Only the first of its parts was read.</source>
-        <translation>Nur der erste Teil wurde gelesen.</translation>
+        <source>Only the first of its {1} pages is read.</source>
+        <translation>Nur die erste seiner {1} Seiten wird gelesen.</translation>
     </message>
     <message>
         <source>opaque</source>
@@ -9540,6 +10130,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>OpenImageIO failed ({1})</source>
         <translation>OpenImageIO ist gescheitert ({=1})</translation>
+    </message>
+    <message>
+        <source>opening it</source>
+        <translation>das Öffnen</translation>
     </message>
     <message>
         <source>opening it again</source>
@@ -9780,6 +10374,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Teile einer Linse, oder des Stücks davon unter einem Pixel, die verfolgt werden.</translation>
     </message>
     <message>
+        <source>parts of the model are translucent</source>
+        <translation>Teile des Modells sind durchscheinend</translation>
+    </message>
+    <message>
         <source>Passes</source>
         <translation>Passes</translation>
     </message>
@@ -9890,12 +10488,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bild {1} von {2}</translation>
     </message>
     <message>
+        <source>picture.{1} is not known here; it is left out</source>
+        <translation>picture.{=1} ist hier nicht bekannt; es wird weggelassen</translation>
+    </message>
+    <message>
         <source>Pictures</source>
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr);;All files (*)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr);;Alle Dateien (*)</translation>
+        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Pictures a second: few look drawn by hand, many run smoothly.</source>
@@ -10014,6 +10616,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>PNG (*.png)</translation>
     </message>
     <message>
+        <source>PNG is always compressed, and --compression has no effect on it; leave it out.</source>
+        <translation>PNG ist immer gepackt, und --compression bewirkt dabei nichts; lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>PNG, JPEG, TIFF, OpenEXR, HDR or WebP</source>
+        <translation>PNG, JPEG, TIFF, OpenEXR, HDR oder WebP</translation>
+    </message>
+    <message>
         <source>Point</source>
         <translation>Punkt</translation>
     </message>
@@ -10067,12 +10677,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Jetzt: %1, Fehler %2, Kosten %3.</translation>
     </message>
     <message>
+        <source>Preset: %1</source>
+        <translation>Preset: %1</translation>
+    </message>
+    <message>
         <source>Presets</source>
         <translation>Presets</translation>
     </message>
     <message>
         <source>Presets (*.json)</source>
         <translation>Presets (*.json)</translation>
+    </message>
+    <message>
+        <source>Presets, and pictures with one inside (%1)</source>
+        <translation>Presets und Bilder mit eingebettetem Preset (%1)</translation>
     </message>
     <message>
         <source>Presets, and pictures with one inside (*.json *.png *.exr)</source>
@@ -10284,6 +10902,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Strahlen</translation>
     </message>
     <message>
+        <source>Rays end before they have taken so many steps.</source>
+        <translation>Strahlen enden, bevor sie so viele Schritte getan haben.</translation>
+    </message>
+    <message>
+        <source>Rays have found the water in fewer steps.</source>
+        <translation>Strahlen haben das Wasser in weniger Schritten gefunden.</translation>
+    </message>
+    <message>
         <source>rays look the field's noise up in empty space</source>
         <translation>Strahlen schlagen das Rauschen des Felds im leeren Raum nach</translation>
     </message>
@@ -10397,6 +11023,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>reference of {1}</source>
         <translation>Referenz von {1}</translation>
+    </message>
+    <message>
+        <source>Refining: %1 of %2 samples</source>
+        <translation>Verfeinern: %1 von %2 Samples</translation>
     </message>
     <message>
         <source>Reflectance</source>
@@ -10864,6 +11494,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Samples between</source>
         <extracomment>tables</extracomment>
         <translation>Samples dazwischen</translation>
+    </message>
+    <message>
+        <source>samples kept</source>
+        <translation>behaltene Samples</translation>
     </message>
     <message>
         <source>Samples per pixel</source>
@@ -11639,6 +12273,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>so viele Zahlen brauchen zu lange, um in ein Programm gebaut zu werden</translation>
     </message>
     <message>
+        <source>so many shapes blend into each other that cells would hold them all</source>
+        <translation>so viele Formen gehen ineinander über, dass Zellen sie alle enthielten</translation>
+    </message>
+    <message>
         <source>Soft Serve</source>
         <translation>Softeis</translation>
     </message>
@@ -11655,6 +12293,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>einige Knoten sind ihre eigenen Vorfahren</translation>
     </message>
     <message>
+        <source>some of its channels are stored at a lower resolution, which is not read; save all at the full one</source>
+        <translation>einige seiner Kanäle sind in geringerer Auflösung gespeichert, was nicht gelesen wird; speichern Sie alle in der vollen</translation>
+    </message>
+    <message>
         <source>Some preferences in %1 are not valid and are the initial ones now: %2. Edit &gt; Preferences sets them anew.</source>
         <translation>Einige Programmeinstellungen in %1 sind ungültig und haben jetzt ihre Ausgangswerte: %2. Bearbeiten &gt; Einstellungen setzt sie neu.</translation>
     </message>
@@ -11665,6 +12307,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>something else stands on the floor</source>
         <translation>etwas anderes steht auf dem Boden</translation>
+    </message>
+    <message>
+        <source>something else than a socket lies there; it was left alone, choose another path.</source>
+        <translation>Dort liegt etwas anderes als ein Socket; es blieb unberührt, wählen Sie einen anderen Pfad.</translation>
     </message>
     <message>
         <source>something follows {1} that is no chunk</source>
@@ -11801,6 +12447,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>sprinkles</source>
         <extracomment>tables</extracomment>
         <translation>Streusel</translation>
+    </message>
+    <message>
+        <source>Sprite sheet</source>
+        <translation>Blatt mit Sprites</translation>
     </message>
     <message>
         <source>squeezed</source>
@@ -11941,6 +12591,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schritte eines Strahls durch die Wolken.</translation>
     </message>
     <message>
+        <source>Steps of half and of double that length give the same normals.</source>
+        <translation>Schritte von halber und doppelter Länge ergeben dieselben Normalen.</translation>
+    </message>
+    <message>
         <source>Steps that a ray may take; towards a light at most 128.</source>
         <extracomment>tables</extracomment>
         <translation>Schritte, die ein Strahl machen darf; zu einem Licht hin höchstens 128.</translation>
@@ -11952,10 +12606,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Still being written: %1.</source>
         <translation>Wird noch geschrieben: %1.</translation>
-    </message>
-    <message>
-        <source>still: refined %1 of %1; what moves is drawn by itself, %2 × %3 pixels</source>
-        <translation>in Ruhe: verfeinert, %1 von %1; was sich bewegt, wird für sich gezeichnet, %2 × %3 Pixel</translation>
     </message>
     <message>
         <source>Stop %1</source>
@@ -11980,6 +12630,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>stopped early</source>
         <translation>vorzeitig angehalten</translation>
+    </message>
+    <message>
+        <source>Stopped; nothing was written.</source>
+        <translation>Abgebrochen; nichts wurde geschrieben.</translation>
+    </message>
+    <message>
+        <source>Stopped; the frames so far are whole, and the same command goes on with the next one.</source>
+        <translation>Abgebrochen; die bisherigen Frames sind vollständig, und derselbe Befehl fährt mit dem nächsten fort.</translation>
     </message>
     <message>
         <source>Stopping</source>
@@ -12048,6 +12706,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke der Strahlen im anfänglichen Licht der Sonne: 0 erzeugt keine. In der einfachen Summe die jedes Samples.</translation>
     </message>
     <message>
+        <source>stretch</source>
+        <translation>strecken</translation>
+    </message>
+    <message>
         <source>Strewn over the cream, each by a seed of its own.</source>
         <extracomment>tables</extracomment>
         <translation>Über das Eis gestreut, jedes nach einem eigenen Startwert.</translation>
@@ -12061,6 +12723,18 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Strips under each lens: views chosen evenly from those that the print has, no more than it has.</source>
         <extracomment>tables</extracomment>
         <translation>Streifen unter jeder Linse: Ansichten, gleichmäßig aus denen des Drucks gewählt, nicht mehr, als er hat.</translation>
+    </message>
+    <message>
+        <source>Studied with {1} at {2} instead of {3}, so that {4} acts.</source>
+        <translation>Untersucht mit {1} auf {2} statt {3}, damit {4} wirkt.</translation>
+    </message>
+    <message>
+        <source>Studied with {1} at {2} instead of {3}, so that {4} shows.</source>
+        <translation>Untersucht mit {1} auf {2} statt {3}, damit sich {4} zeigt.</translation>
+    </message>
+    <message>
+        <source>Studied with {1} at {2} instead of {3}, which would limit {4}.</source>
+        <translation>Untersucht mit {1} auf {2} statt {3}, das {4} begrenzen würde.</translation>
     </message>
     <message>
         <source>Studies (*.json)</source>
@@ -12081,6 +12755,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>study {1}: named twice; name each parameter once.</source>
         <translation>study {=1}: zweimal genannt; nennen Sie jeden Parameter einmal.</translation>
+    </message>
+    <message>
+        <source>study {1}: {2} has it, but no value of it is more exact than another; give one of {3}</source>
+        <translation>study {=1}: {=2} hat ihn, aber kein Wert davon ist genauer als ein anderer; geben Sie einen von {=3} an</translation>
+    </message>
+    <message>
+        <source>study {1}: {2} has no such parameter; give one of {3}</source>
+        <translation>study {=1}: {=2} hat keinen solchen Parameter; geben Sie einen an von {=3}</translation>
     </message>
     <message>
         <source>Sum</source>
@@ -12314,6 +12996,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Luft ist klar</translation>
     </message>
     <message>
+        <source>the air is out of view</source>
+        <translation>die Luft ist außer Sicht</translation>
+    </message>
+    <message>
+        <source>the ambient light is black</source>
+        <translation>das Umgebungslicht ist schwarz</translation>
+    </message>
+    <message>
         <source>the axis is 0, 0, 0; give a direction</source>
         <translation>die Achse ist 0, 0, 0; geben Sie eine Richtung an</translation>
     </message>
@@ -12373,6 +13063,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Die Spiegelungen der rechten Hälfte.</translation>
     </message>
     <message>
+        <source>the brightness of the stars is 0</source>
+        <translation>die Helligkeit der Sterne ist 0</translation>
+    </message>
+    <message>
         <source>the buffer has {1} bytes, fewer than its byteLength of {2}; export the file again.</source>
         <translation>der Puffer hat {1} Bytes, weniger als seine byteLength von {2}; exportieren Sie die Datei neu.</translation>
     </message>
@@ -12385,8 +13079,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Puffer ohne Daten sind größer als {1} Bytes; geben Sie ihnen ein uri.</translation>
     </message>
     <message>
-        <source>the build-up has not come so far: every sample is the pixel's middle</source>
-        <translation>der Aufbau ist noch nicht so weit: Jedes Sample ist die Mitte des Pixels</translation>
+        <source>the build-up has not come so far</source>
+        <translation>der Aufbau ist noch nicht so weit</translation>
     </message>
     <message>
         <source>the camera jumped</source>
@@ -12395,6 +13089,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>the camera turned too far</source>
         <translation>die Kamera hat sich zu weit gedreht</translation>
+    </message>
+    <message>
+        <source>the candles are out</source>
+        <translation>die Kerzen brennen nicht</translation>
     </message>
     <message>
         <source>The card as both eyes see it</source>
@@ -12478,6 +13176,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Tiefe wird gespeichert, wie sie gezeichnet wird</translation>
     </message>
     <message>
+        <source>the description</source>
+        <translation>die Beschreibung</translation>
+    </message>
+    <message>
         <source>the direction is {1} degrees; give -90 to 90</source>
         <translation>die Richtung ist {1} Grad; geben Sie -90 bis 90 an</translation>
     </message>
@@ -12486,6 +13188,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
 The wheel, + and - zoom; dragging and the arrows move; Home goes to the middle.</source>
         <translation>Die Punkte, wie sie gedruckt werden; Linien sind die Grenzen zwischen Linsen.
 Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte.</translation>
+    </message>
+    <message>
+        <source>the dust swallows all light</source>
+        <translation>der Staub verschluckt alles Licht</translation>
+    </message>
+    <message>
+        <source>the dust swallows the light of the sun</source>
+        <translation>der Staub verschluckt das Licht der Sonne</translation>
     </message>
     <message>
         <source>the environment is behind the exhibit</source>
@@ -12571,8 +13281,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Datei hat einen Kanal verloren</translation>
     </message>
     <message>
-        <source>the file starts with a byte order mark; save it as UTF-8 without one</source>
-        <translation>die Datei beginnt mit einer Byte-Reihenfolge-Markierung; speichern Sie sie als UTF-8 ohne diese</translation>
+        <source>the file starts with two byte order marks; delete one</source>
+        <translation>die Datei beginnt mit zwei Byte-Reihenfolge-Markierungen; löschen Sie eine</translation>
     </message>
     <message>
         <source>The film: .mp4, .webm, .gif, .webp or .apng, or frames as in frames/%04d.png.</source>
@@ -12657,10 +13367,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die der Halle</translation>
     </message>
     <message>
-        <source>the hall's air is out of view</source>
-        <translation>die Luft der Halle ist außer Sicht</translation>
-    </message>
-    <message>
         <source>the handle, from near</source>
         <translation>der Henkel, aus der Nähe</translation>
     </message>
@@ -12706,6 +13412,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das gemerkte Aussehen</translation>
     </message>
     <message>
+        <source>the key &quot;kind&quot; is missing; add it.</source>
+        <translation>der Schlüssel &quot;kind&quot; fehlt; ergänzen Sie ihn.</translation>
+    </message>
+    <message>
         <source>the key &quot;{1}&quot; is missing; add it.</source>
         <translation>der Schlüssel „{=1}“ fehlt; fügen Sie ihn hinzu.</translation>
     </message>
@@ -12726,6 +13436,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der größte Radius ist mehr als das 1000-fache des kleinsten; bringen Sie sie näher zusammen</translation>
     </message>
     <message>
+        <source>the layer &quot;{1}&quot;</source>
+        <translation>die Ebene „{1}“</translation>
+    </message>
+    <message>
         <source>The lesson's next step.</source>
         <translation>Der nächste Schritt der Lektion.</translation>
     </message>
@@ -12742,12 +13456,20 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Licht ihrer Quellen passt nicht zu seinen Richtungen</translation>
     </message>
     <message>
+        <source>the light of the source has none</source>
+        <translation>das Licht der Vorlage hat das nicht</translation>
+    </message>
+    <message>
+        <source>the light of the sun is black</source>
+        <translation>das Licht der Sonne ist schwarz</translation>
+    </message>
+    <message>
         <source>the look</source>
         <translation>das Aussehen</translation>
     </message>
     <message>
-        <source>the look's shader reads a map</source>
-        <translation>der Shader des Aussehens liest eine Karte</translation>
+        <source>the main layer</source>
+        <translation>die Hauptebene</translation>
     </message>
     <message>
         <source>The marched field</source>
@@ -12756,10 +13478,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the mask is made of the occluders</source>
         <translation>die Maske wird aus den Verdeckern gemacht</translation>
-    </message>
-    <message>
-        <source>The material &quot;{1}&quot; is transparent, which pixel art does not blend: it is drawn where its opacity is at least its cutoff, and left out elsewhere.</source>
-        <translation>Das Material „{=1}“ ist transparent, was Pixel-Art nicht mischt: Es wird gezeichnet, wo seine Deckkraft mindestens sein Schwellwert ist, und sonst weggelassen.</translation>
     </message>
     <message>
         <source>The mean over the way, which no number of samples makes brighter or darker; or the plain sum of the museum that this exhibit follows, which grows with them.</source>
@@ -12773,6 +13491,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The mesh is not closed or no manifold ({1} edges, {2} vertices, {3} triangles); nothing was written. Give a slightly different --cell.</source>
         <translation>Das Netz ist nicht geschlossen oder keine Mannigfaltigkeit ({1} Kanten, {2} Ecken, {3} Dreiecke); nichts wurde geschrieben. Geben Sie ein etwas anderes --cell an.</translation>
+    </message>
+    <message>
+        <source>the mist is too thin to show that lanterns light it</source>
+        <translation>der Nebel ist zu dünn, um zu zeigen, dass Laternen ihn beleuchten</translation>
     </message>
     <message>
         <source>the model has more than 200,000 triangles, too many for fins; a march fills its silhouette as well</source>
@@ -12791,6 +13513,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>The moment that is shown, or begun with.</source>
         <extracomment>tables</extracomment>
         <translation>Der Augenblick, der gezeigt wird oder mit dem begonnen wird.</translation>
+    </message>
+    <message>
+        <source>the moon has set</source>
+        <translation>der Mond ist untergegangen</translation>
     </message>
     <message>
         <source>The museum</source>
@@ -12823,6 +13549,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the number {1} is too large; numbers end at 1.8e308</source>
         <translation>die Zahl {=1} ist zu groß; Zahlen enden bei 1.8e308</translation>
+    </message>
+    <message>
+        <source>The object covers at most {1} pixels of a frame: it moves far in its animation, or a frame is small. Take its motion out of the frames, or make them larger.</source>
+        <translation>Das Objekt bedeckt höchstens {1} Pixel eines Frames: Es bewegt sich weit in seiner Animation, oder ein Frame ist klein. Nehmen Sie seine Bewegung aus den Frames, oder machen Sie sie größer.</translation>
     </message>
     <message>
         <source>The object itself, ray by ray, beside what stands in its place.</source>
@@ -12891,10 +13621,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Bild ist nicht geteilt</translation>
     </message>
     <message>
-        <source>The picture is not finished yet: drawing it for the screenshot, %1 %</source>
-        <translation>Das Bild ist noch nicht fertig: Es wird für das Bildschirmfoto gezeichnet, %1 %</translation>
-    </message>
-    <message>
         <source>The picture is on the clipboard, %1 × %2 pixels.</source>
         <translation>Das Bild liegt in der Zwischenablage, %1 × %2 Pixel.</translation>
     </message>
@@ -12918,6 +13644,26 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The picture. W A S D walk, Ctrl and the arrows look around, Enter visits.</source>
         <translation>Das Bild. W A S D gehen, Strg mit den Pfeiltasten schaut sich um, Eingabe besucht.</translation>
+    </message>
+    <message>
+        <source>The pictures are not shaped as the print is: {1} % of its height stays white.</source>
+        <translation>Die Bilder haben nicht das Format des Drucks: {1} % seiner Höhe bleiben weiß.</translation>
+    </message>
+    <message>
+        <source>The pictures are not shaped as the print is: {1} % of its width stays white.</source>
+        <translation>Die Bilder haben nicht das Format des Drucks: {1} % seiner Breite bleiben weiß.</translation>
+    </message>
+    <message>
+        <source>The pictures are not shaped as the print is: {1} % of their height is cut off.</source>
+        <translation>Die Bilder haben nicht das Format des Drucks: {1} % ihrer Höhe werden abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The pictures are not shaped as the print is: {1} % of their width is cut off.</source>
+        <translation>Die Bilder haben nicht das Format des Drucks: {1} % ihrer Breite werden abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The pictures have different color profiles; all are converted to sRGB.</source>
+        <translation>Die Bilder haben verschiedene Farbprofile; alle werden in sRGB umgerechnet.</translation>
     </message>
     <message>
         <source>The pictures of this study were not kept, its numbers were: pictures of studies with names in {1} take all the room that there is; delete one of those.</source>
@@ -12972,6 +13718,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Assets des Programms wurden neben ihm nicht gefunden (zuletzt gesucht in {=1}); installieren Sie es neu, oder setzen Sie VITRINE_ASSETS auf den Ordner, der models/materials.json enthält.</translation>
     </message>
     <message>
+        <source>The quilt of {1} x {2} pixels does not divide into {3} x {4} views; they have {5} x {6} pixels, and a margin of {7} x {8} pixels at the edges is left out.</source>
+        <translation>Der Quilt von {1} x {2} Pixeln teilt sich nicht in {3} x {4} Ansichten; sie haben {5} x {6} Pixel, und ein Rand von {7} x {8} Pixeln fällt weg.</translation>
+    </message>
+    <message>
         <source>the radius</source>
         <translation>der Radius</translation>
     </message>
@@ -12990,6 +13740,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The reference is the picture at rest, whose own error is not checked.</source>
         <translation>Die Referenz ist das ruhende Bild, dessen eigener Fehler nicht geprüft wird.</translation>
+    </message>
+    <message>
+        <source>The reference to the picture {1} is not followed: {2}.</source>
+        <translation>Dem Verweis auf das Bild {1} wird nicht gefolgt: {2}.</translation>
     </message>
     <message>
         <source>The reference was made twice as exact {1} time, the last time changing it by {2}</source>
@@ -13020,6 +13774,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Wurzel einer anderen Szene, hier.</translation>
     </message>
     <message>
+        <source>The rows end before lanterns look so narrow.</source>
+        <translation>Die Reihen enden, bevor Laternen so schmal aussehen.</translation>
+    </message>
+    <message>
         <source>the same in both</source>
         <translation>in beiden gleich</translation>
     </message>
@@ -13038,12 +13796,20 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Szene, wie sie hier bearbeitet wurde, als JSON: was noch nicht in ihrer Datei steht. Zurücksetzen gibt es auf.</translation>
     </message>
     <message>
+        <source>The scene asks for fewer mirror images of mirror images.</source>
+        <translation>Die Szene verlangt weniger Spiegelbilder von Spiegelbildern.</translation>
+    </message>
+    <message>
         <source>the scene has more than {1} nodes, counting what instances and includes bring; leave some out</source>
         <translation>die Szene hat mehr als {1} Knoten, mitgezählt, was Instanzen und Einbindungen bringen; lassen Sie einige weg</translation>
     </message>
     <message>
         <source>the scene has no end, so no cells hold it</source>
         <translation>die Szene hat kein Ende, daher fassen sie keine Zellen</translation>
+    </message>
+    <message>
+        <source>The scene has no end: {1}. Say with --low and --high what part of it is to be meshed.</source>
+        <translation>Die Szene hat kein Ende: {1}. Geben Sie mit --low und --high an, welcher Teil vernetzt werden soll.</translation>
     </message>
     <message>
         <source>the scene has no lights</source>
@@ -13119,6 +13885,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>An seiner Stelle wird die kleine Welt gezeigt.</translation>
     </message>
     <message>
+        <source>the socket cannot be used ({1}).</source>
+        <translation>Der Socket lässt sich nicht verwenden ({1}).</translation>
+    </message>
+    <message>
         <source>the source has no glass</source>
         <translation>das Original hat kein Glas</translation>
     </message>
@@ -13157,24 +13927,36 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Schrittgrenze der rechten Hälfte.</translation>
     </message>
     <message>
+        <source>the strength of the beams is 0</source>
+        <translation>die Stärke der Strahlen ist 0</translation>
+    </message>
+    <message>
         <source>the strength of the lamps is 0</source>
         <translation>die Stärke der Lampen ist 0</translation>
+    </message>
+    <message>
+        <source>the strength of the moon is 0</source>
+        <translation>die Stärke des Mondes ist 0</translation>
     </message>
     <message>
         <source>the study</source>
         <translation>die Studie</translation>
     </message>
     <message>
+        <source>The study was stopped before its settings were timed.</source>
+        <translation>Die Studie wurde angehalten, bevor die Zeiten ihrer Einstellungen gemessen waren.</translation>
+    </message>
+    <message>
         <source>the sun does not reach it through window or oculus</source>
         <translation>die Sonne erreicht es weder durch Fenster noch durch Oculus</translation>
     </message>
     <message>
-        <source>the sun does not shine through the window</source>
-        <translation>die Sonne scheint nicht durch das Fenster</translation>
-    </message>
-    <message>
         <source>the sun has moved</source>
         <translation>die Sonne ist gewandert</translation>
+    </message>
+    <message>
+        <source>the sun has no light of the color of the tint</source>
+        <translation>die Sonne hat kein Licht von der Farbe der Tönung</translation>
     </message>
     <message>
         <source>the sun has set</source>
@@ -13193,28 +13975,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Sonne steht zu hoch für Lampen</translation>
     </message>
     <message>
-        <source>the sun makes no beam</source>
-        <translation>die Sonne wirft keinen Strahl</translation>
-    </message>
-    <message>
-        <source>the sun or the tint is black</source>
-        <translation>die Sonne oder die Tönung ist schwarz</translation>
-    </message>
-    <message>
         <source>the sun or the walls have changed</source>
         <translation>die Sonne oder die Wände haben sich geändert</translation>
     </message>
     <message>
         <source>the sun reaches it and its shadow may be seen</source>
         <translation>die Sonne erreicht es, und sein Schatten könnte zu sehen sein</translation>
-    </message>
-    <message>
-        <source>the sun shines in neither through the window nor through the oculus</source>
-        <translation>die Sonne scheint weder durch das Fenster noch durch den Oculus herein</translation>
-    </message>
-    <message>
-        <source>the sun shines neither through the window nor through the oculus</source>
-        <translation>die Sonne scheint weder durch das Fenster noch durch den Oculus</translation>
     </message>
     <message>
         <source>the sun's beams are in view</source>
@@ -13229,6 +13995,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Text unter dieser Überschrift hat {1} Bytes, und die Leiste hat Platz für {2}; kürzen Sie ihn, oder machen Sie zwei Schritte daraus.</translation>
     </message>
     <message>
+        <source>the text with its numbers is still being written</source>
+        <translation>der Text mit seinen Zahlen wird noch geschrieben</translation>
+    </message>
+    <message>
         <source>the thickness</source>
         <translation>die Dicke</translation>
     </message>
@@ -13239,6 +14009,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the time is no number, or lies before the press of the button; the bodies are shown at rest until it is right</source>
         <translation>die Zeit ist keine Zahl oder liegt vor dem Druck auf den Knopf; die Körper werden in Ruhe gezeigt, bis sie stimmt</translation>
+    </message>
+    <message>
+        <source>the tint of the rays is black</source>
+        <translation>die Tönung der Strahlen ist schwarz</translation>
+    </message>
+    <message>
+        <source>the torus over its pillar</source>
+        <translation>dem Torus über seiner Säule</translation>
     </message>
     <message>
         <source>the torus, nearly edge-on</source>
@@ -13267,6 +14045,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the view of the beams alone is on</source>
         <translation>die Ansicht der Strahlen allein ist eingeschaltet</translation>
+    </message>
+    <message>
+        <source>the view of the mask is on</source>
+        <translation>die Ansicht der Maske ist eingeschaltet</translation>
+    </message>
+    <message>
+        <source>the view on show is the depth alone</source>
+        <translation>gezeigt wird nur die Tiefe</translation>
     </message>
     <message>
         <source>the viewing distance is {1} mm; the eye must be farther away than the sheet is thick, {2} mm</source>
@@ -13311,6 +14097,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Wasser ist ein Spiegel: Seine Ebene wird in einem Schritt getroffen</translation>
     </message>
     <message>
+        <source>the water sends too little of the moon to show shadows</source>
+        <translation>das Wasser sendet zu wenig vom Mond, um Schatten zu zeigen</translation>
+    </message>
+    <message>
         <source>the weight of the rays is 0</source>
         <translation>das Gewicht der Strahlen ist 0</translation>
     </message>
@@ -13341,6 +14131,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the written file has another size</source>
         <translation>die geschriebene Datei hat eine andere Größe</translation>
+    </message>
+    <message>
+        <source>the {1} in line {2} of {3} goes on without end</source>
+        <translation>{=1} in Zeile {2} von {=3} hat kein Ende</translation>
+    </message>
+    <message>
+        <source>the {1} in line {2} of {3} is stretched too much to have a bound within what is blended, rounded or displaced around it</source>
+        <translation>{=1} in Zeile {2} von {=3} ist zu stark gestreckt, um innerhalb dessen, was darum verschmolzen, gerundet oder verschoben ist, eine Schranke zu haben</translation>
     </message>
     <message>
         <source>the {1} is less than a pixel</source>
@@ -13383,8 +14181,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt mehr als {1} Ecken</translation>
     </message>
     <message>
-        <source>There are no pictures in {1}; give a folder with the views as PNG, JPEG, TIFF, EXR or HDR.</source>
-        <translation>In {=1} gibt es keine Bilder; geben Sie einen Ordner mit den Ansichten als PNG, JPEG, TIFF, EXR oder HDR an.</translation>
+        <source>There are no pictures in {1}; give a folder with the views as {2}.</source>
+        <translation>In {1} sind keine Bilder; geben Sie einen Ordner mit den Ansichten als {2} an.</translation>
     </message>
     <message>
         <source>there are no rows</source>
@@ -13451,8 +14249,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Ein Lesezeichen %1 gibt es noch nicht: Lesezeichen &gt; Lesezeichen %1 setzen macht eines von dort, wo Sie sind.</translation>
     </message>
     <message>
-        <source>There is no exhibit &quot;{1}&quot;; `vitrine list` names them.</source>
-        <translation>Ein Exponat „{=1}“ gibt es nicht; `vitrine list` nennt sie.</translation>
+        <source>There is no exhibit &quot;{1} `vitrine list` names them.</source>
+        <translation>Kein Exponat heißt &quot;{1} `vitrine list` nennt alle.</translation>
     </message>
     <message>
         <source>there is no exhibit of that name; `vitrine list` names them.</source>
@@ -13481,6 +14279,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>There is no kind of node &quot;{1}&quot;.</source>
         <translation>Eine Knotenart „{=1}“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>There is no lesson about this.</source>
+        <translation>Dazu gibt es keine Lektion.</translation>
     </message>
     <message>
         <source>there is no light to reflect</source>
@@ -13535,6 +14337,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>einen solchen Puffer gibt es nicht.</translation>
     </message>
     <message>
+        <source>there is no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
         <source>there is no such file; check the name.</source>
         <translation>eine solche Datei gibt es nicht; prüfen Sie den Namen.</translation>
     </message>
@@ -13553,6 +14359,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>there is not enough memory for fins</source>
         <translation>für Fins reicht der Speicher nicht</translation>
+    </message>
+    <message>
+        <source>there is nothing of the beams to lay over the picture</source>
+        <translation>von den Strahlen gibt es nichts, was über das Bild zu legen wäre</translation>
+    </message>
+    <message>
+        <source>There is nothing of the scene in this part of space; choose another.</source>
+        <translation>In diesem Teil des Raums ist nichts von der Szene; wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>There was not enough memory for this, and nothing was changed. Choose a smaller size, or close another program.</source>
@@ -13719,6 +14533,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das enthält Einstellungen der ganzen Ausstellung; öffnen Sie es als solche.</translation>
     </message>
     <message>
+        <source>this holds settings of {1} and none of {2}; choose another.</source>
+        <translation>dies enthält Einstellungen von {=1} und keine von {=2}; wählen Sie ein anderes.</translation>
+    </message>
+    <message>
         <source>this is a preset of one exhibit; open it there.</source>
         <translation>das ist ein Preset eines einzelnen Exponats; öffnen Sie es dort.</translation>
     </message>
@@ -13791,8 +14609,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>diese Lektion stammt von einem neueren Vitrine; aktualisieren Sie das Programm.</translation>
     </message>
     <message>
+        <source>this machine's FFmpeg cannot read the format</source>
+        <translation>das FFmpeg dieses Rechners kann dieses Format nicht lesen</translation>
+    </message>
+    <message>
         <source>this machine's FFmpeg has no encoder {1}</source>
         <translation>das FFmpeg dieses Rechners hat keinen Encoder {=1}</translation>
+    </message>
+    <message>
+        <source>this matrix leaves nothing to draw; correct it there.</source>
+        <translation>diese Matrix lässt nichts zu zeichnen übrig; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be </source>
@@ -13821,6 +14647,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>this must be a number</source>
         <translation>hier muss eine Zahl stehen</translation>
+    </message>
+    <message>
+        <source>this must be a number of seconds; correct it there.</source>
+        <translation>dies muss eine Zahl von Sekunden sein; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be a number, or three as [x, y, z]</source>
@@ -13859,8 +14689,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss ein Array mit mindestens einem Lesezeichen stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
+        <source>this must be an array of names; correct it there.</source>
+        <translation>dies muss ein Array aus Namen sein; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
         <source>this must be an array of texts; correct it there.</source>
         <translation>hier muss ein Array von Texten stehen; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be an array of two numbers; correct it there.</source>
+        <translation>dies muss ein Array aus zwei Zahlen sein; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>this must be an array of {1} numbers</source>
@@ -13907,6 +14745,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss Text stehen; korrigieren Sie es dort.</translation>
     </message>
     <message>
+        <source>this must be the code of a language; correct it there.</source>
+        <translation>dies muss das Kürzel einer Sprache sein; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this must be three arrays of three numbers; correct it there.</source>
+        <translation>dies müssen drei Arrays aus je drei Zahlen sein; korrigieren Sie es dort.</translation>
+    </message>
+    <message>
         <source>this must be three numbers: [x, y, z]</source>
         <translation>hier müssen drei Zahlen stehen: [x, y, z]</translation>
     </message>
@@ -13941,6 +14787,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>this must be {1}; export the file again.</source>
         <translation>hier muss {1} stehen; exportieren Sie die Datei neu.</translation>
+    </message>
+    <message>
+        <source>this must have 3 or 4 components; export the file again.</source>
+        <translation>dies muss 3 oder 4 Komponenten haben; exportieren Sie die Datei erneut.</translation>
     </message>
     <message>
         <source>this must have {1} components; export the file again.</source>
@@ -14033,6 +14883,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>this string is longer than {1}</source>
         <translation>diese Zeichenkette ist länger als {1}</translation>
+    </message>
+    <message>
+        <source>This study has no times.</source>
+        <translation>Diese Studie hat keine Zeiten.</translation>
     </message>
     <message>
         <source>This study was not kept: those with names in {1} take all the room that there is; delete one of them, or save this one elsewhere.</source>
@@ -14183,6 +15037,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Tones from shade to light, as an artist lays them; 1 is without steps.</source>
         <extracomment>tables</extracomment>
         <translation>Töne von Schatten bis Licht, wie ein Künstler sie legt; 1 ist ohne Stufen.</translation>
+    </message>
+    <message>
+        <source>too little of the sun comes in by window and oculus</source>
+        <translation>durch Fenster und Oculus fällt zu wenig Sonne</translation>
     </message>
     <message>
         <source>Top radius</source>
@@ -14827,6 +15685,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wellen, die summiert werden, von der längsten an.</translation>
     </message>
     <message>
+        <source>Way that the animation carries the object from its first to its last moment: kept, so that the frames hold all of it, or taken out of the frames, so that it walks in place and the pivot moves. Automatic takes out what is longer than the object.</source>
+        <translation>Weg, den die Animation das Objekt von ihrem ersten bis zu ihrem letzten Moment trägt: beibehalten, sodass die Frames ihn ganz enthalten, oder aus den Frames genommen, sodass es auf der Stelle läuft und der Drehpunkt wandert. Automatisch nimmt heraus, was länger als das Objekt ist.</translation>
+    </message>
+    <message>
         <source>Weight</source>
         <extracomment>tables</extracomment>
         <translation>Gewicht</translation>
@@ -14847,6 +15709,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was ein Meter der dicksten Wolke einem Strahl nimmt.</translation>
     </message>
     <message>
+        <source>what a server left there cannot be removed ({1}); choose another path.</source>
+        <translation>Was ein Server dort hinterließ, lässt sich nicht entfernen ({1}); wählen Sie einen anderen Pfad.</translation>
+    </message>
+    <message>
         <source>What all children share.</source>
         <translation>Was alle Kinder gemeinsam haben.</translation>
     </message>
@@ -14854,6 +15720,10 @@ steht in assets/SOURCES.md.</translation>
         <source>What an octave is: numbers at the corners of cells, slopes there, slopes on a lattice without axes, or the distance to the nearest of scattered points.</source>
         <extracomment>tables</extracomment>
         <translation>Was eine Oktave ist: Zahlen an den Ecken von Zellen, Steigungen dort, Steigungen auf einem Gitter ohne Achsen, oder die Distanz zum nächsten verstreuter Punkte.</translation>
+    </message>
+    <message>
+        <source>What becomes of pictures that are not shaped as the print is: cropped at two sides, seen whole between white margins, or distorted.</source>
+        <translation>Was aus Bildern wird, die nicht das Format des Drucks haben: an zwei Seiten beschnitten, ganz zwischen weißen Rändern zu sehen oder verzerrt.</translation>
     </message>
     <message>
         <source>What costs are counted in</source>
@@ -14891,6 +15761,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was die Lücken zwischen seitlich gesehenen Shells füllt: nichts, Fins entlang der Kanten, mehr Shells, wo sie schräg gesehen werden, oder ein Raymarching von Shell zu Shell.</translation>
     </message>
     <message>
+        <source>What halving the error costs cannot be told from so few points that vary so much: measure more values.</source>
+        <translation>Was es kostet, den Fehler zu halbieren, lässt sich aus so wenigen Punkten, die so stark schwanken, nicht sagen: Messen Sie mehr Werte.</translation>
+    </message>
+    <message>
         <source>what hangs here has turned</source>
         <translation>was hier hängt, hat sich gedreht</translation>
     </message>
@@ -14914,6 +15788,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What is in the middle of the picture.</source>
         <translation>Was in der Mitte des Bildes ist.</translation>
+    </message>
+    <message>
+        <source>what is in view has no fins</source>
+        <translation>was zu sehen ist, hat keine Fins</translation>
     </message>
     <message>
         <source>What is made of each octave: itself, sharp ridges, round lumps, or its absolute value.</source>
@@ -14967,6 +15845,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Woraus es besteht; auch, was darin ist, wenn es nichts anderes sagt.</translation>
     </message>
     <message>
+        <source>What lies behind a shell is covered in either order, so that the picture is the same.</source>
+        <translation>Was hinter einer Shell liegt, wird in jeder Reihenfolge verdeckt, so dass das Bild dasselbe ist.</translation>
+    </message>
+    <message>
         <source>What roughness means for the source's sun: a lobe of microfacets, or the exponent 2^(10 (1 - roughness)).</source>
         <extracomment>tables</extracomment>
         <translation>Was Rauheit für die Sonne des Originals bedeutet: eine Keule aus Mikrofacetten, oder den Exponenten 2^(10 (1 - Rauheit)).</translation>
@@ -14974,6 +15856,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What surrounds the scene is black until it can be read.</source>
         <translation>Was die Szene umgibt, ist schwarz, bis es gelesen werden kann.</translation>
+    </message>
+    <message>
+        <source>What the chart has on its lower axis: time, or work that was counted, which is the same on every machine.</source>
+        <translation>Was das Diagramm auf der unteren Achse hat: Zeit oder gezählte Arbeit, die auf jedem Rechner gleich ist.</translation>
     </message>
     <message>
         <source>What the child has in its plane z = 0, drawn out along z.</source>
@@ -15036,10 +15922,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>what the small world's sun reaches</source>
         <translation>was die Sonne der kleinen Welt erreicht</translation>
-    </message>
-    <message>
-        <source>what the water sends of the moon is too little to show shadows</source>
-        <translation>was das Wasser vom Mond zurückwirft, ist zu wenig, um Schatten zu zeigen</translation>
     </message>
     <message>
         <source>What they float on: a wave that the water does not have, or the water under their base.</source>
@@ -15198,6 +16080,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wohin der Wind weht, von geradeaus: Negative Werte liegen links.</translation>
     </message>
     <message>
+        <source>whether a server answers there cannot be told ({1}); choose another path.</source>
+        <translation>Ob dort ein Server antwortet, ist nicht zu erkennen ({1}); wählen Sie einen anderen Pfad.</translation>
+    </message>
+    <message>
         <source>Whether colors are those of what it is made of, or tell the parts from each other.</source>
         <extracomment>tables</extracomment>
         <translation>Ob Farben die des Materials sind, oder die Teile voneinander unterscheiden.</translation>
@@ -15320,6 +16206,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Warum</translation>
     </message>
     <message>
+        <source>Why does it do nothing?</source>
+        <translation>Warum bewirkt das nichts?</translation>
+    </message>
+    <message>
         <source>Width</source>
         <translation>Breite</translation>
     </message>
@@ -15357,6 +16247,10 @@ steht in assets/SOURCES.md.</translation>
         <source>Width of the fillet where the handle meets the cup; 0 joins them hard.</source>
         <extracomment>tables</extracomment>
         <translation>Breite der Rundung, wo der Henkel auf die Tasse trifft; 0 verbindet sie hart.</translation>
+    </message>
+    <message>
+        <source>width x height in whole pixels</source>
+        <translation>Breite x Höhe in ganzen Pixeln</translation>
     </message>
     <message>
         <source>Wind</source>
@@ -15410,8 +16304,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>Mit einer Ansicht zeigt der Druck von überall dasselbe Bild.</translation>
     </message>
     <message>
-        <source>With the best of the settings, halving</source>
-        <translation>Mit den besten der Einstellungen kostet es, den Fehler zu halbieren,</translation>
+        <source>With the best of the settings, halving the error</source>
+        <translation>Mit den besten der Einstellungen den Fehler zu halbieren</translation>
     </message>
     <message>
         <source>With {1} pixels per lens the printer cannot separate views.</source>
@@ -15528,6 +16422,14 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ihre Lesezeichen bleiben nur für diese Sitzung erhalten: %1</translation>
     </message>
     <message>
+        <source>Your last session could not be restored and was kept as %1.</source>
+        <translation>Ihre letzte Sitzung konnte nicht wiederhergestellt werden und wurde als %1 aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>Your last session was restored.</source>
+        <translation>Ihr letzter Stand wurde wiederhergestellt.</translation>
+    </message>
+    <message>
         <source>Your last state was restored %1 times, and each time Vitrine crashed or was stopped soon after. It is not restored again; File &gt; Open brings it back from %2.</source>
         <translation>Ihr letzter Stand wurde %1-mal wiederhergestellt, und jedes Mal ist Vitrine bald danach abgestürzt oder wurde beendet. Er wird nicht noch einmal wiederhergestellt; Datei &gt; Öffnen holt ihn aus %2 zurück.</translation>
     </message>
@@ -15569,37 +16471,61 @@ steht in assets/SOURCES.md.</translation>
         <translation>Verkleinern (-)</translation>
     </message>
     <message>
-        <source>zstd</source>
-        <translation>zstd</translation>
-    </message>
-    <message>
         <source>ZX Spectrum</source>
         <extracomment>tables</extracomment>
         <translation>ZX Spectrum</translation>
     </message>
     <message>
-        <source>{1} &quot;{2}&quot; is no metric; give one of {3}.</source>
-        <translation>{=1} „{=2}“ ist kein Maß; geben Sie eines von {=3} an.</translation>
+        <source>{1} &quot;{2}&quot; is no metric; give one of {3}</source>
+        <translation>{=1} &quot;{=2}&quot; ist keine Metrik; geben Sie eine an von {=3}</translation>
     </message>
     <message>
         <source>{1} &quot;{2}&quot;: give a length, such as 5mm.</source>
         <translation>{=1} „{=2}“: Geben Sie eine Länge an, etwa 5mm.</translation>
     </message>
     <message>
+        <source>{1} &quot;{2}&quot;: give name=value, such as {3}</source>
+        <translation>{=1} &quot;{=2}&quot;: Geben Sie Name=Wert an, etwa {=3}</translation>
+    </message>
+    <message>
+        <source>{1} &quot;{2}&quot;: give one of {3}</source>
+        <translation>{=1} &quot;{=2}&quot;: Geben Sie eines an von {=3}</translation>
+    </message>
+    <message>
         <source>{1} &quot;{2}&quot;: give three numbers, such as {3} 1.5,2,-0.5.</source>
         <translation>{=1} „{=2}“: Geben Sie drei Zahlen an, etwa {=3} 1.5,2,-0.5.</translation>
     </message>
     <message>
-        <source>{1} &quot;{2}&quot;: give width x height in whole pixels, each from 1 to 1000000, such as {3} 640x360.</source>
-        <translation>{=1} „{=2}“: Geben Sie Breite x Höhe in ganzen Pixeln an, jede von 1 bis 1000000, etwa {=3} 640x360.</translation>
+        <source>{1} &quot;{2}&quot;: give {3}</source>
+        <translation>{=1} &quot;{=2}&quot;: Geben Sie an: {3}</translation>
+    </message>
+    <message>
+        <source>{1} &quot;{2}&quot;: give {3}, each from 1 to 1000000, such as {4}</source>
+        <translation>{=1} &quot;{=2}&quot;: Geben Sie {3} an, jede Zahl von 1 bis 1000000, etwa {=4}</translation>
+    </message>
+    <message>
+        <source>{1} &quot;{2}&quot;: numbers have a decimal point here, in every language; write {3}</source>
+        <translation>{=1} &quot;{=2}&quot;: Zahlen haben hier einen Dezimalpunkt, in jeder Sprache; schreiben Sie {=3}</translation>
     </message>
     <message>
         <source>{1} (better)</source>
         <translation>{1} (besser)</translation>
     </message>
     <message>
+        <source>{1} (which acts when {2})</source>
+        <translation>{1} (was wirkt, wenn {2})</translation>
+    </message>
+    <message>
         <source>{1} (while building {2}); correct the shader or reinstall the program.</source>
         <translation>{=1} (beim Bauen von {=2}); korrigieren Sie den Shader, oder installieren Sie das Programm neu.</translation>
+    </message>
+    <message>
+        <source>{1} -&gt; {2} (allowed {3} to {4})</source>
+        <translation>{=1} -&gt; {=2} (erlaubt {=3} bis {=4})</translation>
+    </message>
+    <message>
+        <source>{1} -&gt; {2} (allowed {3} to {4}, whole numbers only)</source>
+        <translation>{=1} -&gt; {=2} (erlaubt {=3} bis {=4}, nur ganze Zahlen)</translation>
     </message>
     <message>
         <source>{1} and others</source>
@@ -15610,8 +16536,24 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} und {2}</translation>
     </message>
     <message>
+        <source>{1} and {2} exclude each other; give one of them.</source>
+        <translation>{=1} und {=2} schließen einander aus; geben Sie eines davon an.</translation>
+    </message>
+    <message>
+        <source>{1} at {2}</source>
+        <translation>{1} bei {2}</translation>
+    </message>
+    <message>
+        <source>{1} at {2} limits {3}: see the error against everything exact.</source>
+        <translation>{1} auf {2} begrenzt {3}: Es zählt der Fehler gegen das Bild, in dem alles genau ist.</translation>
+    </message>
+    <message>
         <source>{1} belongs to another version; </source>
         <translation>{=1} gehört zu einer anderen Version; </translation>
+    </message>
+    <message>
+        <source>{1} belongs to {2}; give that, too.</source>
+        <translation>{=1} gehört zu {=2}; geben Sie das ebenfalls an.</translation>
     </message>
     <message>
         <source>{1} between {2} and {3}, period {4} s</source>
@@ -15620,6 +16562,14 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1} bytes; shorten it</source>
         <translation>{1} Bytes; kürzen Sie sie</translation>
+    </message>
+    <message>
+        <source>{1} costs {2} times the {3} ({4} to {5} with 95 % confidence).</source>
+        <translation>{1}, kostet das {2}-Fache an {3} ({4} bis {5} mit 95 % Konfidenz).</translation>
+    </message>
+    <message>
+        <source>{1} does not describe {2}: it is of another print, or was changed. The description inside the print was used; make the print anew, or remove {3}.</source>
+        <translation>{=1} beschreibt {=2} nicht: Die Datei gehört zu einem anderen Druck oder wurde geändert. Die Beschreibung im Druck wurde verwendet; erzeugen Sie den Druck neu, oder entfernen Sie {=3}.</translation>
     </message>
     <message>
         <source>{1} does not hold the pictures of {2}; delete it.</source>
@@ -15638,6 +16588,14 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} von {2} bis {3} innerhalb von {4} s</translation>
     </message>
     <message>
+        <source>{1} has no effect on a --chart, which has views of its own; leave it out.</source>
+        <translation>{1} bewirkt nichts bei --chart, das eigene Ansichten hat; lassen Sie es weg.</translation>
+    </message>
+    <message>
+        <source>{1} has no effect without {2}; leave it out, or give that too.</source>
+        <translation>{1} bewirkt nichts ohne {2}; lassen Sie es weg oder geben Sie auch das an.</translation>
+    </message>
+    <message>
         <source>{1} has no parameter on which accuracy depends; name one of the hall, such as hall.supersamples.</source>
         <translation>{=1} hat keinen Parameter, von dem Genauigkeit abhängt; nennen Sie einen der Halle, etwa hall.supersamples.</translation>
     </message>
@@ -15652,6 +16610,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1} has no values between two others; let a number, a color or a direction run.</source>
         <translation>{1} hat keine Werte zwischen zwei anderen; lassen Sie eine Zahl, eine Farbe oder eine Richtung laufen.</translation>
+    </message>
+    <message>
+        <source>{1} has {2} × {3} pixels and is stretched over the sky: a picture of all directions is twice as wide as high.</source>
+        <translation>{1} hat {2} × {3} Pixel und wird über den Himmel gestreckt: Ein Bild aller Richtungen ist doppelt so breit wie hoch.</translation>
     </message>
     <message>
         <source>{1} is a preset of &quot;{2}&quot;, which is not in this museum.</source>
@@ -15734,8 +16696,16 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} braucht „{=2}“: {3}</translation>
     </message>
     <message>
+        <source>{1} needs a value behind it; `{2} --help` says which.</source>
+        <translation>{=1} braucht dahinter einen Wert; `{=2} --help` sagt, welchen.</translation>
+    </message>
+    <message>
         <source>{1} needs two &quot;children&quot;: an array of the nodes that it combines</source>
         <translation>{=1} braucht zwei „children“: ein Array der Knoten, die es verbindet</translation>
+    </message>
+    <message>
+        <source>{1} Nothing was chosen; allow more, or study other parameters.</source>
+        <translation>{1} Nichts wurde gewählt; erlauben Sie mehr, oder untersuchen Sie andere Parameter.</translation>
     </message>
     <message>
         <source>{1} of the light of white</source>
@@ -15762,6 +16732,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} bietet keine Vergleiche; nennen Sie zwei Einstellungen.</translation>
     </message>
     <message>
+        <source>{1} or {2}</source>
+        <translation>{1} oder {2}</translation>
+    </message>
+    <message>
         <source>{1} places had no outward side and were given one</source>
         <translation>{1} Stellen hatten keine Außenseite und bekamen eine</translation>
     </message>
@@ -15770,12 +16744,20 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} Samples waren keine endlichen Zahlen und wurden ersetzt.</translation>
     </message>
     <message>
-        <source>{1} the error costs {2} times the {3}</source>
-        <translation>{1} kostet das Halbieren des Fehlers das {2}-fache an: {3}</translation>
+        <source>{1} Take it out.</source>
+        <translation>{1} Nehmen Sie sie heraus.</translation>
+    </message>
+    <message>
+        <source>{1} takes no value; leave out what stands behind it.</source>
+        <translation>{=1} nimmt keinen Wert; lassen Sie weg, was dahinter steht.</translation>
     </message>
     <message>
         <source>{1} thickness raised to {2} mm, as deep as its lenses are</source>
         <translation>{1} Dicke auf {2} mm erhöht, so tief, wie ihre Linsen sind</translation>
+    </message>
+    <message>
+        <source>{1} This shape is left out.</source>
+        <translation>{1} Diese Form wird weggelassen.</translation>
     </message>
     <message>
         <source>{1} times the work takes {2} times as long by this clock</source>
@@ -15806,6 +16788,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} Ansichten teilen sich {2} Pixel pro Linse: Nicht mehr als {3} davon lassen sich unterscheiden.</translation>
     </message>
     <message>
+        <source>{1} was given more than once; give it once.</source>
+        <translation>{=1} steht mehrmals da; geben Sie es einmal an.</translation>
+    </message>
+    <message>
         <source>{1} within {2}: {3}; error {4} at worst, {5}</source>
         <translation>{1} innerhalb von {2}: {3}; Fehler {4} im schlechtesten Fall, {5}</translation>
     </message>
@@ -15814,12 +16800,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} innerhalb von {2}: {3}; Fehler {4} im schlechtesten Fall, {5} ms pro Frame</translation>
     </message>
     <message>
-        <source>{1} {2}: give {3}.</source>
-        <translation>{=1} {=2}: Geben Sie {=3} an.</translation>
-    </message>
-    <message>
-        <source>{1}&quot;? Known are {2}</source>
-        <translation>{=1}“? Bekannt sind {=2}</translation>
+        <source>{1}&quot;; did you mean {2}?</source>
+        <translation>{=1}&quot;; meinten Sie {=2}?</translation>
     </message>
     <message>
         <source>{1}, files</source>
@@ -15850,8 +16832,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Geben Sie einen Namen an, der auf .png, .exr oder .tif endet.</translation>
     </message>
     <message>
-        <source>{1}: give one of {2}.</source>
-        <translation>{=1}: Geben Sie eines von {=2} an.</translation>
+        <source>{1}: give {2}</source>
+        <translation>{=1}: Geben Sie an: {2}</translation>
+    </message>
+    <message>
+        <source>{1}: here are no parts; make them with --shard 1/N to N/N and the same --out.</source>
+        <translation>{=1}: Hier sind keine Teile; erzeugen Sie sie mit --shard 1/N bis N/N und demselben --out.</translation>
     </message>
     <message>
         <source>{1}: it is a preset of &quot;{2}&quot;, which is not in this museum.</source>
@@ -15860,6 +16846,14 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1}: its rows that move ask for no pictures</source>
         <translation>{1}: Seine bewegten Zeilen verlangen keine Bilder</translation>
+    </message>
+    <message>
+        <source>{1}: nothing was merged, because part {2} was drawn by {3} and part {4} by {5}; make all on machines of one kind.</source>
+        <translation>{=1}: Nichts wurde zusammengefügt, weil Teil {=2} von {=3} und Teil {=4} von {=5} gezeichnet wurde; erzeugen Sie alle auf gleichartigen Rechnern.</translation>
+    </message>
+    <message>
+        <source>{1}: nothing was merged. Of {2} parts,{3}</source>
+        <translation>{=1}: Nichts wurde zusammengefügt. Von {=2} Teilen:{3}</translation>
     </message>
     <message>
         <source>{1}: the chart could not be drawn; check that Qt's offscreen platform and a font are installed.</source>
@@ -15878,12 +16872,28 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Der Ordner lässt sich nicht an seinen Platz bringen ({=2}); wählen Sie mit --out einen anderen.</translation>
     </message>
     <message>
-        <source>{1}: there is no exhibit &quot;{2}&quot;; `vitrine list` names them.</source>
-        <translation>{=1}: Ein Exponat „{=2}“ gibt es nicht; `vitrine list` nennt sie.</translation>
+        <source>{1}: the parts are of another version of the program ({2}); merge them with that one.</source>
+        <translation>{=1}: Die Teile stammen von einer anderen Version des Programms ({=2}); fügen Sie sie mit dieser zusammen.</translation>
+    </message>
+    <message>
+        <source>{1}: there is no exhibit &quot;{2} `vitrine list` names them.</source>
+        <translation>{=1}: Kein Exponat heißt &quot;{2} `vitrine list` nennt alle.</translation>
     </message>
     <message>
         <source>{1}: this frame is missing or of other settings; draw it anew.</source>
         <translation>{=1}: Dieser Frame fehlt oder hat andere Einstellungen; zeichnen Sie ihn neu.</translation>
+    </message>
+    <message>
+        <source>{1}: this is a picture of {2}; its settings were taken, and not its size, samples, time or turns.</source>
+        <translation>{=1}: Dies ist ein Bild von {=2}; seine Einstellungen wurden übernommen, nicht aber Größe, Samples, Zeit und Drehungen.</translation>
+    </message>
+    <message>
+        <source>{1}: this is damaged; make its part again.</source>
+        <translation>{=1}: Dies ist beschädigt; erzeugen Sie den Teil neu.</translation>
+    </message>
+    <message>
+        <source>{1}: this is no parameter any more. {2}</source>
+        <translation>{=1}: Dies ist kein Parameter mehr. {2}</translation>
     </message>
     <message>
         <source>{1}: this picture carries no preset; choose a preset file, or a picture that Vitrine made.</source>
@@ -15894,8 +16904,16 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: In diesem Bild steckt kein Preset; geben Sie eine Preset-Datei an, oder ein Bild, das Vitrine erzeugt hat.</translation>
     </message>
     <message>
-        <source>{1}: {2} has no parameter of that name; `vitrine list --json` names them.</source>
-        <translation>{=1}: {=2} hat keinen Parameter dieses Namens; `vitrine list --json` nennt sie.</translation>
+        <source>{1}: this picture is transparent; give --transparent for a recording that is, too.</source>
+        <translation>{=1}: Dieses Bild ist durchsichtig; geben Sie --transparent an, damit es auch die Aufnahme ist.</translation>
+    </message>
+    <message>
+        <source>{1}: {2} has no parameter of that name{3} `vitrine list --json` names them.</source>
+        <translation>{=1}: {=2} hat keinen Parameter dieses Namens{3} `vitrine list --json` nennt alle.</translation>
+    </message>
+    <message>
+        <source>{1}: {2}; remove the folder, or give another --out.</source>
+        <translation>{=1}: {2}; entfernen Sie den Ordner, oder geben Sie ein anderes --out an.</translation>
     </message>
     <message>
         <source>{1}; check the name and your permissions.</source>
@@ -15910,8 +16928,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1}; korrigieren Sie es dort.</translation>
     </message>
     <message>
-        <source>{1}; did you mean &quot;</source>
-        <translation>{1}; meinten Sie „</translation>
+        <source>{1}; did you mean &quot;{2}&quot;? Known are {3}</source>
+        <translation>{1}; meinten Sie „{=2}“? Bekannt sind {3}</translation>
+    </message>
+    <message>
+        <source>{1}; did you mean {2}?</source>
+        <translation>{=1}; meinten Sie {=2}?</translation>
     </message>
     <message>
         <source>{1}; export the file again.</source>
@@ -15926,6 +16948,46 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1}; der alte Inhalt ist unberührt; geben Sie Platz frei, oder wählen Sie einen anderen Datenträger</translation>
     </message>
     <message>
+        <source>{1}= is given twice; take one of them out.</source>
+        <translation>{=1}= steht zweimal da; nehmen Sie eines davon heraus.</translation>
+    </message>
+    <message>
+        <source>{1}={2}: give a number from {3} to {4}</source>
+        <translation>{=1}={=2}: gültig ist eine Zahl von {=3} bis {=4}</translation>
+    </message>
+    <message>
+        <source>{1}={2}: give a whole number from {3} to {4}</source>
+        <translation>{=1}={=2}: gültig ist eine ganze Zahl von {=3} bis {=4}</translation>
+    </message>
+    <message>
+        <source>{1}` cannot be run as it was typed; `{2} --help` says what it takes.</source>
+        <translation>{=1}` lässt sich so nicht ausführen; `{=2} --help` sagt, was es nimmt.</translation>
+    </message>
+    <message>
+        <source>{1}` has no command &quot;{2} `{3} --help` lists what it has.</source>
+        <translation>{=1}` kennt keinen Befehl &quot;{2} `{=3} --help` nennt alle.</translation>
+    </message>
+    <message>
+        <source>{1}` has no option {2} `{3} --help` lists what it has.</source>
+        <translation>{=1}` kennt keine Option {2} `{=3} --help` nennt alle.</translation>
+    </message>
+    <message>
+        <source>{1}` needs a command; `{2} --help` lists what it has.</source>
+        <translation>{=1}` braucht einen Befehl; `{=2} --help` nennt alle.</translation>
+    </message>
+    <message>
+        <source>{1}` needs {2}; `{3} --help` says what it is.</source>
+        <translation>{=1}` braucht {=2}; `{=3} --help` sagt, was das ist.</translation>
+    </message>
+    <message>
+        <source>{1}` takes no further argument, and &quot;{2}&quot; is one; `{3} --help` says what it takes.</source>
+        <translation>{=1}` nimmt kein weiteres Argument, und &quot;{=2}&quot; ist eines; `{=3} --help` sagt, was es nimmt.</translation>
+    </message>
+    <message>
+        <source>{1}direction {2}</source>
+        <translation>{=1}direction {=2}</translation>
+    </message>
+    <message>
         <source>°</source>
         <translation>°</translation>
     </message>
@@ -15936,6 +16998,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>“%1” is on show already: both sides are the same.</source>
         <translation>„%1“ wird bereits gezeigt: Beide Seiten sind gleich.</translation>
+    </message>
+    <message>
+        <source>“%1”: %2</source>
+        <translation>„%1“: %2</translation>
     </message>
     <message>
         <source>“{1}” is above {2}</source>

@@ -19,14 +19,16 @@ struct RayImages {
     bool haze = false;
 };
 
-/// Whether a technique is drawn; otherwise its passes are listed with the reason. What is invisible may be drawn all
-/// the same, to prove that it is; what cannot be drawn may not: its bound says why where it is 0, else `cannot` does.
-bool isDrawn(bool asked, bool drawable, const render::ContributionBound& bound, const char* cannot,
-             std::initializer_list<const char*> passes, render::FramePlan& plan)
+/// Returns whether a technique is drawn; otherwise its passes are listed as skipped with the reason: one of `asked` is
+/// 0, `bound` is 0, or `drawable` is. An invisible technique may be drawn to prove that it is invisible; what is not
+/// `drawable` may not.
+bool isDrawn(std::initializer_list<render::Factor> asked, const render::ContributionBound& bound,
+             const render::Factor& drawable, std::initializer_list<const char*> passes, render::FramePlan& plan)
 {
-    if (asked && drawable) return plan.includeIfEffective(bound, passes);
-    for (const char* pass : passes)
-        plan.skip(pass, !asked ? "no technique in use makes them" : bound.isZero() ? bound.whyNone : cannot);
+    std::string why = render::whyZero(asked);
+    if (why.empty() && drawable.value > 0) return plan.includeIfEffective(bound, passes);
+    if (why.empty()) why = bound.isZero() ? bound.whyNone : drawable.whenZero;
+    for (const char* pass : passes) plan.skip(pass, why);
     return false;
 }
 
@@ -145,13 +147,17 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     const render::ContributionBound rays = effect ? screenRaysBound(s) : render::ContributionBound{};
     const render::ContributionBound haze = effect ? hazeBound(s, plan.view) : render::ContributionBound{};
     const render::ContributionBound air = effect ? beamBound(s, plan.view) : render::ContributionBound{};
-    const bool raysShown =
-        isDrawn(s.uses(RayTechnique::screen) || maskShown, s.sun.inFront || maskShown, rays,
-                "the sun is not in front of the camera", {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan);
-    const bool hazeShown = isDrawn(s.uses(RayTechnique::volume) && !maskShown, s.airHasEnd(), haze,
-                                   "alone there are no walls to end the air", {"crepuscular_rays/haze"}, plan);
-    const bool airShown = isDrawn(s.uses(RayTechnique::volume) && !maskShown, !s.beams.empty(), air,
-                                  "the sun makes no beam", {"crepuscular_rays/march"}, plan);
+    const auto uses = [&s](RayTechnique technique) {
+        return render::required(s.uses(technique), "no technique in use makes them");
+    };
+    const render::Factor noMask{maskShown ? 0.0 : 1.0, "the view of the mask is on"};
+    const bool raysShown = maskShown ? isDrawn({}, rays, {}, {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan)
+                                     : isDrawn({uses(RayTechnique::screen)}, rays, s.sunAhead(),
+                                               {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan);
+    const bool hazeShown =
+        isDrawn({uses(RayTechnique::volume), noMask}, haze, s.endOfAir(), {"crepuscular_rays/haze"}, plan);
+    const bool airShown =
+        isDrawn({uses(RayTechnique::volume), noMask}, air, s.anyBeam(), {"crepuscular_rays/march"}, plan);
 
     RayImages made;
     if (raysShown) {
@@ -170,8 +176,8 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
         planComposite(s, made, std::move(both), plan);
     else
         plan.skip("crepuscular_rays/composite",
-                  plan.findSkipped(s.uses(RayTechnique::volume) ? "crepuscular_rays/march" : "crepuscular_rays/mask")
-                      ->reason);
+                  render::whyZero({render::required(asked, "no technique in use makes them"),
+                                   {0, "there is nothing of the beams to lay over the picture"}}));
 }
 
 }  // namespace vitrine

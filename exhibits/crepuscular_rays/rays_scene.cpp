@@ -46,6 +46,11 @@ glm::dvec3 dustMoved(const CrepuscularRaysTable& table, const ParameterValues& v
     return glm::dvec3(0.8, 0.2, 0.56) * std::fmod(values[table.driftSpeed] * time, farthest);
 }
 
+double mostOf(const glm::dvec3& color)
+{
+    return std::max({color.x, color.y, color.z});
+}
+
 void fillBeams(const std::vector<Beam>& beams, RaysBlock& block)
 {
     const std::size_t opened = std::min<std::size_t>(beams.size(), MOST_BEAMS);
@@ -70,6 +75,21 @@ render::Pass RaysScene::pass(const char* name, std::string reason, std::string f
     pass.draws = {render::Draw{}};
     pass.draws[0].object = render::std140Bytes(block);
     return pass;
+}
+
+render::Factor RaysScene::endOfAir() const
+{
+    if (context.onNothing) return {0, "no background is behind the air"};
+    return render::required(context.lighting.background != BACKGROUND_STUDIO,
+                            "alone there are no walls to end the air");
+}
+
+render::Factor RaysScene::anyBeam() const
+{
+    const SceneLighting& around = context.lighting;
+    if (around.sunIrradiance == glm::dvec3(0)) return {0, around.sunShadow.whyNone};
+    return {beams.empty() ? 0.0 : 1.0, context.alone ? "no sunbeam wider than 30 cm comes in by the window"
+                                                     : "no sunbeam wider than 30 cm comes in by window or oculus"};
 }
 
 RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& context, const render::FramePlan& plan)
@@ -130,23 +150,26 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
 
 render::ContributionBound screenRaysBound(const RaysScene& s)
 {
-    const bool plain = s.values[s.table.sum] == RaySum::plain;
-    const bool still = plain && s.block.gathered <= 0 && !(s.values[s.table.density] > 0);
-    const auto& openings = s.context.lighting.openings;
-    const bool outside = !s.context.lighting.room.contains(s.wholeView.eye);
+    const ParameterValues& values = s.values;
+    const SceneLighting& around = s.context.lighting;
+    const bool plain = values[s.table.sum] == RaySum::plain;
+    const bool outside = !around.room.contains(s.wholeView.eye);
     const bool sky = s.context.alone || outside ||
-                     std::any_of(openings.begin(), openings.end(),
+                     std::any_of(around.openings.begin(), around.openings.end(),
                                  [&](const render::Box& opening) { return s.wholeView.mayContain(opening); });
+    const glm::dvec3 tint = values[s.table.tint].value;
+    const double fade = plain ? 1 : glsl::shaftEdgeFade(s.sun.beyond, values[s.table.edgeFade]);
     // The mask is at most 1, and so is its mean; the plain sum adds up all samples.
-    const double samples = plain ? s.values[s.table.samples] : 1;
-    const double strength = std::max({s.block.strength.x, s.block.strength.y, s.block.strength.z});
-    return render::boundOf(
-        0, samples,
-        {{s.values[s.table.weight] > 0 ? 1.0 : 0.0, "the weight of the rays is 0"},
-         {still ? 0.0 : 1.0, "the density of the rays is 0"},
-         {s.sun.inFront ? 1.0 : 0.0, "the sun is not in front of the camera"},
-         {strength, s.sun.beyond > 0 ? "the sun is too far beyond the picture's edge" : "the sun or the tint is black"},
-         {sky ? 1.0 : 0.0, "no sky is in view"}});
+    return render::boundOf(0, plain ? values[s.table.samples] : 1,
+                           {render::required(values[s.table.weight] > 0, "the weight of the rays is 0"),
+                            {plain && !(values[s.table.density] > 0) ? 0.0 : 1.0, "the density of the rays is 0"},
+                            render::required(around.sunShare > 0, around.sunShadow.whyNone),
+                            render::required(mostOf(tint) > 0, "the tint of the rays is black"),
+                            s.sunAhead(),
+                            render::required(fade > 0, "the sun is too far beyond the picture's edge"),
+                            {std::max({s.block.strength.x, s.block.strength.y, s.block.strength.z}),
+                             "the sun has no light of the color of the tint"},
+                            render::required(sky, "no sky is in view")});
 }
 
 namespace {
@@ -158,11 +181,6 @@ double mostHidden(const RaysScene& s)
     return -std::expm1(-s.values[s.table.airDensity] * 2 * glm::length(s.air.halfSize()));
 }
 
-double mostOf(const glm::dvec3& color)
-{
-    return std::max({color.x, color.y, color.z});
-}
-
 }  // namespace
 
 render::ContributionBound hazeBound(const RaysScene& s, const render::View& view)
@@ -171,9 +189,8 @@ render::ContributionBound hazeBound(const RaysScene& s, const render::View& view
     const double scattered =
         mostOf(s.values[s.table.airColor].value) * s.values[s.table.ambient] * s.context.lighting.brightest;
     return render::boundOf(hidden, hidden * scattered,
-                           {{s.values[s.table.airDensity] > 0 ? 1.0 : 0.0, "the air is clear"},
-                            {s.airHasEnd() ? 1.0 : 0.0, "alone there are no walls to end the air"},
-                            {view.mayContain(s.air) ? 1.0 : 0.0, "the hall's air is out of view"}});
+                           {render::required(s.values[s.table.airDensity] > 0, "the air is clear"), s.endOfAir(),
+                            render::required(view.mayContain(s.air), "the air is out of view")});
 }
 
 render::ContributionBound beamBound(const RaysScene& s, const render::View& view)
@@ -181,17 +198,16 @@ render::ContributionBound beamBound(const RaysScene& s, const render::View& view
     const bool seen =
         std::any_of(s.beams.begin(), s.beams.end(), [&](const Beam& beam) { return view.mayContain(beam.box); });
     const double ahead = glsl::airPhase(1.0, std::abs(s.values[s.table.anisotropy]));
-    const double sun = mostOf(s.context.lighting.sunIrradiance);
     const double drift = 1 + 1.5 * s.values[s.table.densityNoise];
-    const double scattered = mostOf(s.values[s.table.airColor].value) * s.values[s.table.beamStrength] * sun * ahead *
-                             drift * static_cast<double>(s.beams.size());
-    return render::boundOf(0, mostHidden(s) * scattered,
-                           {{s.values[s.table.airDensity] > 0 ? 1.0 : 0.0, "the air is clear"},
-                            {sun > 0 ? 1.0 : 0.0, "the sun's strength is 0"},
-                            {s.beams.empty() ? 0.0 : 1.0,
-                             s.context.alone ? "the sun does not shine through the window"
-                                             : "the sun shines neither through the window nor through the oculus"},
-                            {seen ? 1.0 : 0.0, "the beams are out of view"}});
+    const glm::dvec3& sun = s.context.lighting.sunIrradiance;
+    const glm::dvec3 scattered = s.values[s.table.airColor].value;
+    return render::boundOf(0, ahead * drift * static_cast<double>(std::max<std::size_t>(s.beams.size(), 1)),
+                           {{mostHidden(s), "the air is clear"},
+                            {mostOf(scattered), "the dust swallows all light"},
+                            {s.values[s.table.beamStrength], "the strength of the beams is 0"},
+                            s.anyBeam(),
+                            {mostOf(sun * scattered) > 0 ? mostOf(sun) : 0, "the dust swallows the light of the sun"},
+                            render::required(seen, "the beams are out of view")});
 }
 
 }  // namespace vitrine

@@ -32,10 +32,13 @@ struct RaysScene {
     {
         return (block.technique & static_cast<int>(technique)) != 0;
     }
-    /// Whether something is behind the dust everywhere: the hall, or a panorama. In the studio its box would be seen.
-    [[nodiscard]] bool airHasEnd() const
+    /// 0 where something lacks behind the dust, whose box would be seen: on a transparent background, in the studio.
+    [[nodiscard]] render::Factor endOfAir() const;
+    /// 0 where the sun sends no beam into the air.
+    [[nodiscard]] render::Factor anyBeam() const;
+    [[nodiscard]] render::Factor sunAhead() const
     {
-        return !context.onNothing && context.lighting.background != BACKGROUND_STUDIO;
+        return render::required(sun.inFront, "the sun is not in front of the camera");
     }
     /// A pass over the whole of an image, with the parameters and the block bound.
     [[nodiscard]] render::Pass pass(const char* name, std::string reason, std::string fragment) const;

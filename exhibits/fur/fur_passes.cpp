@@ -134,7 +134,9 @@ struct Planner {
         attach(fins, Attachment::whole(found));
         plan.add(std::move(made));
         if (fins.draws.empty()) {
-            plan.skip("fur/fins", "silhouettes are not filled with fins");
+            plan.skip("fur/fins", values()[table.silhouette] == FurSilhouette::fins
+                                      ? "what is in view has no fins"
+                                      : "silhouettes are not filled with fins");
         } else {
             fins.shader.defines.emplace_back("FIN");
             fins.state.cull = render::Cull::none;

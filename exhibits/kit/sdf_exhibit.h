@@ -40,6 +40,8 @@ struct SdfBody {
     glm::dmat4 exhibitFromBody{1};  ///< Where it stands in the exhibit's space: the box is its own.
     double ownLight =
         0;  ///< The most that light of its own sends to its surfaces (irradiance): it shades itself from that.
+    render::Factor occluded = {};                 ///< What ambient occlusion darkens is in proportion to it.
+    std::string_view switchedOff = {};            ///< Why `values` lack an effect that the table asks for.
     std::string variant = {};                     ///< `render::Pass::variant` of its march.
     std::vector<std::string> defines = {};        ///< Permutations of its field, material and shading.
     std::vector<render::BufferUse> buffers = {};  ///< What its field reads at STORAGE_EXHIBIT_A, B and C.

@@ -77,14 +77,23 @@ struct SdfPlanner {
         plan.add(std::move(made));
     }
 
+    /// Why an effect is off that the table asks for, or not.
+    [[nodiscard]] std::string whyOff(bool asked, std::string_view switchedOff) const
+    {
+        return std::string(asked ? scene.body.switchedOff : switchedOff);
+    }
+
     void occlusion(Pass& made, ParameterValues& needed, bool heat, double any) const
     {
         const double scattered = scene.glass && !heat ? 0 : 1;
         if (!values[table.ambientOcclusion])
-            plan.skip(named("occlusion"), "ambient occlusion is switched off");
+            plan.skip(named("occlusion"),
+                      whyOff(scene.context.values[table.ambientOcclusion], "ambient occlusion is switched off"));
         else if (!plan.includeIfEffective(
-                     made, {named("occlusion"),
-                            render::boundOf(any, 0, {{scattered, "glass scatters nothing of the room's light"}})}))
+                     made,
+                     {named("occlusion"),
+                      render::boundOf(
+                          any, 0, {scene.body.occluded, {scattered, "glass scatters nothing of the room's light"}})}))
             needed.set(table.ambientOcclusion, false);
     }
 
@@ -101,7 +110,8 @@ struct SdfPlanner {
         occlusion(made, needed, heat, any);
 
         if (values[table.shadowMethod] == SdfShadow::none)
-            plan.skip(named("self-shadow"), "the shadow method is none");
+            plan.skip(named("self-shadow"),
+                      whyOff(scene.context.values[table.shadowMethod] != SdfShadow::none, "the shadow method is none"));
         else if (!plan.includeIfEffective(
                      made, {named("self-shadow"),
                             render::boundOf(0, any * (1 + bounces),

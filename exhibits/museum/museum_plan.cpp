@@ -17,10 +17,13 @@
 #include <algorithm>
 #include <limits>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace vitrine {
 namespace {
+
+constexpr const char* othersFirst = "the window opens, and others come first";
 
 constexpr double shadowReach = 30;  ///< Meters behind an exhibit at which its shadow still falls on something.
 
@@ -29,19 +32,6 @@ std::string whyNoShadow(const HallScene& scene, const render::Box& box, const re
 {
     if (std::string why = whyUnlit(scene, box); !why.empty()) return why;
     return view.mayContain(withShadow(box, towardsSun(scene))) ? std::string() : "neither it nor its shadow is in view";
-}
-
-/// The lamps of one that carries any, world space.
-void takeLamps(const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject, bool steadyOnly,
-               std::vector<render::LocalLight>& lamps)
-{
-    const auto* carrier = capability<HasLocalLights>(subject);
-    if (!carrier || (steadyOnly && carrier->lightsChange(state))) return;
-    for (render::LocalLight lamp : carrier->localLights(state)) {
-        lamp.position = glm::dvec3(worldFromSubject * glm::dvec4(lamp.position, 1));
-        if (lamp.axis != glm::dvec3(0)) lamp.axis = glm::normalize(glm::dmat3(worldFromSubject) * lamp.axis);
-        lamps.push_back(lamp);
-    }
 }
 
 /// For the ledger.
@@ -78,6 +68,7 @@ struct Museum::Frame {
     void begin();
     void findPresent();
     void castShadows();
+    [[nodiscard]] std::string whyNoShadow() const;
     void clearGlassShadow(render::Pass clear);
     void makeContexts();
     void lightLamps();
@@ -138,8 +129,11 @@ void Museum::leaveToLater(std::vector<Present>& present, const FrameRequest& req
             seen.emplace_back(glm::distance(p.box.center(), request.camera.eye), &p);
     if (seen.size() <= static_cast<std::size_t>(std::max(request.mostExhibits, 0))) return;
     std::sort(seen.begin(), seen.end());
-    for (std::size_t i = static_cast<std::size_t>(std::max(request.mostExhibits, 0)); i < seen.size(); ++i)
-        seen[i].second->hidden = seen[i].second->noShadow = "the window opens, and others come first";
+    for (std::size_t i = static_cast<std::size_t>(std::max(request.mostExhibits, 0)); i < seen.size(); ++i) {
+        Present& later = *seen[i].second;
+        if (later.hidden.empty()) later.hidden = othersFirst;
+        if (later.exhibit.castsShadow()) later.noShadow = othersFirst;
+    }
 }
 
 std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const FrameRequest& request,
@@ -299,6 +293,18 @@ void Museum::Frame::addState(render::Hash& key, const Present& p) const
         key.addValue(state.time).addValue(state.sinceOwnPress);
 }
 
+/// Why no exhibit throws a shadow: what holds for all that may throw one.
+std::string Museum::Frame::whyNoShadow() const
+{
+    std::set<std::string> reasons;
+    for (const Present& p : present)
+        if (p.exhibit.castsShadow() && !capability<OverFrame>(p.exhibit)) reasons.insert(p.noShadow);
+    if (reasons.contains(othersFirst)) return othersFirst;
+    if (reasons.size() > 1) return "no exhibit throws a shadow that may be seen";
+    if (reasons.size() == 1) return *reasons.begin();
+    return present.empty() ? "no exhibit stands here" : present.front().noShadow;
+}
+
 /// The sun's depth map of the exhibits: each draws into it, all of them or none.
 void Museum::Frame::castShadows()
 {
@@ -316,7 +322,7 @@ void Museum::Frame::castShadows()
         addState(key, p);
     }
     if (!shadowSeen) {
-        plan.skip("exhibits/shadow", present.empty() ? "no exhibit stands here" : present.front().noShadow);
+        plan.skip("exhibits/shadow", whyNoShadow());
         return;
     }
     const int size = std::max(scene.values[scene.table.shadowMapSize] / 4, 64);

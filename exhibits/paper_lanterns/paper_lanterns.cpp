@@ -23,6 +23,7 @@ constexpr float leastMoonOnWater = 0.001F;  ///< Over what is bright: three leve
 
 struct PreparedSky final : PreparedPart {
     std::shared_ptr<const render::Texture> picture;
+    std::vector<std::string> notes;  ///< What its file says and is not shown: full sentences.
 };
 
 std::shared_ptr<const render::Texture> panoramaOf(const PreparedPart* prepared)
@@ -30,34 +31,61 @@ std::shared_ptr<const render::Texture> panoramaOf(const PreparedPart* prepared)
     return prepared ? static_cast<const PreparedSky*>(prepared)->picture : nullptr;
 }
 
+/// A part of the lake, and why it is left out; empty: it is drawn.
+struct LakePart {
+    std::string whyNot;
+
+    /// It is drawn while no factor is 0.
+    explicit LakePart(std::initializer_list<render::Factor> factors) : whyNot(render::whyZero(factors)) {}
+    explicit operator bool() const { return whyNot.empty(); }
+};
+
 /// What of the lake any setting calls for.
 struct Called {
-    bool lanterns, afloat, waves, mist, halo, moon, moonOnWater, stars, panorama, source;
-    int bounces, show;
+    bool afloat = false, panorama = false, source = false;
+    int bounces = 0, show = 0;
+    LakePart lanterns, waves, mist, halo, moon, moonOnWater, stars, reflection;
 };
 
 Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const LakeBlock& block)
 {
     const ParameterValues& values = context.values;
-    Called called{};
-    called.show = static_cast<int>(values[t.show]);
-    const bool picture = values[t.show] == LakeShow::picture;
-    called.source = picture && values[t.look] == LakeLook::source;
-    const bool ours = picture && !called.source;
-    called.afloat = anyAfloat(t, values);
-    called.lanterns = called.afloat || block.released.w >= 0;
-    called.waves = block.tallWaves > 0;
-    called.mist = ours && values[t.fog] > 0;
-    called.halo = called.mist && called.lanterns && lightsTheAir(t, values);
-    called.moon = picture && std::max(block.moonLight.x, block.moonLight.z) > 0;
+    const bool shows = values[t.show] == LakeShow::picture;
+    const bool source = shows && values[t.look] == LakeLook::source;
+    const bool afloat = anyAfloat(t, values);
+    const bool panorama = shows && panoramaOf(context.prepared) != nullptr;
+    const int bounces = !shows ? 0 : source ? 1 : values[t.bounces];
+    const render::Factor inPicture = render::required(shows, "a view of numbers is on show in place of the picture");
+    const render::Factor ours = render::required(!source, "the light of the source has none");
+    const render::Factor anyLantern = render::required(afloat || block.released.w >= 0, "no lantern is afloat");
+    const render::Factor anyMist{values[t.fog], "the air is clear"};
+    const render::Factor anyMoon{values[t.moon], "the strength of the moon is 0"};
+    const render::Factor risen{std::max(block.moonLight.x, block.moonLight.z), "the moon has set"};
     // What the water sends of it, over which lanterns may throw shadows; less than that is lost in the mirror image.
     const glm::vec3 sent(values[t.waterColor].value * glm::dvec3(block.moonLight));
-    called.moonOnWater = called.moon && ours && called.lanterns &&
-                         0.3F * std::max({sent.x, sent.y, sent.z}) * block.towardsMoon.y > leastMoonOnWater;
-    called.panorama = picture && panoramaOf(context.prepared) != nullptr;
-    called.stars = ours && !called.panorama && values[t.stars] > 0;
-    called.bounces = !picture ? 0 : called.source ? 1 : values[t.bounces];
-    return called;
+    const float onWater = 0.3F * std::max({sent.x, sent.y, sent.z}) * block.towardsMoon.y;
+    return {.afloat = afloat,
+            .panorama = panorama,
+            .source = source,
+            .bounces = bounces,
+            .show = static_cast<int>(values[t.show]),
+            .lanterns = LakePart({anyLantern}),
+            .waves = LakePart(
+                {render::required(block.tallWaves > 0, "the water is a mirror: its plane is met in one step")}),
+            .mist = LakePart({inPicture, ours, anyMist}),
+            .halo = LakePart(
+                {inPicture, ours, anyMist, anyLantern, render::required(values[t.candles], "the candles are out"),
+                 render::required(lightsTheAir(t, values), "the mist is too thin to show that lanterns light it")}),
+            .moon = LakePart({inPicture, anyMoon, risen}),
+            .moonOnWater = LakePart({inPicture, ours, anyMoon, risen, anyLantern,
+                                     render::required(onWater > leastMoonOnWater,
+                                                      "the water sends too little of the moon to show shadows")}),
+            .stars = LakePart({inPicture,
+                               ours,
+                               render::required(!panorama, "a panorama is in place of the night sky"),
+                               {values[t.stars], "the brightness of the stars is 0"}}),
+            .reflection =
+                LakePart({inPicture, render::required(bounces > 0, "no ray is followed that the water mirrors")})};
 }
 
 /// Every lantern of the lattice, written down once for all rays; kept while nothing moves.
@@ -87,15 +115,16 @@ render::ResourceId planFloat(const ParameterValues& values, const LakeBlock& blo
 /// What is left out, and why.
 void tellWhatIsLeftOut(const Called& called, render::FramePlan& plan)
 {
-    if (!called.lanterns) plan.skip(floatPass, "no lantern is afloat", render::Work::compute);
-    if (!called.waves) plan.skip("paper_lanterns/waves", "the water is a mirror: its plane is met in one step");
-    if (!called.moon) plan.skip("paper_lanterns/moon", "it sends no light");
-    if (!called.moonOnWater)
-        plan.skip("paper_lanterns/moon_shadow", "what the water sends of the moon is too little to show shadows");
-    if (called.bounces == 0) plan.skip("paper_lanterns/reflection", "no ray is followed that the water mirrors");
-    if (!called.mist) plan.skip("paper_lanterns/mist", "the air is clear");
-    if (!called.halo) plan.skip("paper_lanterns/halo", "no mist is so thick that lanterns are seen to light it");
-    if (!called.stars) plan.skip("paper_lanterns/stars", "none are seen");
+    if (!called.lanterns) plan.skip(floatPass, called.lanterns.whyNot, render::Work::compute);
+    const std::pair<const char*, const LakePart*> parts[] = {{"waves", &called.waves},
+                                                             {"moon", &called.moon},
+                                                             {"moon_shadow", &called.moonOnWater},
+                                                             {"reflection", &called.reflection},
+                                                             {"mist", &called.mist},
+                                                             {"halo", &called.halo},
+                                                             {"stars", &called.stars}};
+    for (const auto& [name, part] : parts)
+        if (!*part) plan.skip(std::string("paper_lanterns/") + name, part->whyNot);
 }
 
 void addDefines(const Called& called, LakeRepetition repetition, render::Pass& pass)
@@ -141,7 +170,10 @@ std::shared_ptr<const PreparedPart> PaperLanterns::prepare(const PrepareContext&
         made->unreadable.push_back({"paper_lanterns/panorama",
                                     unreadableFile(context.values.rows()[table_.panorama.row], title(), found.failure),
                                     "The night sky stays until it can be read."});
-    if (found.value) made->picture = found.value->picture;
+    if (found.value) {
+        made->picture = found.value->picture;
+        made->notes = found.value->notes;
+    }
     made->filesId = found.id;
     return made;
 }
@@ -213,6 +245,9 @@ void PaperLanterns::plan(const PlanContext& context, render::FramePlan& plan) co
     addDefines(called, values[t.repetition], pass);
     tellWhatIsLeftOut(called, plan);
     if (called.lanterns) pass.inputs.push_back({UNIT_EXHIBIT_A, planFloat(values, block, bytes, plan)});
+    if (context.prepared)
+        for (const std::string& note : static_cast<const PreparedSky*>(context.prepared)->notes)
+            plan.warn("paper_lanterns/panorama", note);
     if (called.panorama) pass.inputs.push_back({UNIT_ENVIRONMENT, panoramaOf(context.prepared)});
     plan.add(std::move(pass));
 }

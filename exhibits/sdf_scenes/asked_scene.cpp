@@ -97,7 +97,10 @@ AskedScene unfolded(const ShownScene& shown, const SceneWords& words, SceneEvalu
     const std::shared_ptr<const AskedScene> made = byLists(shown, words, lists, assets);
     if (!made) return everyShape(shown, words, "what is near is still being found");
     const bool noCells = lists == SceneEvaluation::near && made->near->cells.cells.empty();
-    const char* const noEnd = noCells ? "the scene has no end, so no cells hold it" : "";
+    const char* const noEnd = !noCells ? ""
+                              : made->near->crowded
+                                  ? "so many shapes blend into each other that cells would hold them all"
+                                  : "the scene has no end, so no cells hold it";
     if (noCells && automatic && !isInBuffer(*shown.program)) return everyShape(shown, words, noEnd);
     AskedScene asked = *made;
     asked.why = noEnd;
@@ -135,6 +138,7 @@ AskedScene askedScene(const ShownScene& shown, const SceneWords& words, SceneEva
                                return render::AssetStore::Made<render::ShaderSources>{std::move(sources), 16 * count};
                            })
                        .value;
+    if (!asked.folded) asked.whyNotFolded = "the text with its numbers is still being written";
     return asked;
 }
 

@@ -2,6 +2,7 @@
 
 #include "render/files/number_text.h"
 
+#include <cassert>
 #include <cmath>
 
 namespace vitrine::render {
@@ -14,6 +15,13 @@ double product(double a, double b)
 
 }  // namespace
 
+std::string whyZero(std::initializer_list<Factor> factors)
+{
+    for (const Factor& factor : factors)
+        if (factor.value <= 0) return std::string(factor.whenZero);
+    return {};
+}
+
 ContributionBound boundOf(double relative, double absolute, std::initializer_list<Factor> factors)
 {
     ContributionBound bound{relative, absolute, {}};
@@ -22,8 +30,9 @@ ContributionBound boundOf(double relative, double absolute, std::initializer_lis
             std::isnan(factor.value) ? std::numeric_limits<double>::infinity() : std::max(factor.value, 0.0);
         bound.relative = product(bound.relative, value);
         bound.absolute = product(bound.absolute, value);
-        if (value == 0 && bound.whyNone.empty()) bound.whyNone = factor.whenZero;
     }
+    bound.whyNone = whyZero(factors);
+    assert(!bound.isZero() || !bound.whyNone.empty());
     return bound;
 }
 

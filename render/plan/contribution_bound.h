@@ -31,8 +31,18 @@ struct Factor {
     std::string_view whenZero;
 };
 
+/// 1 where a condition holds, else 0.
+[[nodiscard]] constexpr Factor required(bool holds, std::string_view otherwise)
+{
+    return {holds ? 1.0 : 0.0, otherwise};
+}
+
+/// What a visitor is told of the first factor that is 0; empty where none is. A condition and its reason are declared
+/// together this way, so that a reason cannot be given where its condition holds.
+[[nodiscard]] std::string whyZero(std::initializer_list<Factor>);
+
 /// Share and absolute times all factors; the first factor that is 0 says why. 0 times infinity is 0: what is not there
-/// changes nothing, whatever it would.
+/// changes nothing, whatever it would. Share and absolute are not both 0: what may be 0 is a factor, with its reason.
 [[nodiscard]] ContributionBound boundOf(double relative, double absolute, std::initializer_list<Factor> factors);
 
 /// "changes a pixel by at most 40 % of its light and 0.3 of the light of white"; "may change any pixel" from a bound of

@@ -168,6 +168,7 @@ bool FramePlan::includeIfEffective(Pass& pass, Effect effect)
 
 void FramePlan::skip(std::string name, std::string reason, Work work)
 {
+    assert(!reason.empty());
     skipped_.push_back({std::move(name), std::move(reason), work});
 }
 

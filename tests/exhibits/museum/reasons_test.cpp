@@ -1,0 +1,423 @@
+// Reasons in the frame report: each skipped step of every exhibit and of the hall has one, and it is true. What it
+// claims is looked up in the settings, the request and the view, by code that shares nothing with the plans.
+
+#include "exhibits/exhibits.h"
+#include "exhibits/framework/random_values.h"
+#include "exhibits/hall/sun.h"
+#include "exhibits/stability/stability_scan.h"
+#include "tests/support/museum_on_paper.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace vitrine {
+namespace {
+
+using test::building;
+using test::museum;
+
+/// A skipped step, and the picture that goes without it.
+struct Skipped {
+    const ScanCase& picture;
+    const render::FramePlan& plan;
+    const render::CulledPass& step;
+
+    /// Of the subject whose step it is: "fur/coat" is the fur's.
+    [[nodiscard]] const ParameterValues& values() const
+    {
+        const std::string subject = step.name.substr(0, step.name.find('/'));
+        return picture.sceneState.values[museum().find(subject).value_or(hallIndex)];
+    }
+    [[nodiscard]] double number(std::string_view row) const { return numberOf(values(), row); }
+    [[nodiscard]] double ofHall(std::string_view row) const
+    {
+        return numberOf(picture.sceneState.values[hallIndex], row);
+    }
+    [[nodiscard]] double brightest(std::string_view row) const
+    {
+        const auto color = std::get<glm::dvec3>(values().row(*values().table().find(row)));
+        return std::max({color.x, color.y, color.z});
+    }
+    [[nodiscard]] bool namesNoFile(std::string_view row) const
+    {
+        return std::get<std::string>(values().row(*values().table().find(row))).empty();
+    }
+    [[nodiscard]] bool alone() const { return picture.frame.alone.has_value(); }
+    [[nodiscard]] Sun sun() const { return sunOf(test::hallTable(), picture.sceneState.values[hallIndex]); }
+    /// Whether the middle of the picture's view could show this point, were nothing before it.
+    [[nodiscard]] bool inView(const glm::dvec3& point) const
+    {
+        const glm::dvec4 clip = plan.view.clipFromWorld * glm::dvec4(point, 1);
+        return clip.w > plan.view.nearPlane && std::abs(clip.x) < clip.w && std::abs(clip.y) < clip.w;
+    }
+
+private:
+    static double numberOf(const ParameterValues& values, std::string_view row)
+    {
+        return std::get<double>(values.row(*values.table().find(row)));
+    }
+};
+
+using Claim = std::function<bool(const Skipped&)>;
+
+Claim isZero(const char* row)
+{
+    return [row](const Skipped& s) { return s.number(row) == 0; };
+}
+
+Claim isNot(const char* row, double value)
+{
+    return [row, value](const Skipped& s) { return s.number(row) != value; };
+}
+
+Claim is(const char* row, double value)
+{
+    return [row, value](const Skipped& s) { return s.number(row) == value; };
+}
+
+Claim isBlack(const char* row)
+{
+    return [row](const Skipped& s) { return s.brightest(row) == 0; };
+}
+
+bool isAlone(const Skipped& s)
+{
+    return s.alone();
+}
+
+/// What a picture shows, and Run everything changes no bit of, as run_everything_test.cpp measures.
+bool measuredByPictures(const Skipped&)
+{
+    return true;
+}
+
+bool noButtonInView(const Skipped& s)
+{
+    return std::none_of(museum().exhibits().begin(), museum().exhibits().end(), [&](const MuseumExhibit& e) {
+        const Place* place = building().place(e.exhibit.place());
+        return place && place->worldFromButton && capability<HasButton>(e.exhibit) &&
+               s.inView(glm::dvec3((*place->worldFromButton)[3]));
+    });
+}
+
+bool noPlaqueInView(const Skipped& s)
+{
+    return std::none_of(museum().exhibits().begin(), museum().exhibits().end(), [&](const MuseumExhibit& e) {
+        const Place* place = building().place(e.exhibit.place());
+        return place && place->worldFromPlaque && s.inView(glm::dvec3((*place->worldFromPlaque)[3]));
+    });
+}
+
+bool floorOutOfView(const Skipped& s)
+{
+    const render::Box& room = building().room();
+    for (double x = 0.02; x < 1; x += 0.04)
+        for (double z = 0.02; z < 1; z += 0.04)
+            if (s.inView({glm::mix(room.low.x, room.high.x, x), room.low.y, glm::mix(room.low.z, room.high.z, z)}))
+                return false;
+    return true;
+}
+
+/// Of an exhibit, by its bounds; that a part of it is, pictures measure.
+bool outOfView(const Skipped& s)
+{
+    if (s.step.name.find('/') != std::string::npos && !s.step.name.ends_with("/shadow")) return true;
+    const auto index = museum().find(s.step.name.substr(0, s.step.name.find('/')));
+    if (!index || *index == hallIndex) return true;
+    glm::dmat4 world = s.alone() ? glm::dmat4(1) : museum().worldFromExhibit(*index);
+    if (s.picture.frame.subject == index || s.picture.frame.alone == index)
+        world = world * s.picture.frame.exhibitTransform;
+    const glm::dvec3 middle = museum().subject(*index).bounds(s.values()).center();
+    return !s.inView(glm::dvec3(world * glm::dvec4(middle, 1)));
+}
+
+bool noLightAtAll(const Skipped& s)
+{
+    return s.sun().strength == 0 && (s.alone() || s.ofHall("skyStrength") == 0);
+}
+
+/// "noise/clouds" while the clouds are on show is no other work.
+bool anotherWork(const Skipped& s)
+{
+    const char* works[] = {"noise/field", "noise/fractal", "noise/sea", "noise/clouds"};
+    return s.step.name != works[static_cast<std::size_t>(s.number("work"))];
+}
+
+bool nothingLookedUp(const Skipped& s)
+{
+    const double work = s.number("work");
+    if (s.number("look") != 0 || work == 2) return true;
+    return work == 3 ? s.number("cloudNoise") != 1 : s.number("march") != 1 || s.number("fieldNoise") != 1;
+}
+
+/// In either half of the pixel art.
+bool shows(const Skipped& s, double view)
+{
+    return s.number("view") == view || (s.number("split") == 1 && s.number("rightView") == view);
+}
+
+bool moonIsDown(const Skipped& s)
+{
+    return s.number("moonElevation") <= -0.0299 || s.number("moon") == 0;
+}
+
+const std::map<std::string, Claim>& claims()
+{
+    constexpr double pi = std::numbers::pi;
+    static const std::map<std::string, Claim> all{
+        // Of the picture.
+        {"the exhibit is shown alone", isAlone},
+        {"a transparent background is asked for", [](const Skipped& s) { return s.picture.frame.transparent; }},
+        {"the picture is asked for as linear light",
+         [](const Skipped& s) { return s.picture.frame.averageIn == AverageIn::radiance; }},
+        {"one sample per pixel", [](const Skipped& s) { return s.picture.frame.samples == 1; }},
+        {"every frame stands alone",
+         [](const Skipped& s) { return s.ofHall("temporalAntialiasing") == 0 || s.ofHall("historyFrames") == 1; }},
+        {"no motion follows this picture", [](const Skipped& s) { return s.picture.frame.movingFrame == 0; }},
+        {"nothing moves", [](const Skipped& s) { return s.picture.frame.movingFrame == 0; }},
+        {"nobody asks for counts", [](const Skipped& s) { return !s.picture.frame.channels.evaluations; }},
+        {"nothing reads what it writes", [](const Skipped& s) { return s.plan.find(s.step.name) == nullptr; }},
+        // Of the hall.
+        {"there is no hall", isAlone},
+        {"there is no hall to cast it", isAlone},
+        {"there is no hall to bounce it", isAlone},
+        {"sun shadows are switched off", [](const Skipped& s) { return s.ofHall("sunShadows") == 0; }},
+        {"baked light is switched off", [](const Skipped& s) { return s.ofHall("bakedLight") == 0; }},
+        {"the sun's strength is 0", [](const Skipped& s) { return s.ofHall("sunStrength") == 0; }},
+        {"the sun has set",
+         [](const Skipped& s) { return s.ofHall("sunBy") == 1 && std::abs(s.ofHall("timeOfDay") - 12) >= 5.999; }},
+        {"too little of the sun comes in by window and oculus", measuredByPictures},
+        {"the sun is too high for lamps",
+         [pi](const Skipped& s) { return s.ofHall("lamps") == 0 && s.sun().elevation >= pi / 180 * 7.99; }},
+        {"the lamps are switched off", [](const Skipped& s) { return s.ofHall("lamps") == 2; }},
+        {"the strength of the lamps is 0", [](const Skipped& s) { return s.ofHall("lampStrength") == 0; }},
+        {"the reflection probe is switched off", [](const Skipped& s) { return s.ofHall("reflectionProbe") == 0; }},
+        {"there is no light to reflect", noLightAtAll},
+        {"contact shadows are switched off", [](const Skipped& s) { return s.ofHall("contactShadows") == 0; }},
+        {"the free plinth is empty", [](const Skipped& s) { return s.namesNoFile("model"); }},
+        {"no file is chosen for it",
+         [](const Skipped& s) {
+             const char* rows[] = {"secondModel", "thirdModel", "fourthModel"};
+             return s.namesNoFile(rows[s.step.name.back() - '2']);
+         }},
+        {"no button is in view", noButtonInView},
+        {"no plaque is in view", noPlaqueInView},
+        {"no cloth or stand is in view", measuredByPictures},
+        {"the floor is out of view", floorOutOfView},
+        {"out of view", outOfView},
+        {"behind a wall", measuredByPictures},
+        {"no lamp hangs here", [](const Skipped& s) { return s.plan.findSkipped("lamps/shadow") == nullptr; }},
+        {"no lamp shines here", measuredByPictures},
+        {"no lamp throws shadows", [](const Skipped& s) { return !s.plan.images().contains("shadow.local"); }},
+        {"it is made of light",
+         [](const Skipped& s) {
+             const std::optional<std::size_t> alone = s.picture.frame.alone;
+             return s.step.name == "crepuscular_rays/shadow" ||
+                    (s.step.name == "exhibits/shadow" && alone && capability<OverFrame>(museum().exhibit(*alone)));
+         }},
+        {"nothing in the picture is translucent", [](const Skipped& s) { return s.namesNoFile("model"); }},
+        {"it throws no shadow",
+         [](const Skipped& s) {
+             const auto index = museum().find(s.step.name.substr(0, s.step.name.find('/')));
+             return s.step.name == "exhibits/shadow" || (index && !museum().exhibit(*index).castsShadow());
+         }},
+        {"neither it nor its shadow is in view", outOfView},
+        {"the sun does not reach it through window or oculus", measuredByPictures},
+        {"no exhibit throws a shadow that may be seen", measuredByPictures},
+        // Of every distance field.
+        {"the cone pre-pass is switched off", isZero("conePrepass")},
+        {"ambient occlusion is switched off",
+         [](const Skipped& s) {
+             return s.values().table().find("ambientOcclusion") ? s.number("ambientOcclusion") == 0
+                                                                : s.number("occlusionMethod") == 1;
+         }},
+        {"glass scatters nothing of the room's light",
+         [](const Skipped& s) { return s.number("material") == 1 && s.number("heatMap") == 0; }},
+        {"the shadow method is none", isZero("shadowMethod")},
+        {"no bounce is asked for", isZero("bounces")},
+        {"the field is on show", isZero("shownAs")},
+        {"a mesh is on show in place of the field", is("shownAs", 1)},
+        {"the overlay is switched off", isZero("showBox")},
+        // Of the soft serve.
+        {"the ambient light is black",
+         [](const Skipped& s) { return s.number("lighting") == 1 && s.brightest("sourceAmbient") == 0; }},
+        {"the build-up has not come so far",
+         [](const Skipped& s) { return s.number("buildUp") == 1 || s.number("stage") < 20; }},
+        {"it stands in the hall's light", isZero("lighting")},
+        {"the ground is switched off", isZero("ground")},
+        {"it stands in the hall", [](const Skipped& s) { return !s.alone(); }},
+        // Of the fur.
+        {"silhouettes are not filled with fins", isNot("silhouette", 1)},
+        {"what is in view has no fins", is("silhouette", 1)},
+        {"set by hand", is("byHand", 1)},
+        {"at rest", [](const Skipped& s) { return s.number("byHand") == 0 && s.number("frozenAt") == 0; }},
+        {"frozen", [](const Skipped& s) { return s.number("byHand") == 0 && s.number("frozenAt") > 0; }},
+        {"at rest since", [](const Skipped& s) { return s.number("byHand") == 0 && s.number("frozenAt") == 0; }},
+        // Of the card.
+        {"dispersion is switched off", isZero("dispersion")},
+        {"no light falls on the card", [](const Skipped& s) { return noLightAtAll(s) && s.number("lamp") == 0; }},
+        // Of the sunbeams.
+        {"no technique in use makes them",
+         [](const Skipped& s) {
+             const bool screen = s.step.name == "crepuscular_rays/mask" || s.step.name == "crepuscular_rays/rays";
+             const auto used = static_cast<int>(s.number("technique"));
+             return s.step.name == "crepuscular_rays/composite" ? used == 0 : (used & (screen ? 1 : 2)) == 0;
+         }},
+        {"the view of the mask is on", is("view", 1)},
+        {"there is nothing of the beams to lay over the picture",
+         [](const Skipped& s) {
+             return s.number("technique") != 0 && s.plan.find("crepuscular_rays/march") == nullptr &&
+                    s.plan.find("crepuscular_rays/mask") == nullptr;
+         }},
+        {"the sun is not in front of the camera",
+         [](const Skipped& s) { return (glm::dmat3(s.plan.view.viewFromWorld) * s.sun().towards()).z >= -1e-8; }},
+        {"the weight of the rays is 0", isZero("weight")},
+        {"the density of the rays is 0", isZero("density")},
+        {"the tint of the rays is black", isBlack("tint")},
+        {"the sun is too far beyond the picture's edge",
+         [](const Skipped& s) { return !s.inView(s.plan.view.eye + 1e4 * s.sun().towards()); }},
+        {"the sun has no light of the color of the tint", measuredByPictures},
+        {"no sky is in view",
+         [](const Skipped& s) {
+             return std::none_of(building().openings().begin(), building().openings().end(),
+                                 [&](const render::Box& opening) { return s.inView(opening.center()); });
+         }},
+        {"the air is clear",
+         [](const Skipped& s) { return s.number(s.step.name[0] == 'c' ? "airDensity" : "fog") == 0; }},
+        {"no background is behind the air", [](const Skipped& s) { return s.picture.frame.transparent; }},
+        {"alone there are no walls to end the air", isAlone},
+        {"the air is out of view", [](const Skipped& s) { return !s.inView(building().room().center()); }},
+        {"the dust swallows all light", isBlack("airColor")},
+        {"the dust swallows the light of the sun", measuredByPictures},
+        {"the strength of the beams is 0", isZero("beamStrength")},
+        {"no sunbeam wider than 30 cm comes in by the window",
+         [](const Skipped& s) { return s.alone() && s.sun().towards().z > -1 + 0.5; }},
+        {"no sunbeam wider than 30 cm comes in by window or oculus",
+         [](const Skipped& s) { return s.sun().towards().y < 0.99; }},
+        {"the beams are out of view", measuredByPictures},
+        // Of the lake.
+        {"no lantern is afloat", isZero("crowding")},
+        {"the water is a mirror: its plane is met in one step", isZero("waveHeight")},
+        {"a view of numbers is on show in place of the picture", isNot("show", 0)},
+        {"the light of the source has none", is("look", 1)},
+        {"the candles are out", isZero("candles")},
+        {"the mist is too thin to show that lanterns light it",
+         [](const Skipped& s) { return s.number("fog") > 0 && s.number("fog") <= 0.006; }},
+        {"the strength of the moon is 0", isZero("moon")},
+        {"the moon has set", moonIsDown},
+        {"the water sends too little of the moon to show shadows",
+         [](const Skipped& s) {
+             const double up = std::max(std::sin(s.number("moonElevation")), 0.0);
+             return s.brightest("waterColor") * s.number("moon") * up < 0.1;
+         }},
+        {"no ray is followed that the water mirrors", isZero("bounces")},
+        {"a panorama is in place of the night sky", [](const Skipped& s) { return !s.namesNoFile("panorama"); }},
+        {"the brightness of the stars is 0", isZero("stars")},
+        // Of the noise.
+        {"another work is on show", anotherWork},
+        {"no work looks its noise up", nothingLookedUp},
+        // Of the pixel art.
+        {"no view on show has shadows", [](const Skipped& s) { return !shows(s, 0); }},
+        {"shadows are off", isZero("shadows")},
+        {"the light of the sun is black", isBlack("sunLight")},
+        {"the depth is stored as it is drawn",
+         [](const Skipped& s) { return s.number("depthBits") == 0 && s.number("depthOrder") == 0; }},
+        {"smoothing is 0", isZero("smoothing")},
+        {"the view on show is the depth alone",
+         [](const Skipped& s) { return shows(s, 3) && !shows(s, 0) && !shows(s, 1) && !shows(s, 2) && !shows(s, 4); }},
+        {"errors are not diffused",
+         [](const Skipped& s) {
+             return s.number("dither") != 3 || (s.number("palette") == 0 && s.namesNoFile("palettePicture"));
+         }},
+        // Of the scenes.
+        {"the picture is not divided", isZero("split")},
+        {"its half is out of view", measuredByPictures},
+        {"shadows are switched off", is("shadowMethod", 1)},
+        {"the scene has no lights", measuredByPictures},
+        {"no material sends light of the lights", isNot("look", 1)},
+        {"nothing in the scene mirrors", measuredByPictures},
+        {"nothing is made of glass", measuredByPictures},
+        {"the source has no glass", isNot("look", 1)},
+        {"the source shows no lamps", isNot("look", 1)},
+        {"no light of the scene has an area", measuredByPictures},
+        {"asking every shape of so few is as fast", isZero("evaluation")},
+        {"its numbers have not rested for a while", [](const Skipped& s) { return !s.picture.frame.rests; }},
+        {"numbers are folded by themselves where the evaluation is automatic", isNot("evaluation", 0)},
+        {"lists have no numbers in their text", measuredByPictures},
+        {"the scene has no end, so no cells hold it", measuredByPictures},
+    };
+    return all;
+}
+
+/// The claim of a reason; of one that ends in a number of seconds, by its beginning.
+const Claim* claimOf(const std::string& reason)
+{
+    for (const char* begins : {"frozen", "at rest since"})
+        if (reason.starts_with(std::string(begins) + ' ')) return &claims().at(begins);
+    const auto claim = claims().find(reason);
+    return claim == claims().end() ? nullptr : &claim->second;
+}
+
+/// Settings at their ends as often as between: where effects go away.
+void drawSettings(ParameterValues& values, RandomNumbers& random)
+{
+    for (std::size_t row = 0; row < values.rows().size(); ++row) {
+        const ParameterInfo& info = values.rows()[row];
+        if (!random.chance(0.6)) continue;
+        if (info.kind == Kind::color && random.chance(0.4)) {
+            values.setRow(row, glm::dvec3(0));
+        } else if (info.isNumeric() && random.chance(0.5)) {
+            // Above its initial value, a count costs time and tells nothing new.
+            const double high = info.kind == Kind::count ? std::get<double>(info.initial) : info.range.softHigh;
+            values.setRow(row, random.chance(0.6) ? info.range.low : high);
+        } else if (info.kind != Kind::count) {
+            values.setRow(row, randomValue(info, random));
+        }
+    }
+}
+
+class Reasons : public testing::TestWithParam<std::string> {};
+
+TEST_P(Reasons, AreThereAndTrueWhateverIsSet)
+{
+    const std::size_t exhibit = *museum().find(GetParam());
+    std::set<std::string> told;
+    for (std::uint64_t seed = 1; seed <= 80; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        ScanCase c = scanCase(museum(), exhibit, seed * 32);
+        RandomNumbers random(seed);
+        if (random.chance(0.7)) drawSettings(c.sceneState.values[exhibit], random);
+        if (random.chance(0.3)) drawSettings(c.sceneState.hall(), random);
+        const render::FramePlan plan = test::planned(museum(), c.sceneState, c.frame);
+        for (const render::Pass& pass : plan.passes()) EXPECT_FALSE(pass.reason.empty()) << pass.name;
+        for (const render::CulledPass& step : plan.skipped()) {
+            EXPECT_EQ(plan.find(step.name), nullptr) << step.name << " runs, and is skipped";
+            EXPECT_GE(step.reason.size(), 5U) << step.name << " is skipped without a reason";
+            if (step.complaint) continue;
+            told.insert(step.reason);
+            // The right half of a scene has values of its own, which are those of the left one by other names.
+            if (step.name.starts_with("sdf_scenes/right/")) continue;
+            const Claim* claim = claimOf(step.reason);
+            EXPECT_TRUE(claim) << step.name << ": nothing checks the reason \"" << step.reason << '"';
+            EXPECT_TRUE(!claim || (*claim)({c, plan, step})) << step.name << ": " << step.reason;
+        }
+    }
+    EXPECT_GE(told.size(), 5U) << "hardly anything was left out: this proves little";
+}
+
+std::vector<std::string> namesOfAll()
+{
+    std::vector<std::string> names{"hall"};
+    for (const auto& exhibit : allExhibits()) names.emplace_back(exhibit->name());
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Exhibits, Reasons, testing::ValuesIn(namesOfAll()), [](const auto& p) { return p.param; });
+
+}  // namespace
+}  // namespace vitrine
