@@ -11,6 +11,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -20,7 +21,8 @@
 namespace vitrine {
 namespace {
 
-constexpr double plinthTop = -0.62;     ///< Meters above the middle of the niche.
+constexpr double plinthTop = -0.62;  ///< Meters above the middle of the niche.
+constexpr const char* notBuiltUp = "the build-up has not come so far";
 constexpr double behindTheWall = -0.2;  ///< Meters: how far the axis stands in the niche.
 
 /// Own space from that of the source: turned, scaled, on its plinth in the niche.
@@ -36,11 +38,13 @@ glm::dmat4 standing(const IceCreamTable& t, const ParameterValues& values, doubl
 ParameterValues builtUp(const IceCreamTable& t, const ParameterValues& values, IceCreamStage stage)
 {
     ParameterValues now = values;
+    // Shadows that the table has without a soft edge stay so: rows of that edge do not act then.
+    const bool soft = values[t.shadowMethod] != SdfShadow::none && values[t.shadowMethod] != SdfShadow::hard;
     if (stage < IceCreamStage::classic)
         now.set(t.shadowMethod, SdfShadow::none);
-    else if (stage == IceCreamStage::classic)
+    else if (stage == IceCreamStage::classic && soft)
         now.set(t.shadowMethod, SdfShadow::classic);
-    else if (stage == IceCreamStage::improved)
+    else if (stage == IceCreamStage::improved && soft)
         now.set(t.shadowMethod, SdfShadow::improved);
     if (stage < IceCreamStage::occlusion) now.set(t.ambientOcclusion, false);
     if (stage < IceCreamStage::fog) now.set(t.sourceFog, 0.0);
@@ -71,9 +75,14 @@ SdfBody IceCream::body(const ParameterValues& values, double time) const
                  .block = render::std140Bytes(shape),
                  .exhibitFromBody = standing(table_, values, time)};
     body.shape.assign(reinterpret_cast<const char*>(body.block.data()), body.block.size());
-    // The source's numbers are those of the film: over any exposure, they have no bound.
-    body.ownLight = values[table_.lighting] == IceCreamLighting::source ? std::numeric_limits<double>::infinity()
-                                                                        : values[table_.lamp];
+    body.switchedOff = notBuiltUp;
+    body.ownLight = values[table_.lamp];
+    if (values[table_.lighting] == IceCreamLighting::source) {
+        // The source's numbers are those of the film: over any exposure, they have no bound.
+        body.ownLight = std::numeric_limits<double>::infinity();
+        const glm::dvec3 ambient = values[table_.sourceAmbient].value;
+        body.occluded = {std::max({ambient.x, ambient.y, ambient.z}), "the ambient light is black"};
+    }
     body.variant =
         "built up to: " + std::string(values.rows()[table_.stage.row].choices[static_cast<std::size_t>(shape.stage)]);
     if (shape.stage < STAGE_FINISHED) body.defines.emplace_back("PIXEL_CENTERS");
@@ -190,7 +199,7 @@ void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
     constexpr const char* ground = "ice_cream/ground";
     const ParameterValues& values = scene.body.values;
     if (stageAt(table_, values, scene.context.time) < IceCreamStage::finished)
-        plan.skip("ice_cream/antialiasing", "the build-up has not come so far: every sample is the pixel's middle");
+        plan.skip("ice_cream/antialiasing", notBuiltUp);
     if (values[table_.lighting] != IceCreamLighting::source)
         plan.skip(ground, "it stands in the hall's light");
     else if (!values[table_.ground])
@@ -205,6 +214,11 @@ void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
         pass.shader.defines.push_back(shadowDefine(scene));
         pass.state.cull = render::Cull::none;
         pass.draws = {sdfDraw(scene, nullptr)};
+        if (scene.body.occluded.value <= 0 && !plan.runEverything) {
+            ParameterValues needed = values;
+            needed.set(table_.ambientOcclusion, false);
+            pass.blocks[BLOCK_PARAMETERS] = derive::uniformBytes(needed);
+        }
         plan.add(std::move(pass));
     }
 }

@@ -14,6 +14,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -28,6 +29,12 @@ constexpr const char* shadowImage = "pixel_art.shadow";
 constexpr const char* colorImage = "pixel_art.color";
 constexpr const char* storedDepthImage = "pixel_art.stored_depth";
 constexpr const char* facetsImage = "pixel_art.facets";
+constexpr const char* emissionImage = "pixel_art.emission";
+
+std::vector<std::string> materialDefines()
+{
+    return {"BASE_COLOR_MAP", "VERTEX_COLOR", "EMISSIVE_MAP"};
+}
 
 glm::dvec3 towardsSun(const PixelArtTable& t, const ParameterValues& values)
 {
@@ -46,11 +53,18 @@ public:
 private:
     /// With levels, it is filtered between them; else a shader reads texels.
     render::ResourceId image(const char* name, render::Format format, int levels = 0);
-    std::vector<render::Draw> draws() const;
+    std::vector<render::Draw> opaqueDraws() const;
+    /// Translucent parts throw a shadow where they are at least half opaque.
+    std::vector<render::Draw> shadowDraws() const;
+    std::vector<render::Draw> translucentDraws() const;
+    bool emits() const;
+    /// Whether one of these is on show in either half.
+    bool anyView(std::initializer_list<PixelView>) const;
     void planShadow();
     void planWorld();
     void planDepth();
     void planNormals();
+    void planTranslucent();
     void planLook();
     void planDiffusion();
     /// A pass over the whole picture, with everything that its shader may read.
@@ -64,6 +78,8 @@ private:
     render::View sunView_;
     std::uint64_t worldKey_ = 0, shadowKey_ = 0, key_ = 0;
     std::string depth_;
+    bool shadowed_ = false;  ///< The sun's map is drawn.
+    bool normals_ = true;    ///< Surfaces are found.
 };
 
 Picture::Picture(const PixelShot& shot, render::FramePlan& plan)
@@ -113,55 +129,90 @@ render::ResourceId Picture::image(const char* name, render::Format format, int l
                         .ownPixels = levels == 0});
 }
 
-std::vector<render::Draw> Picture::draws() const
+render::Draw drawOf(const WorldPart& part, const render::Material& material)
+{
+    render::Draw draw = surfaceDraw(part.mesh, part.worldFromModel, material);
+    PixelObjectBlock object;
+    object.surface = surfaceObject(part.worldFromModel, material);
+    object.id = static_cast<float>(part.firstId);
+    object.painted = part.material == nullptr;
+    draw.object = render::std140Bytes(object);
+    std::erase_if(draw.inputs, [](const render::SampledTexture& input) {
+        return input.unit != UNIT_BASE_COLOR && input.unit != UNIT_EMISSIVE;
+    });
+    return draw;
+}
+
+std::vector<render::Draw> Picture::opaqueDraws() const
 {
     std::vector<render::Draw> draws;
+    for (const WorldPart& part : shot_.parts)
+        if (!isTranslucent(part)) draws.push_back(drawOf(part, part.material ? *part.material : render::Material{}));
+    return draws;
+}
+
+std::vector<render::Draw> Picture::shadowDraws() const
+{
+    std::vector<render::Draw> draws = opaqueDraws();
     for (const WorldPart& part : shot_.parts) {
-        const render::Material material = part.material ? *part.material : render::Material{};
-        render::Draw draw = surfaceDraw(part.mesh, part.worldFromModel, material);
-        PixelObjectBlock object;
-        object.worldFromModel = glm::mat4(part.worldFromModel);
-        object.worldFromModelNormals = glm::mat4(glm::dmat4(normalMatrix(glm::dmat3(part.worldFromModel))));
-        object.color = material.baseColor;
-        object.emissive = material.emissive;
-        object.id = static_cast<float>(part.firstId);
-        object.alphaCutoff =
-            material.alphaMode == render::AlphaMode::opaque ? -1.0F : std::max(material.alphaCutoff, 0.01F);
-        object.colored = part.material == nullptr;
-        draw.object = render::std140Bytes(object);
-        draw.inputs = {draw.inputs.front()};
-        draws.push_back(std::move(draw));
+        if (!isTranslucent(part)) continue;
+        render::Material material = *part.material;
+        material.alphaMode = render::AlphaMode::mask;
+        material.alphaCutoff = 0.5F;
+        draws.push_back(drawOf(part, material));
     }
     return draws;
 }
 
+bool Picture::anyView(std::initializer_list<PixelView> views) const
+{
+    const auto shows = [&](PixelView view) { return std::find(views.begin(), views.end(), view) != views.end(); };
+    return shows(values_[table_.view]) || (values_[table_.split] && shows(values_[table_.rightView]));
+}
+
+std::vector<render::Draw> Picture::translucentDraws() const
+{
+    std::vector<TranslucentPart> parts;
+    for (const WorldPart& part : shot_.parts)
+        if (isTranslucent(part))
+            parts.push_back({drawOf(part, *part.material), part.mesh->bounds.transformed(part.worldFromModel),
+                             part.material->doubleSided});
+    return farToNear(parts, eye_.view.eye);
+}
+
+bool Picture::emits() const
+{
+    return std::any_of(shot_.parts.begin(), shot_.parts.end(), [](const WorldPart& part) {
+        return part.material && !isTranslucent(part) && part.material->emissive != glm::vec3(0);
+    });
+}
+
 void Picture::planShadow()
 {
-    if (!values_[table_.shadows]) {
-        plan_.skip("pixel_art/sun", "shadows are off");
-        plan_.image({.name = shadowImage,
-                     .format = render::Format::depth32f,
-                     .size = glm::ivec2(1),
-                     .persistent = true,
-                     .comparison = true,
-                     .ownPixels = true});
-    } else {
-        plan_.image({.name = shadowImage,
-                     .format = render::Format::depth32f,
-                     .size = glm::ivec2(shadowSize),
-                     .persistent = true,
-                     .comparison = true,
-                     .ownPixels = true});
-    }
+    const glm::dvec3 sun = values_[table_.sunLight].value;
+    // Our lines are lighter where the sun reaches them.
+    const bool lines = values_[table_.highlightStrength] > 0 && values_[table_.edges] == EdgeLook::ours;
+    const std::string why = render::whyZero(
+        {render::required(anyView({PixelView::finished}), "no view on show has shadows"),
+         render::required(values_[table_.shadows], "shadows are off"),
+         render::required(lines || std::max({sun.x, sun.y, sun.z}) > 0, "the light of the sun is black")});
+    shadowed_ = why.empty();
+    if (!shadowed_) return plan_.skip("pixel_art/sun", why);
+    plan_.image({.name = shadowImage,
+                 .format = render::Format::depth32f,
+                 .size = glm::ivec2(shadowSize),
+                 .persistent = true,
+                 .comparison = true,
+                 .ownPixels = true});
     render::Pass pass;
-    pass.name = values_[table_.shadows] ? "pixel_art/sun" : "pixel_art/no_sun";
-    pass.reason = values_[table_.shadows] ? "what the small world's sun reaches" : "the look's shader reads a map";
+    pass.name = "pixel_art/sun";
+    pass.reason = "what the small world's sun reaches";
     pass.phase = render::PassPhase::prepare;
     const bool masked = std::any_of(shot_.parts.begin(), shot_.parts.end(), [](const WorldPart& part) {
         return part.material && part.material->alphaMode != render::AlphaMode::opaque;
     });
     pass.shader = {.vertex = "pixel_art/shadow.vert", .fragment = masked ? "pixel_art/shadow.frag" : "kit/depth.frag"};
-    if (masked) pass.shader.defines.emplace_back("MASKED");
+    if (masked) pass.shader.defines = {"MASKED", "BASE_COLOR_MAP", "VERTEX_COLOR"};
     pass.view = sunView_;
     pass.key = shadowKey_;
     pass.depth = Attachment::cleared(shadowImage);
@@ -169,7 +220,7 @@ void Picture::planShadow()
     pass.state.depthWrite = true;
     pass.state.depthClamp = true;
     pass.state.depthBias = {1.5F, 2};
-    if (values_[table_.shadows]) pass.draws = draws();
+    pass.draws = shadowDraws();
     plan_.add(std::move(pass));
 }
 
@@ -182,7 +233,7 @@ void Picture::planWorld()
     pass.name = "pixel_art/world";
     pass.reason = "another camera, moment or world than before";
     pass.phase = render::PassPhase::prepare;
-    pass.shader = {.vertex = "pixel_art/world.vert", .fragment = "pixel_art/world.frag"};
+    pass.shader = {.vertex = "pixel_art/world.vert", .fragment = "pixel_art/world.frag", .defines = materialDefines()};
     pass.view = eye_.view;
     pass.key = worldKey_;
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(eye_.block);
@@ -190,7 +241,38 @@ void Picture::planWorld()
     pass.depth = Attachment::cleared(pixelDrawnDepthImage);
     pass.state.depthTest = render::DepthTest::nearer;
     pass.state.depthWrite = true;
-    pass.draws = draws();
+    pass.draws = opaqueDraws();
+    if (emits()) {
+        pass.shader.defines.emplace_back("EMISSION");
+        image(emissionImage, render::Format::rgba16f);
+        pass.colors.push_back(Attachment::cleared(emissionImage));
+    }
+    plan_.add(std::move(pass));
+}
+
+void Picture::planTranslucent()
+{
+    if (!hasTranslucent(shot_.parts)) {
+        plan_.skip("pixel_art/translucent", "nothing in the picture is translucent");
+        return;
+    }
+    render::Pass pass =
+        over("pixel_art/translucent", "parts of the model are translucent", "pixel_art/translucent.frag");
+    pass.shader.vertex = "pixel_art/world.vert";
+    for (std::string& define : materialDefines()) pass.shader.defines.push_back(std::move(define));
+    if (shadowed_) pass.shader.defines.emplace_back("SHADOWS");
+    pass.view = eye_.view;
+    for (const char* name : {pixelTranslucentImage, pixelTranslucentNormalImage}) {
+        image(name, render::Format::rgba16f);
+        pass.colors.push_back(Attachment::cleared(name));
+    }
+    image(pixelTranslucentDepthImage, render::Format::r32f);
+    pass.colors.push_back(Attachment::cleared(pixelTranslucentDepthImage));
+    pass.depth = Attachment::whole(pixelDrawnDepthImage);
+    pass.state.depthTest = render::DepthTest::nearer;
+    pass.state.blend = render::Blend::premultiplied;
+    if (shadowed_) pass.inputs = {{UNIT_SHADOW_EXHIBITS, shadowImage}};
+    pass.draws = translucentDraws();
     plan_.add(std::move(pass));
 }
 
@@ -222,6 +304,12 @@ void Picture::planDepth()
 
 void Picture::planNormals()
 {
+    normals_ = shot_.keepsLit || anyView({PixelView::finished, PixelView::normals, PixelView::error, PixelView::edges});
+    if (!normals_) {
+        for (const char* name : {"pixel_art/normals", "pixel_art/smooth"})
+            plan_.skip(name, "the view on show is the depth alone");
+        return;
+    }
     const bool smooth = values_[table_.smoothing] > 0;
     const NormalsBy left = values_[table_.method];
     const NormalsBy right = values_[table_.split] ? values_[table_.rightMethod] : left;
@@ -256,11 +344,22 @@ void Picture::planLook()
     defines.push_back("RIGHT_VIEW " + std::to_string(static_cast<int>(right)));
     if (values_[table_.outlineStrength] > 0 || values_[table_.highlightStrength] > 0) defines.emplace_back("LINES");
     if (values_[table_.edges] == EdgeLook::source) defines.emplace_back("EDGES_OF_THE_SOURCE");
-    if (values_[table_.shadows]) defines.emplace_back("SHADOWS");
     pass.inputs = {{UNIT_BASE_COLOR, colorImage},
-                   {UNIT_NORMAL, pixelSurfaceImage},
-                   {UNIT_ORM, pixelTruthImage},
-                   {UNIT_SHADOW_EXHIBITS, shadowImage}};
+                   {UNIT_NORMAL, normals_ ? pixelSurfaceImage : depth_},
+                   {UNIT_ORM, pixelTruthImage}};
+    if (!normals_) defines.emplace_back("DEPTH_ALONE");
+    if (shadowed_) {
+        defines.emplace_back("SHADOWS");
+        pass.inputs.push_back({UNIT_SHADOW_EXHIBITS, std::string(shadowImage)});
+    }
+    if (emits()) {
+        defines.emplace_back("EMISSION");
+        pass.inputs.push_back({UNIT_SOURCE, emissionImage});
+    }
+    if (hasTranslucent(shot_.parts)) {
+        defines.emplace_back("TRANSLUCENT");
+        pass.inputs.push_back({UNIT_BACKDROP, pixelTranslucentImage});
+    }
     const int all = 1 + static_cast<int>(std::floor(std::log2(std::max(shot_.camera.size.x, shot_.camera.size.y))));
     image(pixelShownImage, render::Format::rgba16f, shot_.seenSmaller ? all : 1);
     const auto writes = [&](const char* define, const char* name) {
@@ -313,11 +412,22 @@ PixelBlock Picture::planned()
     planWorld();
     planDepth();
     planNormals();
+    planTranslucent();
     planLook();
     return eye_.block;
 }
 
 }  // namespace
+
+bool isTranslucent(const WorldPart& part)
+{
+    return part.material && part.material->alphaMode == render::AlphaMode::blend;
+}
+
+bool hasTranslucent(const std::vector<WorldPart>& parts)
+{
+    return std::any_of(parts.begin(), parts.end(), isTranslucent);
+}
 
 int fetchesOf(NormalsBy method)
 {

@@ -1,6 +1,7 @@
 #include "exhibits/sdf_scenes/sdf_scenes.h"
 
 #include "exhibits/framework/file_path.h"
+#include "exhibits/kit/panorama.h"
 #include "exhibits/sdf_scenes/asked_scene.h"
 #include "exhibits/sdf_scenes/scene_document.h"
 #include "exhibits/sdf_scenes/scene_glsl.h"
@@ -28,6 +29,7 @@ using scenes::ShownScene;
 
 struct PreparedScene final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
+    std::string note{};           ///< A full sentence where the environment is stretched; else empty.
     std::vector<double> numbers;  ///< At the moment that it was prepared for ...
     scenes::SceneWords words;     ///< ... and the same as the field takes them.
     scenes::AskedScene asked;
@@ -74,13 +76,21 @@ struct ScenePass {
     void shadows() const
     {
         const SceneShadow method = values[t.shadowMethod];
-        const bool lit = !shown.scene->lights.empty();
-        add(lit, "LIGHTS", "lights", "the scene has no lights");
-        if (!lit || method == SceneShadow::none)
-            plan.skip(steps + "shadows", lit ? "shadows are switched off" : "the scene has no lights");
+        const auto any = render::required(!shown.scene->lights.empty(), "the scene has no lights");
+        const auto lit =
+            render::required(!source || shown.contents.litInSource, "no material sends light of the lights");
+        const std::string dark = render::whyZero({any, lit});
+        if (dark.empty())
+            define("LIGHTS");
         else
+            plan.skip(steps + "lights", dark);
+        const std::string why =
+            render::whyZero({any, lit, render::required(method != SceneShadow::none, "shadows are switched off")});
+        if (why.empty())
             define("SHADOWS " +
                    std::to_string(method == SceneShadow::look ? (source ? 6 : 4) : static_cast<int>(method) - 1));
+        else
+            plan.skip(steps + "shadows", why);
     }
 
     void occlusion() const
@@ -235,6 +245,7 @@ std::shared_ptr<const PreparedPart> SdfScenes::prepare(const PrepareContext& con
         scene.pictures);
     part->environment = read.value;
     part->filesId = read.id;
+    if (read.value && environment.files.size() == 1) part->note = stretchedSky(*read.value, path);
     if (!read.failure.empty())
         part->unreadable.push_back({"sdf_scenes/environment",
                                     unreadableFile(table_.rows()[table_.scene.row], title(), read.failure),
@@ -250,6 +261,7 @@ void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
         plan.skip("sdf_scenes/scene", "it was not prepared");
         return;
     }
+    if (!prepared->note.empty()) plan.warn("sdf_scenes/environment", prepared->note);
     Portal portal = portalAt(values, context.time, prepared->numbers);
     if (values[table_.split]) {
         portal.divider = dividerAt(values[table_.divider]);
@@ -260,6 +272,8 @@ void SdfScenes::plan(const PlanContext& context, render::FramePlan& plan) const
         plan.skip("sdf_scenes/right", "the picture is not divided");
     }
     planPart("sdf_scenes/scene", values, portal, context, plan);
+    for (const scenes::Finding& shape : shown(values).scene->leftOut)
+        plan.warn("sdf_scenes/shapes", shape.text() + " This shape is left out.");
     const std::size_t lights = shown(values).scene->lights.size();
     if (lights > SCENE_MOST_LIGHTS)
         plan.warn("sdf_scenes/lights", "The scene has " + std::to_string(lights) + " lights; the first " +

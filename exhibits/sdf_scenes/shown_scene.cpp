@@ -1,5 +1,6 @@
 #include "exhibits/sdf_scenes/shown_scene.h"
 
+#include "exhibits/sdf_scenes/near_scene.h"
 #include "exhibits/sdf_scenes/scene_glsl.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "render/failure.h"
@@ -39,8 +40,10 @@ void addMaterial(const MaterialNumbers& m, SceneContents& contents)
         const bool mirror = m.mayBeAbove(7, 0);
         contents.mirrors = contents.mirrors || mirror;
         contents.mirrorsInSource = contents.mirrorsInSource || mirror;
+        contents.litInSource = contents.litInSource || m.mayBeAbove(4, 0) || m.mayBeAbove(5, 0);
         return;
     }
+    contents.litInSource = true;
     // metalness, roughness, reflectance, refractive index, transmission, emission
     contents.mirrors = contents.mirrors || m.mayBeBelow(4, roughestMirror);
     contents.mirrorsInSource = contents.mirrorsInSource || (m.mayBeAbove(3, 0) && m.mayBeBelow(4, 0.3));
@@ -64,6 +67,35 @@ glm::dvec3 vectorAt(const std::vector<double>& numbers, std::size_t i)
     return {numbers[i], numbers[i + 1], numbers[i + 2]};
 }
 
+/// The same scene, seen as a whole: where its file names no camera, the camera stands before what the scene covers. Its
+/// distance and target go by steps, so that moving a shape a little keeps the view.
+std::shared_ptr<const Scene> framed(const std::shared_ptr<const Scene>& scene)
+{
+    if (scene->hasCamera) return scene;
+    const SceneProgram program(scene);
+    if (program.nodes().empty()) return scene;
+    const std::vector<double> numbers = scene->numbersAt(0);
+    const SceneWords words = program.words(numbers);
+    const SceneWithoutPlanes rest(program, words, NearScene::mostPlanes);
+    if (rest.steps.empty() || !std::isfinite(glm::length(rest.box.high - rest.box.low))) return scene;
+    const render::Box box = occupiedBox(program, words, rest.steps, rest.box);
+    const double radius = glm::length(box.halfSize());
+    if (box.empty() || !(radius > 0)) return scene;
+    const double reach = std::exp2(std::ceil(4 * std::log2(radius)) / 4);
+    const double step = reach / 8;
+    const glm::dvec3 target = glm::round(box.center() / step) * step;
+    const SceneCamera camera = sceneCamera(*scene, numbers, 0);
+    const glm::dvec3 away = glm::normalize(camera.eye - camera.target);
+    const glm::dvec3 eye = target + away * ((reach + 0.5 * std::sqrt(3.0) * step) / std::sin(0.5 * camera.fovY));
+    auto made = std::make_shared<Scene>(*scene);
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<glm::length_t>(i);
+        made->numbers[scene->camera.numbers + i].value = eye[axis];
+        made->numbers[scene->camera.numbers + 3 + i].value = target[axis];
+    }
+    return made;
+}
+
 /// How far before the camera the frame can be, so that its pane cuts nothing: the nearest surface is no nearer than its
 /// corners.
 double openingOf(const Scene& scene, const std::shared_ptr<const SceneProgram>& program)
@@ -82,7 +114,7 @@ double openingOf(const Scene& scene, const std::shared_ptr<const SceneProgram>& 
 std::shared_ptr<const ShownScene> shownScene(std::shared_ptr<const Scene> scene, std::filesystem::path path)
 {
     auto shown = std::make_shared<ShownScene>();
-    shown->scene = std::move(scene);
+    shown->scene = framed(scene);
     shown->program = std::make_shared<const SceneProgram>(shown->scene);
     shown->sources = generatedSources(sceneGlsl(*shown->program, {"sdf_scenes/stage_block.glsl", "SceneStage stage"}));
     shown->contents = contentsOf(*shown->scene, *shown->program);

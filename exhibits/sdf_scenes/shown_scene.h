@@ -19,6 +19,7 @@ namespace vitrine::scenes {
 struct SceneContents {
     bool mirrorsInSource = false;  ///< Some material is, or may become, a mirror there ...
     bool mirrors = false;          ///< ... and the same of metal and glaze.
+    bool litInSource = false;      ///< Some material sends light of the scene's lights there: Phong's may not.
     bool glass = false;
     bool glows = false;
     bool lamps = false;  ///< Areas that shine, which are seen themselves.

@@ -1,7 +1,8 @@
 // The finished look, or a view of what it is made of. Linear display light; a: 1 where anything is seen. Before the
-// palette, a is 2 in what is no finished picture and keeps its own colors. Permutations: LEFT_VIEW and RIGHT_VIEW, numbers
-// of the row `view`; LINES, EDGES_OF_THE_SOURCE, SHADOWS; SHOWN and LIT, locations of the picture with the palette and of the one
-// before; PALETTE, and those of pixel_art/dither.glsl. No branch stands where a program may know: some processors run both sides.
+// palette, a is 2 in what is no finished picture and keeps its own colors. Permutations: LEFT_VIEW and RIGHT_VIEW,
+// numbers of the row `view`; LINES, EDGES_OF_THE_SOURCE, SHADOWS, EMISSION, TRANSLUCENT, DEPTH_ALONE (`surfaces` is the
+// depth: no view has normals); SHOWN and LIT, locations of the picture with the palette and of the one before; PALETTE,
+// and those of pixel_art/dither.glsl. No branch stands where a program may know: some processors run both sides.
 #include "pixel_art/picture.glsl"
 #include "pixel_art/surface.glsl"
 #include "lib/heat_color.glsl"
@@ -9,7 +10,12 @@
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D colors;
 layout(binding = UNIT_NORMAL) uniform sampler2D surfaces;
 layout(binding = UNIT_ORM) uniform sampler2D trueNormals;
-layout(binding = UNIT_SHADOW_EXHIBITS) uniform sampler2DShadow shadowMap;
+#ifdef EMISSION
+layout(binding = UNIT_SOURCE) uniform sampler2D emissions;
+#endif
+#ifdef TRANSLUCENT
+layout(binding = UNIT_BACKDROP) uniform sampler2D translucent;  // premultiplied
+#endif
 
 #ifdef SHOWN
 layout(location = SHOWN) out vec4 shown;
@@ -23,10 +29,15 @@ layout(location = LIT) out vec4 lit;
 
 Surface surfaceAt(ivec2 p)
 {
+#ifdef DEPTH_ALONE
+    return Surface(vec3(0.0), 0.0, texelFetch(surfaces, p, 0).r);
+#else
     return surfaceOf(texelFetch(surfaces, p, 0));
+#endif
 }
 
 #include "pixel_art/edges.glsl"
+#include "pixel_art/light.glsl"
 
 Edges edgesAt(DepthLens lens, ivec2 p, Surface surface)
 {
@@ -37,28 +48,6 @@ Edges edgesAt(DepthLens lens, ivec2 p, Surface surface)
     if (isSky(lens, surface.depth)) e = Edges(0.0, 0.0, 0.0);
     return e;
 #endif
-}
-
-float sunlit(vec3 place, vec3 n, float width)
-{
-#ifdef SHADOWS
-    // Out of the surface by more than the map's texel is wide.
-    vec4 at = pixel.shadowFromView * vec4(place + n * (0.6 * width + 0.02) + pixel.sun * 0.02, 1.0);
-    float reached = texture(shadowMap, at.xyz);
-    bool beyond = any(lessThan(at.xyz, vec3(0.0))) || any(greaterThan(at.xy, vec2(1.0)));
-    return beyond ? 1.0 : reached;
-#else
-    return 1.0;
-#endif
-}
-
-// Light in so many even tones: the darkest is none, the brightest all.
-float banded(float light)
-{
-    int bands = parameters.bands;
-    if (bands < 2) return light;
-    float steps = float(bands - 1);
-    return min(floor(light * float(bands)), steps) / steps;
 }
 
 vec3 skyColor(ivec2 p)
@@ -74,12 +63,15 @@ vec3 finished(ivec2 p, DepthLens lens, Surface surface)
     vec4 base = texelFetch(colors, p, 0);
     vec3 n = surface.normal;
     vec3 place = positionAt(lens, p, surface.depth);
-    float faces = clamp(dot(n, pixel.sun), 0.0, 1.0);
-    float light = banded(faces * sunlit(place, n, texelWidth(lens, surface.depth)));
-    float up = 0.5 + 0.5 * dot(n, pixel.up);
-    vec3 shade = mix(parameters.bounceLight, parameters.shadeLight, floor(up * 3.0 + 0.52) / 3.0);
-    vec3 color = base.rgb * (shade + parameters.sunLight * light);
+    float light = sunOn(place, n, texelWidth(lens, surface.depth));
+    vec3 color = shaded(base.rgb, n, light);
     color += base.rgb * ((base.a - 1.0) * 1.6);
+    float glows = clamp(base.a - 1.0, 0.0, 1.0);
+#ifdef EMISSION
+    vec3 emitted = texelFetch(emissions, p, 0).rgb;
+    color += emitted;
+    glows = clamp(max(glows, max(emitted.r, max(emitted.g, emitted.b))), 0.0, 1.0);
+#endif
     if (sky) color = skyColor(p);
 #ifndef LINES
     return color;
@@ -89,7 +81,6 @@ vec3 finished(ivec2 p, DepthLens lens, Surface surface)
     color = mix(color, mix(color, parameters.highlightColor, parameters.highlightStrength), e.highlight);
     return mix(color, mix(color, parameters.outlineColor, parameters.outlineStrength), e.outline);
 #else
-    float glows = clamp(base.a - 1.0, 0.0, 1.0);
     vec3 lighter = mix(color * 1.5, parameters.highlightColor, 0.35) * mix(0.75, 1.0, light);
     color = mix(color, lighter, clamp(2.5 * parameters.highlightStrength, 0.0, 1.0) * e.highlight * (1.0 - glows));
     vec3 own = color * vec3(0.20, 0.16, 0.30);
@@ -104,7 +95,15 @@ vec3 finished(ivec2 p, DepthLens lens, Surface surface)
 vec4 viewOf(int view, ivec2 p, DepthLens lens, Surface surface)
 {
     bool sky = isSky(lens, surface.depth);
-    if (view == view_finished) return vec4(clamp(finished(p, lens, surface), 0.0, 1.0), sky ? 0.0 : 1.0);
+    if (view == view_finished) {
+        vec3 behind = clamp(finished(p, lens, surface), 0.0, 1.0);
+#ifdef TRANSLUCENT
+        vec4 over = texelFetch(translucent, p, 0);
+        return vec4(behind * (1.0 - over.a) + over.rgb, sky ? over.a : 1.0);
+#else
+        return vec4(behind, sky ? 0.0 : 1.0);
+#endif
+    }
     vec3 color = vec3(0.0);
     if (view == view_normals) color = pow(surface.normal * 0.5 + 0.5, vec3(2.2));
     if (view == view_error && !sky) {

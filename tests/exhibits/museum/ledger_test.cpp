@@ -1,6 +1,10 @@
 // The ledger's promises: running everything changes no bit of any picture, and what is off is not there.
 
 #include "exhibits/fur/fur_table.h"
+#include "exhibits/ice_cream/ice_cream_table.h"
+#include "exhibits/noise/noise_table.h"
+#include "exhibits/pixel_art/pixel_art_table.h"
+#include "exhibits/sdf_scenes/sdf_scenes_table.h"
 #include "tests/support/gallery.h"
 #include "tests/support/planned.h"
 
@@ -83,6 +87,9 @@ TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
     constexpr double field = static_cast<double>(SdfShown::field), mesh = static_cast<double>(SdfShown::mesh);
     constexpr double volume = static_cast<double>(RayTechnique::volume),
                      screen = static_cast<double>(RayTechnique::screen), none = static_cast<double>(RayTechnique::none);
+    constexpr double sea = static_cast<double>(NoiseWork::sea), clouds = static_cast<double>(NoiseWork::clouds);
+    constexpr double finished = static_cast<double>(PixelView::finished),
+                     depthView = static_cast<double>(PixelView::depth);
     // The mesh takes the place of two passes, their two programs and the image of one of them, and asks for two that
     // draw the shadow that falls on it, with one program. With the mask and the running sum, the rays in screen space
     // are three passes and two images; the air is two and one. Shadows of the hall: the map of what stands still, its
@@ -96,6 +103,14 @@ TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
         {"fur", "silhouette", fins, march, true, "fur/fins", "", 1, 1, 0},
         {"crepuscular_rays", "technique", screen, none, false, "crepuscular_rays/", "crepuscular_rays.", 3, 3, 2},
         {"crepuscular_rays", "technique", volume, none, false, "crepuscular_rays/", "crepuscular_rays.", 2, 2, 1},
+        {"ice_cream", "conePrepass", 1.0, 0.0, true, "ice_cream/cone", "ice_cream.cone", 1, 1, 1},
+        {"paper_lanterns", "crowding", 0.8, 0.0, true, "paper_lanterns/float", "paper_lanterns.afloat", 1, 1, 1},
+        {"noise", "work", clouds, sea, true, "noise/bake", "noise.", 1, 1, 1},
+        {"pixel_art", "shadows", 1.0, 0.0, true, "pixel_art/sun", "pixel_art.shadow", 1, 1, 1},
+        {"pixel_art", "smoothing", 2.0, 0.0, true, "pixel_art/smooth", "pixel_art.facets", 1, 1, 1},
+        // The depth alone has no normals, and no shadow.
+        {"pixel_art", "view", finished, depthView, true, "pixel_art/normals", "pixel_art.surface", 1, 1, 2, 1},
+        {"sdf_scenes", "split", 1.0, 0.0, true, "sdf_scenes/right", "", 1, 0, 0},
         {"hall", "reflectionProbe", 1.0, 0.0, true, "probe/", "probe", 11, 3, 3},
         {"hall", "sunShadows", 1.0, 0.0, false, "hall/shadow", "shadow.", 4, 2, 3, 3},
     };
@@ -145,6 +160,107 @@ TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)
     const std::int64_t with = images(true);
     EXPECT_EQ(images(false), with - 1);
     EXPECT_EQ(images(true), with);
+}
+
+/// A picture alone with its evaluations, and their sum.
+struct Counted {
+    Picture picture;
+    double evaluations = 0;
+};
+
+Counted counted(Shot shot)
+{
+    shot.request.frame.channels.evaluations = true;
+    Counted made{shot.take(), 0};
+    const int last = made.picture.image.channels - 1;
+    made.picture.each([&](int x, int y) { made.evaluations += made.picture.image.at(x, y, last); });
+    return made;
+}
+
+double colorsDiffer(const Picture& a, const Picture& b)
+{
+    double largest = 0;
+    a.each([&](int x, int y) {
+        for (int c = 0; c < 4; ++c)
+            largest = std::max(largest, std::abs(double{a.image.at(x, y, c)} - double{b.image.at(x, y, c)}));
+    });
+    return largest;
+}
+
+TEST_F(Ledger, OcclusionOfABlackLightIsNotEvaluated)
+{
+    const std::size_t exhibit = *gallery().museum.find("ice_cream");
+    const IceCreamTable table;
+    Shot shot = shotOf(exhibit, true);
+    ParameterValues& values = shot.sceneState.values[exhibit];
+    values.set(table.lighting, IceCreamLighting::source);
+    shot.request.frame.camera = gallery().museum.subject(exhibit).bestView(values);
+    const Counted lit = counted(shot);
+    values.set(table.sourceAmbient, ColorValue{glm::dvec3(0)});
+    const Counted black = counted(shot);
+    shot.request.frame.runEverything = true;
+    const Counted everything = counted(shot);
+    shot.request.frame.runEverything = false;
+    values.set(table.ambientOcclusion, false);
+    EXPECT_EQ(black.evaluations, counted(shot).evaluations);
+    EXPECT_LT(black.evaluations, 0.97 * lit.evaluations);
+    EXPECT_EQ(everything.evaluations, lit.evaluations);
+    EXPECT_EQ(colorsDiffer(black.picture, everything.picture), 0);
+}
+
+TEST_F(Ledger, ShadowsOnWhatSendsNoLightOfTheLightsAreNotEvaluated)
+{
+    const std::size_t exhibit = *gallery().museum.find("sdf_scenes");
+    const SdfScenesTable table;
+    Shot shot = shotOf(exhibit, true);
+    const auto take = [&](SceneShadow shadows) {
+        ParameterValues& values = shot.sceneState.values[exhibit];
+        values.set(table.scene, std::string(VITRINE_SOURCE_DIR "/assets/scenes/ambient_occlusion.json"));
+        values.set(table.look, SceneLook::source);
+        values.set(table.shadowMethod, shadows);
+        shot.sceneState = gallery().museum.readTables(shot.sceneState).sceneState;
+        shot.request.frame.camera = gallery().museum.subject(exhibit).bestView(shot.sceneState.values[exhibit]);
+        return counted(shot);
+    };
+    const Counted none = take(SceneShadow::none);
+    const Counted any = take(SceneShadow::look);
+    EXPECT_EQ(any.evaluations, none.evaluations);
+    EXPECT_EQ(colorsDiffer(any.picture, none.picture), 0);
+}
+
+TEST_F(Ledger, TheSmallWorldsSunAndNormalsAreDrawnOnlyForViewsThatShowThem)
+{
+    const std::size_t exhibit = *gallery().museum.find("pixel_art");
+    const PixelArtTable table;
+    Shot shot = shotOf(exhibit, true);
+    ParameterValues& values = shot.sceneState.values[exhibit];
+    const auto plan = [&] { return test::planned(gallery().museum, shot.sceneState, shot.request.frame); };
+    // What the map and the normals would add is nothing: with shadows, by another method, it is the same picture.
+    const auto isLeftOut = [&](const char* pass) {
+        const Picture without = shot.take();
+        EXPECT_EQ(plan().find(pass), nullptr) << pass;
+        const ParameterValues before = values;
+        values.set(table.shadows, !values[table.shadows]);
+        values.set(table.method, NormalsBy::vote);
+        if (std::string_view(pass) != "pixel_art/normals") values.set(table.method, before[table.method]);
+        EXPECT_EQ(colorsDiffer(shot.take(), without), 0) << pass;
+        values = before;
+    };
+    EXPECT_NE(plan().find("pixel_art/sun"), nullptr);
+    for (const PixelView view : {PixelView::normals, PixelView::depth, PixelView::edges, PixelView::error}) {
+        values.set(table.view, view);
+        isLeftOut("pixel_art/sun");
+        const render::Pass* normals = plan().find("pixel_art/normals");
+        EXPECT_EQ(normals == nullptr, view == PixelView::depth);
+        if (view == PixelView::depth) isLeftOut("pixel_art/normals");
+    }
+    values.set(table.split, true);
+    EXPECT_NE(plan().find("pixel_art/sun"), nullptr) << "the right half is the finished picture";
+    values = table.initial();
+    values.set(table.sunLight, ColorValue{glm::dvec3(0)});
+    EXPECT_NE(plan().find("pixel_art/sun"), nullptr) << "edges are lighter in the sun";
+    values.set(table.highlightStrength, 0.0);
+    isLeftOut("pixel_art/sun");
 }
 
 TEST_F(Ledger, ASunOfNoStrengthCastsNoShadowPass)
