@@ -4,6 +4,7 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
+#include "render/files/strict_json.h"
 #include "render/hash.h"
 
 #include <algorithm>
@@ -46,7 +47,7 @@ Json jobOf(const std::vector<std::string>& command, int of)
 std::optional<Json> readReport(const fs::path& path)
 {
     try {
-        return Json::parse(render::readFile(path, largestReport));
+        return render::readJson(path, {.bytes = largestReport}).root();
     } catch (const std::exception&) {
         return std::nullopt;
     }
@@ -209,7 +210,7 @@ std::optional<render::Image> Parts::kept(const std::string& name, Json* about) c
     const std::string bytes = render::readFile(file(name), largestFile);
     const std::size_t text = bytes.find('\n');
     try {
-        const Json head = Json::parse(bytes.substr(0, text));
+        const Json head = render::parseJson(bytes.substr(0, text), file(name).string()).root();
         render::Image image;
         image.width = head.at("width").get<int>();
         image.height = head.at("height").get<int>();
@@ -219,7 +220,9 @@ std::optional<render::Image> Parts::kept(const std::string& name, Json* about) c
         const std::size_t count = (bytes.size() - text - 1) / sizeof(float);
         const auto wanted = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) *
                             static_cast<std::size_t>(image.channels);
-        if (head.at("format") != keptFormat || count != wanted) throw std::runtime_error("other sizes");
+        if (head.at("format") != keptFormat || image.width < 0 || image.height < 0 || image.channels < 0 ||
+            text == std::string::npos || count != wanted)
+            throw std::runtime_error("other sizes");
         image.pixels.resize(count);
         if (count > 0) std::memcpy(image.pixels.data(), bytes.data() + text + 1, count * sizeof(float));
         return image;

@@ -4,6 +4,7 @@
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/files/read_file.h"
+#include "render/files/text_position.h"
 #include "render/text/translation.h"
 
 #include <algorithm>
@@ -282,6 +283,8 @@ private:
 
 Lesson parseLesson(const std::string& text, const std::string& fileName, const NamedValues& tables)
 {
+    if (const auto zero = render::zeroByteIn(text))
+        throw failureAt(fileName, zero->line, std::string(render::zeroByteProblem) + '.');
     const Cutter cut(text, fileName);
     Lesson lesson;
     Reader reader(fileName, tables, lesson);
@@ -297,7 +300,10 @@ Lesson parseLesson(const std::string& text, const std::string& fileName, const N
 
 Lesson readLesson(const std::filesystem::path& path, const NamedValues& tables)
 {
-    return parseLesson(render::readFile(path, lessonBytes), path.string(), tables);
+    std::string text = render::readFile(path, lessonBytes);
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";  // Editors on Windows write one.
+    if (text.starts_with(byteOrderMark)) text.erase(0, byteOrderMark.size());
+    return parseLesson(text, path.string(), tables);
 }
 
 std::string withLabels(std::string_view text, std::string_view exhibit, const NamedValues& tables,

@@ -1,5 +1,6 @@
 #include "render/files/json_text.h"
 
+#include "render/files/byte_order_mark.h"
 #include "render/files/number_text.h"
 
 #include <algorithm>
@@ -21,93 +22,14 @@ std::string quotedKey(std::string_view key)
     return Json(std::string(key)).dump();
 }
 
-JsonSpan::Type typeFrom(char first)
-{
-    switch (first) {
-    case '{': return JsonSpan::Type::object;
-    case '[': return JsonSpan::Type::array;
-    case '"': return JsonSpan::Type::string;
-    case 't':
-    case 'f': return JsonSpan::Type::boolean;
-    case 'n': return JsonSpan::Type::null;
-    default: return JsonSpan::Type::number;
-    }
-}
-
-/// One behind the string that begins here.
-std::size_t endOfString(std::string_view text, std::size_t begin)
-{
-    for (std::size_t i = begin + 1;; ++i) {
-        if (text[i] == '\\')
-            ++i;
-        else if (text[i] == '"')
-            return i + 1;
-    }
-}
-
-bool isBetweenTokens(char c)
-{
-    return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == ',' || c == ':';
-}
-
 }  // namespace
 
-JsonText::JsonText(std::string text, std::string name, const JsonLimits& limits) : name_(std::move(name))
+JsonText::JsonText(std::string text, std::string name, const JsonLimits& limits)
+    : text_(withoutByteOrderMark(std::move(text))), name_(std::move(name)), values_(jsonSpans(text_, name_, limits))
 {
-    text_ = parseJson(std::move(text), name_, limits).text();
     lineStarts_.push_back(0);
     for (std::size_t i = 0; i < text_.size(); ++i)
         if (text_[i] == '\n') lineStarts_.push_back(static_cast<std::uint32_t>(i + 1));
-    scan();
-}
-
-/// The text is known to be JSON.
-void JsonText::scan()
-{
-    std::uint32_t open = JsonSpan::none;     // The array or object that is being read.
-    std::vector<std::uint32_t> lastChild{};  // Of each that is open, by depth.
-    JsonSpan keyed{};
-    std::size_t at = 0;
-    while (true) {
-        while (at < text_.size() && isBetweenTokens(text_[at])) ++at;
-        if (at == text_.size()) return;
-        const char c = text_[at];
-        if (c == '}' || c == ']') {
-            values_[open].end = static_cast<std::uint32_t>(++at);
-            open = values_[open].parent;
-            lastChild.pop_back();
-            continue;
-        }
-        const bool inObject = open != JsonSpan::none && values_[open].type == JsonSpan::Type::object;
-        if (inObject && keyed.keyEnd == 0) {
-            keyed.keyBegin = static_cast<std::uint32_t>(at);
-            at = endOfString(text_, at);
-            keyed.keyEnd = static_cast<std::uint32_t>(at);
-            continue;
-        }
-        JsonSpan span = keyed;
-        keyed = {};
-        span.type = typeFrom(c);
-        span.begin = static_cast<std::uint32_t>(at);
-        span.parent = open;
-        const auto index = static_cast<std::uint32_t>(values_.size());
-        if (open != JsonSpan::none) {
-            std::uint32_t& last = lastChild.back();
-            (last == JsonSpan::none ? values_[open].firstChild : values_[last].next) = index;
-            last = index;
-        }
-        if (c == '{' || c == '[') {
-            ++at;
-            open = index;
-            lastChild.push_back(JsonSpan::none);
-        } else if (c == '"') {
-            at = endOfString(text_, at);
-        } else {
-            while (at < text_.size() && !isBetweenTokens(text_[at]) && text_[at] != '}' && text_[at] != ']') ++at;
-        }
-        span.end = static_cast<std::uint32_t>(at);
-        values_.push_back(span);
-    }
 }
 
 std::string_view JsonText::written(std::uint32_t index) const
@@ -235,7 +157,7 @@ std::string JsonText::inserted(std::uint32_t parent, std::size_t before, const s
     if (items.empty()) return spliced(values_[parent].begin + 1, values_[parent].end - 1, item);
     const std::uint32_t neighbor = items[std::min(before, items.size() - 1)];
     std::size_t blanks = beginOf(neighbor);
-    while (isBetweenTokens(text_[blanks - 1]) && text_[blanks - 1] != ',') --blanks;
+    while (isBetweenJsonTokens(text_[blanks - 1]) && text_[blanks - 1] != ',') --blanks;
     const std::string lead = text_.substr(blanks, beginOf(neighbor) - blanks);
     if (before < items.size())
         return spliced(beginOf(neighbor), beginOf(neighbor), item + ',' + (lead.empty() ? " " : lead));
@@ -259,7 +181,7 @@ std::string JsonText::without(std::uint32_t index) const
     const JsonSpan& span = values_[index];
     assert(span.parent != JsonSpan::none);
     std::size_t begin = span.keyEnd > 0 ? span.keyBegin : span.begin;
-    while (isBetweenTokens(text_[begin - 1])) --begin;
+    while (isBetweenJsonTokens(text_[begin - 1])) --begin;
     const bool first = text_[begin - 1] == '[' || text_[begin - 1] == '{';
     if (!first || span.next == JsonSpan::none) {
         // The comma before it goes; the last one of all leaves the blanks before the bracket.

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "render/files/strict_json.h"
+#include "render/files/json_span.h"
+#include "render/files/text_position.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -10,23 +11,6 @@
 #include <vector>
 
 namespace vitrine::render {
-
-/// A value of a JSON text: where it stands, and its neighbors, by their index in `JsonText::values`.
-struct JsonSpan {
-    enum class Type : std::uint8_t { null, boolean, number, string, array, object };
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
-
-    Type type = Type::null;
-    std::uint32_t begin = 0, end = 0;        ///< Bytes of the text.
-    std::uint32_t keyBegin = 0, keyEnd = 0;  ///< Of its key, quotes included; equal where it is no member.
-    std::uint32_t parent = none, firstChild = none, next = none;
-};
-
-/// A position for people: line and column from 1, columns in bytes.
-struct TextPosition {
-    int line = 1;
-    int column = 1;
-};
 
 /// A JSON text with the place of every value, for what must name a place or change the text of one value and leave the
 /// rest as it was written. Values stand in the order of the text: a parent before its children. Nothing here recurses.
@@ -76,7 +60,6 @@ public:
     [[nodiscard]] std::string withKey(std::uint32_t member, std::string_view key) const;
 
 private:
-    void scan();
     [[nodiscard]] std::string inserted(std::uint32_t parent, std::size_t before, const std::string& item) const;
     [[nodiscard]] std::string spliced(std::size_t begin, std::size_t end, std::string_view with) const;
 

@@ -1,8 +1,13 @@
 #include "render/files/strict_json.h"
 
+#include "render/files/byte_order_mark.h"
+#include "render/files/json_span.h"
 #include "render/files/read_file.h"
+#include "render/files/text_position.h"
 
 #include <algorithm>
+#include <cassert>
+#include <cstdint>
 #include <iterator>
 #include <unordered_set>
 #include <vector>
@@ -45,20 +50,81 @@ private:
     const char* at_;
 };
 
-struct JsonPosition {
-    int line = 1;    ///< From 1.
-    int column = 1;  ///< From 1, in bytes.
-};
-
-/// Of the last character taken.
-JsonPosition positionIn(const TakenText& source)
+/// Position of the last character taken.
+TextPosition positionIn(const TakenText& source)
 {
-    const std::size_t last = source.taken > 0 ? source.taken - 1 : 0;
-    const std::string_view before = source.text.substr(0, std::min(last, source.text.size()));
-    const std::size_t newline = before.rfind('\n');
-    const std::size_t column = newline == std::string_view::npos ? before.size() + 1 : before.size() - newline;
-    return {static_cast<int>(std::count(before.begin(), before.end(), '\n')) + 1, static_cast<int>(column)};
+    return positionAt(source.text, source.taken > 0 ? source.taken - 1 : 0);
 }
+
+/// Notes the place of each value while the library reads the text: it reports a value when its last character is taken.
+class SpanRecorder {
+public:
+    explicit SpanRecorder(const TakenText& source) : source_(source) {}
+
+    void key()
+    {
+        const auto [begin, end] = token();
+        keyBegin_ = begin;
+        keyEnd_ = end;
+    }
+    void value(JsonSpan::Type type)
+    {
+        const auto [begin, end] = token();
+        add({.type = type, .begin = begin, .end = end});
+    }
+    void open(JsonSpan::Type type)
+    {
+        value(type);
+        open_.push_back({static_cast<std::uint32_t>(spans.size() - 1)});
+    }
+    void close()
+    {
+        spans[open_.back().span].end = token().end;
+        open_.pop_back();
+    }
+
+    std::vector<JsonSpan> spans;
+
+private:
+    struct Token {
+        std::uint32_t begin, end;
+    };
+    struct OpenSpan {
+        std::uint32_t span;
+        std::uint32_t lastChild = JsonSpan::none;
+    };
+
+    /// The token that was read last. Of a number the library has taken the character behind it, too.
+    Token token()
+    {
+        const std::string_view text = source_.text.substr(0, source_.taken);
+        std::size_t begin = end_;
+        while (begin < text.size() && isBetweenJsonTokens(text[begin])) ++begin;
+        const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+        end_ = text.size();
+        if (begin < end_ && (isDigit(text[begin]) || text[begin] == '-') && !isDigit(text[end_ - 1])) --end_;
+        return {static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end_)};
+    }
+    void add(JsonSpan span)
+    {
+        span.keyBegin = keyBegin_;
+        span.keyEnd = keyEnd_;
+        keyBegin_ = keyEnd_ = 0;
+        const auto index = static_cast<std::uint32_t>(spans.size());
+        if (!open_.empty()) {
+            OpenSpan& parent = open_.back();
+            span.parent = parent.span;
+            (parent.lastChild == JsonSpan::none ? spans[parent.span].firstChild : spans[parent.lastChild].next) = index;
+            parent.lastChild = index;
+        }
+        spans.push_back(span);
+    }
+
+    const TakenText& source_;
+    std::size_t end_ = 0;  // Of the token before.
+    std::uint32_t keyBegin_ = 0, keyEnd_ = 0;
+    std::vector<OpenSpan> open_;
+};
 
 /// An object or array that is still open.
 struct JsonLevel {
@@ -67,7 +133,8 @@ struct JsonLevel {
     std::string key{};  // The one last seen.
 };
 
-/// Builds the tree of a text, with the checks of `parseJson`; on the way, finds the line of a key path.
+/// Builds the tree of a text, with the checks of `parseJson`. On the way, it finds the line of a key path and notes the
+/// place of every value, where either is wanted.
 class JsonReader final : public nlohmann::json_sax<Json> {
 public:
     /// Text and limits must outlive it.
@@ -78,18 +145,20 @@ public:
 
     /// Throws Failure, as `parseJson` does.
     [[nodiscard]] Json read(const std::string& name);
+    /// As `read`, with the places in place of the values.
+    [[nodiscard]] std::vector<JsonSpan> places(const std::string& name);
     /// Of the longest part of the wanted path that exists.
     [[nodiscard]] int wantedLine() const { return wantedLine_; }
 
-    bool null() override { return plain(nullptr); }
-    bool boolean(bool x) override { return plain(x); }
-    bool number_integer(number_integer_t x) override { return plain(x); }
-    bool number_unsigned(number_unsigned_t x) override { return plain(x); }
-    bool number_float(number_float_t x, const string_t& /*text*/) override { return plain(x); }
+    bool null() override { return plain(JsonSpan::Type::null, nullptr); }
+    bool boolean(bool x) override { return plain(JsonSpan::Type::boolean, x); }
+    bool number_integer(number_integer_t x) override { return plain(JsonSpan::Type::number, x); }
+    bool number_unsigned(number_unsigned_t x) override { return plain(JsonSpan::Type::number, x); }
+    bool number_float(number_float_t x, const string_t& /*text*/) override { return plain(JsonSpan::Type::number, x); }
     bool binary(binary_t& /*bytes*/) override { return refuse("JSON has no binary values"); }
     bool string(string_t& x) override;
-    bool start_object(std::size_t /*size*/) override { return open(Json::object()); }
-    bool start_array(std::size_t /*size*/) override { return open(Json::array()); }
+    bool start_object(std::size_t /*size*/) override { return open(JsonSpan::Type::object, Json::object()); }
+    bool start_array(std::size_t /*size*/) override { return open(JsonSpan::Type::array, Json::array()); }
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
     bool key(string_t& x) override;
@@ -102,19 +171,21 @@ private:
         return false;
     }
     bool count();
-    bool plain(Json value)
+    bool plain(JsonSpan::Type type, Json value)
     {
         if (!count()) return false;
+        if (recorder_) recorder_->value(type);
         add(std::move(value));
         return true;
     }
-    bool open(Json empty);
+    bool open(JsonSpan::Type, Json empty);
     bool close();
     void add(Json value);
     [[nodiscard]] std::string path() const;
     void comparePath();
 
     TakenText source_;
+    SpanRecorder* recorder_ = nullptr;
     const JsonLimits& limits_;
     std::string_view wanted_;
     Json root_;
@@ -135,7 +206,7 @@ bool JsonReader::string(string_t& x)
 {
     if (x.size() > limits_.stringBytes) return refuse("this string is longer than " + shortenTo(limits_.stringBytes));
     if (x.find('\0') != std::string::npos) return refuse("this string contains the character U+0000; remove it");
-    return plain(std::move(x));
+    return plain(JsonSpan::Type::string, std::move(x));
 }
 
 bool JsonReader::key(string_t& x)
@@ -146,6 +217,7 @@ bool JsonReader::key(string_t& x)
     JsonLevel& level = levels_.back();
     level.key = x;
     if (!level.keys.insert(std::move(x)).second) return refuse("this key stands twice; remove one of the two");
+    if (recorder_) recorder_->key();
     comparePath();
     return true;
 }
@@ -170,17 +242,19 @@ bool JsonReader::count()
     return true;
 }
 
-bool JsonReader::open(Json empty)
+bool JsonReader::open(JsonSpan::Type type, Json empty)
 {
     if (!count()) return false;
     if (levels_.size() >= limits_.depth)
         return refuse("objects and arrays are nested more than " + std::to_string(limits_.depth) + " deep");
+    if (recorder_) recorder_->open(type);
     levels_.push_back({std::move(empty)});
     return true;
 }
 
 bool JsonReader::close()
 {
+    if (recorder_) recorder_->close();
     Json done = std::move(levels_.back().value);
     levels_.pop_back();
     add(std::move(done));
@@ -235,17 +309,28 @@ Json JsonReader::read(const std::string& name)
                     std::to_string(limits_.bytes) + " allowed for JSON");
     }
     if (text.empty()) refuseWhole("the file is empty; it should hold JSON");
-    if (text.starts_with("\xEF\xBB\xBF"))
-        refuseWhole("the file starts with a byte order mark; save it as UTF-8 without one");
+    if (text.starts_with("\xEF\xBB\xBF")) refuseWhole("the file starts with two byte order marks; delete one");
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         refuseWhole("the file is UTF-16; save it as UTF-8");
+    // The library takes a zero byte for the end of the text and would leave all behind it unread.
+    if (const auto zero = zeroByteIn(text))
+        throw JsonFailure(name, zero->line, zero->column, "", std::string(zeroByteProblem));
     if (Json::sax_parse(CountingIterator(source_, 0), CountingIterator(source_, text.size()), this))
         return std::move(root_);
 
     std::size_t& taken = source_.taken;
     while (numberEnded_ && taken > 1 && (text[taken - 1] < '0' || text[taken - 1] > '9')) --taken;
-    const JsonPosition at = positionIn(source_);
+    const TextPosition at = positionIn(source_);
     throw JsonFailure(name, at.line, at.column, path(), problem_.empty() ? "this is not valid JSON" : problem_);
+}
+
+std::vector<JsonSpan> JsonReader::places(const std::string& name)
+{
+    SpanRecorder recorder(source_);
+    recorder_ = &recorder;
+    static_cast<void>(read(name));
+    recorder_ = nullptr;
+    return std::move(recorder.spans);
 }
 
 }  // namespace
@@ -277,8 +362,15 @@ Failure JsonDocument::failure(std::string_view keyPath, std::string_view problem
 
 JsonDocument parseJson(std::string text, std::string name, const JsonLimits& limits)
 {
+    text = withoutByteOrderMark(std::move(text));
     Json root = JsonReader(text, limits).read(name);
     return JsonDocument(std::move(root), std::move(text), std::move(name));
+}
+
+std::vector<JsonSpan> jsonSpans(std::string_view text, const std::string& name, const JsonLimits& limits)
+{
+    assert(limits.bytes < JsonSpan::none);
+    return JsonReader(text, limits).places(name);
 }
 
 JsonDocument readJson(const std::filesystem::path& path, const JsonLimits& limits)

@@ -30,6 +30,92 @@ TEST(JsonText, KnowsWhereEveryValueStands)
     for (const char* path : {"a[3]", "b.x", "a.b", "c", "a[", "b[0]"}) EXPECT_FALSE(json.at(path)) << path;
 }
 
+/// Random JSON with random blanks, in the order in which it is written.
+class RandomText {
+public:
+    explicit RandomText(unsigned seed) : random_(seed) { add(0); }
+    [[nodiscard]] const std::string& text() const { return text_; }
+
+private:
+    unsigned pick(unsigned count) { return static_cast<unsigned>(random_()) % count; }
+    void blank()
+    {
+        for (unsigned n = pick(3); n > 0; --n) text_ += " \n\t\r"[pick(4)];
+    }
+    void list(int depth, char open, char close, bool named)
+    {
+        text_ += open;
+        const unsigned count = pick(4);
+        for (unsigned i = 0; i < count; ++i) {
+            blank();
+            if (i > 0) text_ += ',';
+            blank();
+            if (named) text_ += "\"k\\\"" + std::to_string(i) + "\"";
+            blank();
+            if (named) text_ += ':';
+            add(depth + 1);
+        }
+        blank();
+        text_ += close;
+    }
+    void add(int depth)
+    {
+        blank();
+        const unsigned kind = pick(depth < 5 ? 8 : 6);
+        if (kind == 6) list(depth, '[', ']', false);
+        if (kind == 7) list(depth, '{', '}', true);
+        const char* plain[] = {"null", "true", "-12", "0.5e-3", "\"\\u00e9 \\\\\\\"]}, :\"", "7"};
+        if (kind < 6) text_ += plain[kind];
+        blank();
+    }
+
+    std::mt19937 random_;
+    std::string text_;
+};
+
+/// The library's own reader, asked for the same place, is the other opinion.
+TEST(JsonText, KnowsThePlacesOfRandomTexts)
+{
+    for (unsigned seed = 0; seed < 2000; ++seed) {
+        const RandomText random(seed);
+        const JsonText json(random.text(), "s.json");
+        const Json root = Json::parse(random.text());
+        std::vector<const Json*> inOrder{&root};
+        std::size_t count = 0;
+        for (std::uint32_t i = 0; i < json.values().size(); ++i) {
+            ASSERT_EQ(i, count++);
+            ASSERT_LT(i, inOrder.size()) << random.text();
+            const Json& value = *inOrder[i];
+            EXPECT_EQ(Json::parse(json.written(i)), value) << random.text();
+            const std::vector<std::uint32_t> children = json.children(i);
+            ASSERT_EQ(children.size(), value.is_structured() ? value.size() : 0U) << random.text();
+            std::size_t n = 0;
+            for (const auto& [key, child] : value.items()) {
+                if (!value.is_structured()) break;
+                EXPECT_EQ(json.value(children[n]).parent, i);
+                EXPECT_EQ(json.key(children[n]), value.is_object() ? key : std::string());
+                if (inOrder.size() <= children[n]) inOrder.resize(children[n] + 1);
+                inOrder[children[n++]] = &child;
+            }
+        }
+        EXPECT_EQ(inOrder.size(), json.values().size());
+    }
+}
+
+TEST(JsonText, HasNoByteOrderMark)
+{
+    const JsonText json("\xEF\xBB\xBF{}", "s.json");
+    EXPECT_EQ(json.text(), "{}");
+    EXPECT_EQ(json.withMember(0, "a", "1"), "{\"a\": 1}");
+    EXPECT_EQ(json.position(0).column, 1);
+}
+
+TEST(JsonText, RefusesAZeroByteAndWalksNoFurther)
+{
+    for (const std::string& behind : {std::string(), std::string("]"), std::string("}\"")})
+        EXPECT_THROW(JsonText(std::string("1\0", 2) + behind, "s.json"), JsonFailure);
+}
+
 TEST(JsonText, TakesOutPutsInAndRenamesAndKeepsTheRest)
 {
     const JsonText json(sample, "s.json");

@@ -12,6 +12,7 @@ namespace {
 
 using namespace vitrine;
 using render::Json;
+using render::JsonDocument;
 using render::parseJson;
 using render::writeJson;
 
@@ -51,9 +52,27 @@ TEST(StrictJson, RefusesControlCharactersInKeysAndNulAnywhere)
     EXPECT_FAILURE(parseJson(R"({"a": "b\u0000"})", "x.json"), "U+0000");
 }
 
-TEST(StrictJson, RefusesByteOrderMarksPolitely)
+TEST(StrictJson, RefusesAZeroByteWithItsPlace)
 {
-    EXPECT_FAILURE(parseJson("\xEF\xBB\xBF{}", "x.json"), "byte order mark; save it as UTF-8 without one");
+    const auto with = [](const std::string& before, const std::string& behind) {
+        return before + std::string(1, '\0') + behind;
+    };
+    EXPECT_FAILURE(parseJson(with("1", "]"), "x.json"), "x.json, line 1, column 2: here is a zero byte");
+    EXPECT_FAILURE(parseJson(with("{\n \"a\": 1}\n", "garbage"), "x.json"),
+                   "x.json, line 3, column 1: here is a zero byte");
+    EXPECT_FAILURE(parseJson(with("[1", ",2]"), "x.json"), "column 3: here is a zero byte");
+    EXPECT_FAILURE(parseJson(with("[\"a", "b\"]"), "x.json"), "column 4: here is a zero byte");
+    EXPECT_FAILURE(parseJson(with("", "1"), "x.json"), "line 1, column 1: here is a zero byte");
+    EXPECT_FAILURE(parseJson(with("1", ""), "x.json"), "line 1, column 2: here is a zero byte");
+}
+
+TEST(StrictJson, TakesAByteOrderMarkOfUtf8AndRefusesUtf16)
+{
+    const auto document = parseJson("\xEF\xBB\xBF{\"a\": 1}", "x.json");
+    EXPECT_EQ(document.root()["a"], 1);
+    EXPECT_EQ(document.lineOf("a"), 1);
+    EXPECT_FAILURE(parseJson("\xEF\xBB\xBF{\"a\" 1}", "x.json"), "line 1");
+    EXPECT_FAILURE(parseJson("\xEF\xBB\xBF\xEF\xBB\xBF{}", "x.json"), "two byte order marks");
     EXPECT_FAILURE(parseJson(std::string("\xFF\xFE{\0}\0", 6), "x.json"), "UTF-16");
 }
 
