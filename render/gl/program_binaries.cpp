@@ -2,14 +2,15 @@
 
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
+#include "render/files/read_file.h"
 #include "render/hash.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <vector>
@@ -32,15 +33,35 @@ std::optional<fs::path> cacheFolder()
     return std::nullopt;
 }
 
-std::string fileName(std::string_view source)
+constexpr std::uint64_t mostBinaryBytes = 64U << 20U;
+
+/// Beginning of a stored binary. It repeats what the binary was made of, so that a file under another name is noticed.
+struct StoredHead {
+    std::array<char, 8> magic{'v', 'i', 't', 'r', 'i', 'n', 'e', '1'};
+    std::uint64_t key = 0;          ///< Hash of source, renderer and driver version.
+    std::uint64_t sourceBytes = 0;  ///< Length of the source.
+    std::uint64_t binaryBytes = 0;  ///< Length of the binary that follows.
+    std::uint32_t format = 0;       ///< The driver's.
+    std::uint32_t unused = 0;
+};
+
+StoredHead headFor(std::string_view source)
 {
     Hash hash;
     hash.add(source);
     for (const GLenum name : {GL_RENDERER, GL_VERSION, GL_VENDOR})
         if (const GLubyte* text = glGetString(name)) hash.add(reinterpret_cast<const char*>(text));
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%016llx.bin", static_cast<unsigned long long>(hash.value()));
-    return digits;
+    StoredHead head;
+    head.key = hash.value();
+    head.sourceBytes = source.size();
+    return head;
+}
+
+std::string fileName(const StoredHead& head)
+{
+    std::array<char, 32> name{};
+    std::snprintf(name.data(), name.size(), "%016llx.bin", static_cast<unsigned long long>(head.key));
+    return name.data();
 }
 
 }  // namespace
@@ -49,16 +70,23 @@ bool loadProgramBinary(GLuint program, std::string_view source)
 {
     const std::optional<fs::path> folder = cacheFolder();
     if (!folder) return false;
-    const fs::path file = *folder / fileName(source);
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) return false;
+    const StoredHead wanted = headFor(source);
+    const fs::path file = *folder / fileName(wanted);
+    std::string bytes;
+    try {
+        bytes = readFile(file, mostBinaryBytes);  // Of a pipe or a device nothing is read.
+    } catch (const Failure&) {
+        return false;
+    }
+    StoredHead head;
+    if (bytes.size() <= sizeof head) return false;
+    std::memcpy(&head, bytes.data(), sizeof head);
+    if (head.magic != wanted.magic || head.key != wanted.key || head.sourceBytes != wanted.sourceBytes ||
+        head.binaryBytes != bytes.size() - sizeof head)
+        return false;
     std::error_code ignored;
     fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);  // Used: what is old is deleted first.
-    const std::vector<char> bytes{std::istreambuf_iterator<char>(stream), {}};
-    GLenum format = 0;
-    if (bytes.size() <= sizeof format) return false;
-    std::memcpy(&format, bytes.data(), sizeof format);
-    glProgramBinary(program, format, bytes.data() + sizeof format, static_cast<GLsizei>(bytes.size() - sizeof format));
+    glProgramBinary(program, head.format, bytes.data() + sizeof head, static_cast<GLsizei>(head.binaryBytes));
     GLint good = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &good);
     while (glGetError() != GL_NO_ERROR) {
@@ -73,14 +101,16 @@ void saveProgramBinary(GLuint program, std::string_view source)
     GLint length = 0;
     glGetProgramiv(program, GL_PROGRAM_BINARY_LENGTH, &length);
     if (length <= 0) return;
-    std::vector<char> bytes(sizeof(GLenum) + static_cast<std::size_t>(length));
+    StoredHead head = headFor(source);
+    std::vector<char> bytes(sizeof head + static_cast<std::size_t>(length));
     GLenum format = 0;
-    glGetProgramBinary(program, length, &length, &format, bytes.data() + sizeof format);
-    std::memcpy(bytes.data(), &format, sizeof format);
+    glGetProgramBinary(program, length, &length, &format, bytes.data() + sizeof head);
+    head.format = format;
+    head.binaryBytes = static_cast<std::uint64_t>(length);
+    std::memcpy(bytes.data(), &head, sizeof head);
     try {
         // Half a binary could end the driver that is given it.
-        atomicWriteMakingFolder(*folder / fileName(source),
-                                {bytes.data(), sizeof format + static_cast<std::size_t>(length)});
+        atomicWriteMakingFolder(*folder / fileName(head), {bytes.data(), sizeof head + head.binaryBytes});
     } catch (const Failure&) {
         return;  // The program is compiled again the next time.
     }
