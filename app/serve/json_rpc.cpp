@@ -32,6 +32,54 @@ std::string blameName(Blame blame)
     return "file";
 }
 
+/// Looks for the id of a request that was refused as a whole: takes the first member "id" of the outermost object, as
+/// far as the text is JSON, and leaves all else unread.
+class IdSeeker final : public nlohmann::json_sax<Json> {
+public:
+    [[nodiscard]] const Json& id() const { return id_; }
+
+    bool null() override { return true; }
+    bool boolean(bool) override { return plain(nullptr); }
+    bool number_integer(number_integer_t x) override { return plain(x); }
+    bool number_unsigned(number_unsigned_t x) override { return plain(x); }
+    bool number_float(number_float_t x, const string_t&) override { return plain(x); }
+    bool string(string_t& x) override { return plain(x.find('\0') == std::string::npos ? Json(x) : Json()); }
+    bool binary(binary_t&) override { return false; }
+    bool start_object(std::size_t) override
+    {
+        isNext_ = false;
+        return ++depth_ < rpcLimits.depth;
+    }
+    bool start_array(std::size_t) override { return start_object(0) && depth_ > 1; }
+    bool end_object() override { return --depth_ > 0; }
+    bool end_array() override { return --depth_ > 0; }
+    bool key(string_t& name) override
+    {
+        isNext_ = depth_ == 1 && name == "id";
+        return true;
+    }
+    bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override { return false; }
+
+private:
+    bool plain(Json value)
+    {
+        if (isNext_) id_ = std::move(value);
+        return !isNext_;
+    }
+
+    Json id_;
+    std::size_t depth_ = 0;
+    bool isNext_ = false;
+};
+
+/// The id in a line that is no request, for whoever waits for the answer to it; null where there is none.
+Json idIn(const std::string& line)
+{
+    IdSeeker seeker;
+    (void)Json::sax_parse(line, &seeker);
+    return seeker.id();
+}
+
 /// Throws RpcFailure when the root is no request.
 RpcRequest requestOf(Json& root)
 {
@@ -63,16 +111,16 @@ RpcRequest requestOf(Json& root)
 
 }  // namespace
 
-RpcRequest parseRequest(std::string line)
+RpcRequest parseRequest(const std::string& line)
 {
     const std::size_t bytes = line.size();
     try {
-        render::JsonDocument document = render::parseJson(std::move(line), "The request", rpcLimits);
+        render::JsonDocument document = render::parseJson(line, "The request", rpcLimits);
         RpcRequest request = requestOf(document.root());
         request.bytes = bytes;
         return request;
     } catch (const Failure& failure) {
-        throw RpcFailure(RpcCode::parse, failure.what());
+        throw RpcFailure(RpcCode::parse, failure.what(), idIn(line));
     }
 }
 

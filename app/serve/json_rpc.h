@@ -50,8 +50,9 @@ private:
     render::Json id_;
 };
 
-/// Reads a line without its end. Throws RpcFailure. One request a line: batches are refused.
-[[nodiscard]] RpcRequest parseRequest(std::string line);
+/// Reads a line without its end. Throws RpcFailure, with the id also where the line is not read but its id can be. One
+/// request a line: batches are refused.
+[[nodiscard]] RpcRequest parseRequest(const std::string& line);
 
 // One line of JSON each, with its end. What is no UTF-8, as names of files may be, is replaced.
 

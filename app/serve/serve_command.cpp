@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/number_option.h"
 #include "app/progress.h"
 #include "app/serve/listener.h"
 #include "app/serve/server.h"
@@ -10,6 +11,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <chrono>
 #include <cstdio>
 #include <memory>
 
@@ -25,7 +27,7 @@ std::string serveFooter()
            "Params that a command has too are its options, with underscores for dashes. SIGTERM ends the server.";
 }
 
-int serve(const std::string& path)
+int serve(const std::string& path, double idleSeconds)
 {
     const StopSignal stop;
     const Listener listener(path);
@@ -33,7 +35,7 @@ int serve(const std::string& path)
     const Museum museum{allExhibits()};
     render::gl::Renderer renderer;
     Service service(museum, renderer, context.info());
-    Server server(listener, service);
+    Server server(listener, service, std::chrono::duration<double>(idleSeconds));
     std::printf("vitrine: serving at %s\n", path.c_str());
     std::fflush(stdout);
     server.run();
@@ -49,8 +51,12 @@ void addServeCommand(CLI::App& parser, Action& chosen)
     auto path = std::make_shared<std::string>();
     command->add_option("--socket", *path, "Where to listen; only the owner can connect, and it is removed at the end")
         ->required();
+    auto idle = std::make_shared<double>(60);
+    addNumber(*command, "--idle-seconds", *idle, {0, 1e9, Unit::second},
+              "Seconds of silence after which a connection gives way to a new one while all places are taken")
+        ->capture_default_str();
     command->footer(serveFooter);
-    command->callback([&chosen, path] { chosen = [path] { return serve(*path); }; });
+    command->callback([&chosen, path, idle] { chosen = [path, idle] { return serve(*path, *idle); }; });
 }
 
 }  // namespace vitrine::app

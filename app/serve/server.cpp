@@ -90,7 +90,9 @@ void Server::acceptAll()
         if (!socket) return;
         Client client{Connection(std::move(*socket))};
         client.number = ++lastNumber_;
-        if (clients_.size() >= mostConnections) {
+        const auto open = std::count_if(clients_.begin(), clients_.end(),
+                                        [](const Client& other) { return !other.connection.dropped(); });
+        if (open >= static_cast<std::ptrdiff_t>(mostConnections) && !endIdle()) {
             client.connection.send(errorLine(nullptr, RpcCode::dropped,
                                              "There are " + std::to_string(mostConnections) +
                                                  " connections already; close one and try again."));
@@ -101,12 +103,29 @@ void Server::acceptAll()
     }
 }
 
+bool Server::endIdle()
+{
+    Client* silent = nullptr;
+    for (Client& client : clients_) {
+        const bool busy = !client.waiting.empty() || (current_ && &client == &current_->client);
+        if (!busy && !client.connection.dropped() && (!silent || client.heard < silent->heard)) silent = &client;
+    }
+    if (!silent || steady_clock::now() - silent->heard < mayIdle_) return false;
+    silent->connection.drop(
+        errorLine(nullptr, RpcCode::dropped,
+                  "Nothing came on this connection for a while, and another one needs its place: it "
+                  "ends here. Connect again."));
+    std::fprintf(stderr, "vitrine: connection %d was idle and gave way to another one.\n", silent->number);
+    return true;
+}
+
 void Server::takeIn(Client& client)
 {
     Connection& connection = client.connection;
     while (mayAsk(client)) {
         std::optional<ReceivedLine> line = connection.takeLine();
         if (!line) return;
+        client.heard = steady_clock::now();
         if (line->kind == ReceivedLine::Kind::tooLong) {
             connection.send(errorLine(nullptr, RpcCode::request, tooLong));
         } else if (line->kind == ReceivedLine::Kind::unfinished) {
@@ -243,7 +262,7 @@ void Server::removeEnded()
     clients_.remove_if([this](const Client& client) {
         const Connection& connection = client.connection;
         if (current_ && &client == &current_->client) return false;
-        if (connection.over())
+        if (connection.over() && connection.hasUnsent())
             std::fprintf(stderr, "vitrine: connection %d was dropped: it did not read.\n", client.number);
         if (connection.dropped()) return connection.over();
         return connection.inputEnded() && client.waiting.empty() && !connection.hasUnsent();

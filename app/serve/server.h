@@ -20,8 +20,12 @@ public:
     /// Of one connection, waiting; what lies beyond is not read yet.
     static constexpr std::size_t mostWaiting = 64;
 
-    /// Both must outlive it.
-    Server(const Listener& listener, Service& service) : listener_(listener), service_(service) {}
+    /// Both must outlive it. While all places are taken, a connection that sent nothing for `mayIdle` gives way to a
+    /// new one.
+    Server(const Listener& listener, Service& service, std::chrono::duration<double> mayIdle)
+        : listener_(listener), service_(service), mayIdle_(mayIdle)
+    {
+    }
     /// Until `StopSignal::stopped()`.
     void run();
 
@@ -32,6 +36,7 @@ private:
         std::deque<RpcRequest> waiting = {};
         std::size_t waitingBytes = 0;
         bool wantsEvents = false;
+        std::chrono::steady_clock::time_point heard = std::chrono::steady_clock::now();  ///< Its last line came then.
     };
     /// What is being served, and for whom.
     struct Current {
@@ -44,6 +49,8 @@ private:
     /// Waits until there is something to do, or looks whether there is; takes in and sends what can be.
     void exchange(bool wait);
     void acceptAll();
+    /// Ends the connection that was silent for longest, at least for `mayIdle`; false: there is none.
+    bool endIdle();
     void takeIn(Client&);
     void takeRequest(Client&, RpcRequest);
     void serve(Client&);
@@ -63,6 +70,7 @@ private:
 
     const Listener& listener_;
     Service& service_;
+    std::chrono::duration<double> mayIdle_;
     std::list<Client> clients_;  ///< Keep their place.
     Current* current_ = nullptr;
     int lastNumber_ = 0;

@@ -7,6 +7,7 @@
 
 #include <chrono>
 #include <memory>
+#include <thread>
 
 namespace vitrine {
 namespace {
@@ -296,6 +297,49 @@ TEST_F(ServeHostile, OneConnectionTooManyIsToldSo)
     for (int i = 0; i < 100 && !served; ++i)
         served = RpcClient(hostile_->socket()).ask(asking("get", R"({"exhibit":"fur"})")).contains("result");
     EXPECT_TRUE(served);
+}
+
+TEST(ServeIdle, AConnectionThatIsSilentGivesWayWhenAllPlacesAreTaken)
+{
+    const ServedProgram served(test::Environment{}, {"--idle-seconds", "1"});
+    std::vector<std::unique_ptr<RpcClient>> silent;
+    for (int i = 0; i < 16; ++i) {
+        silent.push_back(std::make_unique<RpcClient>(served.socket()));
+        ASSERT_TRUE(silent.back()->call("get", {{"exhibit", "fur"}}).contains("result")) << i;
+    }
+    // Nobody has been silent for long: the seventeenth is turned away, as by a server without that limit.
+    EXPECT_EQ(RpcClient(served.socket()).read()["error"]["code"], -32011);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+    for (std::size_t i = 1; i < silent.size(); ++i)
+        ASSERT_TRUE(silent[i]->call("get", {{"exhibit", "fur"}}).contains("result")) << i;
+    EXPECT_TRUE(RpcClient(served.socket()).call("get", {{"exhibit", "fur"}}).contains("result"));
+    const Json last = silent.front()->read();
+    EXPECT_EQ(last["error"]["code"], -32011);
+    EXPECT_NE(last["error"]["message"].get<std::string>().find("another one needs its place"), std::string::npos);
+    EXPECT_EQ(silent.front()->readLine(), std::nullopt);
+    EXPECT_TRUE(silent[1]->call("get", {{"exhibit", "fur"}}).contains("result")) << "who spoke last keeps the place";
+}
+
+/// A client waits for the answer to its id, whatever is wrong with the rest of its line.
+TEST_F(ServeHostile, ALineThatIsNotReadIsAnsweredWithItsId)
+{
+    const std::string zero(1, '\0');
+    const std::vector<std::pair<std::string, Json>> lines{
+        {R"({"jsonrpc":"2.0","id":7,"method":"list","params":{"exhibit":"a\u0000"}})", 7},
+        {R"({"jsonrpc":"2.0","method":"li\u0000st","params":{"id":3},"id":"seven"})", "seven"},
+        {R"({"id":8,"jsonrpc":"2.0","method":"list","params":{"a":1,"a":2}})", 8},
+        {R"({"id":9,"jsonrpc":"2.0","method":"list","params":{"exhibit":")" + zero + "\"}}", 9},
+        {R"({"id":10,"jsonrpc":"2.0","method":"list"} and more)", 10},
+        {R"({"jsonrpc":"2.0","method":"list","params":{"id":[1],"a\u0001":{"id":2}}})", nullptr},
+        {R"({"id":[11],"jsonrpc":"2.0","jsonrpc":"2.0"})", nullptr},
+        {R"({"id":"\u0000","jsonrpc":"2.0","method":"list"})", nullptr},
+        {R"([{"id":12,"a":1,"a":2}])", nullptr},
+    };
+    for (const auto& [line, id] : lines) {
+        const Json answer = bystander_.ask(line);
+        EXPECT_EQ(answer["error"]["code"], -32700) << line;
+        EXPECT_EQ(answer["id"], id) << line;
+    }
 }
 
 }  // namespace

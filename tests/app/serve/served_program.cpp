@@ -28,9 +28,10 @@ void waitFor(int descriptor, short events)
 
 }  // namespace
 
-ServedProgram::ServedProgram(const Environment& changes) : socket_(folder_ / "socket")
+ServedProgram::ServedProgram(const Environment& changes, const std::vector<std::string>& options)
+    : socket_(folder_ / "socket")
 {
-    start(changes);
+    start(changes, options);
 }
 
 ServedProgram::ServedProgram(std::string socket, const Environment& changes) : socket_(std::move(socket))
@@ -38,8 +39,11 @@ ServedProgram::ServedProgram(std::string socket, const Environment& changes) : s
     start(changes);
 }
 
-void ServedProgram::start(const Environment& changes)
+void ServedProgram::start(const Environment& changes, const std::vector<std::string>& options)
 {
+    std::vector<const char*> words{VITRINE_PROGRAM, "serve", "--socket", socket_.c_str()};
+    for (const std::string& option : options) words.push_back(option.c_str());
+    words.push_back(nullptr);
     const std::string err = folder_ / "err";
     std::array<int, 2> out{};
     if (::pipe2(out.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
@@ -49,7 +53,7 @@ void ServedProgram::start(const Environment& changes)
         for (const auto& [name, value] : changes) ::setenv(name.c_str(), value.c_str(), 1);
         ::dup2(out[1], 1);
         ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT, 0600), 2);
-        ::execl(VITRINE_PROGRAM, VITRINE_PROGRAM, "serve", "--socket", socket_.c_str(), nullptr);
+        ::execv(VITRINE_PROGRAM, const_cast<char* const*>(words.data()));
         ::_exit(127);
     }
     ::close(out[1]);

@@ -10,6 +10,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vitrine::test {
 
@@ -17,7 +18,7 @@ namespace vitrine::test {
 class ServedProgram {
 public:
     /// Returns once it serves. Throws std::runtime_error, with what it said, when it ends instead.
-    explicit ServedProgram(const Environment& changes = {});
+    explicit ServedProgram(const Environment& changes = {}, const std::vector<std::string>& options = {});
     /// At a path of the caller's.
     explicit ServedProgram(std::string socket, const Environment& changes = {});
     ~ServedProgram();
@@ -35,7 +36,7 @@ public:
     [[nodiscard]] bool alive() const;
 
 private:
-    void start(const Environment& changes);
+    void start(const Environment& changes, const std::vector<std::string>& options = {});
 
     TemporaryFolder folder_;
     std::string socket_;
