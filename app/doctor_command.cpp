@@ -1,8 +1,10 @@
 #include "app/command.h"
+#include "app/number_option.h"
 #include "app/stability_report.h"
 
 #include "render/failure.h"
 #include "render/files/assets.h"
+#include "render/files/manual.h"
 #include "render/files/strict_json.h"
 #include "render/gl/context.h"
 #include "render/gl/frame_clock.h"
@@ -41,6 +43,9 @@ Json examine()
         report["opengl"] = Json{{"renderer", gl.renderer}, {"vendor", gl.vendor},
                                 {"version", gl.version},   {"shadingLanguage", gl.shadingLanguage},
                                 {"software", gl.software}, {"usable", true}};
+        if (gl.renderer.starts_with("zink") && gl.renderer.find("llvmpipe") != std::string::npos)
+            report["opengl"]["caution"] = "zink over lavapipe, as in Mesa 22.3, ends programs that draw by SIGSEGV; "
+                                          "draw with llvmpipe instead: unset GALLIUM_DRIVER";
         report["limits"] = Json{{"textureSize", gl.maxTextureSize},
                                 {"samples", gl.maxSamples},
                                 {"uniformBlockBytes", gl.maxUniformBlockSize}};
@@ -55,6 +60,7 @@ Json examine()
     report["libraries"] = libraries();
     try {
         report["assets"] = render::assetFolder().string();
+        report["manual"] = render::manualFile().string();
     } catch (const Failure& failure) {
         report["assets"] = failure.what();
     }
@@ -99,12 +105,11 @@ void addDoctorCommand(CLI::App& parser, Action& chosen)
     command->add_flag("--json", given->asJson, "As JSON");
     command->add_flag("--stability", given->stability,
                       "Try the hard cases on this machine's driver, and print what holds and what does not");
-    command->add_option("--presets", given->options.presets, "With --stability: random settings of each exhibit")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1'000'000));
-    command
-        ->add_option("--first-seed", given->options.firstSeed,
-                     "With --stability: the seed to begin with; a fault names its own")
+    addNumber(*command, "--presets", given->options.presets, {1, 1e6},
+              "With --stability: random settings of each exhibit")
+        ->capture_default_str();
+    addNumber(*command, "--first-seed", given->options.firstSeed, {0, 9007199254740992.0},
+              "With --stability: the seed to begin with; a fault names its own")
         ->capture_default_str();
     command->callback([&chosen, given] {
         chosen = [given] {

@@ -1,6 +1,6 @@
 #!/bin/sh
 # help_texts.sh PROGRAM FOLDER: writes the manual page and the completions for bash and zsh, made of the program's help
-# texts, and the compressed change log. The same bytes for the same program.
+# texts, the compressed change log, and the copyright with the font's license. The same bytes for the same program.
 set -e
 program=$1
 folder=$2
@@ -81,3 +81,9 @@ done)
 } >"$folder/_vitrine"
 
 gzip -9nc "$here/changelog" >"$folder/changelog.gz"
+
+# The last stanza of the copyright is the font's, whose license comes with it as Debian writes long texts.
+{
+    cat "$here/copyright"
+    sed -e 's/^$/./' -e 's/^/ /' "$here/../../assets/fonts/OFL.txt"
+} >"$folder/copyright"

@@ -30,7 +30,21 @@ install(FILES ${vitrine_generated}/vitrine.1.gz DESTINATION share/man/man1)
 install(FILES ${vitrine_generated}/vitrine.bash DESTINATION share/bash-completion/completions RENAME vitrine)
 install(FILES ${vitrine_generated}/_vitrine DESTINATION share/zsh/vendor-completions)
 
-install(FILES ${vitrine_install}/copyright ${vitrine_generated}/changelog.gz DESTINATION share/doc/vitrine)
+install(FILES ${vitrine_generated}/copyright ${vitrine_generated}/changelog.gz DESTINATION share/doc/vitrine)
+
+# The manual, with all that it links to.
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/README.md)
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION share/doc/vitrine)
+file(READ ${PROJECT_SOURCE_DIR}/README.md vitrine_manual)
+string(REGEX MATCHALL "\\([a-z]+/[^): ]+\\)" vitrine_links "${vitrine_manual}")
+list(REMOVE_DUPLICATES vitrine_links)
+foreach(link ${vitrine_links})
+    string(REGEX REPLACE "[()]" "" link ${link})
+    get_filename_component(folder ${link} DIRECTORY)
+    if(EXISTS ${PROJECT_SOURCE_DIR}/${link})
+        install(FILES ${PROJECT_SOURCE_DIR}/${link} DESTINATION share/doc/vitrine/${folder})
+    endif()
+endforeach()
 install(FILES ${vitrine_install}/lintian_overrides DESTINATION share/lintian/overrides RENAME vitrine)
 
 set(CPACK_GENERATOR DEB)

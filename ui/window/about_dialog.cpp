@@ -3,7 +3,6 @@
 #include "render/files/assets.h"
 
 #include <QDialogButtonBox>
-#include <QFileInfo>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -15,12 +14,6 @@ QIcon programIcon()
     for (const int side : {16, 22, 24, 32, 48, 64, 128, 256})
         icon.addFile(QString::fromStdString(render::asset("icons/vitrine_" + std::to_string(side) + ".png").string()));
     return icon;
-}
-
-QString manualPath()
-{
-    const QFileInfo readme(QString::fromStdString(render::asset("../README.md").string()));
-    return readme.exists() ? readme.canonicalFilePath() : QString();
 }
 
 AboutDialog::AboutDialog(QWidget* window) : QDialog(window)

@@ -16,7 +16,4 @@ public:
 /// A showcase with something round in it, at all the sizes that desktops ask for.
 [[nodiscard]] QIcon programIcon();
 
-/// Where README.md lies; empty where it did not come with the program.
-[[nodiscard]] QString manualPath();
-
 }  // namespace vitrine::ui

@@ -1,6 +1,7 @@
 #include "ui/window/window_actions.h"
 
 #include "exhibits/sprites/sprite_shots.h"
+#include "render/files/manual.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_desk.h"
 #include "ui/kit/language.h"
@@ -258,7 +259,7 @@ void WindowActions::addViewMenu(Maker& make, MainWindow& window)
     make.menu(tr("&View"));
     panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
                          tr("Leaves nothing but the picture."), [&window](bool hidden) { window.hidePanels(hidden); });
-    QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::Key_Tab)},
+    QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::SHIFT | Qt::Key_F11)},
                              tr("Hides or shows everything but the picture."), [this] { panels->toggle(); });
     make.inViewport(bare);
     make.separator();
@@ -383,7 +384,7 @@ void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
              [&window] { window.openPage(window.chosen()); });
     make.add(tr("&Keyboard, mouse and gamepad"), {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_F1)},
              tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
-    const QString manual = manualPath();
+    const QString manual = QString::fromStdString(render::manualFile().string());
     QAction* read = make.add(tr("&Manual"), {},
                              manual.isEmpty() ? tr("README.md did not come with this copy of the program.")
                                               : tr("Opens %1.").arg(manual),
