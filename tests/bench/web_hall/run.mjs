@@ -12,13 +12,24 @@ const types = {'.html': 'text/html', '.js': 'text/javascript', '.json': 'applica
 const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'vitrine-web-hall-'));
 let browser;
 
-function end(code) {
+/// Whether any process of the browser is left: its helpers outlive it, and write to the profile until they end.
+function browserRuns() {
+    try {
+        process.kill(-browser.pid, 0);
+        return true;
+    } catch {
+        return false;
+    }
+}
+
+async function end(code) {
     clearTimeout(limit);
-    browser?.kill();
-    browser?.on('exit', () => {
-        fs.rmSync(profile, {recursive: true, force: true, maxRetries: 5});
-        process.exit(code);
-    });
+    if (browser?.pid) {
+        if (browserRuns()) process.kill(-browser.pid, 'SIGKILL');
+        for (let waited = 0; browserRuns() && waited < 5000; waited += 50) await new Promise(done => setTimeout(done, 50));
+    }
+    fs.rmSync(profile, {recursive: true, force: true, maxRetries: 20, retryDelay: 100});
+    process.exit(code);
 }
 
 function take(result) {
@@ -62,5 +73,5 @@ server.listen(0, '127.0.0.1', () => {
     browser = spawn(chromium, ['--headless', '--no-sandbox', '--disable-quic', '--no-first-run', '--disable-background-networking',
         '--disable-component-update', '--disable-sync', '--ignore-gpu-blocklist', '--enable-unsafe-swiftshader', '--disable-frame-rate-limit',
         ...(process.env.WEB_HALL_GL ?? '--use-gl=angle --use-angle=gl-egl').split(' '),
-        '--user-data-dir=' + profile, page], {stdio: 'ignore'});
+        '--user-data-dir=' + profile, page], {stdio: 'ignore', detached: true});  // A process group of its own.
 });
