@@ -1,13 +1,13 @@
 #include "app/stability_report.h"
 
+#include "app/progress.h"
+
 #include "exhibits/exhibits.h"
 #include "exhibits/stability/stability_cases.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,16 +75,20 @@ int stabilityReport(const StabilityOptions& options)
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
     render::gl::Renderer renderer;
-    const bool watched = ::isatty(STDERR_FILENO) == 1;
-    std::vector<StabilityResult> results = arithmeticCases(renderer);
-    for (StabilityResult& r : pictureCases(museum, renderer)) results.push_back(std::move(r));
-    for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
-        const std::string name(museum.subject(i).name());
-        results.push_back(scanExhibit(museum, renderer, i, options.firstSeed, options.presets, [&](int drawn) {
-            if (watched) std::fprintf(stderr, "\r\033[K%s: %d of %d", name.c_str(), drawn, options.presets);
-        }));
+    std::fprintf(stderr, "vitrine: trying the hard cases, then %d random settings of each exhibit.\n", options.presets);
+    std::vector<StabilityResult> results;
+    {
+        ProgressLine line("hard cases and random settings");
+        line.estimate();
+        const auto total = static_cast<double>(museum.subjects().size()) + 1;
+        results = arithmeticCases(renderer);
+        line.show(0.5 / total);
+        for (StabilityResult& r : pictureCases(museum, renderer)) results.push_back(std::move(r));
+        for (std::size_t i = 0; i < museum.subjects().size(); ++i)
+            results.push_back(scanExhibit(museum, renderer, i, options.firstSeed, options.presets, [&](int drawn) {
+                line.show((1 + static_cast<double>(i) + static_cast<double>(drawn) / options.presets) / total);
+            }));
     }
-    if (watched) std::fputs("\r\033[K", stderr);
     if (options.asJson)
         std::fputs(render::writeJson(asJson(context.info(), options, results)).c_str(), stdout);
     else
