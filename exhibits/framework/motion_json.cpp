@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace vitrine {
 namespace {
@@ -45,6 +46,12 @@ constexpr std::array<NumberOfMotion, 7> numbersOfMotion{{
     {"farthest", 0, farthestDistance, false, [](MotionKind kind) { return kind == MotionKind::distance; },
      [](const Motion& m) { return m.farthest; }, [](Motion& m, double x) { m.farthest = x; }},
 }};
+
+/// Least value of a number beside the others of its motion: the far end of a distance is not before the near one.
+double leastOf(const NumberOfMotion& number, const Motion& motion)
+{
+    return std::string_view(number.name) == "farthest" ? std::max(number.low, motion.nearest) : number.low;
+}
 
 template <std::size_t Count> std::string listOf(const std::array<std::string_view, Count>& names)
 {
@@ -129,7 +136,7 @@ Motion motionFromJson(const ParameterInfo& row, const Json& json, const JsonPlac
     for (const NumberOfMotion& number : numbersOfMotion)
         if (json.contains(number.name) && number.usedBy(motion.kind))
             number.set(motion, numberWithin(json[number.name], place.inside(number.name), shown + '.' + number.name,
-                                            number.low, number.high, number.whole, notes));
+                                            leastOf(number, motion), number.high, number.whole, notes));
     if (!isEased(motion.kind)) motion.ease = Motion().ease;
     if (json.contains("heldAt"))
         motion.heldAt = numberWithin(json["heldAt"], place.inside("heldAt"), shown + ".heldAt", -farthestTime,
@@ -150,11 +157,11 @@ std::optional<Motion> motionFromText(const ParameterInfo& row, const std::string
     }
 }
 
-Motion typedMotion(const ParameterInfo& row, const std::string& option, const std::string& text,
-                   const std::function<std::optional<Value>(const std::string&)>& parse)
+namespace {
+
+/// What stands between the colons.
+std::vector<std::string> betweenColons(const std::string& text)
 {
-    const auto wrong = [&](const std::string& why) { return Failure(Blame::usage, option + ": " + why); };
-    if (const std::string_view why = whyUnmoved(row); !why.empty()) throw wrong(std::string(why));
     std::vector<std::string> parts(1);
     for (const char c : text) {
         if (c == ':')
@@ -162,6 +169,17 @@ Motion typedMotion(const ParameterInfo& row, const std::string& option, const st
         else
             parts.back() += c;
     }
+    return parts;
+}
+
+}  // namespace
+
+Motion typedMotion(const ParameterInfo& row, const std::string& option, const std::string& text,
+                   const std::function<std::optional<Value>(const std::string&)>& parse)
+{
+    const auto wrong = [&](const std::string& why) { return Failure(Blame::usage, option + ": " + why); };
+    if (const std::string_view why = whyUnmoved(row); !why.empty()) throw wrong(std::string(why));
+    const std::vector<std::string> parts = betweenColons(text);
     const auto kind = std::find(motionKinds.begin(), motionKinds.end(), parts.front());
     if (kind == motionKinds.end())
         throw wrong("\"" + parts.front() + "\" is no kind of motion; give one of " + listOf(motionKinds) + '.');
@@ -176,9 +194,11 @@ Motion typedMotion(const ParameterInfo& row, const std::string& option, const st
         if (!legal) throw wrong("\"" + typed + "\" is no value for it.");
         *end = *legal;
     }
+    std::set<std::string> given;
     for (std::size_t i = 3; i < parts.size(); ++i) {
         const std::size_t equals = parts[i].find('=');
         const std::string name = parts[i].substr(0, equals);
+        if (!given.insert(name).second) throw wrong(name + "= is given twice; take one of them out.");
         const std::string typed = equals == std::string::npos ? std::string() : parts[i].substr(equals + 1);
         if (name == "ease" && isEased(motion.kind)) {
             const auto ease = std::find(easeNames.begin(), easeNames.end(), typed);
@@ -187,17 +207,38 @@ Motion typedMotion(const ParameterInfo& row, const std::string& option, const st
             motion.ease = static_cast<Ease>(ease - easeNames.begin());
             continue;
         }
+        if (name == "heldAt") {
+            const std::optional<double> held = render::parseNumber(typed);
+            if (!held || std::abs(*held) > farthestTime) throw wrong("heldAt=" + typed + ": give a number of seconds.");
+            motion.heldAt = *held;
+            continue;
+        }
         const auto number = std::find_if(numbersOfMotion.begin(), numbersOfMotion.end(),
                                          [&](const NumberOfMotion& n) { return name == n.name; });
         if (number == numbersOfMotion.end() || !number->usedBy(motion.kind))
             throw wrong("\"" + name + "\" is nothing that " + parts.front() + " goes by.");
         const std::optional<double> x = render::parseNumber(typed);
-        if (!x || *x < number->low || *x > number->high || (number->whole && *x != std::round(*x)))
+        if (!x || !(*x >= number->low && *x <= number->high) || (number->whole && *x != std::round(*x)))
             throw wrong(name + "=" + typed + ": give a " + (number->whole ? "whole " : "") + "number from " +
                         shortestNumber(number->low) + " to " + shortestNumber(number->high) + '.');
         number->set(motion, *x);
     }
+    if (motion.kind == MotionKind::distance && motion.farthest < motion.nearest)
+        throw wrong("farthest=" + shortestNumber(motion.farthest) +
+                    " is before nearest=" + shortestNumber(motion.nearest) + "; give it a number from " +
+                    shortestNumber(motion.nearest) + " to " + shortestNumber(farthestDistance) + '.');
     return motion;
+}
+
+std::string motionText(const Motion& motion, const std::function<std::string(const Value&)>& format)
+{
+    std::string text(motionKinds[static_cast<std::size_t>(motion.kind)]);
+    for (const Value* end : {&motion.from, &motion.to}) (text += ':') += format(*end);
+    if (isEased(motion.kind)) (text += ":ease=") += easeNames[static_cast<std::size_t>(motion.ease)];
+    for (const NumberOfMotion& number : numbersOfMotion)
+        if (number.usedBy(motion.kind)) (((text += ':') += number.name) += '=') += shortestNumber(number.get(motion));
+    if (motion.heldAt) (text += ":heldAt=") += shortestNumber(*motion.heldAt);
+    return text;
 }
 
 }  // namespace vitrine

@@ -313,5 +313,37 @@ TEST(Motions, WhatNobodySeesAsksForNoPictures)
     EXPECT_EQ(valueAt(1.234), valueAt(1.234));
 }
 
+Motion typed(const std::string& text)
+{
+    const ParameterInfo& row = rowsThatMove.rows()[rowsThatMove.width.row];
+    return typedMotion(row, "--animate width", text,
+                       [](const std::string& x) -> std::optional<Value> { return std::stod(x); });
+}
+
+TEST(TypedMotion, RefusesWhatContradictsItself)
+{
+    const auto refused = [](const std::string& text) { return test::refusalOf([&] { return typed(text); }); };
+    EXPECT_EQ(refused("sine:1:2:period=4:period=5"), "--animate width: period= is given twice; take one of them out.");
+    EXPECT_EQ(refused("triangle:1:2:ease=in:ease=in"), "--animate width: ease= is given twice; take one of them out.");
+    for (const char* order :
+         {"distance:1:2:nearest=5:farthest=1", "distance:1:2:farthest=1:nearest=5", "distance:1:2:farthest=0"})
+        EXPECT_PRED_FORMAT2(testing::IsSubstring, "is before nearest=", refused(order));
+    for (const char* number : {"nan", "inf", "-inf", "1e400", "", "0,5"})
+        EXPECT_PRED_FORMAT2(testing::IsSubstring, "give a number from 0.01",
+                            refused(std::string("sine:1:2:period=") + number));
+    EXPECT_EQ(typed("distance:1:2:nearest=5:farthest=5").farthest, 5);
+}
+
+TEST(MotionsOfFiles, HaveTheirFarEndBehindTheirNearOne)
+{
+    const ParameterInfo& row = rowsThatMove.rows()[rowsThatMove.width.row];
+    std::vector<std::string> notes;
+    const auto motion = motionFromText(row, R"({"kind": "distance", "nearest": 5, "farthest": 1})", notes);
+    ASSERT_TRUE(motion);
+    EXPECT_EQ(motion->farthest, 5);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_EQ(notes.front(), "width.farthest 1 -> 5 (allowed 5 to 10000)");
+}
+
 }  // namespace
 }  // namespace vitrine
