@@ -1,9 +1,12 @@
 #include "app/command.h"
 
+#include "app/number_option.h"
 #include "app/picture_options.h"
+#include "app/say.h"
 #include "app/study/study_options.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
+#include "render/image/color_channels.h"
 #include "render/image/image_io.h"
 #include "render/measure/distance.h"
 
@@ -32,13 +35,28 @@ std::string numberText(double x)
     return std::isfinite(x) ? render::shortestNumber(x) : "infinite";
 }
 
+/// Reads a picture with all its channels; what was left out or cannot be obeyed goes to standard error.
+render::Image pictureOf(const std::string& file, Metric metric)
+{
+    std::vector<std::string> warnings;
+    render::Image image = render::readImage(file, {}, &warnings);
+    for (const std::string& warning : warnings)
+        std::fprintf(stderr, "vitrine: %s: %s\n", file.c_str(), warning.c_str());
+    const bool needsColor = metric != Metric::normal && metric != Metric::depth;
+    if (needsColor && !image.channelNames.empty()) {
+        if (const std::string why = render::colorChannels(image.channelNames).problem; !why.empty())
+            throw Failure(Blame::file, "Cannot compare " + file + ": " + why + ".");
+    }
+    return image;
+}
+
 int compare(const CompareOptions& options)
 {
     const Metric metric = metricOption("--metric", options.metric);
     const std::optional<render::PictureFormat> format =
         options.heatMap.empty() ? std::nullopt : std::optional(pictureFormat("--heatmap", options.heatMap, false));
-    const render::Image a = render::readImage(options.reference);
-    const render::Image b = render::readImage(options.test);
+    const render::Image a = pictureOf(options.reference, metric);
+    const render::Image b = pictureOf(options.test, metric);
     if (a.width != b.width || a.height != b.height)
         throw Failure(Blame::usage, options.reference + " is " + std::to_string(a.width) + " × " +
                                         std::to_string(a.height) + " pixels and " + options.test + " " +
@@ -61,9 +79,8 @@ int compare(const CompareOptions& options)
             std::printf("%-8s %s\n", std::string(toString(other)).c_str(), numberText(*also).c_str());
     }
     if (!options.limit || !render::isBeyond(metric, *value, *options.limit)) return 0;
-    std::fprintf(stderr, "vitrine: %s and %s differ by %s %s, beyond the limit of %s.\n", options.reference.c_str(),
-                 options.test.c_str(), std::string(toString(metric)).c_str(), numberText(*value).c_str(),
-                 numberText(*options.limit).c_str());
+    say(options.reference + " and " + options.test + " differ by " + std::string(toString(metric)) + ' ' +
+        numberText(*value) + ", beyond the limit of " + numberText(*options.limit) + '.');
     return static_cast<int>(Blame::check);
 }
 
@@ -74,15 +91,15 @@ void addCompareCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand("compare", "Say how far a picture is from its reference");
     auto options = std::make_shared<CompareOptions>();
     options->metric = "rmse";
-    command->add_option("reference", options->reference, "A picture: PNG, TIFF, OpenEXR, JPEG or HDR")->required();
+    command->add_option("reference", options->reference, "A picture: PNG, TIFF, OpenEXR, JPEG, HDR or WebP")
+        ->required();
     command->add_option("test", options->test, "Another of the same size")->required();
-    command->add_option("--metric", options->metric, "rmse, psnr, max, beyond, flip, normal or depth")
-        ->capture_default_str();
+    command->add_option("--metric", options->metric, metricNames())->capture_default_str();
     command->add_option("--heatmap", options->heatMap, "Where they differ, as a picture: .png, .exr or .tif");
-    command->add_option("--max", options->limit, "Exit with 1 when the distance is beyond this (for psnr: below it)");
-    command->add_option("--pixels-per-degree", options->pixelsPerDegree, "For flip: how large a pixel looks")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 1000.0));
+    addNumber(*command, "--max", options->limit, {},
+              "Exit with 1 when the distance is beyond this (for psnr: below it)");
+    addNumber(*command, "--pixels-per-degree", options->pixelsPerDegree, {1, 1000}, "For flip: how large a pixel looks")
+        ->capture_default_str();
     command->callback([&chosen, options] { chosen = [options] { return compare(*options); }; });
 }
 

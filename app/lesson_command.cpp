@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/say.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/lesson.h"
@@ -42,7 +43,7 @@ int checkLesson(const std::string& file, const NamedValues& tables)
         for (const std::string& note : lesson.notes) std::printf("  %s\n", note.c_str());
         return lesson.notes.empty() ? 0 : static_cast<int>(Blame::check);
     } catch (const Failure& failure) {
-        std::fprintf(stderr, "vitrine: %s\n", failure.what());
+        say(failure.what());
         return static_cast<int>(blame);
     }
 }

@@ -1,5 +1,6 @@
 #include "app/command.h"
 #include "app/picture_options.h"
+#include "app/say.h"
 #include "app/table_json.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
@@ -51,7 +52,7 @@ Json tablesWith(const std::vector<std::string>& sets)
     SceneState sceneState = museum.initialSceneState();
     std::vector<std::string> notes;
     applySets(museum, sceneState, hallIndex, sets, notes);
-    for (const std::string& note : notes) std::fprintf(stderr, "%s\n", note.c_str());
+    for (const std::string& note : notes) say(note);
     return exhibitsJson(museum, sceneState);
 }
 

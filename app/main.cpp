@@ -1,17 +1,25 @@
 #include "app/command.h"
+#include "app/number_option.h"
 #include "app/queue/shard.h"
+#include "app/say.h"
+#include "app/stop_signal.h"
+#include "app/usage_error.h"
 #include "render/failure.h"
 #include "render/measure/memory.h"
 #include "ui/kit/language.h"
 
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
+
 #include <clocale>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace {
@@ -34,17 +42,30 @@ int runWords(const std::vector<std::string>& words)
     return parseAndRun(static_cast<int>(all.size()), pointers.data());
 }
 
+CLI::Option* addLanguage(CLI::App& command, std::string& language)
+{
+    std::vector<std::string> codes;
+    for (const QString& code : vitrine::ui::languages()) codes.push_back(code.toStdString());
+    return vitrine::app::addChoice(command, "--language", language, codes, "");
+}
+
+/// Lets every command take --language, too, whose help the program's own tells.
+void takeLanguageEverywhere(CLI::App& command, std::string& language)
+{
+    for (CLI::App* below : command.get_subcommands([](CLI::App*) { return true; })) {
+        addLanguage(*below, language)->group("");
+        takeLanguageEverywhere(*below, language);
+    }
+}
+
 int parseAndRun(int argc, char** argv)
 {
     CLI::App parser(about, "vitrine");
     parser.set_version_flag("--version", std::string("vitrine ") + VITRINE_VERSION);
-    parser.set_help_flag("--help", "Print this help and exit");
-    parser
-        .add_option_function<std::string>(
-            "--language", [](const std::string& code) { vitrine::ui::speak(QString::fromStdString(code)); },
-            "The language of plaques in pictures, and of the window: en (in pictures, without this) or de")
-        ->check(CLI::IsMember({"en", "de"}))
-        ->type_name("CODE");
+    parser.set_help_flag("-h,--help", "Print this help and exit");
+    std::string language;
+    addLanguage(parser, language)
+        ->description("The language of plaques in pictures, and of the window: en (in pictures, without this) or de");
     parser.require_subcommand(0, 1);
     vitrine::app::Action chosen = [&] { return vitrine::app::openWindow(argc, argv, {}); };
     vitrine::app::addOpenCommand(parser, chosen, argc, argv);
@@ -65,18 +86,51 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addSpriteCommand(parser, chosen);
     vitrine::app::addServeCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);
+    takeLanguageEverywhere(parser, language);
+    const auto speak = [&language] {
+        if (!language.empty()) vitrine::ui::speak(QString::fromStdString(language));
+    };
     try {
         parser.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return parser.exit(error) == 0 ? 0 : static_cast<int>(vitrine::Blame::usage);
+        if (error.get_exit_code() == 0) return parser.exit(error);  // Help, or the version.
+        speak();
+        throw vitrine::Failure(vitrine::Blame::usage, vitrine::app::usageError(parser, error));
+    } catch (const vitrine::Failure&) {
+        speak();
+        throw;
     }
+    speak();
+    // The window keeps its own: it has a journal, and starts other programs.
+    if (!parser.get_subcommands().empty() && !parser.got_subcommand("open")) vitrine::app::endOnStopSignals();
     return chosen();
+}
+
+/// Ends the program where an exception has no handler, as on a thread or while another one is told. Memory may be what
+/// is missing: nothing here allocates.
+[[noreturn]] void endWithoutHandler()
+{
+    constexpr std::string_view words =
+        "vitrine: There was not enough memory for this; ask for a smaller size, or fewer samples or views.\n";
+    if (!std::current_exception()) std::abort();
+    try {
+        throw;
+    } catch (const std::bad_alloc&) {
+        if (::write(STDERR_FILENO, words.data(), words.size()) < 0) std::abort();
+        std::_Exit(static_cast<int>(vitrine::Blame::usage));
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "vitrine: %s\n", error.what());
+        std::abort();
+    } catch (...) {
+        std::abort();
+    }
 }
 
 }  // namespace
 
 int main(int argc, char** argv)
 {
+    std::set_terminate(endWithoutHandler);
     // A full disk or a size limit is an error of the write that meets it, not the end of the program.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
@@ -86,15 +140,13 @@ int main(int argc, char** argv)
     try {
         return parseAndRun(argc, argv);
     } catch (const vitrine::Failure& failure) {
-        std::fprintf(stderr, "vitrine: %s\n", vitrine::ui::saidInLocale(failure.what()).c_str());
+        vitrine::app::say(failure.what());
         return failure.exitCode();
     } catch (const std::bad_alloc&) {
-        const std::string words = vitrine::ui::saidInLocale(
-            "There was not enough memory for this; ask for a smaller size, or fewer samples or views.");
-        std::fprintf(stderr, "vitrine: %s\n", words.c_str());
+        vitrine::app::say("There was not enough memory for this; ask for a smaller size, or fewer samples or views.");
         return static_cast<int>(vitrine::Blame::usage);
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "vitrine: %s\n", error.what());
+        vitrine::app::say(error.what());
         return static_cast<int>(vitrine::Blame::file);
     }
 }

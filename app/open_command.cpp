@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <memory>
 
 namespace vitrine::app {
@@ -18,9 +19,13 @@ void addOpenCommand(CLI::App& parser, Action& chosen, int& argc, char** argv)
 {
     CLI::App* command = parser.add_subcommand("open", "Open the window with files: presets, prints, scenes, models");
     auto files = std::make_shared<std::vector<std::string>>();
-    command->add_option("files", *files, "What the window takes when it is dropped there")->check(CLI::ExistingFile);
-    command->callback(
-        [&chosen, &argc, argv, files] { chosen = [&argc, argv, files] { return openWindow(argc, argv, *files); }; });
+    command->add_option("files", *files, "What the window takes when it is dropped there");
+    command->callback([&chosen, &argc, argv, files] {
+        for (const std::string& file : *files)
+            if (std::error_code error; !std::filesystem::exists(file, error))
+                throw Failure(Blame::usage, "Cannot open " + file + ": there is no such file; check the name.");
+        chosen = [&argc, argv, files] { return openWindow(argc, argv, *files); };
+    });
 }
 
 }  // namespace vitrine::app

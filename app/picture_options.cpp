@@ -1,6 +1,7 @@
 #include "app/picture_options.h"
 
 #include "app/apply_preset.h"
+#include "app/number_option.h"
 #include "exhibits/framework/expression.h"
 #include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/motion_json.h"
@@ -10,6 +11,7 @@
 #include "render/failure.h"
 #include "render/files/extension.h"
 #include "render/files/number_text.h"
+#include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -56,11 +58,12 @@ Channels parseChannels(const std::string& text, PictureRequest& request, bool& b
     return channels;
 }
 
-glm::dmat4 exhibitTransform(const PictureOptions& options)
+glm::dmat4 exhibitTransform(const PictureOptions& options, const PictureRecord* taken)
 {
+    if (taken && options.rotate.empty() && options.scale.empty()) return taken->exhibitTransform;
     glm::dmat4 m(1);
     if (!options.rotate.empty()) {
-        const glm::dvec3 degrees = parseTriple("--rotate", options.rotate);
+        const glm::dvec3 degrees = parseTriple("--rotate", options.rotate, Unit::degree);
         for (int axis = 2; axis >= 0; --axis) {
             glm::dvec3 direction(0);
             direction[axis] = 1;
@@ -78,15 +81,27 @@ glm::dmat4 exhibitTransform(const PictureOptions& options)
 }
 
 /// Which channels the file carries, and in what light its samples are averaged.
-void setChannels(const PictureOptions& options, PictureRequest& request)
+void setChannels(const PictureOptions& options, const PictureRecord* taken, PictureRequest& request)
 {
     bool beyondColor = false;
-    request.frame.channels = parseChannels(options.channels, request, beyondColor);
     const bool linear = isExr(options.out);
+    if (!options.channels.empty()) {
+        request.frame.channels = parseChannels(options.channels, request, beyondColor);
+    } else if (taken && linear) {
+        request.frame.channels = taken->channels;
+        request.depth = taken->depth;
+    }
     request.frame.averageIn = linear ? AverageIn::radiance : AverageIn::display;
     if (beyondColor && !linear && !options.out.empty())
         throw Failure(Blame::usage,
                       "--channels: only OpenEXR carries more than color; give --out a name that ends in .exr.");
+}
+
+std::vector<std::string> namesOf(const Museum& museum)
+{
+    std::vector<std::string> names;
+    for (const Subject* subject : museum.subjects()) names.emplace_back(subject->name());
+    return names;
 }
 
 /// "exhibit.name=value".
@@ -107,8 +122,9 @@ Assignment assignmentOf(const Museum& museum, std::size_t subject, const std::st
     if (dot == std::string::npos) return {subject, name, text};
     const auto owner = museum.find(name.substr(0, dot));
     if (!owner)
-        throw Failure(Blame::usage, option + ' ' + name + ": there is no exhibit \"" + name.substr(0, dot) +
-                                        "\"; `vitrine list` names them.");
+        throw Failure(Blame::usage, option + ' ' + name + ": there is no exhibit \"" + name.substr(0, dot) + '"' +
+                                        didYouMean(name.substr(0, dot), namesOf(museum)) +
+                                        " `vitrine list` names them.");
     return {*owner, name.substr(dot + 1), text};
 }
 
@@ -116,12 +132,9 @@ Assignment assignmentOf(const Museum& museum, std::size_t subject, const std::st
 
 void setCamera(const PictureOptions& options, render::Camera& camera)
 {
-    if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye);
-    if (!options.target.empty()) camera.target = parseTriple("--target", options.target);
-    if (options.fovDegrees == 0) return;
-    if (!(options.fovDegrees >= 1 && options.fovDegrees <= 175))
-        throw Failure(Blame::usage, "--fov: give an angle from 1 to 175 degrees.");
-    camera.fovY = options.fovDegrees * std::numbers::pi / 180;
+    if (!options.eye.empty()) camera.eye = parseTriple("--eye", options.eye, Unit::meter);
+    if (!options.target.empty()) camera.target = parseTriple("--target", options.target, Unit::meter);
+    if (options.fovDegrees > 0) camera.fovY = options.fovDegrees * std::numbers::pi / 180;
 }
 
 std::optional<Value> optionValue(const ParameterInfo& row, const std::string& text)
@@ -131,7 +144,7 @@ std::optional<Value> optionValue(const ParameterInfo& row, const std::string& te
     return parseValue(row, text);
 }
 
-std::string whatItTakes(const ParameterInfo& row)
+std::string whatItTakes(const ParameterInfo& row, const std::string& typed)
 {
     if (row.kind == Kind::choice) {
         std::string names;
@@ -141,28 +154,28 @@ std::string whatItTakes(const ParameterInfo& row)
     if (row.kind == Kind::toggle) return "on or off";
     if (row.kind == Kind::color) return "#rrggbb or r,g,b";
     if (row.kind == Kind::direction) return "x,y,z";
-    const std::string unit(info(row.unit).storedSymbol);
-    return "a number from " + render::shortestNumber(row.range.low) + " to " + render::shortestNumber(row.range.high) +
-           (unit.empty() ? "" : ' ' + unit);
+    const bool isPlain = typed.empty() || evaluate(typed, Unit::none);
+    if (!isPlain) return rangeText(rangeOf(row, row.unit));
+    return rangeText(rangeOf(row)) + behindNumber(info(row.unit).storedSymbol);
 }
 
 render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
 {
     const std::string extension = render::lowerExtension(file);
     if (extension == ".png") return sixteenBit ? render::PictureFormat::png16 : render::PictureFormat::png8;
-    if (extension == ".exr") return render::PictureFormat::exr;
+    if (extension == ".exr") return sixteenBit ? render::PictureFormat::exrHalf : render::PictureFormat::exr;
     if (extension == ".tif" || extension == ".tiff")
         return sixteenBit ? render::PictureFormat::tiff16 : render::PictureFormat::tiff8;
     throw Failure(Blame::usage, option + ' ' + file + ": give a name that ends in .png, .exr or .tif.");
 }
 
-glm::dvec3 parseTriple(const std::string& option, const std::string& text)
+glm::dvec3 parseTriple(const std::string& option, const std::string& text, Unit unit)
 {
     const std::vector<std::string> parts = split(text, ',');
     glm::dvec3 result(0);
     bool good = parts.size() == 3;
     for (int i = 0; good && i < 3; ++i) {
-        const auto number = render::parseNumber(parts[static_cast<std::size_t>(i)]);
+        const auto number = plainOrWithUnit(parts[static_cast<std::size_t>(i)], unit);
         good = number.has_value();
         result[i] = number.value_or(0);
     }
@@ -172,7 +185,8 @@ glm::dvec3 parseTriple(const std::string& option, const std::string& text)
     return result;
 }
 
-glm::ivec2 parseSize(const std::string& option, const std::string& text)
+glm::ivec2 parseSize(const std::string& option, const std::string& text, const std::string& what,
+                     const std::string& such)
 {
     const std::vector<std::string> parts = split(text, 'x');
     glm::ivec2 size(0);
@@ -182,9 +196,8 @@ glm::ivec2 parseSize(const std::string& option, const std::string& text)
             size[i] = static_cast<int>(*number);
     }
     if (size.x < 1 || size.y < 1)
-        throw Failure(Blame::usage, option + " \"" + text +
-                                        "\": give width x height in whole pixels, each from 1 to 1000000, such as " +
-                                        option + " 640x360.");
+        throw Failure(Blame::usage, option + " \"" + text + "\": give " + what + ", each from 1 to 1000000, such as " +
+                                        option + ' ' + such + '.');
     return size;
 }
 
@@ -193,11 +206,16 @@ void addCameraOptions(CLI::App& command, PictureOptions& o, const std::string& h
     const auto add = [&](const char* name, auto& value, const char* help) {
         return command.add_option(name, value, help)->group(heading);
     };
-    add("--time", o.time, "Seconds on the exhibit's clock")->capture_default_str();
-    add("--seed", o.seed, "Of everything random")->capture_default_str();
+    addNumber(command, "--time", o.time, {.unit = Unit::second}, "Seconds on the exhibit's clock")
+        ->default_str("0")
+        ->group(heading);
+    addNumber(command, "--seed", o.seed, {0, 4294967295.0}, "Seed of the random numbers")
+        ->default_str("1")
+        ->group(heading);
     add("--eye", o.eye, "Where the camera is: x,y,z in meters (the exhibit's own space with --alone)");
     add("--target", o.target, "What it looks at: x,y,z in meters");
-    add("--fov", o.fovDegrees, "Vertical field of view in degrees");
+    addNumber(command, "--fov", o.fovDegrees, {1, 175, Unit::degree}, "Vertical field of view in degrees")
+        ->group(heading);
 }
 
 void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& heading)
@@ -206,7 +224,13 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
         return command.add_option(name, value, help)->group(heading);
     };
     add("--preset", o.preset,
-        "A shipped preset of the exhibit by its name, or a file: a preset, an exhibition, a picture that carries one");
+        "A shipped preset of the exhibit by its name, or a file: a preset, an exhibition, or a picture that carries "
+        "one, which also says how it was taken: size, samples, time, seed, camera, --alone, --transparent, --rotate, "
+        "--scale; options that are given take precedence");
+    command
+        .add_flag("--settings-only", o.settingsOnly,
+                  "Take only the settings and the camera of the picture that --preset names, not how it was taken")
+        ->group(heading);
     add("--set", o.sets, "name=value, or exhibit.name=value; plain numbers are in SI units")
         ->take_all()
         ->allow_extra_args(true);
@@ -218,9 +242,10 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
     add("--scale", o.scale, "Scales the exhibit: x,y,z; negative mirrors");
     add("--rotate", o.rotate, "Turns the exhibit about x, then y, then z: degrees");
     command.add_flag("--alone", o.alone, "Only the exhibit, in the environment's light")->group(heading);
-    add("--samples", o.samples,
-        "Samples per pixel; without it 4, or the hall's supersamples where a preset or --set changes them")
-        ->check(CLI::Range(1, 4096));
+    addNumber(command, "--samples", o.samples, {1, 4096},
+              "Samples per pixel; without it as in the picture of --preset, else 4, or the hall's supersamples where a "
+              "preset or --set changes them")
+        ->group(heading);
     command.add_flag("--transparent", o.transparent, "Nothing around the exhibit: alpha 0 there")->group(heading);
     add("--environment", o.environment, "A panorama in place of the sky");
     add("--model", o.model, "A glTF object for the free plinth");
@@ -228,11 +253,11 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
 
 void addPictureOptions(CLI::App& command, PictureOptions& o)
 {
-    command.add_option("--size", o.size, "Width x height in pixels")->capture_default_str();
+    command.add_option("--size", o.size, "Width x height in pixels")->default_str(usualPictureSize);
     addSceneOptions(command, o);
     command.add_flag("--run-everything", o.everything,
                      "Run every pass, called for or not: the picture must not change");
-    command.add_option("--channels", o.channels, "color,depth,normal,evaluations (EXR)")->capture_default_str();
+    command.add_option("--channels", o.channels, "color,depth,normal,evaluations (EXR)")->default_str("color");
 }
 
 namespace {
@@ -257,11 +282,25 @@ std::size_t rowNamed(const Museum& museum, const SceneState& sceneState, const A
         if (!row && gone.name == assignment.name && !gone.became.empty())
             throw Failure(Blame::usage, option + ' ' + assignment.name + ": this is no parameter any more. " +
                                             std::string(gone.became));
-    if (!row)
+    if (!row) {
+        std::vector<std::string> names;
+        for (const ParameterInfo& info : sceneState.values[assignment.owner].rows()) names.emplace_back(info.name);
         throw Failure(Blame::usage, option + ' ' + assignment.name + ": " +
                                         std::string(museum.subject(assignment.owner).name()) +
-                                        " has no parameter of that name; `vitrine list --json` names them.");
+                                        " has no parameter of that name" + didYouMean(assignment.name, names) +
+                                        " `vitrine list --json` names them.");
+    }
     return *row;
+}
+
+/// A value as `typed` was given: plain numbers in SI, others in the unit in which the row is shown.
+std::string valueAsTyped(const ParameterInfo& row, const Value& value, const std::string& typed)
+{
+    const auto* number = std::get_if<double>(&value);
+    if (!number || !row.isNumeric()) return formatValue(row, value);
+    const bool isPlain = evaluate(typed, Unit::none).has_value();
+    return render::shortestNumber(isPlain ? *number : shown(*number, row.unit)) +
+           behindNumber(isPlain ? info(row.unit).storedSymbol : info(row.unit).symbol);
 }
 
 /// Sets what was asked for, as `applySet`.
@@ -272,13 +311,17 @@ void assign(const Museum& museum, SceneState& sceneState, const Assignment& assi
     const std::size_t row = rowNamed(museum, sceneState, assignment, "--set");
     const ParameterInfo& info = values.rows()[row];
     const std::optional<Value> value = optionValue(info, text);
+    if (!value && info.isNumeric()) refuseDecimalComma("--set " + name, text);
     if (!value || !nearestLegal(info, *value))
         throw Failure(Blame::usage,
-                      "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info) + '.');
+                      "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info, text) + '.');
     values.setMotion(row, std::nullopt);  // Who says what it is wants no preset to move it.
     if (!values.chooseFile(row, *value) && info.kind != Kind::direction)
-        notes.push_back("--set " + name + ": " + text + " was brought to " + formatValue(info, values.row(row)) +
-                        ", the nearest that is allowed (" + whatItTakes(info) + ").");
+        notes.push_back(
+            "--set " + name + ": " + text + " was brought to " + valueAsTyped(info, values.row(row), text) +
+            ", the nearest that is allowed (" + whatItTakes(info, text) +
+            (info.unit == Unit::degree && evaluate(text, Unit::none) ? "; degrees are written " + text + "deg" : "") +
+            ").");
 }
 
 }  // namespace
@@ -322,25 +365,45 @@ void applyMotion(const Museum& museum, SceneState& sceneState, std::size_t subje
                                       [&info](const std::string& text) { return optionValue(info, text); }));
 }
 
-std::string presetOf(const Museum& museum, std::size_t subject, const SceneState& sceneState, const std::string& name)
-{
-    if (subject == hallIndex)
-        return exhibitionText({name, namedValues(museum.subjects(), sceneState.values), sceneState.camera});
-    return presetText(
-        Preset{std::string(museum.subject(subject).name()), name, sceneState.values[subject], sceneState.camera});
-}
-
 RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& options)
 {
     return requestedPicture(museum, options, museum.initialSceneState(), std::nullopt);
 }
+
+namespace {
+
+/// Where the preset was seen from, in the space of the picture, or else the best view of the subject.
+render::Camera chosenCamera(const Museum& museum, const RequestedPicture& job, bool alone)
+{
+    if (job.taken && job.taken->camera && job.taken->alone == alone) return *job.taken->camera;
+    const render::Camera& camera = job.sceneState.camera;
+    // Presets speak of the hall; alone, the exhibit's own space is the world.
+    if (job.cameraFromPreset)
+        return alone ? camera.transformed(glm::inverse(museum.worldFromExhibit(job.subject))) : camera;
+    if (job.subject == hallIndex) return camera;
+    const ParameterValues& values = job.sceneState.values[job.subject];
+    return alone ? museum.subject(job.subject).bestView(values) : museum.bestView(job.subject, values);
+}
+
+/// Samples per pixel, where no option says it. `supersamples` is what the preset made of the hall's.
+int chosenSamples(const RequestedPicture& job, int supersamples)
+{
+    const HallTable names;
+    const ParameterValues& hall = job.sceneState.hall();
+    const bool setHere = hall[names.supersamples] != supersamples;
+    if (job.taken && !setHere) return job.taken->samples;
+    return setHere || !hall.isInitial(names.supersamples.row) ? hall[names.supersamples] : 4;
+}
+
+}  // namespace
 
 RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& options, SceneState start,
                                   const std::optional<render::Camera>& startCamera)
 {
     const auto subject = museum.find(options.subject);
     if (!subject)
-        throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + "\"; `vitrine list` names them.");
+        throw Failure(Blame::usage, "There is no exhibit \"" + options.subject + '"' +
+                                        didYouMean(options.subject, namesOf(museum)) + " `vitrine list` names them.");
     const bool isHall = *subject == hallIndex;
     if (isHall && options.alone)
         throw Failure(Blame::usage, "--alone: the hall cannot be shown without the hall; name an exhibit.");
@@ -350,42 +413,45 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     job.sceneState = std::move(start);
     if (startCamera) job.sceneState.camera = *startCamera;
     job.cameraFromPreset = startCamera.has_value();
-    if (!options.preset.empty()) applyPreset(museum, options.preset, job);
+    if (!options.preset.empty()) {
+        const std::string leftOut = applyPreset(museum, options.preset, job);
+        if (options.settingsOnly)
+            job.taken.reset();
+        else if (!leftOut.empty())
+            job.notes.push_back(leftOut);
+    }
+    const PictureRecord* taken = job.taken ? &*job.taken : nullptr;
+    const HallTable names;
+    const int supersamples = job.sceneState.hall()[names.supersamples];
     applySets(museum, job.sceneState, *subject, options.sets, job.notes);
     for (const std::string& motion : options.motions) applyMotion(museum, job.sceneState, *subject, motion);
-    const HallTable names;
     ParameterValues& hall = job.sceneState.hall();
     if (!options.environment.empty()) hall.set(names.environment, options.environment);
     if (!options.model.empty()) hall.set(names.objects.front().model, options.model);
 
     FrameRequest& frame = job.request.frame;
-    render::Camera camera = job.sceneState.camera;
-    if (job.cameraFromPreset && options.alone) {
-        // Presets speak of the hall; alone, the exhibit's own space is the world.
-        camera = camera.transformed(glm::inverse(museum.worldFromExhibit(*subject)));
-    }
-    if (!job.cameraFromPreset && !isHall)
-        camera = options.alone ? museum.subject(*subject).bestView(job.sceneState.values[*subject])
-                               : museum.bestView(*subject, job.sceneState.values[*subject]);
+    const bool alone = options.alone || (taken && taken->alone);
+    render::Camera camera = chosenCamera(museum, job, alone);
     setCamera(options, camera);
-    if (!std::isfinite(options.time)) throw Failure(Blame::usage, "--time: give a finite number of seconds.");
     frame.camera = camera;
     job.sceneState.camera = camera;
-    frame.raster.size = parseSize("--size", options.size);
-    frame.time = options.time;
-    frame.seed = options.seed;
-    frame.transparent = options.transparent;
-    if (options.transparent && !options.alone && !isHall) frame.cutOut = *subject;
+    frame.raster.size = !options.size.empty() ? parseSize("--size", options.size)
+                        : taken               ? taken->size
+                                              : parseSize("--size", usualPictureSize);
+    frame.time = options.time.value_or(taken ? taken->time : 0);
+    if (!std::isfinite(frame.time)) throw Failure(Blame::usage, "--time: give a finite number of seconds.");
+    frame.seed = options.seed.value_or(taken ? taken->seed : 1);
+    frame.transparent = options.transparent || (taken && taken->transparent);
+    if (frame.transparent && !alone && !isHall) frame.cutOut = *subject;
     frame.runEverything = options.everything;
     frame.needsFiles = true;  // What was named and is not in the picture would be a lie.
-    frame.exhibitTransform = exhibitTransform(options);
-    if (options.alone)
+    frame.exhibitTransform = exhibitTransform(options, taken);
+    if (alone)
         frame.alone = *subject;
     else if (!isHall)
         frame.subject = *subject;
-    const bool asInHall = !hall.isInitial(names.supersamples.row);
-    job.request.samples = options.samples > 0 ? options.samples : asInHall ? hall[names.supersamples] : 4;
-    setChannels(options, job.request);
+    job.request.samples = options.samples > 0 ? options.samples : chosenSamples(job, supersamples);
+    setChannels(options, taken, job.request);
     return job;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/picture_record.h"
 #include "exhibits/museum/picture.h"
 #include "render/image/image_io.h"
 
@@ -13,23 +14,28 @@ class App;
 
 namespace vitrine::app {
 
-/// What `render` and its relatives can be told about the picture, as typed.
+/// What a picture has where neither an option nor the picture that --preset names says it.
+inline constexpr const char* usualPictureSize = "640x360";
+
+/// What `render` and its relatives can be told about the picture, as typed. What is not given is as in the picture that
+/// `preset` names, where it names one.
 struct PictureOptions {
     std::string subject;  ///< An exhibit's name, or "hall".
     std::string out;
-    std::string size = "640x360";
+    std::string size;  ///< Empty: as the picture that `preset` names was taken, or `usualPictureSize`.
     std::string preset;
+    bool settingsOnly = false;         ///< Of a picture that `preset` names, not how it was taken.
     std::vector<std::string> sets;     ///< "name=value" or "exhibit.name=value".
     std::vector<std::string> motions;  ///< "name=sine:0.1:0.9:period=4", by the same names.
-    double time = 0;
-    std::uint32_t seed = 1;
+    std::optional<double> time;
+    std::optional<std::uint32_t> seed;
     std::string eye, target, scale, rotate;
     double fovDegrees = 0;  ///< 0: the view's own.
     bool alone = false;
     bool transparent = false;
     bool everything = false;
-    int samples = 0;  ///< 0: as the hall's supersamples were set, or 4.
-    std::string channels = "color";
+    int samples = 0;       ///< 0: as the hall's supersamples were set, or 4.
+    std::string channels;  ///< Empty: as the picture that `preset` names was taken, or color alone.
     std::string environment, model;
 };
 
@@ -50,7 +56,8 @@ struct RequestedPicture {
     SceneState sceneState;
     PictureRequest request;
     bool cameraFromPreset = false;
-    std::vector<std::string> notes;  ///< What was brought to the nearest legal value, for standard error.
+    std::optional<PictureRecord> taken;  ///< How the picture that the preset came from was taken, if of this subject.
+    std::vector<std::string> notes;      ///< What was brought to the nearest legal value, for standard error.
 };
 [[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&);
 /// The same from this look in place of the initial one; the camera, where there is one, in place of the best view of
@@ -78,21 +85,21 @@ struct NamedRow {
 /// Lets one row move, "name=motion" as `typedMotion` reads it. Throws Failure (Blame::usage) naming the option.
 void applyMotion(const Museum&, SceneState&, std::size_t subject, const std::string& assignment);
 
-/// The preset that brings such a picture back: of the subject, or of everything where it is the hall.
-[[nodiscard]] std::string presetOf(const Museum&, std::size_t subject, const SceneState&, const std::string& name);
-
 /// The value that someone typed on the command line, where a number is in SI units unless it names its own; nothing
 /// when the text means none.
 [[nodiscard]] std::optional<Value> optionValue(const ParameterInfo&, const std::string& text);
-/// "a number from 0 to 1", "one of none, hard": after "give ".
-[[nodiscard]] std::string whatItTakes(const ParameterInfo&);
+/// "a number from 0 to 1", "one of none, hard": after "give ". Numbers are in the unit in which `typed` was given: SI
+/// for a plain one, else that in which the row is shown.
+[[nodiscard]] std::string whatItTakes(const ParameterInfo&, const std::string& typed = {});
 
 /// What a picture's file name ends in says how it is written. Throws Failure (Blame::usage) naming the option.
 [[nodiscard]] render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit);
 
-/// "1.5,2,0" to three finite numbers. Throws Failure (Blame::usage) naming the option.
-[[nodiscard]] glm::dvec3 parseTriple(const std::string& option, const std::string& text);
-/// "640x360" to two positive numbers.
-[[nodiscard]] glm::ivec2 parseSize(const std::string& option, const std::string& text);
+/// "1.5,2,0" to three finite numbers, plain ones in `unit`. Throws Failure (Blame::usage) naming the option.
+[[nodiscard]] glm::dvec3 parseTriple(const std::string& option, const std::string& text, Unit unit = Unit::none);
+/// "640x360" to two positive numbers. `what` is what they are of, and `such` an example.
+[[nodiscard]] glm::ivec2 parseSize(const std::string& option, const std::string& text,
+                                   const std::string& what = "width x height in whole pixels",
+                                   const std::string& such = "640x360");
 
 }  // namespace vitrine::app

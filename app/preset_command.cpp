@@ -1,10 +1,11 @@
+#include "app/apply_preset.h"
 #include "app/command.h"
+#include "app/say.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
-#include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 
 #include <CLI/CLI.hpp>
@@ -30,7 +31,7 @@ int check(const std::string& file, const NamedValues& tables)
 {
     Blame blame = Blame::file;
     try {
-        std::string text = render::readFile(file, presetLimits.bytes);
+        std::string text = presetTextOf(file);
         blame = Blame::check;
         const render::JsonDocument document = render::parseJson(std::move(text), file, presetLimits);
         const PresetHeader header = presetHeader(document);
@@ -51,7 +52,7 @@ int check(const std::string& file, const NamedValues& tables)
         for (const std::string& note : notes) std::printf("  %s\n", note.c_str());
         return 0;
     } catch (const Failure& failure) {
-        std::fprintf(stderr, "vitrine: %s\n", failure.what());
+        say(failure.what());
         return static_cast<int>(blame);
     }
 }
@@ -77,7 +78,7 @@ void addPresetCommand(CLI::App& parser, Action& chosen)
     CLI::App* checking =
         command->add_subcommand("check", "Say whether preset files can be loaded, and what loading changes");
     auto files = std::make_shared<std::vector<std::string>>();
-    checking->add_option("files", *files, "Preset or exhibition files")->required();
+    checking->add_option("files", *files, "Preset or exhibition files, or pictures that carry a preset")->required();
     checking->callback([&chosen, files] { chosen = [files] { return checkAll(*files); }; });
 }
 

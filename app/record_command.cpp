@@ -1,7 +1,9 @@
 #include "app/command.h"
+#include "app/number_option.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/queue/parts.h"
+#include "app/say.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
@@ -124,8 +126,14 @@ std::optional<Drawn> draw(const RecordOptions& options, const std::string& out, 
     PictureOptions described = picture;
     described.out.clear();  // Its ending is none of a picture.
     RequestedPicture job = requestedPicture(museum, described);
+    if (job.request.frame.transparent && !picture.transparent) {
+        job.request.frame.transparent = false;
+        job.request.frame.cutOut.reset();
+        job.notes.push_back(picture.preset + ": this picture is transparent; give --transparent for a recording "
+                                             "that is, too.");
+    }
     const RecordingRequest request = recordingRequest(options, museum, job);
-    for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    for (const std::string& note : job.notes) say(note);
     render::gl::Renderer renderer;
     const StopSignal signal;
     Recording recording(museum, renderer, job.sceneState, job.subject, request, out, share);
@@ -136,9 +144,8 @@ std::optional<Drawn> draw(const RecordOptions& options, const std::string& out, 
         }
     }
     if (!recording.finished()) {
-        std::fprintf(stderr, "vitrine: Stopped; %s.\n",
-                     isVideo ? "nothing was written"
-                             : "the frames so far are whole, and the same command goes on with the next one");
+        say(isVideo ? "Stopped; nothing was written."
+                    : "Stopped; the frames so far are whole, and the same command goes on with the next one.");
         return std::nullopt;
     }
     std::printf("%s: %d frames of %d x %d", out.c_str(), recording.drawn() + recording.kept(),
@@ -175,31 +182,20 @@ int makeRecording(const RecordOptions& options)
 
 void addMotionOptions(CLI::App& command, RecordOptions& o)
 {
-    command.add_option("--seconds", o.seconds, "How long it is")
-        ->capture_default_str()
-        ->check(CLI::Range(0.001, 36000.0));
-    command.add_option("--fps", o.framesPerSecond, "Frames a second")
-        ->capture_default_str()
-        ->check(CLI::Range(0.1, 240.0));
+    addNumber(command, "--seconds", o.seconds, {0.001, 36000, Unit::second}, "How long it is")->capture_default_str();
+    addNumber(command, "--fps", o.framesPerSecond, {0.1, 240, Unit::hertz}, "Frames a second")->capture_default_str();
     command.add_option("--size", o.picture.size, "Width x height in pixels")->capture_default_str();
-    command
-        .add_option(
-            "--path", o.path,
-            "How the camera moves: turntable (of an exhibit, when nothing is said), still, or tour (of the hall)")
-        ->check(CLI::IsMember({"turntable", "still", "tour"}));
-    command.add_option("--turn", o.turn, "Degrees of the turntable; without it 360 alone, and 60 in the hall")
-        ->check(CLI::Range(-36000.0, 36000.0));
-    command
-        .add_option("--pace", o.pace,
-                    "constant or eased; without it as the tour says, or constant in a loop, else eased")
-        ->check(CLI::IsMember({"constant", "eased"}));
-    command
-        .add_option("--shutter", o.shutter, "Motion blur: the share of a frame's time for which it is exposed; 0: none")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 1.0));
-    command.add_option("--shutter-samples", o.shutterSamples, "Moments that are averaged over it")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 4096));
+    addChoice(command, "--path", o.path, {"turntable", "still", "tour"},
+              "How the camera moves: turntable (of an exhibit, when nothing is said), still, or tour (of the hall)");
+    addNumber(command, "--turn", o.turn, {-36000, 36000, Unit::degree},
+              "Degrees of the turntable; without it 360 alone, and 60 in the hall");
+    addChoice(command, "--pace", o.pace, {"constant", "eased"},
+              "constant or eased; without it as the tour says, or constant in a loop, else eased");
+    addNumber(command, "--shutter", o.shutter, {0, 1},
+              "Motion blur: the share of a frame's time for which it is exposed; 0: none")
+        ->capture_default_str();
+    addNumber(command, "--shutter-samples", o.shutterSamples, {1, 4096}, "Motion-blur samples per frame")
+        ->capture_default_str();
 }
 
 }  // namespace

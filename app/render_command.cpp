@@ -1,20 +1,26 @@
 #include "app/command.h"
+#include "app/number_option.h"
 #include "app/picture_options.h"
 #include "app/report.h"
+#include "app/say.h"
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/preset.h"
+#include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
+#include "render/files/atomic_write.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 #include "render/image/image_io.h"
 #include "render/plan/diagnostics.h"
+#include "render/text/translation.h"
+#include "ui/kit/language.h"
 
 #include <CLI/CLI.hpp>
 
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 namespace vitrine::app {
 namespace {
@@ -31,16 +37,22 @@ int renderPicture(const RenderOptions& options)
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
     const RequestedPicture job = requestedPicture(museum, options.picture);
-    for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    for (const std::string& note : job.notes) say(note);
+    if (job.taken && job.taken->language != language() && !ui::languageAsked())
+        ui::speak(QString::fromStdString(job.taken->language));
     render::gl::Renderer renderer;
     PictureMaker maker(museum, renderer, job.sceneState, job.request);
     while (maker.step()) {
     }
     for (const render::CulledPass& complaint : render::Diagnostics().begun(maker.report().skipped))
-        std::fprintf(stderr, "vitrine: %s\n", lineOf(complaint).c_str());
-    render::writePicture(options.picture.out, maker.picture(), format,
-                         {.preset = presetOf(museum, job.subject, job.sceneState, "Picture")});
-    if (!options.report.empty()) writeReport(options.report, museum, renderer, context.info(), job, maker);
+        say(lineOf(complaint));
+    std::vector<std::unique_ptr<render::PartFile>> files;
+    files.push_back(render::stagedPicture(
+        options.picture.out, maker.picture(), format,
+        {.preset = pictureSettings(museum, job.subject, job.sceneState, job.request, "Picture")}));
+    if (!options.report.empty())
+        files.push_back(render::stagedFile(options.report, reportText(museum, renderer, context.info(), job, maker)));
+    render::publishAll(files);
     return 0;
 }
 
@@ -65,7 +77,7 @@ int renderTour(const std::string& folder, const std::string& size, int samples)
         while (maker.step()) {
         }
         render::writePicture(options.out, maker.picture(), render::PictureFormat::png8,
-                             {.preset = presetOf(museum, job.subject, job.sceneState, "Picture")});
+                             {.preset = pictureSettings(museum, job.subject, job.sceneState, job.request, "Picture")});
         std::printf("%s\n", options.out.c_str());
     }
     std::printf("The tour is in %s\n", std::filesystem::absolute(folder).string().c_str());
@@ -81,7 +93,8 @@ void addRenderCommand(CLI::App& parser, Action& chosen)
     auto options = std::make_shared<RenderOptions>();
     command->add_option("exhibit", options->picture.subject, "An exhibit's name, or hall")->required();
     command->add_option("--out", options->picture.out, "The picture: .png, .exr (linear light) or .tif")->required();
-    command->add_flag("--sixteen-bit", options->sixteenBit, "PNG or TIFF with 16 bits per channel");
+    command->add_flag("--sixteen-bit", options->sixteenBit,
+                      "16 bits per channel: codes in PNG and TIFF, half floats for the color in OpenEXR");
     command->add_option("--report", options->report,
                         "What ran, what was skipped and why, counters, times and memory by owner, as JSON");
     addPictureOptions(*command, options->picture);
@@ -97,7 +110,7 @@ void addTourCommand(CLI::App& parser, Action& chosen)
     auto samples = std::make_shared<int>(9);
     command->add_option("--out", *folder, "The folder")->capture_default_str();
     command->add_option("--size", *size, "Width x height in pixels")->capture_default_str();
-    command->add_option("--samples", *samples, "Samples per pixel")->capture_default_str()->check(CLI::Range(1, 4096));
+    addNumber(*command, "--samples", *samples, {1, 4096}, "Samples per pixel")->capture_default_str();
     command->callback([&chosen, folder, size, samples] {
         chosen = [folder, size, samples] { return renderTour(*folder, *size, *samples); };
     });

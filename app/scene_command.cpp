@@ -3,6 +3,7 @@
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
+#include "ui/kit/language.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,18 +28,30 @@ Json findingsJson(const std::vector<scenes::Finding>& findings)
     return all;
 }
 
+/// "file:line:column: key: sentence", as editors read it, the sentence in the language of the locale.
+void printFinding(scenes::Finding finding)
+{
+    finding.sentence = ui::saidInLocale(finding.sentence);
+    std::printf("%s\n", finding.text().c_str());
+}
+
 /// Reads one file and says what was found; 0, or the exit code of a failed check, or that of a failed read.
 int checkScene(const std::string& file, Json* report)
 {
     const scenes::ReadScene read = scenes::readSceneFile(file);
     if (report) {
         report->push_back(
-            Json{{"file", file}, {"good", read.scene != nullptr}, {"findings", findingsJson(read.findings)}});
+            Json{{"file", file},
+                 {"good", read.scene != nullptr},
+                 {"findings", findingsJson(read.findings)},
+                 {"leftOut", findingsJson(read.scene ? read.scene->leftOut : std::vector<scenes::Finding>())}});
     } else if (read.scene) {
         std::printf("%s: good (\"%s\", %zu nodes, %zu parameters)\n", file.c_str(), read.scene->name.c_str(),
                     read.scene->nodes.size(), read.scene->parameters().size());
+        for (const scenes::Finding& shape : read.scene->leftOut)
+            std::printf("%s This shape is left out.\n", shape.text().c_str());
     } else {
-        for (const scenes::Finding& finding : read.findings) std::printf("%s\n", finding.text().c_str());
+        for (const scenes::Finding& finding : read.findings) printFinding(finding);
     }
     if (read.scene) return 0;
     return static_cast<int>(read.fileRead ? Blame::check : Blame::file);

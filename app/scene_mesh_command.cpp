@@ -1,5 +1,6 @@
 #include "app/command.h"
 
+#include "app/number_option.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "exhibits/framework/expression.h"
@@ -29,7 +30,11 @@ struct MeshOptions {
 std::shared_ptr<const scenes::Scene> readOrThrow(const std::string& file)
 {
     scenes::ReadScene read = scenes::readSceneFile(file);
-    if (read.scene) return read.scene;
+    if (read.scene) {
+        for (const scenes::Finding& shape : read.scene->leftOut)
+            std::fprintf(stderr, "vitrine: %s This shape is left out.\n", shape.text().c_str());
+        return read.scene;
+    }
     const std::size_t others = read.findings.size() - 1;
     throw Failure(
         read.fileRead ? Blame::check : Blame::file,
@@ -47,6 +52,7 @@ std::optional<double> numberOption(const std::string& typed, Unit unit)
 double lengthOption(const std::string& option, const std::string& typed)
 {
     const std::optional<double> value = numberOption(typed, Unit::meter);
+    if (!value) refuseDecimalComma(option, typed);
     if (!value || !(*value > 0))
         throw Failure(Blame::usage, option + " \"" + typed + "\": give a length, such as 5mm.");
     return *value;
@@ -73,7 +79,8 @@ std::vector<double> parameterValues(const scenes::Scene& scene, const std::vecto
                                             (names.empty() ? " and no other." : "; it has " + names + "."));
         const scenes::SceneParameter& parameter = scene.parameters()[i];
         const std::optional<double> value = numberOption(typed, parameter.unit);
-        if (!value || *value < parameter.low || *value > parameter.high)
+        if (!value) refuseDecimalComma("--set " + name, typed);
+        if (!value || !(*value >= parameter.low && *value <= parameter.high))
             throw Failure(Blame::usage, "--set " + name + "=" + typed + ": give a number from " +
                                             render::shortestNumber(parameter.low) + " to " +
                                             render::shortestNumber(parameter.high) + " " +
@@ -90,7 +97,8 @@ scenes::MeshRequest meshRequest(const MeshOptions& options)
     if (options.low.empty() != options.high.empty())
         throw Failure(Blame::usage, "--low and --high belong together: two corners of the part that is meshed.");
     if (!options.low.empty()) {
-        request.part = render::Box{parseTriple("--low", options.low), parseTriple("--high", options.high)};
+        request.part = render::Box{parseTriple("--low", options.low, Unit::meter),
+                                   parseTriple("--high", options.high, Unit::meter)};
         const glm::dvec3 size = request.part->high - request.part->low;
         if (!(size.x > 0 && size.y > 0 && size.z > 0))
             throw Failure(Blame::usage, "--high: all three numbers are above those of --low.");
@@ -169,12 +177,12 @@ void addSceneMeshCommand(CLI::App& parser, Action& chosen)
     command->add_option("--set", options->sets, "name=value: a parameter of the scene")
         ->take_all()
         ->allow_extra_args(true);
-    command->add_option("--time", options->time, "Seconds, for what moves")->capture_default_str();
+    addNumber(*command, "--time", options->time, {.unit = Unit::second}, "Seconds, for what moves")
+        ->capture_default_str();
     command->add_option("--low", options->low, "x,y,z: a corner of the part that is meshed, and cut there");
     command->add_option("--high", options->high, "x,y,z: the opposite corner");
-    command
-        ->add_option("--memory-mb", options->memoryMb, "How much memory it may take; half of the machine's by default")
-        ->check(CLI::Range(1.0, 1e9));
+    addNumber(*command, "--memory-mb", options->memoryMb, {1, 1e9},
+              "How much memory it may take; half of the machine's by default");
     command->callback([&chosen, options] { chosen = [options] { return mesh(*options); }; });
 }
 

@@ -1,5 +1,7 @@
 #include "app/command.h"
+#include "app/number_option.h"
 #include "app/picture_options.h"
+#include "app/say.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/museum/museum.h"
 #include "exhibits/sprites/sprite_files.h"
@@ -19,7 +21,8 @@ namespace vitrine::app {
 namespace {
 
 struct SpriteOptions {
-    std::string subject, out, size = "64x64", animation, preset, palette = "own", dither = "none", pivot = "origin";
+    std::string subject, out, size = "64x64", animation, preset, palette = "own", dither = "none", pivot = "origin",
+                              motion = "automatic";
     std::vector<std::string> sets;
     int directions = 8, frames = 1, colors = 32;
     bool trimmed = false, noMaps = false;
@@ -31,9 +34,10 @@ ParameterValues lookOf(const Museum& museum, const SpriteOptions& options)
     PictureOptions picture;
     picture.subject = spriteLookName;
     picture.preset = options.preset;
+    picture.settingsOnly = true;
     picture.sets = options.sets;
     const RequestedPicture job = requestedPicture(museum, picture);
-    for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    for (const std::string& note : job.notes) say(note);
     return job.sceneState.values[museum.find(spriteLookName).value()];
 }
 
@@ -41,8 +45,7 @@ void choose(ParameterValues& values, std::size_t row, const char* flag, const st
 {
     const ParameterInfo& info = values.rows()[row];
     const std::optional<Value> value = optionValue(info, name);
-    if (!value)
-        throw Failure(Blame::usage, std::string(flag) + ' ' + name + ": give one of " + whatItTakes(info) + ".");
+    if (!value) throw Failure(Blame::usage, std::string(flag) + ' ' + name + ": give " + whatItTakes(info) + '.');
     values.setRow(row, *value);
 }
 
@@ -62,6 +65,7 @@ ParameterValues sheetValues(const SpriteOptions& options)
     choose(values, t.palette.row, "--palette", options.palette);
     choose(values, t.dither.row, "--dither", options.dither);
     choose(values, t.pivot.row, "--pivot", options.pivot);
+    choose(values, t.motion.row, "--motion", options.motion);
     values.set(t.trimmed, options.trimmed);
     values.set(t.normals, !options.noMaps);
     values.set(t.depth, !options.noMaps);
@@ -75,15 +79,18 @@ int makeSprite(const SpriteOptions& options)
         throw Failure(Blame::usage, "--out " + options.out + ": sprite sheets are PNG files; give a name with .png.");
     const ParameterValues values = sheetValues(options);
     const std::shared_ptr<const SpriteSubject> subject = spriteSubject(values);
-    for (const std::string& warning : subject->warnings()) std::fprintf(stderr, "vitrine: %s\n", warning.c_str());
+    for (const std::string& warning : subject->warnings()) say(warning);
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
     render::gl::Renderer renderer;
     const SpriteRequest request = spriteRequest(values, options.animation);
-    const std::vector<SpriteFrame> frames = drawSprite(lookOf(museum, options), *subject, request, renderer);
-    const SpriteSheet sheet =
+    const ParameterValues look = lookOf(museum, options);
+    const std::vector<SpriteFrame> frames = drawSprite(look, *subject, request, renderer);
+    SpriteSheet sheet =
         sheetOf(frames, values, options.animation, *subject, std::filesystem::path(options.out).filename().string());
+    sheet.settings = lookPreset(look);
     writeSheet(sheet, values, options.out);
+    for (const std::string& warning : sheet.warnings) std::fprintf(stderr, "vitrine: %s\n", warning.c_str());
     std::printf("%s: %zu frames of %d x %d, %zu colors, %d x %d pixels\n", options.out.c_str(), frames.size(),
                 request.size.x, request.size.y, sheet.palette.size(), sheet.color.width, sheet.color.height);
     return 0;
@@ -100,20 +107,24 @@ void addSpriteCommand(CLI::App& parser, Action& chosen)
     command->add_option("object", o->subject, "pixel_art, or a glTF file (.glb, .gltf), whose animation is played")
         ->required();
     command->add_option("--out", o->out, "The sheet: .png; further files take its name")->required();
-    command->add_option("--directions", o->directions, "Around it")->capture_default_str()->check(CLI::Range(1, 64));
-    command->add_option("--frames", o->frames, "Of each direction, over the animation")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 256));
+    addNumber(*command, "--directions", o->directions, {1, 64},
+              "Number of view directions, evenly spaced around the object")
+        ->capture_default_str();
+    addNumber(*command, "--frames", o->frames, {1, 256},
+              "Number of frames per direction, evenly spaced over the animation")
+        ->capture_default_str();
     command->add_option("--size", o->size, "Of a frame, pixels")->capture_default_str();
     command->add_option("--animation", o->animation, "By its name; the file's first one otherwise");
-    command->add_option("--fps", o->fps, "Frames a second that the description tells; 0: as long as the animation")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 1000.0));
+    addNumber(*command, "--fps", o->fps, {0, 1000, Unit::hertz},
+              "Frames a second that the description tells; 0: as long as the animation")
+        ->capture_default_str();
     command->add_option("--palette", o->palette, "own (made of all frames), or a shipped palette's name")
         ->capture_default_str();
-    command->add_option("--colors", o->colors, "Of its own palette")->capture_default_str()->check(CLI::Range(1, 256));
+    addNumber(*command, "--colors", o->colors, {1, 256}, "Number of colors of its own palette")->capture_default_str();
     command->add_option("--dither", o->dither, "none, ordered, blue noise, or error diffusion")->capture_default_str();
     command->add_option("--pivot", o->pivot, "That the description gives: origin, center, or bottom")
+        ->capture_default_str();
+    command->add_option("--motion", o->motion, "What the animation carries the object by: kept, in place, or automatic")
         ->capture_default_str();
     command->add_option("--preset", o->preset, "A look of pixel_art");
     command->add_option("--set", o->sets, "name=value of pixel_art");

@@ -1,11 +1,14 @@
 #include "app/command.h"
 #include "app/compare/comparison_folder.h"
+#include "app/number_option.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
 #include "app/report.h"
+#include "app/say.h"
 
 #include "exhibits/compare/offered_comparison.h"
 #include "exhibits/exhibits.h"
+#include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
@@ -28,7 +31,7 @@ struct SettingsOptions {
     std::string with;  ///< In place of the second file: a comparison that the exhibit offers.
     PictureOptions picture;
     int runs = 5;
-    int gain = 8;
+    std::string gain = "8";  ///< One of `comparisonGains`.
 };
 
 /// The file's own name, which two files in different folders may share: then the whole path.
@@ -61,9 +64,10 @@ render::Camera sharedCamera(const Museum& museum, const std::array<RequestedPict
 RequestedPicture requestedSide(const Museum& museum, const PictureOptions& picture, const std::string& settings)
 {
     PictureOptions one = picture;
+    one.settingsOnly = true;
     one.preset = settings == initialSettings ? "" : settings;
     RequestedPicture job = requestedPicture(museum, one);
-    for (const std::string& note : job.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    for (const std::string& note : job.notes) say(note);
     return job;
 }
 
@@ -127,9 +131,11 @@ int compareSettings(SettingsOptions options)
     ComparisonRequest request = comparisonRequest(museum, options);
     ComparisonText text;
     text.names = namesOf(options.files);
+    const std::size_t subject = museum.find(options.picture.subject).value_or(hallIndex);
     for (std::size_t i = 0; i < 2; ++i)
-        text.presets[i] = presetOf(museum, hallIndex, request.settings[i], text.names[i]);
-    text.gain = options.gain;
+        text.presets[i] = pictureSettings(museum, subject, request.settings[i],
+                                          {.frame = request.frame, .samples = request.samples[i]}, text.names[i]);
+    text.gain = std::stoi(options.gain);
     text.machine = machineJson(context.info());
     render::gl::Renderer renderer;
     renderer.timeSteps(true);
@@ -159,6 +165,7 @@ void addCompareSettingsCommand(CLI::App& parser, Action& chosen)
         "compare-settings", "Two settings side by side: pictures, differences, costs pass by pass, as one page");
     auto options = std::make_shared<SettingsOptions>();
     options->picture.subject = "hall";
+    options->picture.size = usualPictureSize;
     const std::string what = "A preset, an exhibition, a picture that carries one, or \"initial\"";
     command->add_option("a", options->files[0], what + "; an exhibit's name for its initial values")->required();
     command->add_option("b", options->files[1], what);
@@ -168,16 +175,13 @@ void addCompareSettingsCommand(CLI::App& parser, Action& chosen)
     command->add_option("--exhibit", options->picture.subject,
                         "Whose presets they are: shipped ones may then be given by their names");
     command->add_option("--size", options->picture.size, "Width x height in pixels")->capture_default_str();
-    command
-        ->add_option("--samples", options->picture.samples,
-                     "Samples per pixel; without it 4, or each one's supersamples where it changes them")
-        ->check(CLI::Range(1, 4096));
-    command->add_option("--runs", options->runs, "Timed frames of each")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 99));
-    command->add_option("--gain", options->gain, "What the page first multiplies differences by")
-        ->capture_default_str()
-        ->check(CLI::IsMember(std::vector<int>(comparisonGains.begin(), comparisonGains.end())));
+    addNumber(*command, "--samples", options->picture.samples, {1, 4096},
+              "Samples per pixel; without it 4, or each one's supersamples where it changes them");
+    addNumber(*command, "--runs", options->runs, {1, 99}, "Timed frames of each")->capture_default_str();
+    std::vector<std::string> gains;
+    for (const int gain : comparisonGains) gains.push_back(std::to_string(gain));
+    addChoice(*command, "--gain", options->gain, gains, "Initial gain of the difference pictures")
+        ->capture_default_str();
     addCameraOptions(*command, options->picture);
     command->callback([&chosen, options] { chosen = [options] { return compareSettings(*options); }; });
 }

@@ -2,11 +2,16 @@
 
 #include "app/print/rendered_views.h"
 #include "app/progress.h"
+#include "exhibits/printing/fitting.h"
+#include "exhibits/printing/view_colors.h"
 #include "exhibits/printing/view_files.h"
 #include "render/failure.h"
+#include "render/files/number_text.h"
 #include "render/image/image_io.h"
-#include "render/image/picture_stream.h"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -20,46 +25,92 @@ printing::SequenceSettings sequenceOf(const ViewOptions& options)
     return {options.every, options.pingPong, options.count};
 }
 
+/// Adds `note` unless it is empty or was added before.
+void addNote(std::vector<std::string>& notes, const std::string& note)
+{
+    if (!note.empty() && std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+}
+
+/// Adds the notes of a reader, which do not name the file.
+void addNotes(std::vector<std::string>& notes, const fs::path& file, const std::vector<std::string>& sentences)
+{
+    for (const std::string& sentence : sentences) notes.push_back(file.filename().string() + ": " + sentence);
+}
+
+printing::Fitting fittingOf(const ViewOptions& options)
+{
+    if (options.fit == "fit") return printing::Fitting::fit;
+    return options.fit == "stretch" ? printing::Fitting::stretch : printing::Fitting::crop;
+}
+
 GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
 {
-    const std::vector<fs::path> files = printing::viewFiles(options.files);
-    const std::vector<std::size_t> chosen = printing::chosenViews(files.size(), sequenceOf(options));
-    (void)layoutOf(static_cast<int>(chosen.size()));
     GatheredViews result;
+    const std::vector<fs::path> files = printing::viewFiles(options.files, &result.notes);
+    std::vector<fs::path> chosen;
+    for (const std::size_t i : printing::chosenViews(files.size(), sequenceOf(options))) chosen.push_back(files[i]);
+    const double aspect = printing::aspectOf(layoutOf(static_cast<int>(chosen.size())).settings());
+    const printing::ViewColors colors = printing::viewColors(chosen);
+    result.profile = colors.profile;
+    addNote(result.notes, colors.note);
     ProgressLine line("reading views");
     std::set<std::pair<int, int>> sizes;
-    for (const std::size_t i : chosen) {
+    for (const fs::path& file : chosen) {
         if (!line.show(static_cast<double>(result.sources.size()) / static_cast<double>(chosen.size())))
             throw Failure(Blame::usage, "Reading the views was stopped; nothing was written.");
-        const render::Image image = render::readImage(files[i], {.canceled = StopSignal::stopped});
+        std::vector<std::string> warnings;
+        render::Image image =
+            render::readColor(file, {.keepColors = colors.keep, .canceled = StopSignal::stopped}, &warnings);
+        addNotes(result.notes, file, warnings);
         sizes.emplace(image.width, image.height);
-        result.views.add(image);
-        result.sources.push_back(files[i].filename().string());
+        addNote(result.notes, printing::fittingNote(image, aspect, fittingOf(options)));
+        result.views.add(printing::fitted(std::move(image), aspect, fittingOf(options)));
+        result.sources.push_back(file.filename().string());
     }
     if (sizes.size() > 1) result.notes.emplace_back("The views differ in size; each is scaled to the print.");
-    result.profile = render::embeddedProfile(files[chosen.front()]);
     return result;
+}
+
+/// "8x6", "8X6" or "8×6". Throws Failure (Blame::usage).
+glm::ivec2 gridOf(const std::string& text)
+{
+    std::string plain = text;
+    if (const std::size_t sign = plain.find("×"); sign != std::string::npos) plain.replace(sign, 2, "x");
+    std::replace(plain.begin(), plain.end(), 'X', 'x');
+    const std::size_t cross = plain.find('x');
+    const auto columns = render::parseNumber(plain.substr(0, cross));
+    const auto rows = cross == std::string::npos ? std::nullopt : render::parseNumber(plain.substr(cross + 1));
+    const auto fits = [](const std::optional<double>& n) { return n && *n >= 1 && *n <= 1000 && *n == std::floor(*n); };
+    if (!fits(columns) || !fits(rows))
+        throw Failure(Blame::usage, "--quilt \"" + text +
+                                        "\": give columns x rows, each from 1 to 1000, and the picture, such as "
+                                        "--quilt 8x6 quilt.png.");
+    return {static_cast<int>(*columns), static_cast<int>(*rows)};
 }
 
 GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
 {
-    const glm::ivec2 grid = parseSize("--quilt", options.quilt[0]);
-    if (grid.x > 1000 || grid.y > 1000)
-        throw Failure(Blame::usage,
-                      "--quilt " + options.quilt[0] + ": give columns x rows, such as --quilt 8x6 quilt.png.");
+    const glm::ivec2 grid = gridOf(options.quilt[0]);
     const std::vector<std::size_t> chosen =
         printing::chosenViews(static_cast<std::size_t>(grid.x * grid.y), sequenceOf(options));
-    (void)layoutOf(static_cast<int>(chosen.size()));
+    const double aspect = printing::aspectOf(layoutOf(static_cast<int>(chosen.size())).settings());
     const fs::path file = options.quilt[1];
-    const render::Image quilt = render::readImage(file, {.canceled = StopSignal::stopped});
+    const printing::ViewColors colors = printing::viewColors({file});
+    GatheredViews result;
+    result.profile = colors.profile;
+    std::vector<std::string> warnings;
+    const render::Image quilt =
+        render::readColor(file, {.keepColors = colors.keep, .canceled = StopSignal::stopped}, &warnings);
+    addNotes(result.notes, file, warnings);
+    addNote(result.notes, printing::quiltNote(quilt, grid.x, grid.y));
     const auto order =
         options.quiltOrder == "top-left" ? printing::QuiltOrder::topLeft : printing::QuiltOrder::bottomLeft;
-    GatheredViews result;
     for (const std::size_t k : chosen) {
-        result.views.add(printing::viewOfQuilt(quilt, grid.x, grid.y, static_cast<int>(k), order));
+        render::Image view = printing::viewOfQuilt(quilt, grid.x, grid.y, static_cast<int>(k), order);
+        addNote(result.notes, printing::fittingNote(view, aspect, fittingOf(options)));
+        result.views.add(printing::fitted(std::move(view), aspect, fittingOf(options)));
         result.sources.push_back(file.filename().string() + ", view " + std::to_string(k));
     }
-    result.profile = render::embeddedProfile(file);
     return result;
 }
 

@@ -3,6 +3,7 @@
 #include "app/print/print_options.h"
 #include "app/progress.h"
 #include "app/queue/parts.h"
+#include "app/say.h"
 
 #include "exhibits/printing/chart.h"
 #include "exhibits/printing/print_file.h"
@@ -34,7 +35,8 @@ printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& la
 {
     printing::PrintFile file;
     file.path = options.out;
-    file.bits = options.bits;
+    file.report = options.report;
+    file.bits = options.bits == "16" ? 16 : 8;
     file.compression = streamCompression(options.compression);
     file.tileWidth = options.tileMm;
     file.threads = printing::interlacingThreads();
@@ -44,10 +46,9 @@ printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& la
     return file;
 }
 
-void say(const PrintLayout& layout, const PrintOptions& options, const std::vector<fs::path>& written)
+void describe(const PrintLayout& layout, const PrintOptions& options, const std::vector<fs::path>& written)
 {
-    for (const std::string& warning : printing::warningsOf(layout))
-        std::fprintf(stderr, "vitrine: %s\n", warning.c_str());
+    for (const std::string& warning : printing::warningsOf(layout)) say(warning);
     const printing::PrintNumbers numbers =
         printing::numbersOf(layout, render::storedDpi(options.out, layout.settings().dpiX));
     for (const fs::path& path : written) std::printf("%s\n", path.c_str());
@@ -82,7 +83,6 @@ int makeChart(const PrintOptions& options)
     const printing::Chart chart(layout, kind, options.chartSpan / 100);
     const printing::PrintFile file = printFile(options, layout, {options.chart + " chart"}, nullptr);
     const std::vector<fs::path> written = printing::writeChart(layout, chart, file);
-    if (!options.report.empty()) render::atomicWrite(options.report, file.json);
     for (const fs::path& path : written) std::printf("%s\n", path.c_str());
     return 0;
 }
@@ -98,7 +98,7 @@ int makePart(const PrintOptions& options, const LayoutOf& layoutOf)
         ViewOptions views = options.views;
         views.makes = &parts;
         const GatheredViews made = gatherViews(views, layoutOf);
-        for (const std::string& note : made.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+        for (const std::string& note : made.notes) say(note);
         return made.renderer;
     });
 }
@@ -116,10 +116,9 @@ int makePrint(const PrintOptions& options)
     ViewOptions views = options.views;
     views.made = parts ? &*parts : nullptr;
     GatheredViews made = gatherViews(views, layoutOf);
-    for (const std::string& note : made.notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    for (const std::string& note : made.notes) say(note);
     const PrintLayout layout = layoutOf(made.views.count());
-    if (const std::string stretched = printing::stretchWarning(layout, made.views); !stretched.empty())
-        std::fprintf(stderr, "vitrine: %s\n", stretched.c_str());
+    if (const std::string stretched = printing::stretchWarning(layout, made.views); !stretched.empty()) say(stretched);
     std::vector<fs::path> written;
     printing::PrintFile file = printFile(options, layout, made.sources, made.scene);
     if (!options.out.empty()) {
@@ -136,12 +135,12 @@ int makePrint(const PrintOptions& options)
         file.progress = [&](double part) { return line.show(part); };
         written = printing::writePrint(layout, made.views, file);
     }
-    if (!options.report.empty()) render::atomicWrite(options.report, file.json);
+    if (options.out.empty() && !options.report.empty()) render::atomicWrite(options.report, file.json);
     if (made.folder) {
         made.folder->publish();
         std::printf("%d views in %s\n", made.views.count(), options.views.saveViews.c_str());
     }
-    if (!written.empty()) say(layout, options, written);
+    if (!written.empty()) describe(layout, options, written);
     for (const std::string& line : made.numbers) std::printf("%s\n", line.c_str());
     return 0;
 }
@@ -154,7 +153,7 @@ int makeStoppably(const PrintOptions& options)
         return makePrint(options);
     } catch (const Failure& failure) {
         if (!StopSignal::stopped()) throw;
-        std::fprintf(stderr, "vitrine: %s\n", failure.what());
+        say(failure.what());
         return StopSignal::exitCode;
     }
 }
@@ -167,7 +166,12 @@ void addPrintCommand(CLI::App& parser, Action& chosen)
     auto options = std::make_shared<PrintOptions>();
     addPrintOptions(*command, *options);
     addPartOptions(*command, options->part);
-    command->callback([&chosen, options] { chosen = [options] { return makeStoppably(*options); }; });
+    command->callback([&chosen, options, command] {
+        chosen = [options, command] {
+            refuseUselessOptions(*command, *options);
+            return makeStoppably(*options);
+        };
+    });
 }
 
 }  // namespace vitrine::app

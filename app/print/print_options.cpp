@@ -1,30 +1,24 @@
 #include "app/print/print_options.h"
 
+#include "app/number_option.h"
+#include "exhibits/printing/print_table.h"
 #include "render/failure.h"
+#include "render/files/extension.h"
 
 #include <CLI/CLI.hpp>
 
-#include <charconv>
 #include <cmath>
 #include <limits>
 
 namespace vitrine::app {
 namespace {
 
-double numberOf(const std::string& option, const std::string& text, const char* advice)
-{
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-        throw Failure(Blame::usage, option + " " + text + ": give " + advice + ".");
-    return value;
-}
-
 double directionOf(const std::string& text)
 {
     if (text == "vertical") return 0;
     if (text == "horizontal") return 90;
-    return numberOf("--direction", text, "vertical, horizontal or degrees from vertical, -90 to 90");
+    return readNumber("--direction", text,
+                      rangeOf(printing::printTable(), printing::printTable().direction, Unit::degree));
 }
 
 /// A named sheet, one measured by the user, or one derived for the LPI with a zone of 30 degrees.
@@ -51,19 +45,18 @@ printing::Sheet sheetOf(const PrintOptions& options)
 double distanceOf(const std::string& option, const std::string& text)
 {
     if (text == "inf") return std::numeric_limits<double>::infinity();
-    return numberOf(option, text, "millimeters, or inf");
+    return readNumber(option, text, rangeOf(printing::printTable(), printing::printTable().distance, Unit::millimeter));
 }
 
 render::StreamCompression streamCompression(const std::string& name)
 {
-    if (name == "deflate") return render::StreamCompression::deflate;
-    return name == "zstd" ? render::StreamCompression::zstd : render::StreamCompression::none;
+    return name == "deflate" ? render::StreamCompression::deflate : render::StreamCompression::none;
 }
 
 printing::PrintSettings printSettings(const PrintOptions& options, int views)
 {
     if (options.lpi == 0 && options.sheet.empty())
-        throw Failure(Blame::usage, "--lpi is 0: give the sheet's lenses per inch, or a --sheet.");
+        throw Failure(Blame::usage, "--lpi is missing: give the sheet's lenses per inch, or a --sheet.");
     printing::PrintSettings settings;
     settings.sheet = sheetOf(options);
     settings.dpiX = options.dpi;
@@ -86,59 +79,85 @@ printing::PrintSettings printSettings(const PrintOptions& options, int views)
     settings.inkSpread = options.inkUm / 1000;
     settings.dither = options.dither;
     settings.compensate = options.compensate;
-    if (options.dither && options.bits == 16) throw Failure(Blame::usage, "--dither is for 8 bits; 16 bits need none.");
+    if (options.dither && options.bits == "16")
+        throw Failure(Blame::usage, "--dither is for 8 bits; 16 bits need none.");
     if (options.borderMm != 0 && !options.chart.empty())
         throw Failure(Blame::usage, "--border-mm: charts have a border of their own.");
     return settings;
 }
 
+void refuseUselessOptions(const CLI::App& command, const PrintOptions& o)
+{
+    const auto refuseWithout = [&](const std::string& option, bool acts, const std::string& other) {
+        if (!acts && command.count(option) > 0)
+            throw Failure(Blame::usage,
+                          option + " has no effect without " + other + "; leave it out, or give that too.");
+    };
+    refuseWithout("--guard", o.method == "guard", "--method guard");
+    refuseWithout("--chart-span", o.chart == "pitch", "--chart pitch");
+    refuseWithout("--view-format", !o.views.saveViews.empty(), "--save-views");
+    if (render::lowerExtension(o.out) == ".png" && command.count("--compression") > 0)
+        throw Failure(Blame::usage, "PNG is always compressed, and --compression has no effect on it; leave it out.");
+    for (const std::string option : {"--views", "--quilt", "--exhibit", "--crosstalk-compensation"})
+        if (!o.chart.empty() && command.count(option) > 0)
+            throw Failure(Blame::usage,
+                          option + " has no effect on a --chart, which has views of its own; leave it out.");
+}
+
 void addPrintOptions(CLI::App& command, PrintOptions& o)
 {
+    const printing::PrintTable& t = printing::printTable();
+    const auto add = [&](const char* name, double& value, const auto& row, Unit unit, const char* help) {
+        return addNumber(command, name, value, rangeOf(t, row, unit), help);
+    };
     addViewOptions(command, o.views);
-    command
-        .add_option("--chart", o.chart, "Instead of views, a sheet to calibrate with: pitch, phase, views or rotation")
-        ->check(CLI::IsMember({"pitch", "phase", "views", "rotation"}));
-    command.add_option("--chart-span", o.chartSpan, "Of a pitch chart, in percent each way: 1 is coarse, 0.1 fine")
+    addChoice(command, "--chart", o.chart, {"pitch", "phase", "views", "rotation"},
+              "Instead of views, a sheet to calibrate with: pitch, phase, views or rotation");
+    add("--chart-span", o.chartSpan, t.chartSpan, Unit::percent,
+        "Span of a pitch chart, in percent each way: 1 is coarse, 0.1 fine")
         ->capture_default_str();
     command.add_option("--out", o.out, "The print: .tif or .png; may be left out with --save-views");
     command.add_option("--report", o.report,
                        "Also write the print's description here, as JSON; it always lies beside the print and in it");
-    command.add_option("--lpi", o.lpi, "Lenses per inch of the sheet");
-    command.add_option("--effective-lpi", o.effectiveLpi, "Lenses per inch as measured");
-    command.add_option("--dpi", o.dpi, "Printed dots per inch")->capture_default_str();
-    command.add_option("--dpi-y", o.dpiY, "The same along the other side, when it differs");
-    command.add_option("--width-mm", o.widthMm, "Trimmed width")->required();
-    command.add_option("--height-mm", o.heightMm, "Trimmed height")->required();
-    command.add_option("--bleed-mm", o.bleedMm, "Beyond the trim on every side");
-    command.add_option("--distance-mm", o.distance, "From which it is looked at, or inf")->capture_default_str();
-    command.add_option("--visual-lpi", o.visualLpi, "Lenses per inch as read from a pitch chart at that distance");
-    command.add_option("--phase", o.phase, "Moves the strips under the lenses, in lenses");
-    command.add_option("--direction", o.direction, "Of the lenses: vertical, horizontal or degrees from vertical")
+    add("--lpi", o.lpi, t.lensesPerInch, Unit::none, "Lenses per inch of the sheet");
+    add("--effective-lpi", o.effectiveLpi, t.measuredPerInch, Unit::none,
+        "Lenses per inch as measured; 0: not measured");
+    add("--dpi", o.dpi, t.dotsPerInch, Unit::none, "Printed dots per inch")->capture_default_str();
+    add("--dpi-y", o.dpiY, t.dotsDown, Unit::none, "The same along the other side, when it differs");
+    add("--width-mm", o.widthMm, t.width, Unit::millimeter, "Trimmed width")->required();
+    add("--height-mm", o.heightMm, t.height, Unit::millimeter, "Trimmed height")->required();
+    add("--bleed-mm", o.bleedMm, t.bleed, Unit::millimeter, "Margin beyond the trim on every side");
+    command.add_option("--distance-mm", o.distance, "Viewing distance, or inf")->capture_default_str();
+    add("--visual-lpi", o.visualLpi, t.visualPerInch, Unit::none,
+        "Lenses per inch as read from a pitch chart at that distance");
+    add("--phase", o.phase, t.phase, Unit::none, "Moves the strips under the lenses, in lenses");
+    command
+        .add_option("--direction", o.direction,
+                    "Direction of the lenses: vertical, horizontal or degrees from vertical")
         ->capture_default_str();
-    command.add_option("--order", o.order, "normal or reverse")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"normal", "reverse"}));
+    addChoice(command, "--order", o.order, {"normal", "reverse"}, "normal or reverse")->capture_default_str();
     command.add_flag("--mirror", o.mirror, "For printing on the sheet's back");
-    command.add_option("--method", o.method, "nearest, area or guard")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"nearest", "area", "guard"}));
-    command.add_option("--guard", o.guard, "With --method guard: part of a strip that its blended edges take")
+    addChoice(command, "--method", o.method, {"nearest", "area", "guard"}, "nearest, area or guard")
         ->capture_default_str();
-    command.add_option("--border-mm", o.borderMm, "White paper around trim and bleed, on every side");
-    command.add_flag("--dither", o.dither, "Spread what 8 bits cannot say over neighboring pixels");
+    add("--guard", o.guard, t.guard, Unit::none, "With --method guard: part of a strip that its blended edges take")
+        ->capture_default_str();
+    add("--border-mm", o.borderMm, t.border, Unit::millimeter, "White paper around trim and bleed, on every side");
+    command.add_flag("--dither", o.dither, "Dither to 8 bits");
     command.add_flag("--crosstalk-compensation", o.compensate,
                      "Change the views so that the sheet's mixing of them shows less");
-    command.add_option("--ink-um", o.inkUm, "How far a printed point spreads (standard deviation), for cross-talk");
-    command.add_option("--bits", o.bits, "8 or 16")->capture_default_str()->check(CLI::IsMember({8, 16}));
-    command.add_option("--compression", o.compression, "Of TIFF: none, deflate or zstd")
-        ->capture_default_str()
-        ->check(CLI::IsMember({"none", "deflate", "zstd"}));
-    command.add_option("--tile-mm", o.tileMm, "Cut into files of about this width, between lenses");
+    add("--ink-um", o.inkUm, t.inkSpread, Unit::micrometer,
+        "How far a printed point spreads (standard deviation), for cross-talk");
+    addChoice(command, "--bits", o.bits, {"8", "16"}, "Bits per channel")->capture_default_str();
+    addChoice(command, "--compression", o.compression, {"none", "deflate"},
+              "Compression of a TIFF: none, which every print shop reads, or deflate")
+        ->capture_default_str();
+    add("--tile-mm", o.tileMm, t.tileWidth, Unit::millimeter, "Cut into files of about this width, between lenses");
     command.add_option("--sheet", o.sheet, "A known sheet, such as 60-3d or 75-flip");
-    command.add_option("--radius-um", o.radiusUm, "Of the lenses, in micrometers");
-    command.add_option("--thickness-um", o.thicknessUm, "Of the sheet, from lens top to print");
-    command.add_option("--index", o.index, "Of refraction")->capture_default_str();
-    command.add_option("--conic", o.conic, "Conic constant of the lenses; 0 is a circle")->capture_default_str();
+    add("--radius-um", o.radiusUm, t.radius, Unit::micrometer, "Radius of the lenses, in micrometers");
+    add("--thickness-um", o.thicknessUm, t.thickness, Unit::micrometer,
+        "Thickness of the sheet, from lens top to print");
+    add("--index", o.index, t.refractiveIndex, Unit::none, "Refractive index")->capture_default_str();
+    add("--conic", o.conic, t.conic, Unit::none, "Conic constant of the lenses; 0 is a circle")->capture_default_str();
 }
 
 }  // namespace vitrine::app

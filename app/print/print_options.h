@@ -31,7 +31,7 @@ struct PrintOptions {
     double guard = 0.25;
     double borderMm = 0, inkUm = 0;
     bool dither = false, compensate = false;
-    int bits = 8;
+    std::string bits = "8";  ///< Or "16".
     std::string compression = "none";
     double tileMm = 0;
     std::string sheet;
@@ -39,6 +39,9 @@ struct PrintOptions {
 };
 
 void addPrintOptions(CLI::App&, PrintOptions&);
+
+/// Throws Failure (Blame::usage) naming an option that was given and changes nothing beside the others.
+void refuseUselessOptions(const CLI::App&, const PrintOptions&);
 
 /// The settings that the options ask for, for `views` views. Throws Failure (Blame::usage) naming the option.
 [[nodiscard]] printing::PrintSettings printSettings(const PrintOptions&, int views);

@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/number_option.h"
 #include "app/print/print_options.h"
 
 #include "exhibits/printing/proof.h"
@@ -8,6 +9,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cstdio>
 #include <memory>
 
 namespace vitrine::app {
@@ -29,6 +31,7 @@ int makeProof(const ProofOptions& options)
     const printing::Eye eye{options.angle * printing::radiansPerDegree, options.angleY * printing::radiansPerDegree,
                             distanceOf("--distance-mm", options.distance)};
     printing::PrintRaster print = printing::readPrint(options.print);
+    if (!print.doubt().empty()) std::fprintf(stderr, "vitrine: %s\n", print.doubt().c_str());
     const render::Image seen = printing::lookThrough(print, eye);
     render::writePicture(options.out, seen, png ? render::PictureFormat::png8 : render::PictureFormat::tiff8,
                          {.pixelsPerInch = print.layout().settings().sheet.lpi()});
@@ -43,12 +46,11 @@ void addProofCommand(CLI::App& parser, Action& chosen)
     auto options = std::make_shared<ProofOptions>();
     command->add_option("print", options->print, "A file that vitrine print wrote; of a print in tiles, any of them")
         ->required();
-    command
-        ->add_option("--angle", options->angle,
-                     "Of the eye across the lenses, in degrees; positive to the right, or below")
+    addNumber(*command, "--angle", options->angle, {-85, 85, Unit::degree},
+              "Angle of the eye across the lenses, in degrees; positive to the right, or below")
         ->required();
-    command->add_option("--angle-y", options->angleY,
-                        "Of the eye along the lenses, in degrees; positive above, or to the right");
+    addNumber(*command, "--angle-y", options->angleY, {-85, 85, Unit::degree},
+              "Angle of the eye along the lenses, in degrees; positive above, or to the right");
     command->add_option("--distance-mm", options->distance, "Of the eye, or inf")->capture_default_str();
     command->add_option("--out", options->out, "The picture: .png or .tif, one pixel for each lens")->required();
     command->callback([&chosen, options] { chosen = [options] { return makeProof(*options); }; });

@@ -1,9 +1,11 @@
 #include "app/print/rendered_views.h"
 
+#include "app/number_option.h"
 #include "app/progress.h"
 #include "app/queue/parts.h"
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/preset.h"
+#include "exhibits/museum/picture_settings.h"
+#include "exhibits/printing/print_table.h"
 #include "exhibits/printing/sheet.h"
 #include "exhibits/printing/view_maker.h"
 #include "render/failure.h"
@@ -57,11 +59,8 @@ std::optional<double> strengthOf(const ViewOptions& options)
 {
     if (options.baselineScale.empty()) return options.turnDegrees == 0 && options.sweeps.empty() ? 1 : 0;
     if (options.baselineScale == "fit") return std::nullopt;
-    const std::optional<double> number = render::parseNumber(options.baselineScale);
-    if (!number || !(*number >= 0))
-        throw Failure(Blame::usage, "--baseline-scale " + options.baselineScale +
-                                        ": give 0 or more, 1 for depth in its true measure, or fit.");
-    return number;
+    return readNumber("--baseline-scale", options.baselineScale,
+                      rangeOf(printing::printTable(), printing::printTable().baselineScale));
 }
 
 /// "morph=0..1" as "morph=0" and "morph=1".
@@ -81,14 +80,12 @@ void applySweeps(const Museum& museum, const ViewOptions& options, const Request
     for (const std::string& typed : options.sweeps) {
         const std::array<std::string, 2> ends = endsOf(typed);
         if (typed.rfind("time=", 0) == 0) {
-            const auto from = render::parseNumber(ends[0].substr(5));
-            const auto to = render::parseNumber(ends[1].substr(5));
-            if (!from || !to)
-                throw Failure(Blame::usage, "--sweep \"" + typed + "\": give seconds, such as --sweep time=0..2.");
+            const double from = readNumber("--sweep time", ends[0].substr(5), {.unit = Unit::second});
+            const double to = readNumber("--sweep time", ends[1].substr(5), {.unit = Unit::second});
             for (std::size_t k = 0; k < shots.size(); ++k)
                 shots[k].request.frame.time =
-                    *from + (*to - *from) * static_cast<double>(k) /
-                                static_cast<double>(std::max<std::size_t>(shots.size() - 1, 1));
+                    from + (to - from) * static_cast<double>(k) /
+                               static_cast<double>(std::max<std::size_t>(shots.size() - 1, 1));
             continue;
         }
         SceneState from = job.sceneState;
@@ -107,8 +104,6 @@ std::string depthText(double meters)
 /// Refuses what can be refused before anything is rendered.
 void checkOptions(const ViewOptions& options)
 {
-    if (!std::isfinite(options.convergence) || options.convergence < 0)
-        throw Failure(Blame::usage, "--convergence: give meters in front of the camera.");
     if (options.every != 1 || options.pingPong)
         throw Failure(
             Blame::usage,
@@ -160,7 +155,8 @@ render::Json sceneJson(const Museum& museum, const ViewOptions& options, const R
 {
     const glm::ivec2 size = picture.request.frame.raster.size;
     return {{"exhibit", options.scene.subject},
-            {"preset", render::Json::parse(presetOf(museum, picture.subject, base.sceneState, "View"))},
+            {"preset",
+             render::Json::parse(pictureSettings(museum, picture.subject, base.sceneState, base.request, "View"))},
             {"baseline", rig.baseline()},
             {"baselineScale", rig.strength()},
             {"convergence", rig.convergence()},
@@ -246,8 +242,9 @@ GatheredViews renderedViews(const ViewOptions& options, const LayoutOf& layoutOf
     const auto take = [&](int k, const render::Image& image) {
         result.views.add(image);
         if (result.folder)
-            result.folder->add(
-                k, image, presetOf(museum, picture.subject, shots[static_cast<std::size_t>(k)].sceneState, "View"));
+            result.folder->add(k, image,
+                               pictureSettings(museum, picture.subject, shots[static_cast<std::size_t>(k)].sceneState,
+                                               shots[static_cast<std::size_t>(k)].request, "View"));
     };
     takeViews(museum, renderer, shots, options, take);
     result.renderer = context.info().renderer;

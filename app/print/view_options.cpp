@@ -1,5 +1,8 @@
 #include "app/print/view_options.h"
 
+#include "app/number_option.h"
+#include "exhibits/printing/print_table.h"
+
 #include <CLI/CLI.hpp>
 
 namespace vitrine::app {
@@ -14,21 +17,24 @@ void addPictureViews(CLI::App& command, ViewOptions& o)
                     "A folder of pictures, or the pictures, in the order seen from left to right; two or more of "
                     "anything make a flip")
         ->group(pictures);
-    command
-        .add_option("--quilt", o.quilt,
-                    "A picture of many views in a grid: COLUMNSxROWS and the file, such as --quilt 8x6 quilt.png")
-        ->expected(2)
-        ->group(pictures);
-    command
-        .add_option("--quilt-order", o.quiltOrder,
-                    "Where the quilt's first view is: bottom-left (then rightwards and up, as Looking Glass quilts "
-                    "have it) or top-left (then rightwards and down)")
+    CLI::Option* quilt = command.add_option("--quilt", o.quilt,
+                                            "A picture of many views in a grid: COLUMNSxROWS and the file, such as "
+                                            "--quilt 8x6 quilt.png. Where it does not "
+                                            "divide evenly, views are rounded down and the rest is left out");
+    quilt->expected(2)->group(pictures);
+    addChoice(command, "--quilt-order", o.quiltOrder, {"bottom-left", "top-left"},
+              "Where the quilt's first view is: bottom-left (then rightwards and up, as Looking Glass quilts "
+              "have it) or top-left (then rightwards and down)")
         ->capture_default_str()
-        ->check(CLI::IsMember({"bottom-left", "top-left"}))
+        ->needs(quilt)
         ->group(pictures);
-    command.add_option("--every", o.every, "Take every so many of them, as from the frames of a video")
+    addChoice(command, "--fit", o.fit, {"crop", "fit", "stretch"},
+              "What becomes of pictures that are not shaped as the print is: crop cuts them off at two sides, fit "
+              "leaves white margins, stretch distorts them")
         ->capture_default_str()
-        ->check(CLI::Range(1, 1000000))
+        ->group(pictures);
+    addNumber(command, "--every", o.every, {1, 1e6}, "Take every so many of them, as from the frames of a video")
+        ->capture_default_str()
         ->group(pictures);
     command
         .add_flag("--ping-pong", o.pingPong,
@@ -51,15 +57,13 @@ void addRenderedViews(CLI::App& command, ViewOptions& o)
                     "Of the cameras' line: 1 shows depth in its true measure (the default), less is flatter, 0 is one "
                     "camera (the default with --turn or --sweep), fit is the most that shows no doubled contours")
         ->group(rendered);
-    command
-        .add_option(
-            "--convergence", o.convergence,
-            "Meters from the camera to what lies in the plane of the print; by default what the camera looks at")
+    addNumber(command, "--convergence", o.convergence,
+              rangeOf(printing::printTable(), printing::printTable().convergence, Unit::meter),
+              "Meters from the camera to what lies in the plane of the print; by default what the camera looks at")
         ->group(rendered);
-    command
-        .add_option("--turn", o.turnDegrees,
-                    "Turn the exhibit on its vertical axis by so many degrees over all views, as if one walked around "
-                    "it to the right; 360 meets itself")
+    addNumber(command, "--turn", o.turnDegrees, {-36000, 36000, Unit::degree},
+              "Turn the exhibit on its vertical axis by so many degrees over all views, as if one walked around "
+              "it to the right; 360 meets itself")
         ->group(rendered);
     command
         .add_option("--sweep", o.sweeps,
@@ -70,13 +74,16 @@ void addRenderedViews(CLI::App& command, ViewOptions& o)
     command
         .add_option("--save-views", o.saveViews, "Also write the views into this folder: view_00.png, view_01.png, ...")
         ->group(rendered);
-    command.add_option("--view-format", o.viewFormat, "Of these: png or jpg")
+    addChoice(command, "--view-format", o.viewFormat, {"png", "jpg"}, "Format of these")
         ->capture_default_str()
-        ->check(CLI::IsMember({"png", "jpg"}))
         ->group(rendered);
     addSceneOptions(command, o.scene, rendered);
-    for (CLI::Option* option : command.get_options())
+    for (CLI::Option* option : command.get_options()) {
         if (option->get_group() == rendered && option != exhibit) option->needs(exhibit);
+        const bool ofPictures =
+            option->get_name() == "--fit" || option->get_name() == "--every" || option->get_name() == "--ping-pong";
+        if (ofPictures) option->excludes(exhibit);
+    }
 }
 
 }  // namespace
@@ -84,9 +91,9 @@ void addRenderedViews(CLI::App& command, ViewOptions& o)
 void addViewOptions(CLI::App& command, ViewOptions& o)
 {
     addPictureViews(command, o);
-    command.add_option("--count", o.count,
-                       "How many views: of pictures, spread evenly (by default all); of an exhibit, rendered (by "
-                       "default as many as the print can tell apart, 24 at most)");
+    addNumber(command, "--count", o.count, {1, printing::mostViews},
+              "How many views: of pictures, spread evenly (by default all); of an exhibit, rendered (by "
+              "default as many as the print can tell apart, 24 at most)");
     addRenderedViews(command, o);
 }
 

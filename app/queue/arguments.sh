@@ -1,4 +1,4 @@
-# Sourced by the scripts of queues with their own arguments, PARTS VITRINE-COMMAND... --out OUT: sets `out` and `program`.
+# Sourced by the scripts of queues with their own arguments, PARTS VITRINE-COMMAND... --out OUT (or --out=OUT): sets `out` and `program`.
 if [ $# -lt 3 ]; then
     echo "usage: $(basename "$0") PARTS VITRINE-COMMAND... --out OUT" >&2
     exit 2
@@ -7,6 +7,7 @@ out=""
 last=""
 for word in "$@"; do
     [ "$last" = --out ] && out=$word
+    case "$word" in --out=*) out=${word#--out=} ;; esac
     last=$word
 done
 if [ -z "$out" ]; then

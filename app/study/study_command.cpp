@@ -1,11 +1,13 @@
 #include "app/command.h"
 #include "app/queue/study_in_parts.h"
 #include "app/report.h"
+#include "app/say.h"
 #include "app/study/study_folder.h"
 #include "app/study/study_options.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
+#include "exhibits/study/study_situation.h"
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
 #include "render/gl/context.h"
@@ -49,8 +51,9 @@ private:
     int shown_ = -1;
 };
 
-void printTable(Subjects subjects, const StudyRequest& request, const StudyResult& result)
+void printTable(Subjects subjects, const StudyRequest& request, const StudyResult& result, CostAxis axis)
 {
+    const StudyCosts costs = costsAlong(axis, request, result);
     std::printf("%-44s %12s %14s %12s %10s\n", "setting", std::string(toString(request.metric)).c_str(),
                 costTitle(result.costName).c_str(), "ms, median", "spread");
     // A curve by its parameter; of a search, the front and the present setting, by cost.
@@ -64,17 +67,23 @@ void printTable(Subjects subjects, const StudyRequest& request, const StudyResul
     for (const std::size_t i : shown) {
         const StudyPoint& p = result.points[i];
         std::string marks;
-        if (result.knee == i) marks += " knee";
+        if (costs.knee == i) marks += " knee";
         if (result.present == i) marks += " present";
-        if (p.dominated) marks += " dominated";
+        if (costs.settings[i].cost > 0 && !costs.onFront(i)) marks += " dominated";
         if (p.uncertain) marks += " uncertain";
-        std::printf("%-44s %12.4g %14.8g %12.3f %10.3f%s\n", pointText(subjects, request, p).c_str(), p.error, p.cost,
-                    p.time ? p.time->median : 0.0, p.time ? p.time->spread : 0.0, marks.c_str());
+        std::printf("%-44s %12.4g %14.8g ", pointText(subjects, request, p).c_str(), p.error, p.cost);
+        if (p.time)
+            std::printf("%12.3f %10.3f%s\n", p.time->median, p.time->spread, marks.c_str());
+        else
+            std::printf("%12s %10s%s\n", "-", "-", marks.c_str());
     }
     std::printf("Clock: %s, %s; taking a time adds %.4f ms to a picture.\n%s\n", result.clock.c_str(),
                 result.clockTrusted ? "trusted" : "not trusted", result.overheadMilliseconds,
                 result.convergence.c_str());
-    for (const std::string& sentence : {lawSentence(result), choiceSentence(subjects, request, result)})
+    std::vector<std::string> sentences = situationSentences(subjects, request, result);
+    sentences.push_back(lawSentence(costs));
+    sentences.push_back(choiceSentence(subjects, request, result));
+    for (const std::string& sentence : sentences)
         if (!sentence.empty()) std::printf("%s\n", sentence.c_str());
 }
 
@@ -97,7 +106,7 @@ StudyRequest requestOf(const Museum& museum, const StudyOptions& options)
 {
     std::vector<std::string> notes;
     StudyRequest request = studyRequest(museum, options, notes);
-    for (const std::string& note : notes) std::fprintf(stderr, "vitrine: %s\n", note.c_str());
+    for (const std::string& note : notes) say(note);
     return request;
 }
 
@@ -127,6 +136,7 @@ int makePart(const StudyOptions& options)
 int runStudy(const StudyOptions& options)
 {
     requireStudyFolder(options.out);
+    const std::optional<CostAxis> asked = costAxisOption(options.cost);
     if (!options.part.shard.empty()) return makePart(options);
     std::optional<Parts> parts;
     if (options.part.fromParts) parts.emplace(std::filesystem::path(options.out));
@@ -136,16 +146,17 @@ int runStudy(const StudyOptions& options)
     const Museum& museum = measured.museum;
     const Study& study = measured.study;
     const std::string preset = chosenPreset(museum, study);
-    writeStudyFolder(options.out, museum.subjects(), study, machineJson(measured.context.info()), preset);
-    printTable(museum.subjects(), study.request(), study.result());
+    const CostAxis costs = chartCosts(study.result(), asked);
+    writeStudyFolder(options.out, museum.subjects(), study, machineJson(measured.context.info()), preset, costs);
+    printTable(museum.subjects(), study.request(), study.result(), costs);
     std::printf("The study is in %s/index.html\n", options.out.c_str());
     if (!options.maxError && !options.maxMilliseconds) return 0;
     if (!preset.empty()) {
         std::printf("The preset is %s/preset.json\n", options.out.c_str());
         return 0;
     }
-    std::fprintf(stderr, "vitrine: %s Nothing was chosen; allow more, or study other parameters.\n",
-                 choiceSentence(museum.subjects(), study.request(), study.result()).c_str());
+    say(choiceSentence(museum.subjects(), study.request(), study.result()) +
+        " Nothing was chosen; allow more, or study other parameters.");
     return static_cast<int>(Blame::check);
 }
 
@@ -157,6 +168,10 @@ void addStudyCommand(CLI::App& parser, Action& chosen)
         parser.add_subcommand("study", "Measure what accuracy costs: error over work and time, with pictures");
     auto options = std::make_shared<StudyOptions>();
     addStudyOptions(*command, *options);
+    command->add_option(
+        "--cost", options->cost,
+        "Costs in chart.svg and chart.png: ms (milliseconds of a picture) or work (counted); by default "
+        "ms if the clock can be trusted. The page shows both");
     addPartOptions(*command, options->part);
     command->callback([&chosen, options] { chosen = [options] { return runStudy(*options); }; });
 }

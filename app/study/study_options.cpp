@@ -1,7 +1,9 @@
 #include "app/study/study_options.h"
 
+#include "app/number_option.h"
 #include "app/picture_options.h"
 #include "render/failure.h"
+#include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 
@@ -39,7 +41,7 @@ StudyAxis axisNamed(const Museum& museum, const SceneState& sceneState, std::siz
     if (!axis)
         throw Failure(Blame::usage,
                       "study " + text + ": " + std::string(museum.subject(exhibit).name()) +
-                          (row ? " has it, but accuracy does not depend on it" : " has no such parameter") +
+                          (row ? " has it, but no value of it is more exact than another" : " has no such parameter") +
                           "; give one of " + qualityNames(sceneState, exhibit) + '.');
     return *axis;
 }
@@ -54,7 +56,7 @@ void setValues(const SceneState& sceneState, StudyAxis& axis, const std::string&
         const std::optional<Value> legal = value ? nearestLegal(row, *value) : std::nullopt;
         if (!legal || *legal != *value)
             throw Failure(Blame::usage, "--values: \"" + part + "\" is no value for " + std::string(row.name) +
-                                            "; give " + whatItTakes(row) + '.');
+                                            "; give " + whatItTakes(row, part) + '.');
         axis.values.push_back(std::get<double>(*legal));
     }
     std::sort(axis.values.begin(), axis.values.end());
@@ -65,12 +67,26 @@ void setValues(const SceneState& sceneState, StudyAxis& axis, const std::string&
 
 }  // namespace
 
-render::Metric metricOption(const std::string& option, const std::string& name)
+std::optional<CostAxis> costAxisOption(const std::string& name)
+{
+    if (name.empty()) return std::nullopt;
+    if (name == "ms") return CostAxis::time;
+    if (name == "work") return CostAxis::work;
+    throw Failure(Blame::usage, "--cost \"" + name + "\" is no cost of a chart; give ms or work.");
+}
+
+std::string metricNames(bool ofStudy)
+{
+    std::vector<std::string> names;
+    for (const render::Metric m : render::allMetrics)
+        if (!ofStudy || m != render::Metric::psnr) names.emplace_back(toString(m));
+    return namesText(names);
+}
+
+render::Metric metricOption(const std::string& option, const std::string& name, bool ofStudy)
 {
     if (const std::optional<render::Metric> metric = render::metricNamed(name)) return *metric;
-    std::string names;
-    for (const render::Metric m : render::allMetrics) names += (names.empty() ? "" : ", ") + std::string(toString(m));
-    throw Failure(Blame::usage, option + " \"" + name + "\" is no metric; give one of " + names + ".");
+    throw Failure(Blame::usage, option + " \"" + name + "\" is no metric; give one of " + metricNames(ofStudy) + '.');
 }
 
 void addStudyOptions(CLI::App& command, StudyOptions& o)
@@ -80,30 +96,27 @@ void addStudyOptions(CLI::App& command, StudyOptions& o)
                        "What to vary: one for a curve, two for a surface, none for the front over all; "
                        "hall.supersamples and hall.resolutionScale go with every exhibit");
     command.add_option("--values", o.values, "The values of the one parameter, separated by commas");
-    command.add_option("--points", o.points, "About so many values of each parameter")->check(CLI::Range(2, 64));
-    command.add_option("--views", o.views, "How many of the exhibit's views")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 64));
+    addNumber(command, "--points", o.points, {2, 64}, "About so many values of each parameter");
+    addNumber(command, "--views", o.views, {1, 64}, "How many of the exhibit's views")->capture_default_str();
     command.add_option("--size", o.size, "Width x height in pixels")->capture_default_str();
-    command.add_option("--metric", o.metric, "What is called the error: rmse, max, beyond, flip, normal or depth")
+    command.add_option("--metric", o.metric, "What is called the error: " + metricNames(true))->capture_default_str();
+    addNumber(command, "--runs", o.runs, {1, 1000}, "Timed frames of each setting in each view")->capture_default_str();
+    addNumber(command, "--settings", o.settings, {2, 10000},
+              "Maximum number of settings to measure when three or more parameters vary")
         ->capture_default_str();
-    command.add_option("--runs", o.runs, "Timed frames of each setting in each view")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
-    command.add_option("--settings", o.settings, "At most so many settings over three parameters or more")
-        ->capture_default_str()
-        ->check(CLI::Range(2, 10000));
-    command.add_option("--pixels-per-degree", o.pixelsPerDegree, "For flip: how large a pixel looks")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 1000.0));
+    addNumber(command, "--pixels-per-degree", o.pixelsPerDegree, {1, 1000}, "For flip: how large a pixel looks")
+        ->capture_default_str();
     command.add_option("--preset", o.preset, "What the study starts from");
     command.add_option("--set", o.sets, "name=value, before the study starts")->take_all()->allow_extra_args(true);
     command.add_flag("--alone", o.alone,
                      "Without the hall, in the environment's light: quicker, but neither sun nor shadow");
+    command.add_flag("--as-set", o.asSet,
+                     "Change no setting and leave out no view, even where a parameter does not show");
     command.add_flag("--no-model-error", o.noModelError, "Leave out the comparison with everything at its most exact");
-    CLI::Option* error =
-        command.add_option("--max-error", o.maxError, "Choose the cheapest setting with no larger error in any view");
-    command.add_option("--max-ms", o.maxMilliseconds, "Choose the most exact setting whose frame takes no longer")
+    CLI::Option* error = addNumber(command, "--max-error", o.maxError, {0, 1e6},
+                                   "Choose the cheapest setting with no larger error in any view");
+    addNumber(command, "--max-ms", o.maxMilliseconds, {0, 1e9},
+              "Choose the most exact setting whose frame takes no longer")
         ->excludes(error);
     command.add_option("--out", o.out, "The folder for the study; one that holds a study is replaced")->required();
 }
@@ -119,6 +132,7 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, Sce
     PictureOptions picture;
     picture.subject = options.subject;
     picture.preset = options.preset;
+    picture.settingsOnly = true;
     picture.sets = options.sets;
     picture.size = options.size;
     RequestedPicture job = requestedPicture(museum, picture, std::move(start), std::nullopt);
@@ -130,11 +144,16 @@ StudyRequest studyRequest(const Museum& museum, const StudyOptions& options, Sce
     request.size = job.request.frame.raster.size;
     request.views = options.views;
     request.runs = options.runs;
-    request.metric = metricOption("--metric", options.metric);
+    request.metric = metricOption("--metric", options.metric, true);
     request.pixelsPerDegree = options.pixelsPerDegree;
     request.needsFiles = true;
     request.alone = options.alone && job.subject != hallIndex;
     request.modelError = !options.noModelError;
+    request.asSet = options.asSet;
+    for (const std::string& set : options.sets) {
+        const NamedRow named = namedRow(museum, request.sceneState, job.subject, set.substr(0, set.find('=')), "--set");
+        request.pinned.push_back({named.owner, named.row});
+    }
     request.settings = options.settings;
     request.maxError = options.maxError;
     request.maxMilliseconds = options.maxMilliseconds;

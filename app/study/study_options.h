@@ -1,7 +1,7 @@
 #pragma once
 
 #include "app/queue/shard.h"
-#include "exhibits/study/study_result.h"
+#include "exhibits/study/study_costs.h"
 #include "render/measure/flip.h"
 #include "render/measure/metrics.h"
 
@@ -15,8 +15,13 @@ class App;
 
 namespace vitrine::app {
 
+/// The axis of that name, "ms" or "work"; nothing for an empty one. Throws Failure (Blame::usage) naming both.
+[[nodiscard]] std::optional<CostAxis> costAxisOption(const std::string& name);
+
 /// The metric of that name. Throws Failure (Blame::usage) naming the option and all metrics.
-[[nodiscard]] render::Metric metricOption(const std::string& option, const std::string& name);
+[[nodiscard]] render::Metric metricOption(const std::string& option, const std::string& name, bool ofStudy = false);
+/// Names of the metrics; of a study's those that fall to 0.
+[[nodiscard]] std::string metricNames(bool ofStudy = false);
 
 /// What `study` can be told, as typed.
 struct StudyOptions {
@@ -34,6 +39,8 @@ struct StudyOptions {
     std::vector<std::string> sets;
     bool alone = false;
     bool noModelError = false;
+    bool asSet = false;
+    std::string cost;  ///< "ms" or "work"; empty: by whether the clock can be trusted.
     std::optional<double> maxError, maxMilliseconds;
     std::string out;
     PartOptions part;

@@ -18,11 +18,11 @@ PROGRAM = os.environ.get('VITRINE_PROGRAM', 'build/release/vitrine')
 
 # What looks like a text and is none: shader source, formats, what only the command line's help and tests say.
 NO_TEXT = re.compile(r'[;{}]\s*\n|\bvec[234]\b|\bfloat \w|^\s*#|</?\w+>|\bvoid \w|^\w+ = |^  +\w|\bsampler|^[.:#*@]|^\{\d\}$|'
-                     r'^[\w{}]+/[\w{}]|^[A-Z_]+ \{|^glb |^hdr exr|^tif tiff|^png jpg|^SceneStage|\buniform \w|\bconst \w+ \w+|^<|^--|&nbsp;|\\u00|^%|^[^A-Za-z{]*$')
+                     r'^[\w{}]+/[\w{}]|^[A-Z_]+ \{|^glb |^hdr exr|^tif tiff|^png jpg|^SceneStage|\buniform \w|\bconst \w+ \w+|^<|^--(?!.* .* )|&nbsp;|\\u00|^%|^[^A-Za-z{]*$')
 # Files of which nothing is shown to people in the window or as an error, or only in English by purpose.
-NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.cpp|serve/|/queue/|report|embed|'
-                       r'image/oiio/(?!guarded|read|row|write)|render_command|shell_word|motion_json|chart_font|_glsl\.cpp|'
-                       r'install|list_command|framework/derive|_mesh\.cpp|png_chunks|table_json|ledger_json')
+NOT_SHOWN = re.compile(r'/stability/|stability_|doctor_command|html_text|_page\.cpp|serve/(?!listener)|report|embed|'
+                       r'image/oiio/(?!guarded|read|row|write)|shell_word|chart_font|_glsl\.cpp|'
+                       r'install|framework/derive|museum/render_command|coat_mesh|card_mesh|png_chunks|table_json|ledger_json')
 # Callees whose argument is no text for people.
 SILENT = {'shader', 'at', 'value', 'find', 'contains', 'define', 'getenv', 'uniform', 'is_member_of', 'compare', 'starts_with',
           'ends_with', 'add_option', 'add_flag', 'add_subcommand', 'add_option_function', 'add_flag_function', 'type_name',
@@ -89,12 +89,12 @@ def engine_texts(texts):
                 continue
             if name.startswith('ui/') and 'Failure' not in before[-8:]:
                 continue  # The window's own texts are marked by tr; what it throws is told as the engine's are.
-            if command and (not text.endswith('.') or text.endswith('...')) or text.startswith(('{"', '{1}"child')) or 'Exit codes' in text or text.startswith('\n'):
+            if command and 'Failure' not in before[-8:] and (not text.endswith('.') or text.endswith('...')) or text.startswith(('{"', '{1}"child')) or 'Exit codes' in text or text.startswith('\n'):
                 continue  # Of the command line, errors are translated and help is not.
             texts.add(text, name)
     with open('assets/translations/more_texts.txt', encoding='utf-8') as file:
         for line in file:
-            if line.strip() and not line.startswith('#'):
+            if line.strip() and not line.startswith('# '):
                 texts.add(line.rstrip('\n'), 'more_texts.txt')
 
 
@@ -166,7 +166,7 @@ def escaped(text):
 def ts_text(texts, known):
     lines = ['<?xml version="1.0" encoding="utf-8"?>', '<!DOCTYPE TS>', '<TS version="2.1" language="de_DE" sourcelanguage="en">',
              '<context>', '    <name>vitrine</name>']
-    for (text, comment), plural in sorted(texts.all.items(), key=lambda e: (e[0][0].lower(), e[0])):
+    for (text, comment), plural in sorted(texts.all.items(), key=lambda e: (e[0][0].lower(), e[0][0], e[0][1] or '')):
         forms = known.get((text, comment), [''])
         if plural and len(forms) == 1:
             forms = [forms[0], forms[0]]

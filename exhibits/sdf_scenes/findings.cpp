@@ -1,30 +1,13 @@
 #include "exhibits/sdf_scenes/findings.h"
 
 #include "render/files/number_text.h"
+#include "render/text/nearest_word.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace vitrine::scenes {
 namespace {
-
-/// How many letters must be added, removed or changed (Levenshtein 1966).
-std::size_t editDistance(std::string_view a, std::string_view b)
-{
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            const std::size_t changed = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
-            diagonal = row[j];
-            row[j] = std::min({row[j] + 1, row[j - 1] + 1, changed});
-        }
-    }
-    return row.back();
-}
 
 /// Fit for one line of a message.
 std::string shownWord(std::string_view word)
@@ -61,16 +44,8 @@ std::string listed(const std::vector<std::string>& words)
 std::string unknownWord(std::string_view word, const std::string& of, const std::vector<std::string>& known)
 {
     std::string sentence = shownWord(word) + " is no " + of;
-    const std::string_view start = word.substr(0, 40);
-    const std::string* nearest = nullptr;
-    std::size_t least = std::max<std::size_t>(2, start.size() / 3) + 1;
-    for (const std::string& candidate : known) {
-        const std::size_t distance = editDistance(start, candidate);
-        if (distance >= least) continue;
-        least = distance;
-        nearest = &candidate;
-    }
-    if (nearest) return sentence + "; did you mean \"" + *nearest + "\"? Known are " + listed(known);
+    const std::string nearest = nearestWord(word.substr(0, 40), known);
+    if (!nearest.empty()) return sentence + "; did you mean \"" + nearest + "\"? Known are " + listed(known);
     return sentence + (known.empty() ? "; there are none here" : "; take one of " + listed(known));
 }
 
@@ -94,8 +69,21 @@ void Findings::add(const render::JsonText& text, std::uint32_t value, const std:
     for (const MadeFrom& part : parts_)
         if (path.starts_with(part.path) && (!nearest || part.path.size() > nearest->path.size())) nearest = &part;
     const std::uint32_t original = nearest ? nearest->original : 0;
+    if (nearest && nearest->shape) shapes_.push_back(original);
     const render::TextPosition at = original_->position(original);
     list_.push_back({original_->name(), at.line, at.column, original_->path(original), sentence + '.'});
+}
+
+void Findings::addOfShape(const render::JsonText& text, std::uint32_t value, const std::string& sentence)
+{
+    if (full()) return;
+    add(text, value, sentence);
+    shapes_.push_back(value);
+}
+
+std::vector<std::uint32_t> Findings::shapes() const
+{
+    return shapes_.size() == list_.size() ? shapes_ : std::vector<std::uint32_t>();
 }
 
 void Findings::add(const render::JsonFailure& failure, const std::string& file)

@@ -71,7 +71,7 @@ TEST(MergeCommand, AFilmOfThreePartsIsTheFilmOfOne)
 TEST(MergeCommand, APrintOfTwoPartsIsThePrintOfOne)
 {
     const TemporaryFolder folder;
-    const std::string out = folder / "print.png";  // A TIFF says when it was made.
+    const std::string out = folder / "print.tif";
     ASSERT_EQ(test::vitrine(printOf(out)).code, 0);
     const std::string whole = test::bytesOf(out);
     const std::string described = test::bytesOf(out + ".json");
@@ -193,6 +193,17 @@ TEST(MergeCommand, TheScriptForGnuParallelMakesTheSameFilm)
     for (const std::string& word : film(out)) script += " '" + word + "'";
     ASSERT_EQ(std::system((script + " >/dev/null").c_str()), 0);
     EXPECT_TRUE(test::bytesOf(out) == whole);
+}
+
+TEST(MergeCommand, TheScriptsOfQueuesKnowBothFormsOfOut)
+{
+    const TemporaryFolder folder;
+    for (const char* words : {"3 render fur --out 'a b.png' --size 8x8", "3 render fur '--out=a b.png' --size 8x8"}) {
+        const std::string line = "sh -c '. " VITRINE_SOURCE_DIR "/app/queue/arguments.sh; printf %s \"$out\"' queue " +
+                                 std::string(words) + " >'" + std::string(folder / "out") + "'";
+        EXPECT_EQ(std::system(line.c_str()), 0) << words;
+        EXPECT_EQ(test::bytesOf(folder / "out"), "a b.png") << words;
+    }
 }
 
 TEST(MergeCommand, PartsThatBeginAtOnceShareOneFolder)

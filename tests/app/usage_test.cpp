@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <regex>
+#include <sstream>
 
 namespace vitrine {
 namespace {
@@ -139,6 +141,169 @@ TEST(Usage, TheHallCannotBeAlone)
     const Ended ended = refused({"--alone"}, "hall");
     EXPECT_EQ(ended.code, 2);
     expectOneSentence(ended, {"--alone"});
+}
+
+/// Names in the list of sub-commands of a help text.
+std::vector<std::string> commandsIn(const std::string& help)
+{
+    std::vector<std::string> names;
+    std::istringstream lines(help.substr(std::min(help.find("Subcommands:"), help.size())));
+    std::string line;
+    while (std::getline(lines, line))
+        if (line.size() > 2 && line.starts_with("  ") && line[2] != ' ')
+            names.push_back(line.substr(2, line.find(' ', 2) - 2));
+    return names;
+}
+
+struct NumberOption {
+    std::vector<std::string> command;
+    std::string name;
+};
+
+/// Every option of every command that takes a number, as the help texts have them.
+std::vector<NumberOption> numberOptions()
+{
+    std::vector<std::vector<std::string>> commands{{}};
+    std::vector<NumberOption> found;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        std::vector<std::string> words = commands[i];
+        words.emplace_back("--help");
+        const std::string help = test::vitrine(words).out;
+        for (const std::string& below : commandsIn(help)) {
+            commands.push_back(commands[i]);
+            commands.back().push_back(below);
+        }
+        for (const char* unchecked : {" FLOAT", " INT", " UINT"})
+            EXPECT_EQ(help.find(unchecked), std::string::npos) << "a number that is not checked: " << words.front();
+        const std::regex option("\n  (--[a-z-]+) (NUMBER|-?[0-9][^ ]*\\.\\.)");
+        for (std::sregex_iterator at(help.begin(), help.end(), option), end; at != end; ++at)
+            found.push_back({commands[i], (*at)[1]});
+    }
+    return found;
+}
+
+TEST(UsageOfNumbers, EveryOptionRefusesWhatIsNone)
+{
+    const std::vector<NumberOption> options = numberOptions();
+    EXPECT_GT(options.size(), 50U);
+    const std::vector<std::string> always{"nan", "0,5"},
+        inTurn{"inf", "-inf", "-nan", "1e400", "abc", "", "0x10", "1e+"};
+    std::size_t turn = 0;
+    for (const NumberOption& option : options) {
+        std::vector<std::string> typed = always;
+        typed.push_back(inTurn[turn++ % inTurn.size()]);
+        for (const std::string& number : typed) {
+            std::vector<std::string> words = option.command;
+            words.push_back(option.name);
+            words.push_back(number);
+            if (number.starts_with('-')) {
+                words.pop_back();
+                words.back() += '=' + number;
+            }
+            const Ended ended = test::vitrine(words);
+            SCOPED_TRACE(option.command.front() + ' ' + option.name + ' ' + number);
+            EXPECT_EQ(ended.code, 2);
+            if (number == "0,5")
+                expectOneSentence(ended, {option.name + " \"0,5\": ", "decimal point", "write 0.5."});
+            else
+                expectOneSentence(ended, {option.name + " \"" + number + "\": give a "});
+        }
+    }
+}
+
+TEST(UsageOfNumbers, TakesUnitsAndNamesTheRangeInTheUnitThatWasTyped)
+{
+    const auto noteOf = [](const std::string& typed) {
+        return test::vitrine({"list", "--set", "noise.sunElevation=" + typed}).err;
+    };
+    const std::string plain = noteOf("12"), withUnit = noteOf("95deg");
+    EXPECT_NE(plain.find("12 was brought to 1.57"), std::string::npos) << plain;
+    EXPECT_NE(plain.find(" rad; degrees are written 12deg)"), std::string::npos) << plain;
+    EXPECT_EQ(plain.find("°"), std::string::npos) << plain;
+    EXPECT_NE(withUnit.find("95deg was brought to 90°, the nearest that is allowed (a number from -5 to 90°)"),
+              std::string::npos)
+        << withUnit;
+    for (const char* angle : {"200deg", "4rad", "200"}) {
+        const Ended ended = refused({"--fov", angle});
+        EXPECT_EQ(ended.code, 2);
+        expectOneSentence(ended, {std::string("--fov \"") + angle + "\": give a number from 1 to 175°."});
+    }
+    const Ended zero = refused({"--fov", "0"});
+    EXPECT_EQ(zero.code, 2) << "0 is no angle, and not the same as nothing";
+    expectOneSentence(refused({"--set", "morph=0,5"}), {"--set morph \"0,5\"", "write 0.5."});
+}
+
+TEST(UsageOfNumbers, OfPrintsAreThoseOfTheWindow)
+{
+    const test::TemporaryFolder folder;
+    const auto refusedPrint = [&](const std::string& option, const std::string& number) {
+        std::vector<std::string> words{"print", "--views", folder / "none", "--out", folder / "x.tif", "--lpi", "60"};
+        for (const char* size : {"--width-mm", "--height-mm"})
+            if (option != size) words.insert(words.end(), {size, "30"});
+        words.insert(words.end(), {option, number});
+        const Ended ended = test::vitrine(words);
+        EXPECT_EQ(ended.code, 2) << option;
+        expectOneSentence(ended, {option + " \"" + number + "\": give a number from "});
+    };
+    refusedPrint("--width-mm", "1e6");
+    refusedPrint("--bleed-mm", "1e6");
+    refusedPrint("--effective-lpi", "-1");
+    refusedPrint("--ink-um", "1e300");
+    const Ended quilt = test::vitrine({"print", "--width-mm", "30", "--height-mm", "30", "--lpi", "60", "--out",
+                                       folder / "x.tif", "--quilt", "a", folder / "q.png"});
+    EXPECT_EQ(quilt.code, 2);
+    expectOneSentence(quilt, {"--quilt 8x6 quilt.png"});
+}
+
+TEST(Usage, WhatWasMistypedIsNamedWithItsCommandAndWhatIsNear)
+{
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"rende", "sdf_morph", "--out", "q.png"},
+         "`vitrine` has no command \"rende\"; did you mean render? `vitrine --help`"},
+        {{"zzzzzz"}, "`vitrine` has no command \"zzzzzz\"; `vitrine --help`"},
+        {{"--no-such"}, "`vitrine` has no option --no-such; `vitrine --help`"},
+        {{"render", "sdf_morph", "--st", "morph=1"}, "`vitrine render` has no option --st; did you mean --set?"},
+        {{"render", "sdf_morph", "--sam=3"}, "`vitrine render` has no option --sam; did you mean --samples?"},
+        {{"render", "sdf_morph", "one", "two", "--out", "x.png"}, "takes no further argument, and \"one\" is one"},
+        {{"scene", "chek", "a.json"}, "`vitrine scene` has no command \"chek\"; did you mean check?"},
+        {{"render"}, "`vitrine render` needs exhibit; `vitrine render --help`"},
+        {{"render", "sdf_morph"}, "`vitrine render` needs --out;"},
+        {{"preset"}, "`vitrine preset` needs a command;"},
+        {{"preset", "check"}, "`vitrine preset check` needs files;"},
+        {{"render", "sdf_morph", "--out"}, "--out needs a value behind it"},
+        {{"render", "sdf_morph", "--out", "a.png", "--out", "b.png"}, "--out was given more than once"},
+        {{"render", "sdf_morph", "--out", "a.png", "--alone=maybe"}, "--alone takes no value"},
+        {{"study", "fur", "--out", "x", "--max-ms", "1", "--max-error", "1"}, "exclude each other; give one of them."},
+        {{"print", "--width-mm", "3", "--height-mm", "3", "--view-size", "8x8"}, "--view-size belongs to --exhibit;"},
+        {{"render", "sdf_morfh", "--out", "/nowhere/x.png"},
+         "There is no exhibit \"sdf_morfh\"; did you mean sdf_morph?"},
+        {{"list", "--set", "sdf_morph.morf=1"}, "did you mean morph?"},
+        {{"list", "--set", "sdfmorph.morph=1"}, "did you mean sdf_morph?"},
+        {{"sprite", "pixel_art", "--out", "x.png", "--palette", "isel"}, "--palette isel: give one of own, "},
+        {{"--language", "xx", "list"}, "--language \"xx\": give one of en, de."},
+        {{"record", "fur", "--out", "x.mp4", "--pace", "slow"}, "--pace \"slow\": give one of constant, eased."},
+        {{"open", "/nowhere/a.json"}, "Cannot open /nowhere/a.json: there is no such file"},
+        {{"study", "fur", "--out", "x", "--metric", "ssm"}, "give one of rmse, max, beyond, flip, normal, depth."},
+    };
+    for (const auto& [words, part] : cases) {
+        const Ended ended = test::vitrine(words);
+        EXPECT_EQ(ended.code, 2) << part;
+        expectOneSentence(ended, {part});
+    }
+}
+
+TEST(Usage, TheLanguageMayStandBehindTheCommand)
+{
+    const test::Environment english{{"LC_ALL", "C.UTF-8"}};
+    EXPECT_EQ(test::vitrine({"list", "--language", "de"}, english).code, 0);
+    const Ended german = test::vitrine({"render", "nobody", "--out", "x.png", "--language", "de"}, english);
+    EXPECT_EQ(german.code, 2);
+    EXPECT_NE(german.err.find("Exponat"), std::string::npos) << german.err;
+}
+
+TEST(Usage, HelpHasAShortName)
+{
+    EXPECT_EQ(test::vitrine({"render", "-h"}).out, test::vitrine({"render", "--help"}).out);
 }
 
 TEST(OldMachine, WithoutOpenGl45OneSentenceAndExit3)

@@ -1,0 +1,123 @@
+#include "app/usage_error.h"
+
+#include "render/text/nearest_word.h"
+
+#include <CLI/CLI.hpp>
+
+#include <vector>
+
+namespace vitrine::app {
+namespace {
+
+/// The command that was typed, down to the last sub-command.
+const CLI::App& typedCommand(const CLI::App& parser)
+{
+    const CLI::App* command = &parser;
+    while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+    return *command;
+}
+
+/// "vitrine scene mesh".
+std::string commandName(const CLI::App& command)
+{
+    const CLI::App* above = command.get_parent();
+    return above ? commandName(*above) + ' ' + command.get_name() : command.get_name();
+}
+
+std::vector<std::string> namesOfOptions(const CLI::App& command)
+{
+    std::vector<std::string> names;
+    for (const CLI::Option* option : command.get_options())
+        if (!option->get_group().empty())
+            for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    return names;
+}
+
+std::vector<std::string> namesOfCommands(const CLI::App& command)
+{
+    std::vector<std::string> names;
+    for (const CLI::App* below : command.get_subcommands([](const CLI::App*) { return true; }))
+        names.push_back(below->get_name());
+    return names;
+}
+
+std::string unexpected(const CLI::App& command, const std::string& word)
+{
+    const std::string name = commandName(command);
+    if (word.starts_with('-')) {
+        const std::string option = word.substr(0, word.find('='));
+        return '`' + name + "` has no option " + option + didYouMean(option, namesOfOptions(command)) + " `" + name +
+               " --help` lists what it has.";
+    }
+    const std::vector<std::string> commands = namesOfCommands(command);
+    if (!commands.empty())
+        return '`' + name + "` has no command \"" + word + '"' + didYouMean(word, commands) + " `" + name +
+               " --help` lists what it has.";
+    return '`' + name + "` takes no further argument, and \"" + word + "\" is one; `" + name +
+           " --help` says what it takes.";
+}
+
+std::string missing(const CLI::App& command)
+{
+    const std::string name = commandName(command);
+    for (const CLI::Option* option : command.get_options())
+        if (option->get_required() && option->count() == 0)
+            return '`' + name + "` needs " + option->get_name() + "; `" + name + " --help` says what it is.";
+    return '`' + name + "` needs a command; `" + name + " --help` lists what it has.";
+}
+
+/// Two options of which one was typed without or beside the other.
+std::string together(const CLI::App& command)
+{
+    for (const CLI::Option* option : command.get_options()) {
+        if (option->count() == 0) continue;
+        for (const CLI::Option* other : option->get_needs())
+            if (other->count() == 0)
+                return option->get_name() + " belongs to " + other->get_name() + "; give that, too.";
+        for (const CLI::Option* other : option->get_excludes())
+            if (other->count() > 0)
+                return option->get_name() + " and " + other->get_name() + " exclude each other; give one of them.";
+    }
+    return {};
+}
+
+/// The option that a message of the parser begins with, or names behind `before`.
+const CLI::Option* namedIn(const CLI::App& command, const std::string& message, const std::string& before = {})
+{
+    for (const CLI::Option* option : command.get_options())
+        if (message.starts_with(before + option->get_name() + ':') ||
+            message.starts_with(before + option->get_name() + " =") ||
+            message.starts_with(before + option->get_name() + ' '))
+            return option;
+    return nullptr;
+}
+
+}  // namespace
+
+std::string usageError(const CLI::App& parser, const CLI::ParseError& error)
+{
+    const CLI::App& command = typedCommand(parser);
+    // Whoever mistyped an option has often left out another one by that: what is unknown comes first, as typed.
+    for (const CLI::App* app = &parser;; app = app->get_subcommands().front()) {
+        for (const std::string& word : app->remaining())
+            if (word != "--") return unexpected(*app, word);
+        if (app->get_subcommands().empty()) break;
+    }
+    if (dynamic_cast<const CLI::RequiredError*>(&error)) return missing(command);
+    if (const std::string pair = together(command); !pair.empty()) return pair;
+    const std::string message = error.what();
+    const std::string name = commandName(command);
+    if (dynamic_cast<const CLI::ConversionError*>(&error))
+        if (const CLI::Option* flag = namedIn(command, message, "Could not convert: "))
+            return flag->get_name() + " takes no value; leave out what stands behind it.";
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error))
+        if (const CLI::Option* option = namedIn(command, message)) {
+            if (option->get_items_expected_max() == 0)
+                return option->get_name() + " takes no value; leave out what stands behind it.";
+            if (option->count() > 1) return option->get_name() + " was given more than once; give it once.";
+            return option->get_name() + " needs a value behind it; `" + name + " --help` says which.";
+        }
+    return '`' + name + "` cannot be run as it was typed; `" + name + " --help` says what it takes.";
+}
+
+}  // namespace vitrine::app
