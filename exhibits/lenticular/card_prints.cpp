@@ -82,7 +82,7 @@ void readInto(CardSource& source, const std::vector<fs::path>& files, int count)
     // The middles of equal parts of the sequence; the next one is read while one is resampled.
     const auto reading = [&](int i) {
         const auto at = static_cast<std::size_t>((i + 0.5) * available / taken);
-        return std::async(std::launch::async, [file = files[at]] { return render::readImage(file); });
+        return std::async(std::launch::async, [file = files[at]] { return render::readColor(file); });
     };
     std::future<render::Image> next = reading(0);
     for (int i = 0; i < taken; ++i) {

@@ -17,9 +17,9 @@ struct LenticularTable final : Parameters {
     File frontPrint = file(
         "frontPrint",
         "Views of the first print: a folder of pictures, or a print that vitrine print wrote. Empty: the turning mug.",
-        endings("tif tiff png jpg jpeg exr"));
+        endings("tif tiff png jpg jpeg exr hdr webp"));
     File backPrint = file("backPrint", "Views of the second print, in the same ways. Empty: the melting torus.",
-                          endings("tif tiff png jpg jpeg exr"));
+                          endings("tif tiff png jpg jpeg exr hdr webp"));
     Choice<CardFace> face =
         choice("face", CardFace::front, {"front", "back"}, "Which print rests in the card before it scrolls.");
     Count views =
@@ -94,7 +94,8 @@ struct LenticularTable final : Parameters {
              "Of the eye for which the strips' pitch is made: there the whole card shows one view. Large is parallel.");
     Choice<CardStrips> strips =
         choice("strips", CardStrips::flat, {"flat", "squeezed"},
-               "A strip holds the one color that its lens shows, or its slice of the view squeezed, as in the source.");
+               "A strip holds the one color that its lens shows, or its slice of the view squeezed, as in the source.",
+               quality(CardStrips::flat));
     Toggle reverse = toggle("reverse", false, "The views in the wrong order: the picture turns inside out.");
     Real inkSpread = real("inkSpread", 0.000012, micrometer, Range{0, 0.005}.soft(0, 0.0001),
                           "Standard deviation of the ink's blur: cross-talk between views.");

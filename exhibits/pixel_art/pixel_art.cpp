@@ -88,7 +88,7 @@ render::Asset<PaletteTextures> paletteOf(const PixelArtTable& t, const Parameter
     const int count = values[t.paletteColors];
     return assets.get<PaletteTextures>(
         "pixel_art.palette", path,
-        [count](const std::string& file) { return madePalette(mainColors(render::readImage(file), count)); },
+        [count](const std::string& file) { return madePalette(mainColors(render::readColor(file), count)); },
         static_cast<std::uint64_t>(count));
 }
 

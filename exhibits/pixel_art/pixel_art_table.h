@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/studied_rows.h"
 
 namespace vitrine {
 
@@ -93,8 +94,8 @@ struct PixelArtTable final : Parameters {
     Real errorScale =
         real("errorScale", 20, none, Range{0.1, 180, logarithmic}.soft(1, 90), "Degrees off that are shown hottest.",
              when(view, PixelView::error) || (when(split) && when(rightView, PixelView::error)));
-    Count smoothing =
-        count("smoothing", 0, {0, 4}, "Texels around that faceted normals are averaged over, not across edges.");
+    Count smoothing = count("smoothing", 0, {0, 4},
+                            "Texels around that faceted normals are averaged over, not across edges.", exactAt(0));
     const Condition finished = when(view, PixelView::finished) || (when(split) && when(rightView, PixelView::finished));
     const Condition edged =
         finished || when(view, PixelView::edges) || (when(split) && when(rightView, PixelView::edges));
@@ -106,6 +107,10 @@ struct PixelArtTable final : Parameters {
     Choice<DepthOrder> depthOrder =
         choice("depthOrder", DepthOrder::reversed, {"reversed", "standard"},
                "Whether near is 1 and far 0, or the other way round.", exactAt(DepthOrder::reversed));
+    StudiedRows studied{
+        *this,
+        {{.name = "smoothing", .exactInReference = {"method"}},
+         {.name = "depthOrder", .same = "Either order holds the same depths, so that the picture is the same."}}};
 
     Group light = group("Light");
     Real sunAzimuth = real("sunAzimuth", degrees(-62), degree, Range{degrees(-180), degrees(180)},
@@ -156,7 +161,7 @@ struct PixelArtTable final : Parameters {
         finished);
     File palettePicture =
         file("palettePicture", "A picture whose main colors become the palette, in place of the other.",
-             endings("png jpg jpeg tif exr hdr"));
+             endings("png jpg jpeg tif tiff exr hdr webp"));
     const Condition ofPicture = when(palette, PaletteName::goldenHour) || whenGiven(palettePicture);
     const Condition limited = finished && (whenNot(palette, PaletteName::none) || whenGiven(palettePicture));
     Count paletteColors =

@@ -3,10 +3,12 @@
 #include "exhibits/printing/print_json.h"
 #include "render/failure.h"
 #include "render/image/picture_stream.h"
+#include "render/image/rec709.h"
 #include "render/image/srgb.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace vitrine::printing {
 namespace {
@@ -98,15 +100,48 @@ render::Image PrintRaster::image()
         for (std::size_t i = 0; i < samples; ++i)
             out[i] = static_cast<float>(render::linearFromSrgb(codes[i] / 65535.0));
     }
+    render::convertFromProfile(image, profile());
     return image;
 }
 
-render::JsonDocument printDescription(const fs::path& print)
+namespace {
+
+/// The description that was written with the pixels; nothing where there is none, or where it cannot be read and
+/// another one may do.
+std::optional<render::JsonDocument> insideOf(const fs::path& print, bool anotherMayDo)
+{
+    try {
+        if (const auto text = render::embeddedPrint(print)) return render::parseJson(*text, print.string());
+    } catch (const Failure&) {
+        if (!anotherMayDo) throw;
+    }
+    return std::nullopt;
+}
+
+bool saysTheSame(const std::string& file, const render::JsonDocument& inside)
+{
+    try {
+        return render::readJson(file).root() == inside.root();
+    } catch (const Failure&) {
+        return false;
+    }
+}
+
+}  // namespace
+
+PrintDescription printDescription(const fs::path& print)
 {
     std::error_code error;
     const std::string beside = print.string() + ".json";
-    if (fs::exists(beside, error)) return render::readJson(beside);
-    if (const auto text = render::embeddedPrint(print)) return render::parseJson(*text, print.string());
+    const bool hasBeside = fs::exists(beside, error);
+    std::optional<render::JsonDocument> inside = insideOf(print, hasBeside);
+    if (inside && (!hasBeside || saysTheSame(beside, *inside))) return {std::move(*inside), {}};
+    if (inside)
+        return {std::move(*inside), beside + " does not describe " + print.string() +
+                                        ": it is of another print, or was changed. The description inside the print "
+                                        "was used; make the print anew, or remove " +
+                                        beside + "."};
+    if (hasBeside) return {render::readJson(beside), {}};
     throw Failure(Blame::file, "Cannot look at " + print.string() +
                                    ": it carries no description of its sheet, and there is no " + beside +
                                    " beside it; choose a file that vitrine print wrote.");
@@ -117,7 +152,8 @@ PrintRaster readPrint(const fs::path& path)
     std::error_code error;
     const fs::path first = fs::exists(path, error) ? path : tileOf(path, path.stem().string(), 1);
     const fs::path named = fs::exists(first, error) ? first : path;
-    const PrintLayout layout(settingsFromJson(printDescription(named)));
+    PrintDescription description = printDescription(named);
+    const PrintLayout layout(settingsFromJson(description.document));
     std::vector<fs::path> tiles{named};
     std::string stem;
     if (render::PictureRows(named).width() < layout.width() && splitTile(named, stem)) {
@@ -130,7 +166,9 @@ PrintRaster readPrint(const fs::path& path)
         }
         if (tiles.empty()) tiles.push_back(named);
     }
-    return {layout, tiles};
+    PrintRaster raster(layout, tiles);
+    raster.setDoubt(std::move(description.doubt));
+    return raster;
 }
 
 }  // namespace vitrine::printing

@@ -20,12 +20,18 @@ public:
 
     [[nodiscard]] const PrintLayout& layout() const { return layout_; }
     [[nodiscard]] std::size_t tileCount() const { return tiles_.size(); }
+    /// `PrintDescription::doubt` of the file that it was opened by.
+    [[nodiscard]] const std::string& doubt() const { return doubt_; }
+    void setDoubt(std::string doubt) { doubt_ = std::move(doubt); }
+
+    /// The ICC profile of the codes, of the first tile; empty when there is none.
+    [[nodiscard]] std::string profile() const { return tiles_.front().profile(); }
 
     /// RGB codes of 16 bits; valid until the next call. Going back further than the window makes it larger.
     /// Throws Failure when the file is broken.
     [[nodiscard]] const std::uint16_t* row(std::int64_t y);
 
-    /// All of it, in linear light. Throws Failure when it has more than 2^26 pixels.
+    /// All of it, in linear Rec. 709. Throws Failure when it has more than 2^26 pixels.
     [[nodiscard]] render::Image image();
 
 private:
@@ -37,12 +43,21 @@ private:
     std::int64_t begin_ = 0, end_ = 0;  ///< Of the rows in memory; row y lies at y modulo capacity.
     std::vector<std::uint16_t> rows_;
     std::vector<std::uint16_t> part_;  ///< A tile's row.
+    std::string doubt_;
 };
 
-/// The description beside a print or, without one, inside it. Throws Failure naming the file when there is none.
-[[nodiscard]] render::JsonDocument printDescription(const std::filesystem::path&);
+/// What describes a print.
+struct PrintDescription {
+    render::JsonDocument document;
+    /// A full sentence or two where the file beside the print describes another one; empty where it does not.
+    std::string doubt{};
+};
 
-/// Opens a print that `writePrint` made: TIFF or PNG, its description beside it or inside. Of a print in tiles, any
+/// The description inside a print, which was written with its pixels. The file beside it says the same; it counts where
+/// the print has lost its own. Throws Failure naming the file when there is neither.
+[[nodiscard]] PrintDescription printDescription(const std::filesystem::path&);
+
+/// Opens a print that `writePrint` made: TIFF or PNG, its description inside or beside it. Of a print in tiles, any
 /// one of them or the name without number may be given. Throws Failure naming the file.
 [[nodiscard]] PrintRaster readPrint(const std::filesystem::path&);
 

@@ -3,6 +3,7 @@
 #include "exhibits/printing/optics.h"
 #include "exhibits/printing/sheet.h"
 #include "render/failure.h"
+#include "render/image/rec709.h"
 #include "render/image/srgb.h"
 
 #include <algorithm>
@@ -151,10 +152,12 @@ render::Image lookThrough(PrintRaster& raster, const Eye& eye, int apertureParts
             table[i] = static_cast<float>(render::linearFromSrgb(static_cast<double>(i) / 65535));
         return table;
     }();
-    return lookThroughOf(raster.layout(), eye, apertureParts, [&](std::int64_t x, std::int64_t y) {
+    render::Image seen = lookThroughOf(raster.layout(), eye, apertureParts, [&](std::int64_t x, std::int64_t y) {
         const std::uint16_t* at = raster.row(y) + static_cast<std::size_t>(x) * 3;
         return std::array<float, 3>{linear[at[0]], linear[at[1]], linear[at[2]]};
     });
+    render::convertFromProfile(seen, raster.profile());
+    return seen;
 }
 
 double angleOfView(const PrintLayout& layout, int k)

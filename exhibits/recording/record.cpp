@@ -1,6 +1,6 @@
 #include "exhibits/recording/record.h"
 
-#include "exhibits/framework/preset.h"
+#include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
 #include "render/files/read_file.h"
@@ -109,14 +109,12 @@ Recording::~Recording() = default;
 
 std::string Recording::presetAt(int k) const
 {
-    const std::string name(museum_.subject(subject_).name());
-    const auto& alone = request_.picture.frame.alone;
-    render::Camera camera = momentsOf(request_, k).front().camera;
-    // Presets speak of the hall; alone, the exhibit's own space is the world.
-    if (alone) camera = camera.transformed(museum_.worldFromExhibit(*alone));
-    Exhibition exhibition{"Recording of " + name, namedValues(museum_.subjects(), sceneState_.values), camera};
-    if (subject_ != hallIndex) exhibition.chosen = name;
-    return exhibitionText(exhibition);
+    const Moment first = momentsOf(request_, k).front();
+    PictureRequest picture = request_.picture;
+    picture.frame.camera = first.camera;
+    picture.frame.time = first.time;
+    return pictureSettings(museum_, subject_, sceneState_, picture,
+                           "Recording of " + std::string(museum_.subject(subject_).name()));
 }
 
 void Recording::beginFrame()
@@ -147,7 +145,7 @@ void Recording::takeFrame()
     const fs::path path = framePath(share_.from, next_);
     if (!isThere(path, presetAt(next_), frameLine(request_, next_)))
         throw Failure(Blame::check, path.string() + ": this frame is missing or of other settings; draw it anew.");
-    video_->add(render::readImage(path));
+    video_->add(render::readColor(path));
     ++next_;
     ++kept_;
 }

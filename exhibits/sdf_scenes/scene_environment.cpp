@@ -79,7 +79,7 @@ std::shared_ptr<const render::Texture> readEnvironment(const ShownScene& shown)
     const std::vector<std::filesystem::path> files = environmentFiles(*shown.scene, shown.path);
     if (files.size() == 1) return render::loadTexture(files[0], true, true);
     std::array<render::Image, 6> faces;
-    for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = render::readImage(files[i]);
+    for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = render::readColor(files[i]);
     return panoramaOf(faces);
 }
 

@@ -77,6 +77,13 @@ void upload(GLuint name, int level, const PixelFormat& format, const render::Tex
         glTextureSubImage2D(name, level, 0, 0, picture.width, picture.height, format.external, format.type, data);
 }
 
+GLenum minifyingFilter(const render::Texture& picture, int levels)
+{
+    if (levels < 2) return picture.minifyNearest ? GL_NEAREST : GL_LINEAR;
+    if (picture.nearestLevel) return picture.minifyNearest ? GL_NEAREST_MIPMAP_NEAREST : GL_LINEAR_MIPMAP_NEAREST;
+    return picture.minifyNearest ? GL_NEAREST_MIPMAP_LINEAR : GL_LINEAR_MIPMAP_LINEAR;
+}
+
 void setParameter(GLuint name, GLenum parameter, GLenum value)
 {
     glTextureParameteri(name, parameter, static_cast<GLint>(value));
@@ -151,11 +158,15 @@ Texture::Texture(const render::Texture& picture)
         upload(name, level, format, smaller);
     }
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    setParameter(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    setParameter(name, GL_TEXTURE_MIN_FILTER, levels > 1 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+    setParameter(name, GL_TEXTURE_MAG_FILTER, picture.magnifyNearest ? GL_NEAREST : GL_LINEAR);
+    setParameter(name, GL_TEXTURE_MIN_FILTER, minifyingFilter(picture, levels));
     const GLenum wrap = picture.repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
     setParameter(name, GL_TEXTURE_WRAP_S, wrap);
     setParameter(name, GL_TEXTURE_WRAP_T, wrap);
+    if (picture.channels == 1) {
+        setParameter(name, GL_TEXTURE_SWIZZLE_G, GL_RED);
+        setParameter(name, GL_TEXTURE_SWIZZLE_B, GL_RED);
+    }
     glObjectLabel(GL_TEXTURE, name, -1, picture.name.substr(0, 200).c_str());
 }
 

@@ -8,7 +8,7 @@ namespace vitrine::render {
 
 std::string_view toString(ImageFormat format)
 {
-    constexpr std::array<std::string_view, 5> names = {"PNG", "JPEG", "TIFF", "OpenEXR", "HDR"};
+    constexpr std::array<std::string_view, 6> names = {"PNG", "JPEG", "TIFF", "OpenEXR", "HDR", "WebP"};
     return names.at(static_cast<std::size_t>(format));
 }
 
@@ -21,14 +21,25 @@ std::optional<ImageFormat> sniffImage(std::string_view bytes)
     if (bytes.starts_with("II+\0"sv) || bytes.starts_with("MM\0+"sv)) return ImageFormat::tiff;  // BigTIFF.
     if (bytes.starts_with("\x76\x2f\x31\x01"sv)) return ImageFormat::exr;
     if (bytes.starts_with("#?RADIANCE"sv) || bytes.starts_with("#?RGBE"sv)) return ImageFormat::hdr;
+    if (bytes.size() >= 12 && bytes.starts_with("RIFF"sv) && bytes.substr(8, 4) == "WEBP"sv) return ImageFormat::webp;
     return std::nullopt;
 }
 
-bool extensionAllows(const std::filesystem::path& path, ImageFormat format)
+namespace {
+
+std::string loweredExtension(const std::filesystem::path& path)
 {
     std::string extension = path.extension().string();
     std::transform(extension.begin(), extension.end(), extension.begin(),
                    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+}  // namespace
+
+bool extensionAllows(const std::filesystem::path& path, ImageFormat format)
+{
+    const std::string extension = loweredExtension(path);
     if (extension.empty()) return true;
     switch (format) {
     case ImageFormat::png: return extension == ".png";
@@ -36,7 +47,17 @@ bool extensionAllows(const std::filesystem::path& path, ImageFormat format)
     case ImageFormat::tiff: return extension == ".tif" || extension == ".tiff";
     case ImageFormat::exr: return extension == ".exr";
     case ImageFormat::hdr: return extension == ".hdr" || extension == ".rgbe";
+    case ImageFormat::webp: return extension == ".webp";
     }
+    return false;
+}
+
+bool hasPictureExtension(const std::filesystem::path& path)
+{
+    if (path.extension().empty()) return false;
+    for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg, ImageFormat::tiff, ImageFormat::exr,
+                                     ImageFormat::hdr, ImageFormat::webp})
+        if (extensionAllows(path, format)) return true;
     return false;
 }
 
@@ -61,6 +82,7 @@ std::string whyTooLarge(const DeclaredImage& image, ImageFormat format, std::uin
     if (__builtin_mul_overflow(pixels, image.channels * image.bytesPerSample, &bytes) || bytes > limits.decodedBytes) {
         return more(bytes, "bytes once unpacked", limits.decodedBytes);
     }
+    if (format == ImageFormat::webp) return {};
     const std::uint64_t mostRatio = format == ImageFormat::png ? 1200 : 4000;
     // A few rows of slack, so that tiny pictures with large headers are not suspects.
     if (bytes / mostRatio > fileBytes + 64) {

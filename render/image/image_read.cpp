@@ -1,11 +1,17 @@
 #include "render/failure.h"
 #include "render/files/read_file.h"
+#include "render/files/strict_json.h"
 #include "render/image/decode.h"
+#include "render/image/exr_header.h"
 #include "render/image/image_io.h"
 #include "render/image/jpeg_end.h"
 #include "render/image/oiio_codec.h"
+#include "render/image/orientation.h"
+#include "render/image/picture_stream.h"
 #include "render/image/png_file.h"
+#include "render/image/rec709.h"
 #include "render/image/srgb.h"
+#include "render/image/webp_header.h"
 
 #include <algorithm>
 #include <array>
@@ -134,49 +140,107 @@ std::vector<Sample> rearranged(const std::vector<Sample>& from, std::size_t chan
     return out;
 }
 
-/// Which stored channel each channel of a texture comes from.
-std::vector<int> textureChannels(const StoredPicture& picture)
+/// Which stored channel each channel of a texture comes from. Gray color becomes red, green and blue: there is no
+/// sRGB-encoded format with one channel.
+std::vector<int> textureChannels(int stored, bool color)
 {
-    if (picture.channelNames.empty()) {
-        const std::array<std::vector<int>, 4> plain = {{{0}, {0, 0, 0, 1}, {0, 1, 2}, {0, 1, 2, 3}}};
-        return plain.at(static_cast<std::size_t>(picture.channels - 1));
-    }
-    const auto find = [&](const char* name) {
-        const auto at = std::find(picture.channelNames.begin(), picture.channelNames.end(), name);
-        return at == picture.channelNames.end() ? -1 : static_cast<int>(at - picture.channelNames.begin());
-    };
-    const int red = find("R");
-    const int green = find("G");
-    const int blue = find("B");
-    const int alpha = find("A");
-    if (red < 0 && green < 0 && blue < 0) return {std::max(find("Y"), 0)};
-    if (alpha < 0) return {red, green, blue};
-    return {red, green, blue, alpha};
+    const std::vector<int> gray = color ? std::vector<int>{0, 0, 0} : std::vector<int>{0};
+    const std::array<std::vector<int>, 4> all = {{gray, {0, 0, 0, 1}, {0, 1, 2}, {0, 1, 2, 3}}};
+    return all.at(static_cast<std::size_t>(stored - 1));
 }
 
-std::shared_ptr<const Texture> makeTexture(StoredPicture picture, ImageFormat format, const std::string& name,
-                                           bool sRgb, bool repeat, bool mipmaps)
+/// Whether all channels are color (or its alpha) in the usual order.
+bool isPlainColor(const std::vector<std::string>& names)
+{
+    using Names = std::vector<std::string>;
+    return names.empty() || names == Names{"Y"} || names == Names{"Y", "A"} || names == Names{"R", "G", "B"} ||
+           names == Names{"R", "G", "B", "A"};
+}
+
+/// The samples as linear light where the file gives another meaning to its codes than sRGB.
+std::optional<std::vector<float>> converted(StoredPicture& picture, ImageFormat format)
+{
+    if (!isPlainColor(picture.channelNames)) return std::nullopt;
+    const bool encoded = !std::holds_alternative<std::vector<float>>(picture.samples);
+    const ToRec709 conversion(picture.color, picture.channels, encoded);
+    if (!conversion.problem().empty()) picture.warnings.push_back(conversion.problem());
+    if (!conversion.isNeeded()) return std::nullopt;
+    std::vector<float> floats = floatsOf(picture, format, encoded, picture.warnings);
+    conversion.apply(floats);
+    return floats;
+}
+
+/// Codes of 8 bits, sRGB-encoded, in place of those of another color space.
+void bringToSrgb(StoredPicture& picture, ImageFormat format)
+{
+    const std::optional<std::vector<float>> light = converted(picture, format);
+    if (!light) return;
+    const auto channels = static_cast<std::size_t>(picture.channels);
+    const bool alpha = channels % 2 == 0;
+    auto& codes = std::get<0>(picture.samples);
+    for (std::size_t i = 0; i < codes.size(); ++i)
+        codes[i] = alpha && i % channels == channels - 1 ? code8((*light)[i]) : srgb8FromLinear((*light)[i]);
+}
+
+std::shared_ptr<Texture> makeTexture(StoredPicture& picture, ImageFormat format, const TextureOptions& options,
+                                     const std::string& name)
 {
     auto texture = std::make_shared<Texture>();
     texture->name = name;
+    texture->repeat = options.repeat;
+    texture->mipmaps = options.mipmaps;
     texture->width = picture.width;
     texture->height = picture.height;
-    texture->repeat = repeat;
-    texture->mipmaps = mipmaps;
-    const std::vector<int> sources = textureChannels(picture);
+    const std::vector<int> sources = textureChannels(picture.channels, options.sRgb);
     texture->channels = static_cast<int>(sources.size());
     const auto channels = static_cast<std::size_t>(picture.channels);
-    const bool keep = sources.size() == channels && std::is_sorted(sources.begin(), sources.end()) &&
-                      sources.front() == 0 && sources.back() + 1 == picture.channels;
-    if (auto* bytes = std::get_if<0>(&picture.samples)) {
-        texture->sRgb = sRgb;
-        texture->bytes = keep ? std::move(*bytes) : rearranged<std::uint8_t>(*bytes, channels, sources, 0);
-        return texture;
+    const bool keep = sources.size() == channels;
+    if (std::holds_alternative<std::vector<std::uint8_t>>(picture.samples)) {
+        if (options.sRgb && options.obeysFile) bringToSrgb(picture, format);
+        auto& bytes = std::get<0>(picture.samples);
+        texture->sRgb = options.sRgb;
+        texture->bytes = keep ? std::move(bytes) : rearranged<std::uint8_t>(bytes, channels, sources, 0);
+    } else {
+        std::optional<std::vector<float>> floats;
+        if (options.sRgb && options.obeysFile) floats = converted(picture, format);
+        // Float pictures are linear: there is nothing to decode, and alpha still has to be divided out.
+        const bool raw = !options.sRgb && format != ImageFormat::exr;
+        if (!floats) floats = floatsOf(picture, format, raw, picture.warnings);
+        texture->floats = keep ? std::move(*floats) : rearranged(*floats, channels, sources, 0.0F);
     }
-    std::vector<std::string> warnings;
-    std::vector<float> floats = floatsOf(picture, format, !sRgb, warnings);
-    texture->floats = keep ? std::move(floats) : rearranged(floats, channels, sources, 0.0F);
     return texture;
+}
+
+/// A file that was unpacked.
+struct DecodedFile {
+    ImageFormat format{};
+    StoredPicture picture{};
+};
+
+/// Reads and unpacks a file; its first row is the visible top.
+DecodedFile decodedFile(const std::filesystem::path& path, const DecodeRequest& request)
+{
+    DecodedFile file;
+    const std::string bytes = readChecked(path, request.limits, file.format);
+    file.picture = decodePicture(bytes, file.format, path.string(), request);
+    orient(file.picture, file.picture.orientation);
+    return file;
+}
+
+Image readAs(const std::filesystem::path& path, const ReadOptions& options, bool colorOnly,
+             std::vector<std::string>* warnings)
+{
+    auto [format, picture] = decodedFile(path, {options.limits, colorOnly, options.canceled});
+    Image image;
+    image.width = picture.width;
+    image.height = picture.height;
+    image.channels = picture.channels;
+    if (!colorOnly) image.channelNames = picture.channelNames;
+    std::optional<std::vector<float>> light;
+    if (!options.raw && !options.keepColors) light = converted(picture, format);
+    image.pixels = light ? std::move(*light) : floatsOf(picture, format, options.raw, picture.warnings);
+    if (warnings) warnings->insert(warnings->end(), picture.warnings.begin(), picture.warnings.end());
+    return image;
 }
 
 }  // namespace
@@ -184,69 +248,103 @@ std::shared_ptr<const Texture> makeTexture(StoredPicture picture, ImageFormat fo
 ImageFormat formatOf(std::string_view bytes, const std::string& name)
 {
     const std::optional<ImageFormat> format = sniffImage(bytes);
-    if (!format) fail(name, "it is not a PNG, JPEG, TIFF, OpenEXR or HDR picture");
+    if (!format) fail(name, "it is not a " + std::string(readFormats) + " picture");
+    if (format == ImageFormat::exr) {
+        if (const std::string why = whyExrRefused(bytes, ImageLimits{}); !why.empty()) fail(name, why);
+    }
+    if (format == ImageFormat::hdr &&
+        bytes.substr(0, bytes.find("\n\n")).find("FORMAT=32-bit_rle_xyze") != std::string_view::npos)
+        fail(name,
+             "its colors are coded as XYZE, and only RGBE is read; convert it, for example with Radiance's ra_xyze -r");
     return *format;
 }
 
 StoredPicture decodePicture(std::string_view bytes, ImageFormat format, const std::string& name,
-                            const ImageLimits& limits, const std::function<bool()>& canceled)
+                            const DecodeRequest& request)
 {
-    if (format == ImageFormat::png) return decodePng(bytes, name, limits, canceled);
+    if (format == ImageFormat::png) return decodePng(bytes, name, request.limits, request.canceled);
     if (format == ImageFormat::jpeg && !jpegIsWhole(bytes))
         fail(name, "it is cut short: the file ends within the picture");
+    WebpHeader webp;
+    if (format == ImageFormat::webp) {
+        webp = webpHeader(bytes);
+        if (webp.animated) fail(name, "it is an animation; save its pictures one by one");
+        if (const std::string why = whyTooLarge(webp.size, format, bytes.size(), request.limits); !why.empty())
+            fail(name, why);
+    }
     StoredPicture picture;
-    if (const std::string why = oiioCodec().decode(bytes, format, limits, canceled, picture); !why.empty())
-        fail(name, why);
+    if (const std::string why = oiioCodec().decode(bytes, format, request, picture); !why.empty()) fail(name, why);
+    if (format == ImageFormat::hdr) picture.orientation = hdrOrientation(bytes);
+    if (format == ImageFormat::webp) {
+        picture.orientation = webp.orientation;
+        picture.color.profile = webp.profile;
+    }
     return picture;
 }
 
 Image readImage(const std::filesystem::path& path, const ReadOptions& options, std::vector<std::string>* warnings)
 {
-    ImageFormat format{};
-    const std::string bytes = readChecked(path, options.limits, format);
-    StoredPicture picture = decodePicture(bytes, format, path.string(), options.limits, options.canceled);
-    Image image;
-    image.width = picture.width;
-    image.height = picture.height;
-    image.channels = picture.channels;
-    image.channelNames = picture.channelNames;
-    image.pixels = floatsOf(picture, format, options.raw, picture.warnings);
-    if (warnings) warnings->insert(warnings->end(), picture.warnings.begin(), picture.warnings.end());
-    return image;
+    return readAs(path, options, false, warnings);
+}
+
+Image readColor(const std::filesystem::path& path, const ReadOptions& options, std::vector<std::string>* warnings)
+{
+    return readAs(path, options, true, warnings);
 }
 
 std::optional<std::string> embeddedPreset(const std::filesystem::path& path)
 {
     ImageFormat format{};
     const std::string bytes = readChecked(path, ImageLimits{}, format);
-    if (format == ImageFormat::png) return presetInPng(bytes, path.string());
-    if (format != ImageFormat::exr) return std::nullopt;
+    if (format == ImageFormat::png) {
+        if (std::optional<std::string> preset = presetInPng(bytes, path.string())) return preset;
+        return settingsInDescription(textInPng(bytes, printKey, path.string()).value_or(""));
+    }
+    if (format == ImageFormat::hdr) return std::nullopt;
+    const bool exr = format == ImageFormat::exr;
     std::string text;
-    if (const std::string why = oiioCodec().readText(bytes, format, "vitrine:preset", text); !why.empty())
+    if (const std::string why = oiioCodec().readText(bytes, format, exr ? "vitrine:preset" : "ImageDescription", text);
+        !why.empty())
         fail(path.string(), why);
+    if (!exr) return settingsInDescription(text);
     if (text.empty()) return std::nullopt;
     return text;
 }
 
-std::shared_ptr<const Texture> loadTexture(const std::filesystem::path& path, bool sRgb, bool repeat,
-                                           const ImageLimits& limits)
+std::optional<std::string> settingsInDescription(const std::string& text)
 {
-    ImageFormat format{};
-    const std::string bytes = readChecked(path, limits, format);
-    // Float pictures are linear: there is nothing to decode, and alpha still has to be divided out.
-    const bool linear = sRgb || format == ImageFormat::exr;
-    return makeTexture(decodePicture(bytes, format, path.string(), limits), format, path.filename().string(), linear,
-                       repeat, true);
+    if (!text.starts_with('{')) return std::nullopt;
+    try {
+        const Json root = parseJson(text, "the description").root();
+        if (root.contains("format") && root["format"].is_string() &&
+            root["format"].get_ref<const std::string&>().starts_with("vitrine-"))
+            return text;
+        const Json::json_pointer ofPrint("/scene/preset");
+        if (root.contains("vitrinePrint") && root.contains(ofPrint)) return writeJson(root[ofPrint]);
+    } catch (const Failure&) {  // Another program's text that begins with a brace.
+    }
+    return std::nullopt;
 }
 
-std::shared_ptr<const Texture> textureFromBytes(std::string_view bytes, const std::string& name, bool sRgb, bool repeat,
-                                                bool mipmaps, const ImageLimits& limits)
+std::shared_ptr<const Texture> loadTexture(const std::filesystem::path& path, bool sRgb, bool repeat,
+                                           const ImageLimits& limits, std::vector<std::string>* warnings)
+{
+    auto [format, picture] = decodedFile(path, {limits, true, {}});
+    auto texture = makeTexture(picture, format, {.sRgb = sRgb, .repeat = repeat}, path.filename().string());
+    if (warnings) warnings->insert(warnings->end(), picture.warnings.begin(), picture.warnings.end());
+    return texture;
+}
+
+std::shared_ptr<Texture> textureFromBytes(std::string_view bytes, const std::string& name,
+                                          const TextureOptions& options, const ImageLimits& limits)
 {
     const ImageFormat format = formatOf(bytes, name);
     if (format != ImageFormat::png && format != ImageFormat::jpeg) {
         fail(name, "it is " + std::string(toString(format)) + ", and only PNG and JPEG are allowed here");
     }
-    return makeTexture(decodePicture(bytes, format, name, limits), format, name, sRgb, repeat, mipmaps);
+    StoredPicture picture = decodePicture(bytes, format, name, {limits, true, {}});
+    if (options.obeysFile) orient(picture, picture.orientation);
+    return makeTexture(picture, format, options, name);
 }
 
 }  // namespace vitrine::render

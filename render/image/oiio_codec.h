@@ -27,7 +27,7 @@ struct OiioRowTarget {
     int width = 0;
     int height = 0;
     int bits = 8;
-    std::string compression = "none";  ///< "none", "zip" or "zstd".
+    std::string compression = "none";  ///< "none" or "zip".
     double dpiX = 0, dpiY = 0;         ///< Stored as rational numbers of dots per inch.
     std::string description{};         ///< ASCII, for ImageDescription.
     std::string profile{};             ///< ICC profile; none when empty.
@@ -52,6 +52,18 @@ public:
 
     int width = 0, height = 0, channels = 0, bits = 8;
     std::string description{};
+    int orientation = 1;    ///< 1 to 8, as `orient` takes it.
+    std::string profile{};  ///< ICC profile; empty when there is none.
+};
+
+/// How a picture is unpacked.
+struct DecodeRequest {
+    ImageLimits limits{};
+    /// Only the channels that carry color (`colorChannels`), of the first part of an OpenEXR file that has any, in the
+    /// order gray or red, green, blue, then alpha. Otherwise all channels of the first part; those of the color have
+    /// their plain names ("R"), whatever their layer.
+    bool colorOnly = false;
+    std::function<bool()> canceled{};  ///< Asked between bands of rows.
 };
 
 /// A row that was written, to compare with what the file says.
@@ -71,9 +83,9 @@ public:
 
     /// Unpacks the bytes of a file with the reader of that format and no other. 8-bit and 16-bit samples
     /// keep their codes, everything else becomes float; alpha is not multiplied in, except in EXR files.
-    /// `canceled` (may be empty) is asked between bands of rows.
-    [[nodiscard]] virtual std::string decode(std::string_view bytes, ImageFormat, const ImageLimits&,
-                                             const std::function<bool()>& canceled, StoredPicture& out) noexcept = 0;
+    /// OpenEXR: the display window, black and transparent where there is no data.
+    [[nodiscard]] virtual std::string decode(std::string_view bytes, ImageFormat, const DecodeRequest&,
+                                             StoredPicture& out) noexcept = 0;
 
     /// Writes the file, opens it again and compares rows spread over the whole picture (JPEG loosely). Leaves a broken
     /// file behind when it fails: the caller removes it.
@@ -111,5 +123,5 @@ public:
 }  // namespace vitrine::render
 
 /// The one symbol of the module. `version` must be `vitrineOiioVersion`; otherwise the answer is null.
-inline constexpr int vitrineOiioVersion = 3;
+inline constexpr int vitrineOiioVersion = 4;
 extern "C" vitrine::render::OiioCodec* vitrineOiio(int version);

@@ -37,6 +37,9 @@ PictureRows::PictureRows(const std::filesystem::path& path) : path_(path)
         throw Failure(Blame::file, "Cannot read " + path.string() + ": it is neither a TIFF nor a PNG.");
     }
     if (width_ < 1 || height_ < 1) check("it is empty");
+    if ((tiff_ ? tiff_->orientation : png_->orientation()) > 1)
+        check("it says that it is to be shown turned or mirrored, so that its lenses lie elsewhere; use the file as it "
+              "was written");
     stored_.resize(static_cast<std::size_t>(width_) * channels_ * static_cast<std::size_t>(bits_ / 8));
 }
 

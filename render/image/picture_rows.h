@@ -23,6 +23,9 @@ public:
     /// untrusted.
     [[nodiscard]] const std::string& json() const { return json_; }
 
+    /// The ICC profile of its codes; empty when there is none.
+    [[nodiscard]] std::string profile() const { return png_ ? png_->profile() : tiff_->profile; }
+
     /// RGB codes of 16 bits (8-bit ones times 257) of `count` rows from row `first`; `out` holds width * count * 3.
     /// Rows in rising order are fast; going back starts over. Throws Failure naming the file when it is broken.
     void read(std::int64_t first, std::int64_t count, std::uint16_t* out);

@@ -1,6 +1,7 @@
 #include "render/image/png_file.h"
 
 #include "render/failure.h"
+#include "render/image/orientation.h"
 
 #include <png.h>
 
@@ -87,6 +88,43 @@ struct Header {
     int bits = 0;
     int passes = 1;
 };
+
+/// The orientation of chunk eXIf; 1 where there is none. After the last chunk: it may follow the pixels.
+int orientationOf(Reader& reader)
+{
+    png_uint_32 size = 0;
+    png_bytep exif = nullptr;
+    if (png_get_eXIf_1(reader.png, reader.info, &size, &exif) == 0 || !exif) return 1;
+    return exifOrientation({reinterpret_cast<const char*>(exif), size});
+}
+
+std::string profileOf(Reader& reader)
+{
+    png_charp title = nullptr;
+    int compression = 0;
+    png_bytep profile = nullptr;
+    png_uint_32 size = 0;
+    if (png_get_iCCP(reader.png, reader.info, &title, &compression, &profile, &size) == 0) return {};
+    return {reinterpret_cast<const char*>(profile), size};
+}
+
+/// What the chunks iCCP, sRGB, gAMA and cHRM say, in this order of precedence (W3C, PNG Specification, 4.3).
+PictureColor colorOf(Reader& reader)
+{
+    PictureColor color{.profile = profileOf(reader)};
+    int intent = 0;
+    if (!color.profile.empty() || png_get_sRGB(reader.png, reader.info, &intent) != 0) return color;
+    double gamma = 0;
+    if (png_get_gAMA(reader.png, reader.info, &gamma) != 0 && gamma > 0) color.gamma = 1 / gamma;
+    std::array<double, 8>& c = color.chromaticities;
+    double whiteX = 0;
+    double whiteY = 0;
+    if (png_get_cHRM(reader.png, reader.info, &whiteX, &whiteY, &c[0], &c[1], &c[2], &c[3], &c[4], &c[5]) != 0) {
+        c[6] = whiteX;
+        c[7] = whiteY;
+    }
+    return color;
+}
 
 [[noreturn]] void failReading(const std::string& name, std::string_view why)
 {
@@ -234,6 +272,8 @@ StoredPicture decodePng(std::string_view bytes, const std::string& name, const I
         }
     }
     if (!readEnd(reader)) failReading(name, reader.problem.text.data());
+    picture.orientation = orientationOf(reader);
+    picture.color = colorOf(reader);
     return picture;
 }
 
@@ -273,12 +313,7 @@ std::string profileInPng(std::string_view bytes, const std::string& name)
     Source source{bytes};
     Header header;
     if (!readHeader(reader, source, ImageLimits{}, header)) failReading(name, reader.problem.text.data());
-    png_charp title = nullptr;
-    int compression = 0;
-    png_bytep profile = nullptr;
-    png_uint_32 size = 0;
-    if (png_get_iCCP(reader.png, reader.info, &title, &compression, &profile, &size) == 0) return {};
-    return {reinterpret_cast<const char*>(profile), size};
+    return profileOf(reader);
 }
 
 std::optional<std::string> textInPng(std::string_view bytes, const char* key, const std::string& name)

@@ -11,7 +11,8 @@
 namespace vitrine::render {
 
 /// Unpacks a PNG with libpng: 8 or 16 bits per channel, 1 to 4 channels; palettes and 1, 2 and 4 bits
-/// become 8 bits, transparent colors become alpha. Values stay as stored (usually sRGB-encoded).
+/// become 8 bits, transparent colors become alpha. Values stay as stored (usually sRGB-encoded), and rows in their
+/// order: `orientation` and `color` say what the file's chunks say.
 /// Throws Failure naming `name` for broken files, for what `whyTooLarge` refuses, and when `canceled`
 /// (asked once per row; may be empty) returns true.
 [[nodiscard]] StoredPicture decodePng(std::string_view bytes, const std::string& name, const ImageLimits&,

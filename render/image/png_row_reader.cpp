@@ -1,6 +1,7 @@
 #include "render/image/png_row_reader.h"
 
 #include "render/files/descriptor.h"
+#include "render/image/orientation.h"
 
 #include <fcntl.h>
 #include <png.h>
@@ -107,6 +108,24 @@ std::int64_t PngRowReader::height() const
 int PngRowReader::bits() const
 {
     return state_->bits;
+}
+
+int PngRowReader::orientation() const
+{
+    png_uint_32 size = 0;
+    png_bytep exif = nullptr;
+    if (png_get_eXIf_1(state_->png, state_->info, &size, &exif) == 0 || !exif) return 1;
+    return exifOrientation({reinterpret_cast<const char*>(exif), size});
+}
+
+std::string PngRowReader::profile() const
+{
+    png_charp title = nullptr;
+    int compression = 0;
+    png_bytep profile = nullptr;
+    png_uint_32 size = 0;
+    if (png_get_iCCP(state_->png, state_->info, &title, &compression, &profile, &size) == 0) return {};
+    return {reinterpret_cast<const char*>(profile), size};
 }
 
 std::string PngRowReader::text(const char* key) const

@@ -25,6 +25,10 @@ public:
     [[nodiscard]] std::int64_t width() const;
     [[nodiscard]] std::int64_t height() const;
     [[nodiscard]] int bits() const;
+    /// How the rows are to be shown, by a chunk eXIf ahead of the pixels: 1 to 8, as `orient` takes it.
+    [[nodiscard]] int orientation() const;
+    /// The ICC profile; empty when there is none.
+    [[nodiscard]] std::string profile() const;
     /// The text of chunk `key` ahead of the pixels; empty when there is none.
     [[nodiscard]] std::string text(const char* key) const;
 

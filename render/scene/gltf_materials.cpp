@@ -90,6 +90,27 @@ Material GltfMaterials::convert(const tinygltf::Material& m)
     return out;
 }
 
+GltfMaterials::Sampling GltfMaterials::samplingOf(const tinygltf::Texture& t, const std::string& user)
+{
+    Sampling sampling;
+    if (t.sampler < 0) return sampling;
+    const tinygltf::Sampler& s = model_.samplers[static_cast<std::size_t>(t.sampler)];
+    sampling.repeat = s.wrapS != TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
+    if (s.wrapS != s.wrapT)
+        warnings_.add("A texture of " + user + " wraps differently along u and v; both wrap as u does.");
+    if (s.wrapS == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT)
+        warnings_.add("Mirrored repeat is not supported; textures repeat.");
+    const int minify = s.minFilter;
+    sampling.magnifyNearest = s.magFilter == TINYGLTF_TEXTURE_FILTER_NEAREST;
+    sampling.mipmaps = minify != TINYGLTF_TEXTURE_FILTER_NEAREST && minify != TINYGLTF_TEXTURE_FILTER_LINEAR;
+    sampling.nearestLevel = minify == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
+                            minify == TINYGLTF_TEXTURE_FILTER_LINEAR_MIPMAP_NEAREST;
+    sampling.minifyNearest = minify == TINYGLTF_TEXTURE_FILTER_NEAREST ||
+                             minify == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_NEAREST ||
+                             minify == TINYGLTF_TEXTURE_FILTER_NEAREST_MIPMAP_LINEAR;
+    return sampling;
+}
+
 std::shared_ptr<const Texture> GltfMaterials::texture(int index, int texCoord, Content content, const std::string& user)
 {
     if (index < 0) return nullptr;
@@ -100,18 +121,7 @@ std::shared_ptr<const Texture> GltfMaterials::texture(int index, int texCoord, C
         warnings_.add("A texture of " + user + " has no picture of a known kind and is left out.");
         return nullptr;
     }
-    bool repeat = true;
-    bool mipmaps = true;
-    if (t.sampler >= 0) {
-        const tinygltf::Sampler& s = model_.samplers[static_cast<std::size_t>(t.sampler)];
-        repeat = s.wrapS != TINYGLTF_TEXTURE_WRAP_CLAMP_TO_EDGE;
-        if (s.wrapS != s.wrapT)
-            warnings_.add("A texture of " + user + " wraps differently along u and v; both wrap as u does.");
-        if (s.wrapS == TINYGLTF_TEXTURE_WRAP_MIRRORED_REPEAT)
-            warnings_.add("Mirrored repeat is not supported; textures repeat.");
-        mipmaps = s.minFilter != TINYGLTF_TEXTURE_FILTER_NEAREST && s.minFilter != TINYGLTF_TEXTURE_FILTER_LINEAR;
-    }
-    const TextureKey key{t.source, content, repeat, mipmaps};
+    const TextureKey key{t.source, content, samplingOf(t, user)};
     const auto known = textures_.find(key);
     if (known != textures_.end()) return known->second;
     return textures_[key] = picture(key);
@@ -127,7 +137,7 @@ std::string_view GltfMaterials::bytesOf(const tinygltf::Image& image) const
 
 std::shared_ptr<const Texture> GltfMaterials::picture(const TextureKey& key)
 {
-    const auto& [index, content, repeat, mipmaps] = key;
+    const auto& [index, content, sampling] = key;
     if (canceled_ && canceled_()) throw document_.failure({}, "loading was canceled.");
     const tinygltf::Image& image = model_.images[static_cast<std::size_t>(index)];
     const std::string shown = "picture " +
@@ -142,7 +152,15 @@ std::shared_ptr<const Texture> GltfMaterials::picture(const TextureKey& key)
         ImageLimits limits;
         limits.decodedBytes =
             limits_.textureBytes - textureBytes_;  // The budget is counted before anything is unpacked.
-        auto texture = textureFromBytes(bytes, shown, content == Content::color, repeat, mipmaps, limits);
+        const auto texture = textureFromBytes(bytes, shown,
+                                              {.sRgb = content == Content::color,
+                                               .repeat = sampling.repeat,
+                                               .mipmaps = sampling.mipmaps,
+                                               .obeysFile = false},
+                                              limits);
+        texture->magnifyNearest = sampling.magnifyNearest;
+        texture->minifyNearest = sampling.minifyNearest;
+        texture->nearestLevel = sampling.nearestLevel;
         textureBytes_ +=
             std::min<std::uint64_t>(texture->bytes.size() + 4 * texture->floats.size(), limits.decodedBytes);
         return texture;

@@ -39,9 +39,22 @@ std::string littleEndian16(std::uint32_t x)
     return {static_cast<char>(x & 0xFFU), static_cast<char>(x >> 8U & 0xFFU)};
 }
 
-std::string exrAttribute(const std::string& name, const std::string& type, const std::string& value)
+std::string window(const ExrWindow& w)
 {
-    return name + '\0' + type + '\0' + littleEndian32(static_cast<std::uint32_t>(value.size())) + value;
+    std::string bytes;
+    for (const int x : {w.left, w.top, w.right, w.bottom}) bytes += littleEndian32(static_cast<std::uint32_t>(x));
+    return bytes;
+}
+
+std::string real32(float x)
+{
+    return littleEndian32(std::bit_cast<std::uint32_t>(x));
+}
+
+/// A number of an ICC profile: 16 bits before and 16 after the point.
+std::string fixed16(double x)
+{
+    return bigEndian32(static_cast<std::uint32_t>(static_cast<std::int32_t>(x * 65536 + (x < 0 ? -0.5 : 0.5))));
 }
 
 }  // namespace
@@ -49,6 +62,11 @@ std::string exrAttribute(const std::string& name, const std::string& type, const
 std::string littleEndian32(std::uint32_t x)
 {
     return littleEndian16(x & 0xFFFFU) + littleEndian16(x >> 16U);
+}
+
+std::string exrAttribute(const std::string& name, const std::string& type, const std::string& value)
+{
+    return name + '\0' + type + '\0' + littleEndian32(static_cast<std::uint32_t>(value.size())) + value;
 }
 
 std::string bigEndian32(std::uint32_t x)
@@ -76,7 +94,8 @@ std::string hdrClaiming(std::uint32_t width, std::uint32_t height, const std::st
            "\n" + rgbe;
 }
 
-std::string tiffClaiming(std::uint32_t width, std::uint32_t height, std::uint32_t channels, const std::string& pixels)
+std::string tiffClaiming(std::uint32_t width, std::uint32_t height, std::uint32_t channels, const std::string& pixels,
+                         std::uint32_t orientation)
 {
     struct Tag {
         std::uint32_t id, type, count, value;
@@ -89,6 +108,7 @@ std::string tiffClaiming(std::uint32_t width, std::uint32_t height, std::uint32_
                                    {259, isShort, 1, 1},
                                    {262, isShort, 1, channels == 1 ? 1U : 2U},
                                    {273, isLong, 1, 8},
+                                   {274, isShort, 1, orientation},
                                    {277, isShort, 1, channels},
                                    {278, isLong, 1, height},
                                    {279, isLong, 1, static_cast<std::uint32_t>(pixels.size())}};
@@ -139,6 +159,90 @@ std::string tiledExr(std::uint32_t width, std::uint32_t height, std::uint32_t ti
         }
     }
     return bytes + offsets + tiles;
+}
+
+std::string exrBytes(const std::vector<std::string>& channels, const ExrWindow& data, const ExrWindow& display,
+                     const std::string& more)
+{
+    std::string list;
+    for (const std::string& name : channels)
+        list += name + '\0' + littleEndian32(2) + std::string(4, '\0') + littleEndian32(1) + littleEndian32(1);
+    std::string bytes = "\x76\x2f\x31\x01" + littleEndian32(2);
+    bytes += exrAttribute("channels", "chlist", list + '\0');
+    bytes += exrAttribute("compression", "compression", std::string(1, '\0'));
+    bytes +=
+        exrAttribute("dataWindow", "box2i", window(data)) + exrAttribute("displayWindow", "box2i", window(display));
+    bytes += exrAttribute("lineOrder", "lineOrder", std::string(1, '\0'));
+    bytes += exrAttribute("pixelAspectRatio", "float", real32(1));
+    bytes += exrAttribute("screenWindowCenter", "v2f", real32(0) + real32(0));
+    bytes += exrAttribute("screenWindowWidth", "float", real32(1)) + more + '\0';
+
+    const auto rows = static_cast<std::size_t>(data.bottom - data.top + 1);
+    const std::size_t first = bytes.size() + 8 * rows;
+    std::string offsets;
+    std::string pixels;
+    for (int y = data.top; y <= data.bottom; ++y) {
+        std::string row;
+        for (std::size_t c = 0; c < channels.size(); ++c)
+            for (int x = data.left; x <= data.right; ++x)
+                row += real32(static_cast<float>(x + 10 * y) + 100 * static_cast<float>(c));
+        offsets += littleEndian32(static_cast<std::uint32_t>(first + pixels.size())) + littleEndian32(0);
+        pixels += littleEndian32(static_cast<std::uint32_t>(y)) +
+                  littleEndian32(static_cast<std::uint32_t>(row.size())) + row;
+    }
+    return bytes + offsets + pixels;
+}
+
+std::string iccProfile(const std::vector<std::vector<double>>& colorants, double gamma,
+                       const std::vector<double>& curve)
+{
+    const std::vector<std::string> names = {"rXYZ", "gXYZ", "bXYZ", "wtpt", "rTRC", "gTRC", "bTRC"};
+    const std::vector<double> white = {0.9642, 1, 0.8249};
+    const std::size_t start = 128 + 4 + 12 * names.size();
+    std::string table = bigEndian32(static_cast<std::uint32_t>(names.size()));
+    std::string values;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        std::string value = i < 4 ? "XYZ " : "curv";
+        value += std::string(4, '\0');
+        if (i < 4) {
+            for (const double x : i < 3 ? colorants[i] : white) value += fixed16(x);
+        } else {
+            std::vector<std::uint32_t> codes;
+            for (const double x : curve) codes.push_back(static_cast<std::uint32_t>(x * 65535 + 0.5));
+            if (curve.empty()) codes.push_back(static_cast<std::uint32_t>(gamma * 256 + 0.5));
+            value += bigEndian32(static_cast<std::uint32_t>(codes.size()));
+            for (const std::uint32_t code : codes) {
+                value += static_cast<char>(code >> 8U);
+                value += static_cast<char>(code & 0xFFU);
+            }
+            value.resize((value.size() + 3) / 4 * 4, '\0');
+        }
+        table += names[i] + bigEndian32(static_cast<std::uint32_t>(start + values.size())) +
+                 bigEndian32(static_cast<std::uint32_t>(value.size()));
+        values += value;
+    }
+    std::string head = bigEndian32(static_cast<std::uint32_t>(start + values.size())) + std::string(4, '\0');
+    head += bigEndian32(0x02100000) + "mntrRGB XYZ " + std::string(12, '\0') + "acsp" + std::string(28, '\0');
+    for (const double x : white) head += fixed16(x);
+    head.resize(128, '\0');
+    return head + table + values;
+}
+
+std::string adobeRgb()
+{
+    return iccProfile({{0.60974, 0.31111, 0.01947}, {0.20528, 0.62567, 0.06087}, {0.14919, 0.06322, 0.74457}},
+                      563.0 / 256);
+}
+
+std::string exifBlock(int orientation)
+{
+    return std::string("II*\0", 4) + littleEndian32(8) + littleEndian16(1) + littleEndian16(0x112) + littleEndian16(3) +
+           littleEndian32(1) + littleEndian32(static_cast<std::uint32_t>(orientation)) + littleEndian32(0);
+}
+
+std::string unbase64(std::string_view text)
+{
+    return decodeBase64(text);
 }
 
 std::string jpegBytes()

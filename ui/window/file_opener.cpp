@@ -21,8 +21,11 @@ namespace vitrine::ui {
 namespace {
 
 const QStringList models{QStringLiteral("glb"), QStringLiteral("gltf")};
-const QStringList pictures{QStringLiteral("hdr"), QStringLiteral("exr"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
-                           QStringLiteral("png"), QStringLiteral("tif"), QStringLiteral("tiff")};
+const QStringList pictures{QStringLiteral("hdr"),  QStringLiteral("exr"), QStringLiteral("jpg"),
+                           QStringLiteral("jpeg"), QStringLiteral("png"), QStringLiteral("tif"),
+                           QStringLiteral("tiff"), QStringLiteral("webp")};
+const QStringList recordings{QStringLiteral("mp4"), QStringLiteral("webm"), QStringLiteral("gif"),
+                             QStringLiteral("apng")};
 
 /// Whether the file is a lenticular print or describes one.
 bool isPrint(const QString& path)
@@ -61,8 +64,8 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
         [this, &museum = window_.museum(), next, row = *row, parameter, path]() -> std::function<void()> {
             for (const std::string& why : unreadableFiles(museum, next))
                 if (why.starts_with(label(next.hall().rows()[row]) + " of "))
-                    return [this, why] {
-                        window_.say(MessageStrip::Mood::problem, tr("%1 Nothing was changed.").arg(said(why)));
+                    return [this, why, path] {
+                        window_.setProblems(openingOf(path), {tr("%1 Nothing was changed.").arg(said(why))});
                     };
             return [this, parameter, path, file = next.hall().row(row)] {
                 // Another file may have taken the place meanwhile.
@@ -89,17 +92,16 @@ std::optional<std::size_t> FileOpener::rowFor(std::string_view parameter) const
 
 void FileOpener::sayNoPlace(const QString& path)
 {
-    window_.say(
-        MessageStrip::Mood::problem,
-        tr("%1 was not put into the hall: every place for an object of yours is taken. Clear the file of one in "
-           "the parameters of the hall, or drop this one there to replace it.")
-            .arg(QFileInfo(path).fileName()));
+    window_.setProblems(openingOf(path),
+                        {tr("%1 was not put into the hall: every place for an object of yours is taken. Clear the file "
+                            "of one in the parameters of the hall, or drop this one there to replace it.")
+                             .arg(QFileInfo(path).fileName())});
 }
 
 QStringList FileOpener::openable()
 {
     QStringList patterns{QStringLiteral("*.json"), QStringLiteral("*.md")};
-    for (const QString& ending : models + pictures) patterns << QStringLiteral("*.") + ending;
+    for (const QString& ending : models + pictures + recordings) patterns << QStringLiteral("*.") + ending;
     return patterns;
 }
 
@@ -128,6 +130,7 @@ bool FileOpener::openDocument(const QString& path)
 void FileOpener::open(const QString& path)
 {
     if (QFileInfo::exists(path)) addRecentFile(path);
+    window_.setProblems(openingOf(path), {});
     const QString ending = QFileInfo(path).suffix().toLower();
     if (ending == QLatin1String("json")) {
         if (isPrint(path))
@@ -140,10 +143,16 @@ void FileOpener::open(const QString& path)
         setHallFile("model", path);
     } else if (pictures.contains(ending)) {
         openPicture(path);
+    } else if (recordings.contains(ending)) {
+        if (!shelf_.loadFromPicture(path))
+            window_.say(MessageStrip::Mood::problem,
+                        tr("%1 carries no settings: choose a recording that Vitrine made.").arg(path));
     } else {
-        window_.say(MessageStrip::Mood::problem,
-                    tr("%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg and .tif.")
-                        .arg(path));
+        window_.setProblems(
+            openingOf(path),
+            {tr("%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp and "
+                "its own recordings.")
+                 .arg(path)});
     }
 }
 
@@ -158,14 +167,14 @@ void FileOpener::openPicture(const QString& path)
         const std::shared_ptr<const render::Texture> picture = render::loadTexture(path.toStdString(), true, true);
         if (std::abs(picture->width - 2 * picture->height) <= std::max(1, picture->height / 50))
             return [this, path] { setHallFile("environment", path); };
-        return [this, name = QFileInfo(path).fileName(), width = picture->width, height = picture->height] {
-            window_.say(MessageStrip::Mood::problem, tr("%1 was not put into the sky: a panorama of the whole sky is "
-                                                        "twice as wide as high, and this picture has %2 × %3 "
-                                                        "pixels. To stretch it over the sky all the same, choose it as "
-                                                        "“Environment” in the parameters of the hall.")
-                                                         .arg(name)
-                                                         .arg(width)
-                                                         .arg(height));
+        return [this, path, width = picture->width, height = picture->height] {
+            window_.setProblems(openingOf(path), {tr("%1 was not put into the sky: a panorama of the whole sky is "
+                                                     "twice as wide as high, and this picture has %2 × %3 "
+                                                     "pixels. To stretch it over the sky all the same, choose it as "
+                                                     "“Environment” in the parameters of the hall.")
+                                                      .arg(QFileInfo(path).fileName())
+                                                      .arg(width)
+                                                      .arg(height)});
         };
     });
 }

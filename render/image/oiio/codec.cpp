@@ -29,16 +29,16 @@ public:
     {
         OIIO::attribute("try_all_readers", 0);  // Otherwise a .png may reach the DPX reader.
         OIIO::attribute("limits:imagesize_MB", 2048);
-        OIIO::attribute("limits:channels", 16);
-        OIIO::attribute("openexr:core", 0);  // SIGFPE on damaged files in 2.4.7.
+        OIIO::attribute("limits:channels", 1024);  // Those that are read: `ImageLimits`.
+        OIIO::attribute("openexr:core", 0);        // SIGFPE on damaged files in 2.4.7.
         OIIO::attribute("plugin_searchpath", "");
         silenceLibtiff();
     }
 
-    std::string decode(std::string_view bytes, ImageFormat format, const ImageLimits& limits,
-                       const std::function<bool()>& canceled, StoredPicture& out) noexcept override
+    std::string decode(std::string_view bytes, ImageFormat format, const DecodeRequest& request,
+                       StoredPicture& out) noexcept override
     {
-        return guarded([&] { return decodeWithOiio(bytes, format, limits, canceled, out); });
+        return guarded([&] { return decodeWithOiio(bytes, format, request, out); });
     }
     std::string write(const StoredPicture& picture, const OiioTarget& target) noexcept override
     {

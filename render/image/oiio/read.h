@@ -5,8 +5,7 @@
 namespace vitrine::render {
 
 /// The work of OiioCodec::decode; may throw.
-[[nodiscard]] std::string decodeWithOiio(std::string_view bytes, ImageFormat, const ImageLimits&,
-                                         const std::function<bool()>& canceled, StoredPicture& out);
+[[nodiscard]] std::string decodeWithOiio(std::string_view bytes, ImageFormat, const DecodeRequest&, StoredPicture& out);
 
 /// The work of OiioCodec::readText; may throw.
 [[nodiscard]] std::string readTextWithOiio(std::string_view bytes, ImageFormat, const std::string& key,

@@ -55,6 +55,10 @@ std::string openRowReaderWithOiio(const std::string& path, std::unique_ptr<OiioR
     reader->height = spec.height;
     reader->channels = spec.nchannels;
     reader->bits = spec.format == OIIO::TypeDesc::UINT8 ? 8 : 16;
+    if (const OIIO::ParamValue* profile = spec.find_attribute("ICCProfile"))
+        reader->profile.assign(static_cast<const char*>(profile->data()),
+                               static_cast<std::size_t>(profile->datasize()));
+    reader->orientation = spec.get_int_attribute("Orientation", 1);
     reader->description = spec.get_string_attribute("ImageDescription");
     out = std::move(reader);
     return {};

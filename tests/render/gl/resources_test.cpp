@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <memory>
 
 namespace vitrine {
 namespace {
@@ -13,6 +14,7 @@ using namespace render;
 using Attach = render::Attachment;
 
 using Framebuffers = test::RendererTest;
+using PictureTexture = test::RendererTest;
 using OwnPixels = test::RendererTest;
 using CubeMipmaps = test::RendererTest;
 using Volume = test::RendererTest;
@@ -25,6 +27,29 @@ constexpr const char* temporalInclude = "#include \"lib/temporal.glsl\"\n";
 constexpr const char* sourceSampler =
     "#include \"lib/bindings.glsl\"\nlayout(binding = UNIT_SOURCE) uniform sampler2D source;\n";
 constexpr int unitSource = 12;  // UNIT_SOURCE
+
+// ---- pictures
+
+TEST_F(PictureTexture, OfOneChannelIsGray)
+{
+    for (const bool floats : {false, true}) {
+        auto picture = std::make_shared<render::Texture>();
+        picture->width = picture->height = 1;
+        picture->channels = 1;
+        if (floats)
+            picture->floats = {0.2F};
+        else
+            picture->bytes = {51};
+        FramePlan plan = planOf({1, 1});
+        Pass look = fill("look", "frame", "color = texture(source, vec2(0.5));", sourceSampler);
+        look.inputs = {{unitSource, std::shared_ptr<const render::Texture>(picture)}};
+        plan.add(std::move(look));
+        (void)draw(plan);
+        const Image frame = renderer().read("frame");
+        for (int c = 0; c < 3; ++c) EXPECT_NEAR(frame.at(0, 0, c), 0.2, 1e-3) << c;
+        EXPECT_EQ(frame.at(0, 0, 3), 1);
+    }
+}
 
 // ---- mipmaps
 

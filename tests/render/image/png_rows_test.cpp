@@ -89,7 +89,7 @@ std::vector<std::uint8_t> readByLibpng(const std::filesystem::path& path, const 
 std::vector<std::uint8_t> readByOpenImageIo(const std::filesystem::path& path)
 {
     StoredPicture picture;
-    EXPECT_EQ(oiioCodec().decode(bytesOf(path), ImageFormat::png, {}, {}, picture), "");
+    EXPECT_EQ(oiioCodec().decode(bytesOf(path), ImageFormat::png, {}, picture), "");
     EXPECT_EQ(picture.channels, 3);
     if (const auto* eight = std::get_if<0>(&picture.samples)) return *eight;
     const auto& sixteen = std::get<1>(picture.samples);
