@@ -43,13 +43,39 @@ TEST(HostileImage, OfGiantClaimedSizeIsRefusedBeforeMemoryIsTaken)
     EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 400 * 1024) << "KiB, OpenImageIO's own 131 MB included";
 }
 
+TEST(HostileImage, ExrThatClaimsMoreThanItHoldsIsRefusedBeforeMemoryIsTaken)
+{
+    const TemporaryFolder folder;
+    writePicture(folder / "warm.exr", Image(1, 1, 3), PictureFormat::exr);
+    (void)readImage(folder / "warm.exr");
+    rusage before{};
+    ::getrusage(RUSAGE_SELF, &before);
+    // An attribute of 2.1 GB in 22 bytes.
+    const std::string start = "\x76\x2f\x31\x01" + test::littleEndian32(2);
+    EXPECT_FAILURE(read("a.exr", start + std::string("a\0string\0", 9) + test::littleEndian32(0x7f000000)),
+                   "its attribute \"a\" claims 2130706432 bytes, and the file has 0 left");
+    // A table of chunks of 16 GB, for a window of 2^31 - 1 rows, and of 8 GB for tiles of one pixel.
+    EXPECT_FAILURE(read("a.exr", test::exrBytes({"Y"}, {0, 0, 3, -1}, {0, 0, 3, 3})), "it has no pixels");
+    std::string high = test::exrBytes({"Y"}, {0, 0, 3, 3}, {0, 0, 3, 3});
+    const std::size_t window = high.find(std::string("dataWindow\0", 11)) + 11 + 6 + 4;
+    high.replace(window + 12, 4, test::littleEndian32(0x7ffffffe));
+    EXPECT_FAILURE(read("a.exr", high), "rows");
+    std::string tiles = test::tiledExr(32, 32, 1);
+    const std::size_t tiled = tiles.find(std::string("dataWindow\0", 11)) + 11 + 6 + 4;
+    tiles.replace(tiled + 8, 8, test::littleEndian32(16383) + test::littleEndian32(16383));
+    EXPECT_FAILURE(read("a.exr", tiles), "its header claims more than the file holds");
+    rusage after{};
+    ::getrusage(RUSAGE_SELF, &after);
+    EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 * 1024) << "KiB";
+}
+
 TEST(HostileImage, IsKnownByItsContentAndNotItsName)
 {
     EXPECT_FAILURE(read("a.png", test::hdrClaiming(1, 1, "\x80\x80\x80\x80")),
                    "its content is HDR although its name ends in \".png\"");
     EXPECT_FAILURE(read("a.png", test::jpegBytes()), "its content is JPEG");
-    EXPECT_FAILURE(read("a.png", "SDPX" + std::string(4000, '\0')), "not a PNG, JPEG, TIFF, OpenEXR or HDR");
-    EXPECT_FAILURE(read("a.dpx", "SDPX" + std::string(4000, '\0')), "not a PNG, JPEG, TIFF, OpenEXR or HDR");
+    EXPECT_FAILURE(read("a.png", "SDPX" + std::string(4000, '\0')), "not a PNG, JPEG, TIFF, OpenEXR, HDR or WebP");
+    EXPECT_FAILURE(read("a.dpx", "SDPX" + std::string(4000, '\0')), "not a PNG, JPEG, TIFF, OpenEXR, HDR or WebP");
     EXPECT_FAILURE(read("a.gif", "GIF89a" + std::string(100, '\0')), "not a PNG");
     EXPECT_FAILURE(read("a.bmp", "BM" + std::string(100, '\0')), "not a PNG");
     EXPECT_FAILURE(read("a.png", ""), "not a PNG");
@@ -59,8 +85,8 @@ TEST(HostileImage, IsKnownByItsContentAndNotItsName)
 TEST(HostileImage, WithTilesThatStickOutIsRefused)
 {
     EXPECT_NO_THROW(read("a.exr", test::tiledExr(32, 32, 16)));
-    EXPECT_FAILURE(read("a.exr", test::tiledExr(32, 24, 16)), "its tiles do not fit its size");
-    EXPECT_FAILURE(read("a.exr", test::tiledExr(30, 32, 16)), "its tiles do not fit its size");
+    EXPECT_FAILURE(read("a.exr", test::tiledExr(32, 24, 16)), "its size is no multiple of its tiles' size");
+    EXPECT_FAILURE(read("a.exr", test::tiledExr(30, 32, 16)), "its size is no multiple of its tiles' size");
 }
 
 TEST(HostileImage, ThatEndsEarlyIsRefused)
