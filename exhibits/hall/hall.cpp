@@ -46,6 +46,7 @@ std::shared_ptr<const PreparedHall> Hall::prepare(const ParameterValues& values,
         if (found.value) {
             made->environment = found.value->picture;
             made->environmentBrightest = found.value->brightest;
+            made->environmentNotes = found.value->notes;
         }
     }
     made->objects = preparedObjects(table_, values, assets, files, [&](std::size_t which, const std::string& failure) {
@@ -63,6 +64,7 @@ HallScene Hall::scene(const ParameterValues& values, bool alone, const PreparedH
     if (prepared) {
         scene.environment = prepared->environment;
         scene.environmentBrightest = prepared->environmentBrightest;
+        scene.environmentNotes = prepared->environmentNotes;
         scene.filesId = prepared->filesId;
         if (!alone) scene.objects = objectsAt(*model_, table_, values, prepared->objects);
     }

@@ -255,6 +255,7 @@ void planWalls(const HallScene& scene, const SceneLighting& light, const Channel
 
 void planSky(const HallScene& scene, const SceneLighting& light, render::FramePlan& plan)
 {
+    for (const std::string& note : scene.environmentNotes) plan.warn("hall/environment", note);
     Pass sky;
     sky.name = "sky";
     sky.reason = scene.alone ? "the environment is behind the exhibit" : "it may be seen through window and oculus";

@@ -43,7 +43,8 @@ struct PreparedObject {
 /// The user's panorama and objects, as far as they can be read.
 struct PreparedHall final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
-    double environmentBrightest = 0;  ///< The panorama's largest value.
+    double environmentBrightest = 0;              ///< The panorama's largest value.
+    std::vector<std::string> environmentNotes{};  ///< What its file says and is not shown: full sentences.
     std::array<PreparedObject, mostOwnObjects> objects;
 };
 
@@ -65,6 +66,7 @@ struct HallScene {
     bool alone = false;                                       ///< No walls: an exhibit in the environment's light.
     std::shared_ptr<const render::Texture> environment = {};  ///< Null: the sky, or the studio when alone.
     double environmentBrightest = 0;                          ///< The panorama's largest value.
+    std::vector<std::string> environmentNotes{};              ///< What its file says and is not shown: full sentences.
     std::vector<OwnObject> objects = {};
     std::shared_ptr<const PlaqueText> text = {};
     std::span<const ExhibitSlot> exhibits;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/studied_rows.h"
 
 #include <array>
 #include <vector>
@@ -47,7 +48,8 @@ struct HallTable final : Parameters {
     Toggle temporalAntialiasing =
         toggle("temporalAntialiasing", true,
                "Average a picture in motion over its frames, moved to where they are now: without it, edges crawl and "
-               "fine things flicker until the picture rests.");
+               "fine things flicker until the picture rests.",
+               quality(1));
     Count historyFrames =
         count("historyFrames", 8, Range{1, 64, logarithmic}.soft(1, 32),
               "Frames that a picture in motion is averaged over: few flicker, many blur what is fine.", quality(64),
@@ -97,15 +99,15 @@ struct HallTable final : Parameters {
         real("skyStrength", 2.3, none, Range{0, 1000}.soft(0, 4), "Light of the sky through window and oculus.");
     Real skyTemperature = real("skyTemperature", 9500, kelvin, Range{1000, 25000}.soft(5000, 20000),
                                "Color of the sky's light: high is bluer.", whenAbove(skyStrength, 0));
-    Toggle bakedLight =
-        toggle("bakedLight", true,
-               "Light the walls with baked sky light and occlusion; without it, they get one even ambient light.");
+    Toggle bakedLight = toggle(
+        "bakedLight", true,
+        "Light the walls with baked sky light and occlusion; without it, they get one even ambient light.", quality(1));
     Toggle contactShadows =
         toggle("contactShadows", true,
                "Darken the floor around what stands on it: without it, feet and plinths seem to float.");
     File environment =
         file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.",
-             endings("hdr exr jpg jpeg png tif tiff"));
+             endings("hdr exr jpg jpeg png tif tiff webp"));
     Real environmentRotation = real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
                                     "Turns the panorama around the vertical.", whenGiven(environment),
                                     formerly("environmentTurn"), called("Rotation"));
@@ -138,6 +140,9 @@ struct HallTable final : Parameters {
         "What the polished floor mirrors: the probe's soft picture of the room, or in front of it the window, its "
         "bars and what stands on the floor, each where a ray finds it.",
         quality(FloorMirror::shapes), when(reflectionProbe));
+
+    // Half-shadows are in the floor.
+    StudiedRows studied{*this, {{.name = "diskSamples", .views = {"along the floor", "best view"}}}};
 
     /// The first on the free plinth, with nothing before the names of its rows: model, modelSize, ... The others where
     /// their rows say: secondModel, secondModelSize, ...
