@@ -19,6 +19,7 @@ struct ViewOptions {
     std::vector<std::string> files;  ///< --views: folders and files.
     std::vector<std::string> quilt;  ///< "8x6" and a file; empty: none.
     std::string quiltOrder = "bottom-left";
+    std::string fit = "crop";
     int count = 0;  ///< 0: all there are, or as many as the print can tell apart.
     int every = 1;
     bool pingPong = false;

@@ -57,6 +57,7 @@ PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, bool
         if (!chart && upright && plan.numbers.zoneDegrees > flipZone)
             plan.warnings.emplace_back("This sheet is made for flips, and its lenses stand upright: each eye sees "
                                        "another picture. For a flip, lay them across (direction 90°).");
+        if (!chart && views) plan.warnings.insert(plan.warnings.end(), views->notes().begin(), views->notes().end());
         const std::string stretched = !chart && views ? stretchWarning(layout, views->full()) : std::string();
         if (!stretched.empty()) plan.warnings.push_back(stretched);
         plan.bytes = static_cast<double>(layout.width()) * static_cast<double>(layout.height()) * 3 *

@@ -43,6 +43,7 @@ bool rowActs(const ParameterInfo& row, const ParameterValues& values, bool chart
             return from == ViewOrigin::shown;
         if (is(table.quiltColumns) || is(table.quiltRows)) return from == ViewOrigin::quilt;
         if (is(table.views)) return from != ViewOrigin::quilt;
+        if (is(table.fitting)) return from != ViewOrigin::shown;
         return !is(table.origin);  // It has a place of its own, beside the files.
     }
     if (is(table.chart)) return chart;
@@ -63,6 +64,9 @@ bool sameViews(const ParameterValues& a, const ParameterValues& b)
     const bool rendered = b[table.origin] == ViewOrigin::shown;
     const auto decides = [&](const ParameterInfo& row) {
         if (row.group == "Views") return row.name == table.rows()[table.origin.row].name || rowActs(row, b, false);
+        // Pictures are brought to the shape of the print while they are read.
+        const bool shapes = row.name == "width" || row.name == "height" || row.name == "bleed";
+        if (!rendered && shapes) return b[table.fitting] != Fitting::stretch;
         // The cameras stand as the lenses show, and frame what the print's shape takes.
         return rendered && (row.group == "Sheet" || row.name == "width" || row.name == "height" ||
                             row.name == "bleed" || row.name == "direction" || row.name == "distance" ||

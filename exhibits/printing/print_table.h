@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/parameters.h"
 #include "exhibits/printing/chart.h"
+#include "exhibits/printing/fitting.h"
 #include "exhibits/printing/print_layout.h"
 #include "render/image/picture_stream.h"
 
@@ -38,6 +39,11 @@ struct PrintTable final : Parameters {
                             reads(0, "auto"));
     Count quiltColumns = count("quiltColumns", 4, {1, 64}, "Views side by side in a quilt.");
     Count quiltRows = count("quiltRows", 4, {1, 64}, "Rows of views in a quilt, the first at the bottom.");
+
+    Choice<Fitting> fitting =
+        choice("fitting", Fitting::crop, {"crop", "fit", "stretch"},
+               "What becomes of pictures that are not shaped as the print is: cropped at two sides, seen whole "
+               "between white margins, or distorted.");
 
     Group chartGroup = group("Chart");
     Choice<ChartKind> chart = choice("chart", ChartKind::pitch, {"pitch", "phase", "views", "rotation"},
@@ -109,7 +115,7 @@ struct PrintTable final : Parameters {
     Choice<int> bits = choice("bits", 0, {"8", "16"}, "Bits per channel.");
     Toggle dither = toggle("dither", false, "Spread what 8 bits cannot say over neighboring dots.");
     Choice<render::StreamCompression> compression =
-        choice("compression", render::StreamCompression::none, {"none", "deflate", "zstd"},
+        choice("compression", render::StreamCompression::none, {"none", "deflate"},
                "Of TIFF: none is what every print shop reads. PNG is always compressed.");
     Real tileWidth =
         real("tileWidth", 0, millimeter, Range{0, 100}.soft(0, 1),

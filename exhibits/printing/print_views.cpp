@@ -1,5 +1,6 @@
 #include "exhibits/printing/print_views.h"
 
+#include "exhibits/printing/view_colors.h"
 #include "exhibits/printing/view_files.h"
 #include "render/failure.h"
 #include "render/image/image_io.h"
@@ -60,20 +61,46 @@ void require(const Progress& progress, double part)
     if (progress && !progress(part)) throw Failure(Blame::usage, "Reading the views was stopped; nothing was changed.");
 }
 
+/// The shape of the print, width by height.
+double printAspect(const ParameterValues& values)
+{
+    const PrintTable& table = printTable();
+    return aspectOf({.width = values[table.width], .height = values[table.height], .bleed = values[table.bleed]});
+}
+
+/// Reads a picture as the print carries its colors on.
+render::Image readView(const std::filesystem::path& file, const ViewColors& colors, PrintViews& views)
+{
+    std::vector<std::string> warnings;
+    render::Image image = render::readColor(file, {.keepColors = colors.keep}, &warnings);
+    for (const std::string& warning : warnings) views.addNote(file.filename().string() + ": " + warning);
+    return image;
+}
+
+void addFitted(render::Image image, const ParameterValues& values, PrintViews& views)
+{
+    const Fitting fitting = values[printTable().fitting];
+    const double aspect = printAspect(values);
+    views.addNote(fittingNote(image, aspect, fitting));
+    views.add(fitted(std::move(image), aspect, fitting));
+}
+
 std::shared_ptr<const PrintViews> readQuilt(const ParameterValues& values, const std::vector<std::string>& files,
                                             const Progress& progress)
 {
     if (files.empty()) throw Failure(Blame::usage, "There is no quilt; choose a picture with a grid of views.");
     auto views = std::make_shared<PrintViews>();
     require(progress, 0);
-    const render::Image quilt = render::readImage(files.front());
+    const ViewColors colors = viewColors({files.front()});
+    const render::Image quilt = readView(files.front(), colors, *views);
     const int columns = values[printTable().quiltColumns];
     const int rows = values[printTable().quiltRows];
+    views->addNote(quiltNote(quilt, columns, rows));
     for (int k = 0; k < columns * rows; ++k) {
         require(progress, static_cast<double>(k) / (columns * rows));
-        views->add(viewOfQuilt(quilt, columns, rows, k));
+        addFitted(viewOfQuilt(quilt, columns, rows, k), values, *views);
     }
-    views->setProfile(render::embeddedProfile(files.front()));
+    views->setProfile(colors.profile);
     return views;
 }
 
@@ -85,20 +112,31 @@ void PrintViews::add(const render::Image& image)
     small_.add(shrunk(image, smallSide));
 }
 
+void PrintViews::addNote(const std::string& note)
+{
+    if (!note.empty() && std::find(notes_.begin(), notes_.end(), note) == notes_.end()) notes_.push_back(note);
+}
+
 std::shared_ptr<const PrintViews> readViews(const ParameterValues& values, const std::vector<std::string>& names,
                                             const Progress& progress)
 {
     if (values[printTable().origin] == ViewOrigin::quilt) return readQuilt(values, names, progress);
     if (names.empty()) throw Failure(Blame::usage, "There are no views; choose a folder or pictures.");
     auto views = std::make_shared<PrintViews>();
-    const std::vector<std::filesystem::path> files = viewFiles(names);
-    const std::vector<std::size_t> chosen =
-        chosenViews(files.size(), {1, false, std::min(values[printTable().views], static_cast<int>(files.size()))});
+    std::vector<std::string> notes;
+    const std::vector<std::filesystem::path> files = viewFiles(names, &notes);
+    for (const std::string& note : notes) views->addNote(note);
+    std::vector<std::filesystem::path> chosen;
+    for (const std::size_t i :
+         chosenViews(files.size(), {1, false, std::min(values[printTable().views], static_cast<int>(files.size()))}))
+        chosen.push_back(files[i]);
+    const ViewColors colors = viewColors(chosen);
+    views->addNote(colors.note);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         require(progress, static_cast<double>(i) / static_cast<double>(chosen.size()));
-        views->add(render::readImage(files[chosen[i]]));
+        addFitted(readView(chosen[i], colors, *views), values, *views);
     }
-    views->setProfile(render::embeddedProfile(files[chosen.front()]));
+    views->setProfile(colors.profile);
     return views;
 }
 

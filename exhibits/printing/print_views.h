@@ -18,6 +18,8 @@ public:
     void add(const render::Image&);
     /// ICC profile of the pictures, for the print to carry.
     void setProfile(std::string profile) { profile_ = std::move(profile); }
+    /// Adds a full sentence on what was left out or changed while reading, unless it is empty or there already.
+    void addNote(const std::string&);
     /// The JSON text of the look that was rendered, for the print to carry.
     void setScenePreset(std::string preset) { scenePreset_ = std::move(preset); }
 
@@ -25,11 +27,13 @@ public:
     [[nodiscard]] const ViewSet& full() const { return full_; }
     [[nodiscard]] const ViewSet& small() const { return small_; }
     [[nodiscard]] const std::string& profile() const { return profile_; }
+    [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
     [[nodiscard]] const std::string& scenePreset() const { return scenePreset_; }
 
 private:
     ViewSet full_, small_;
     std::string profile_, scenePreset_;
+    std::vector<std::string> notes_;
 };
 
 /// Called with the part that is done, 0 to 1; false stops the work, which then throws Failure.

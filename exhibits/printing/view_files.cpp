@@ -3,6 +3,7 @@
 #include "exhibits/printing/print_layout.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
+#include "render/image/image_limits.h"
 
 #include <algorithm>
 
@@ -11,10 +12,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Compares names as people do: runs of digits by their value.
+/// Compares names as people do: runs of digits by their value, capitals as small letters.
 bool beforeByNumber(const std::string& a, const std::string& b)
 {
     const auto digit = [](char c) { return c >= '0' && c <= '9'; };
+    const auto small = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
     std::size_t i = 0;
     std::size_t j = 0;
     while (i < a.size() && j < b.size()) {
@@ -30,7 +32,7 @@ bool beforeByNumber(const std::string& a, const std::string& b)
             if (left.size() != right.size()) return left.size() < right.size();
             if (left != right) return left < right;
         } else {
-            if (a[i] != b[j]) return a[i] < b[j];
+            if (small(a[i]) != small(b[j])) return small(a[i]) < small(b[j]);
             ++i;
             ++j;
         }
@@ -39,40 +41,52 @@ bool beforeByNumber(const std::string& a, const std::string& b)
     return a < b;
 }
 
-bool looksLikePicture(const fs::path& file)
+/// "3 files of DIR are left out, because they are no PNG, ... pictures: a.bmp, b.gif, c.heic."
+std::string leftOutNote(const fs::path& folder, const std::vector<fs::path>& files)
 {
-    const std::string extension = render::lowerExtension(file);
-    for (const char* known : {".png", ".jpg", ".jpeg", ".tif", ".tiff", ".exr", ".hdr"})
-        if (extension == known) return true;
-    return false;
+    constexpr std::size_t mostNamed = 5;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(files.size(), mostNamed); ++i)
+        list += (i == 0 ? "" : ", ") + files[i].filename().string();
+    if (files.size() > mostNamed) list += ", and " + std::to_string(files.size() - mostNamed) + " more";
+    return "Left out of the folder " + folder.string() + ", because these files are no " +
+           std::string(render::readFormats) + " pictures: " + list + ".";
 }
 
 }  // namespace
 
-std::vector<fs::path> picturesIn(const fs::path& folder)
+std::vector<fs::path> picturesIn(const fs::path& folder, std::vector<fs::path>* others)
 {
     std::error_code error;
     std::vector<fs::path> files;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
-        if (at->is_regular_file(error) && looksLikePicture(at->path()) && at->path().filename().string()[0] != '.')
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        if (!at->is_regular_file(error) || at->path().filename().string()[0] == '.') continue;
+        if (render::hasPictureExtension(at->path()))
             files.push_back(at->path());
+        else if (others && render::lowerExtension(at->path()) != ".json")
+            others->push_back(at->path());
+    }
     if (error) throw Failure(Blame::file, "Cannot read the folder " + folder.string() + ": " + error.message() + ".");
-    std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
+    const auto before = [](const fs::path& a, const fs::path& b) {
         return beforeByNumber(a.filename().string(), b.filename().string());
-    });
+    };
+    std::sort(files.begin(), files.end(), before);
+    if (others) std::sort(others->begin(), others->end(), before);
     return files;
 }
 
-std::vector<fs::path> viewFiles(const std::vector<std::string>& names)
+std::vector<fs::path> viewFiles(const std::vector<std::string>& names, std::vector<std::string>* notes)
 {
     std::vector<fs::path> files;
     for (const std::string& name : names) {
         std::error_code error;
         if (fs::is_directory(name, error)) {
-            std::vector<fs::path> found = picturesIn(name);
+            std::vector<fs::path> others;
+            std::vector<fs::path> found = picturesIn(name, &others);
             if (found.empty())
-                throw Failure(Blame::file, "There are no pictures in " + name +
-                                               "; give a folder with the views as PNG, JPEG, TIFF, EXR or HDR.");
+                throw Failure(Blame::file, "There are no pictures in " + name + "; give a folder with the views as " +
+                                               std::string(render::readFormats) + ".");
+            if (notes && !others.empty()) notes->push_back(leftOutNote(name, others));
             for (fs::path& file : found) files.push_back(std::move(file));
         } else {
             files.emplace_back(name);
@@ -82,18 +96,31 @@ std::vector<fs::path> viewFiles(const std::vector<std::string>& names)
     return files;
 }
 
+std::string quiltNote(const render::Image& image, int columns, int rows)
+{
+    const int right = columns > 0 ? image.width % columns : 0;
+    const int top = rows > 0 ? image.height % rows : 0;
+    if (right == 0 && top == 0) return {};
+    return "The quilt of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
+           " pixels does not divide into " + std::to_string(columns) + " x " + std::to_string(rows) +
+           " views; they have " + std::to_string(image.width / columns) + " x " + std::to_string(image.height / rows) +
+           " pixels, and a margin of " + std::to_string(right) + " x " + std::to_string(top) +
+           " pixels at the edges is left out.";
+}
+
 render::Image viewOfQuilt(const render::Image& image, int columns, int rows, int k, QuiltOrder order)
 {
-    if (columns < 1 || rows < 1 || image.width % columns != 0 || image.height % rows != 0) {
+    if (columns < 1 || rows < 1 || image.width < columns || image.height < rows) {
         throw Failure(Blame::usage, "A quilt of " + std::to_string(image.width) + " x " + std::to_string(image.height) +
-                                        " pixels does not divide into " + std::to_string(columns) + " x " +
-                                        std::to_string(rows) + " views.");
+                                        " pixels does not hold " + std::to_string(columns) + " x " +
+                                        std::to_string(rows) + " views; give fewer columns and rows.");
     }
     render::Image view(image.width / columns, image.height / rows, image.channels);
     const int left = k % columns * view.width;
-    const int row = order == QuiltOrder::topLeft ? k / columns : rows - 1 - k / columns;
+    const int row = k / columns;
+    const int top = order == QuiltOrder::topLeft ? row * view.height : image.height - (row + 1) * view.height;
     for (int y = 0; y < view.height; ++y) {
-        const float* from = image.pixels.data() + image.index(left, row * view.height + y);
+        const float* from = image.pixels.data() + image.index(left, top + y);
         std::copy_n(from, static_cast<std::size_t>(view.width) * static_cast<std::size_t>(image.channels),
                     view.pixels.data() + view.index(0, y));
     }

@@ -10,21 +10,29 @@
 
 namespace vitrine::printing {
 
-/// The pictures in a folder, hidden ones left out; numbers in their names count by value (view2 before view10).
-/// Throws Failure (Blame::file) when it cannot be read.
-[[nodiscard]] std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folder);
+/// The pictures in a folder, hidden ones left out; numbers in their names count by value (view2 before VIEW10).
+/// `others` (may be null) takes the files that are no pictures by their names, without descriptions (.json). Throws
+/// Failure (Blame::file) when it cannot be read.
+[[nodiscard]] std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folder,
+                                                            std::vector<std::filesystem::path>* others = nullptr);
 
 /// The picture files that `names` mean, in viewing order from the left: files as given, folders by the names
-/// in them. Throws Failure when there is none.
-[[nodiscard]] std::vector<std::filesystem::path> viewFiles(const std::vector<std::string>& names);
+/// in them. `notes` (may be null) takes a full sentence for each folder of which files are left out. Throws Failure
+/// when there is none.
+[[nodiscard]] std::vector<std::filesystem::path> viewFiles(const std::vector<std::string>& names,
+                                                           std::vector<std::string>* notes = nullptr);
 
 /// Where a quilt's first view is: rows upwards as Looking Glass has them, or downwards as one reads.
 enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };
 
-/// View `k` (0 to columns * rows - 1) of a grid of views of one size. Throws Failure (Blame::usage) when the
-/// picture does not divide into the grid.
+/// View `k` (0 to columns * rows - 1) of a grid of views of one size: the sides of the picture by columns and rows,
+/// rounded down. What is left over lies at the right edge, and above (`bottomLeft`) or below. Throws Failure
+/// (Blame::usage) when the picture has fewer pixels than views.
 [[nodiscard]] render::Image viewOfQuilt(const render::Image&, int columns, int rows, int k,
                                         QuiltOrder = QuiltOrder::bottomLeft);
+
+/// A full sentence on what is left over where the picture does not divide into the grid; else empty.
+[[nodiscard]] std::string quiltNote(const render::Image&, int columns, int rows);
 
 /// What a print takes of a row of pictures.
 struct SequenceSettings {

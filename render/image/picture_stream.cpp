@@ -7,6 +7,7 @@
 #include "render/image/decode.h"
 #include "render/image/picture_rows.h"
 #include "render/image/png_file.h"
+#include "render/image/webp_header.h"
 
 #include <cmath>
 
@@ -31,7 +32,6 @@ const char* nameOf(StreamCompression compression)
     switch (compression) {
     case StreamCompression::none: return "none";
     case StreamCompression::deflate: return "zip";
-    case StreamCompression::zstd: return "zstd";
     }
     return "none";
 }
@@ -39,7 +39,7 @@ const char* nameOf(StreamCompression compression)
 }  // namespace
 
 PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec& spec, FileOps& ops)
-    : path_(path), spec_(spec), part_(path, ops)
+    : path_(path), spec_(spec), part_(std::make_unique<PartFile>(path, ops))
 {
     if (!isPng(path) && !isTiff(path))
         throw Failure(Blame::usage,
@@ -61,14 +61,14 @@ PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec
     const bool packed = isPng(path) || spec.compression != StreamCompression::none;
     requireSpace(path, packed ? bytes / 4 : bytes, ops);
     if (isPng(path)) {
-        pngRows_ = std::make_unique<PngRows>(PngRowTarget{part_.path().string(), spec.width, spec.height, spec.bits,
+        pngRows_ = std::make_unique<PngRows>(PngRowTarget{part_->path().string(), spec.width, spec.height, spec.bits,
                                                           spec.dpiX, spec.dpiY, spec.likeRowAbove, printKey, spec.json,
                                                           spec.profile, spec.threads},
                                              ops);
         if (const std::string why = pngRows_->begin(); !why.empty()) refuse(why);
         return;
     }
-    tiff_ = {part_.path().string(),
+    tiff_ = {part_->path().string(),
              static_cast<int>(spec.width),
              static_cast<int>(spec.height),
              spec.bits,
@@ -142,6 +142,7 @@ std::string embeddedProfile(const std::filesystem::path& path)
     const std::string bytes = readFile(path, ImageLimits{}.fileBytes);
     const ImageFormat format = formatOf(bytes, path.string());
     if (format == ImageFormat::png) return profileInPng(bytes, path.string());
+    if (format == ImageFormat::webp) return webpHeader(bytes).profile;
     std::string profile;
     if (const std::string why = oiioCodec().readProfile(bytes, format, profile); !why.empty())
         throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + ".");

@@ -13,7 +13,7 @@
 
 namespace vitrine::render {
 
-enum class StreamCompression : std::uint8_t { none, deflate, zstd };
+enum class StreamCompression : std::uint8_t { none, deflate };
 
 /// The chunk of a PNG that says how a print was made.
 inline constexpr const char* printKey = "vitrine:print";
@@ -43,15 +43,17 @@ public:
     void write(const void* rows, std::int64_t count);
     /// After the last row: closes the file; a TIFF is opened again and compared.
     void finish();
+    /// The finished file, to be published.
+    [[nodiscard]] std::unique_ptr<PartFile> takePart() { return std::move(part_); }
     /// Puts the finished file in the target's place.
-    void publish() { part_.publish(); }
+    void publish() { part_->publish(); }
 
 private:
     [[noreturn]] void refuse(const std::string& why) const;
 
     std::filesystem::path path_;
     StreamSpec spec_;
-    PartFile part_;
+    std::unique_ptr<PartFile> part_;
     OiioRowTarget tiff_;
     std::unique_ptr<OiioRows> tiffRows_;
     std::unique_ptr<PngRows> pngRows_;

@@ -108,7 +108,7 @@ TEST(PrintExhibit, CarriesWhatBringsItsViewsBack)
     for (int k = 0; k < 3; ++k) {
         const auto preset = render::embeddedPreset(folder / viewName(k));
         ASSERT_TRUE(preset);
-        EXPECT_NEAR(render::Json::parse(*preset).at("values").value("morph", 0.62), k / 2.0, 1e-12);
+        EXPECT_NEAR(render::Json::parse(*preset).at("values").value("sdf_morph.morph", 0.62), k / 2.0, 1e-12);
     }
     EXPECT_GT(difference(render::readImage(folder / viewName(0)), render::readImage(folder / viewName(2))), 0.01);
 }
@@ -145,8 +145,8 @@ TEST(PrintExhibit, RefusesInOneSentenceAndLeavesNothing)
         {{"--views", folder / "full", "--save-views", views}, 2, {"--save-views", "--exhibit"}},
         {{"--views", folder / "full", "--set", "morph=1"}, 2, {"--set", "--exhibit"}},
         {{"--exhibit", "sdf_morph", "--count", "2", "--view-size", "9000x10"}, 2, {"8192"}},
-        {mug + Words{"--baseline-scale", "wide"}, 2, {"--baseline-scale wide"}},
-        {mug + Words{"--baseline-scale=-1"}, 2, {"--baseline-scale -1"}},
+        {mug + Words{"--baseline-scale", "wide"}, 2, {"--baseline-scale \"wide\""}},
+        {mug + Words{"--baseline-scale=-1"}, 2, {"--baseline-scale \"-1\""}},
         {mug + Words{"--convergence=-1"}, 2, {"--convergence"}},
         {mug + Words{"--convergence", "0.001"}, 2, {"convergence plane", "0.001"}},
         {mug + Words{"--every", "2"}, 2, {"--every"}},
@@ -155,7 +155,7 @@ TEST(PrintExhibit, RefusesInOneSentenceAndLeavesNothing)
         {mug + Words{"--sweep", "morph=0..lots"}, 2, {"lots"}},
         {mug + Words{"--sweep", "morph=0.3..0.3"}, 2, {"the same"}},
         {mug + Words{"--sweep", "material=opaque..glass"}, 2, {"material", "between"}},
-        {mug + Words{"--sweep", "time=now..later"}, 2, {"seconds"}},
+        {mug + Words{"--sweep", "time=now..later"}, 2, {"--sweep time \"now\"", "number"}},
         {{"--exhibit", "sdf_morph", "--count", "2", "--view-size", "0x5"}, 2, {"--view-size"}},
         {{"--exhibit", "hall", "--turn", "90", "--count", "2", "--view-size", "60x40"}, 2, {"hall", "turned"}},
         {theMug + Words{"--count", "2", "--save-views", folder / "full"}, 5, {"other.png", "empty folder"}},
@@ -250,10 +250,78 @@ TEST(PrintQuilt, ShowsItsCellsInTheOrderOfQuilts)
         test::expectOneSentence(ended, parts);
         EXPECT_FALSE(std::filesystem::exists(folder / "p.tif"));
     };
-    refused({"--quilt", "4x2", folder / "quilt.png"}, 2, {"90 x 40", "4 x 2"});
-    refused({"--quilt", "many", folder / "quilt.png"}, 2, {"--quilt", "many"});
+    refused({"--quilt", "91x2", folder / "quilt.png"}, 2, {"90 x 40", "91 x 2"});
+    refused({"--quilt", "many", folder / "quilt.png"}, 2, {"--quilt", "many", "such as --quilt 8x6"});
+    refused({"--views", folder / "quilt.png", "--quilt-order", "top-left"}, 2, {"--quilt-order", "--quilt"});
     refused({"--quilt", "30x20", folder / "quilt.png"}, 2, {"600 views", "256"});
     refused({"--quilt", "3x2", folder / "none.png"}, 5, {"none.png"});
+}
+
+TEST(PrintQuilt, ThatDoesNotDivideIsCutFromTheBottomLeftAndSaysSo)
+{
+    const TemporaryFolder folder;
+    render::Image quilt(92, 41, 3, 0.0F);  // Views of 30 x 20; 2 columns at the right and a row on top are black.
+    for (int y = 1; y < 41; ++y)
+        for (int x = 0; x < 90; ++x)
+            for (int c = 0; c < 3; ++c) quilt.at(x, y, c) = level((1 - (y - 1) / 20) * 3 + x / 30, 6).at(0, 0, 0);
+    render::writePicture(folder / "quilt.png", quilt, render::PictureFormat::png16);
+    const Ended ended = test::vitrine(printing(folder / "p.tif", {"--quilt", "3X2", folder / "quilt.png"}));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.err.find("they have 30 x 20 pixels, and a margin of 2 x 1 pixels"), std::string::npos) << ended.err;
+    for (const int k : {0, 2, 3, 5}) EXPECT_NEAR(viewShown(folder, k, 6), k, 0.3) << k;
+}
+
+TEST(PrintPictures, OfAnotherShapeAreCroppedFittedOrStretchedAndThatIsSaid)
+{
+    const TemporaryFolder folder;
+    // White with a black half in the middle: what is seen at the edge tells what was done. 2.98:1, for 1.49:1.
+    render::Image wide(119, 40, 3, 1.0F);
+    for (int y = 0; y < 40; ++y)
+        for (int x = 30; x < 90; ++x)
+            for (int c = 0; c < 3; ++c) wide.at(x, y, c) = 0;
+    render::writePicture(folder / "a.png", wide, render::PictureFormat::png8);
+    const auto seenWith = [&](const Words& more, const std::string& said) {
+        const Ended ended =
+            test::vitrine(printing(folder / "p.tif", Words{"--views", folder / "a.png", folder / "a.png"} + more));
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        EXPECT_NE(ended.err.find(said), std::string::npos) << ended.err;
+        EXPECT_EQ(test::vitrine({"proof", folder / "p.tif", "--angle=5", "--out", folder / "seen.png"}).code, 0);
+        return render::readImage(folder / "seen.png");
+    };
+    const render::Image cropped = seenWith({}, "50 % of their width is cut off");
+    EXPECT_LT(cropped.at(3, cropped.height / 2), 0.05) << "black to the edge";
+    const render::Image whole = seenWith({"--fit", "fit"}, "50 % of its height stays white");
+    EXPECT_GT(whole.at(whole.width / 2, 3), 0.9) << "a white margin above the black";
+    EXPECT_LT(whole.at(whole.width / 2, whole.height / 2), 0.05);
+    const render::Image stretched = seenWith({"--fit", "stretch"}, "are stretched to it");
+    EXPECT_GT(stretched.at(3, stretched.height / 2), 0.9) << "white at the left, and no margin";
+    EXPECT_LT(stretched.at(stretched.width / 2, 3), 0.05);
+}
+
+TEST(PrintPictures, NamesWhatIsLeftOutAndRefusesWhatHasNoEffect)
+{
+    const TemporaryFolder folder;
+    for (int k = 0; k < 2; ++k)
+        render::writePicture(folder / ("v" + std::to_string(k) + ".png"), level(k, 2), render::PictureFormat::png8);
+    test::writeBytes(folder / "v2.bmp", "BM");
+    const TemporaryFolder other;
+    const Words views{"--views", folder.path().string()};
+    const Ended ended = test::vitrine(printing(other / "p.tif", views));
+    EXPECT_NE(ended.err.find("because these files are no PNG, JPEG, TIFF, OpenEXR, HDR or WebP pictures: v2.bmp"),
+              std::string::npos)
+        << ended.err;
+    const auto refused = [&](const char* out, const Words& more, const std::vector<std::string>& parts) {
+        const Ended bad = test::vitrine(printing(folder / out, more));
+        EXPECT_EQ(bad.code, 2) << bad.err;
+        for (const std::string& part : parts) EXPECT_NE(bad.err.find(part), std::string::npos) << bad.err;
+        EXPECT_FALSE(std::filesystem::exists(folder / out));
+    };
+    refused("p.tif", views + Words{"--compression", "zstd"}, {"--compression", "zstd"});
+    refused("p.png", views + Words{"--compression", "deflate"}, {"--compression", "PNG is always compressed"});
+    refused("p.tif", views + Words{"--guard", "0.3"}, {"--guard has no effect without --method guard"});
+    refused("p.tif", views + Words{"--chart-span", "1"}, {"--chart-span has no effect without --chart pitch"});
+    refused("p.tif", views + Words{"--chart", "pitch"}, {"--views has no effect on a --chart"});
+    refused("p.tif", theMug + Words{"--count", "2", "--fit", "crop"}, {"--fit", "--exhibit"});
 }
 
 TEST(PrintPictures, TakesASequenceBackAndForthInTheOrderOfItsNumbers)

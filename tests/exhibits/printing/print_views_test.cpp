@@ -55,6 +55,28 @@ TEST_F(PrintViewsTest, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
     for (int k = 0; k < 4; ++k) EXPECT_NEAR(four->full().row(k, 0)[0], 65535.0 * k / 3, 12);
 }
 
+TEST_F(PrintViewsTest, TakeTheShapeOfThePrintAndSayWhatThatCost)
+{
+    // The print is 3:2; a view of 10 x 2 loses 7 of 10 columns.
+    const std::string file = (folder_.path() / "wide.png").string();
+    render::writePicture(file, render::Image(10, 2, 3, 0.0F), render::PictureFormat::png8);
+    const auto cropped = readViews(values_, {file}, {});
+    EXPECT_EQ(cropped->full().view(0).width, 3);
+    ASSERT_EQ(cropped->notes().size(), 1U);
+    EXPECT_NE(cropped->notes()[0].find("70 % of their width is cut off"), std::string::npos) << cropped->notes()[0];
+    values_.set(table_.fitting, Fitting::fit);
+    const auto whole = readViews(values_, {file}, {});
+    EXPECT_EQ(whole->full().view(0).width, 10);
+    EXPECT_EQ(whole->full().height(), 7);
+    EXPECT_EQ(whole->full().row(0, 0)[0], 65535) << "white";
+    EXPECT_EQ(whole->full().row(0, 2)[0], 0);
+    values_.set(table_.fitting, Fitting::stretch);
+    const auto stretched = readViews(values_, {file}, {});
+    EXPECT_EQ(stretched->full().view(0).width, 10);
+    EXPECT_EQ(stretched->full().height(), 2);
+    EXPECT_TRUE(stretched->notes().empty());
+}
+
 TEST_F(PrintViewsTest, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
 {
     SceneState sceneState{{}, {{0, 1.6, 4}, {0, 1.2, 0}, 0.9}};
@@ -77,6 +99,12 @@ TEST_F(PrintViewsTest, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
     EXPECT_TRUE(sameViews(values_, other));
     other.set(table_.lensesPerInch, 40.0);
     EXPECT_TRUE(sameViews(values_, other));  // Files stay what they are,
+    ParameterValues wider = values_;
+    wider.set(table_.width, 2 * values_[table_.width]);
+    EXPECT_FALSE(sameViews(values_, wider));  // but for what is cut off of them,
+    for (ParameterValues* values : {&values_, &wider}) values->set(table_.fitting, Fitting::stretch);
+    EXPECT_TRUE(sameViews(values_, wider));
+    for (ParameterValues* values : {&values_, &other}) values->set(table_.fitting, Fitting::crop);
     const ParameterValues fromWindow = shown(values_);
     const ParameterValues coarser = shown(other);
     EXPECT_FALSE(sameViews(fromWindow, coarser));  // and cameras stand where the lenses need them.

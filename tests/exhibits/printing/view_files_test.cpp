@@ -1,14 +1,19 @@
+#include "exhibits/printing/fitting.h"
+#include "exhibits/printing/view_colors.h"
 #include "exhibits/printing/view_files.h"
 #include "exhibits/printing/view_set.h"
 
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
+#include "render/image/picture_stream.h"
 #include "tests/support/failures.h"
+#include "tests/support/image_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 namespace vitrine::printing {
 namespace {
@@ -32,6 +37,35 @@ TEST(ViewFiles, CountNumbersInNamesByTheirValue)
     const auto mixed = viewFiles({folder / "view_10.png", folder.path().string()});
     EXPECT_EQ(mixed.size(), 5U);
     EXPECT_EQ(mixed.front().filename(), "view_10.png");
+}
+
+TEST(ViewFiles, SortCapitalsAmongSmallLetters)
+{
+    const TemporaryFolder folder;
+    for (const char* name : {"View1.png", "view2.png", "VIEW10.PNG", "view3.webp"}) writeBytes(folder / name, "x");
+    std::vector<std::string> names;
+    for (const std::filesystem::path& file : viewFiles({folder.path().string()}))
+        names.push_back(file.filename().string());
+    EXPECT_EQ(names, (std::vector<std::string>{"View1.png", "view2.png", "view3.webp", "VIEW10.PNG"}));
+}
+
+TEST(ViewFiles, NameWhatIsLeftOutOfAFolder)
+{
+    const TemporaryFolder folder;
+    for (const char* name : {"f1.png", "f2.bmp", "f10.gif", "f3.heic", "p.tif.json", ".hidden.bmp"})
+        writeBytes(folder / name, "x");
+    std::vector<std::string> notes;
+    EXPECT_EQ(viewFiles({folder.path().string()}, &notes).size(), 1U);
+    ASSERT_EQ(notes.size(), 1U);
+    EXPECT_NE(notes[0].find("no PNG, JPEG, TIFF, OpenEXR, HDR or WebP pictures: f2.bmp, f3.heic, f10.gif."),
+              std::string::npos)
+        << notes[0];
+    std::filesystem::remove(folder / "f2.bmp");
+    std::filesystem::remove(folder / "f3.heic");
+    std::filesystem::remove(folder / "f10.gif");
+    notes.clear();
+    (void)viewFiles({folder.path().string()}, &notes);
+    EXPECT_TRUE(notes.empty());
 }
 
 TEST(ViewFiles, SayWhenThereAreNone)
@@ -105,9 +139,87 @@ TEST(Quilt, StartsAtTheBottomLeftAndGoesUpUnlessToldOtherwise)
                 EXPECT_EQ(up.at(x, y, 2), static_cast<float>(y));  // No view is upside down.
             }
     }
-    EXPECT_NE(refusalOf([&] { (void)viewOfQuilt(quilt, 3, 3, 0); }).find("8 x 9 pixels does not divide into 3 x 3"),
+    EXPECT_EQ(quiltNote(quilt, 4, 3), "");
+    EXPECT_NE(refusalOf([&] { (void)viewOfQuilt(quilt, 3, 10, 0); }).find("does not hold 3 x 10 views"),
               std::string::npos);
     EXPECT_NE(refusalOf([&] { (void)viewOfQuilt(quilt, 0, 3, 0); }), "");
+}
+
+// Looking Glass's 5 x 9 quilts of 4096 x 4096 pixels: views of 819 x 455, counted from the bottom left. Here in small.
+TEST(Quilt, ThatDoesNotDivideLeavesAMargin)
+{
+    render::Image quilt(17, 14, 1);  // 5 x 3 views of 3 x 4 pixels; 2 columns and 2 rows are left.
+    for (int y = 0; y < 14; ++y)
+        for (int x = 0; x < 17; ++x) quilt.at(x, y) = static_cast<float>(100 * y + x);
+    const render::Image first = viewOfQuilt(quilt, 5, 3, 0);
+    ASSERT_EQ(first.width, 3);
+    ASSERT_EQ(first.height, 4);
+    EXPECT_EQ(first.at(0, 3), 1300) << "the bottom left pixel";
+    EXPECT_EQ(first.at(2, 0), 1002);
+    EXPECT_EQ(viewOfQuilt(quilt, 5, 3, 14).at(2, 0), 214) << "below the two rows and left of the two columns";
+    const render::Image down = viewOfQuilt(quilt, 5, 3, 14, QuiltOrder::topLeft);
+    EXPECT_EQ(down.at(0, 0), 812);
+    EXPECT_NE(
+        quiltNote(quilt, 5, 3).find("they have 3 x 4 pixels, and a margin of 2 x 2 pixels at the edges is left out"),
+        std::string::npos);
+    EXPECT_NE(quiltNote(render::Image(4096, 4096, 1), 5, 9).find("819 x 455"), std::string::npos);
+}
+
+TEST(Fitting, CropsFitsOrStretchesToTheShapeOfThePrint)
+{
+    render::Image wide(30, 10, 3);
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 30; ++x) wide.at(x, y, 0) = static_cast<float>(100 * y + x);
+    const render::Image cropped = fitted(wide, 1, Fitting::crop);
+    EXPECT_EQ(cropped.width, 10);
+    EXPECT_EQ(cropped.height, 10);
+    EXPECT_EQ(cropped.at(0, 0, 0), 10) << "around the middle";
+    EXPECT_EQ(cropped.at(9, 9, 0), 919);
+    const render::Image whole = fitted(wide, 1, Fitting::fit);
+    EXPECT_EQ(whole.width, 30);
+    EXPECT_EQ(whole.height, 30);
+    EXPECT_EQ(whole.at(5, 9, 0), 1) << "white";
+    EXPECT_EQ(whole.at(5, 9, 2), 1);
+    EXPECT_EQ(whole.at(5, 10, 0), 5);
+    EXPECT_EQ(whole.at(29, 19, 0), 929);
+    EXPECT_EQ(whole.at(29, 20, 0), 1);
+    EXPECT_EQ(fitted(wide, 1, Fitting::stretch).pixels, wide.pixels);
+    for (const Fitting fitting : {Fitting::crop, Fitting::fit})
+        EXPECT_EQ(fitted(wide, 3, fitting).pixels, wide.pixels) << "what has the shape stays";
+    const render::Image high = fitted(render::Image(10, 30, 1), 2, Fitting::crop);
+    EXPECT_EQ(high.width, 10);
+    EXPECT_EQ(high.height, 5);
+    EXPECT_EQ(fittingNote(wide, 1, Fitting::crop),
+              "The pictures are not shaped as the print is: 67 % of their width is cut off.");
+    EXPECT_EQ(fittingNote(wide, 1, Fitting::fit),
+              "The pictures are not shaped as the print is: 67 % of its height stays white.");
+    EXPECT_EQ(fittingNote(wide, 3.01, Fitting::crop), "");
+}
+
+TEST(ViewColors, KeepOneProfileForAllAndConvertDifferentOnes)
+{
+    const TemporaryFolder folder;
+    const auto write = [&](const char* name, const std::string& profile) {
+        render::PictureStream stream(folder / name,
+                                     {.width = 1, .height = 1, .dpiX = 300, .dpiY = 300, .profile = profile});
+        const std::array<std::uint8_t, 3> codes = {122, 198, 74};
+        stream.write(codes.data(), 1);
+        stream.finish();
+        stream.publish();
+        return std::filesystem::path(folder / name);
+    };
+    const std::filesystem::path plain = write("a.png", "");
+    const std::filesystem::path adobe = write("b.png", vitrine::test::adobeRgb());
+    const std::filesystem::path tiff = write("c.tif", vitrine::test::adobeRgb());
+    const ViewColors same = viewColors({adobe, tiff});
+    EXPECT_TRUE(same.keep);
+    EXPECT_EQ(same.profile, vitrine::test::adobeRgb());
+    EXPECT_EQ(same.note, "");
+    const ViewColors mixed = viewColors({plain, adobe});
+    EXPECT_FALSE(mixed.keep);
+    EXPECT_EQ(mixed.profile, "");
+    EXPECT_NE(mixed.note.find("different color profiles"), std::string::npos);
+    EXPECT_EQ(viewColors({plain}).note, "");
 }
 
 TEST(ShippedViews, AreTwoSetsOf16PicturesOfOneSizeThatDiffer)

@@ -63,6 +63,9 @@ private slots:
         set("dotsPerInch", 720);
         dialog_->open(solidViews(3));  // 3:2, for a print of 148 x 105.
         settle();
+        QVERIFY2(warnings().contains("6 % of their width is cut off"), qPrintable(warnings()));
+        set("fitting", 2);
+        settle();
         QVERIFY2(warnings().contains("stretched"), qPrintable(warnings()));
         set("width", 0.1575);
         QCOMPARE(warnings(), QString());
