@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <vector>
 
 namespace vitrine::render {
 namespace {
@@ -47,6 +48,30 @@ std::string readAll(const Descriptor& file, const std::string& name, std::uint64
     return bytes;
 }
 
+/// A relative path, its "." and ".." taken out.
+struct Walk {
+    std::size_t up = 0;               ///< So many folders up first ...
+    std::vector<std::string> down{};  ///< ... then into these, the file last.
+};
+
+Walk walkOf(std::string_view reference)
+{
+    Walk walk;
+    for (std::size_t start = 0; start <= reference.size();) {
+        const std::size_t end = std::min(reference.find('/', start), reference.size());
+        const std::string_view component = reference.substr(start, end - start);
+        start = end + 1;
+        if (component.empty() || component == ".") continue;
+        if (component != "..")
+            walk.down.emplace_back(component);
+        else if (walk.down.empty())
+            ++walk.up;
+        else
+            walk.down.pop_back();
+    }
+    return walk;
+}
+
 }  // namespace
 
 std::string readFile(const std::filesystem::path& path, std::uint64_t mostBytes)
@@ -57,7 +82,7 @@ std::string readFile(const std::filesystem::path& path, std::uint64_t mostBytes)
     return readAll(file, path.string(), mostBytes);
 }
 
-std::string whyRefused(std::string_view reference)
+std::string whyRefused(std::string_view reference, Reach reach)
 {
     if (reference.empty()) return "it is empty";
     if (reference.size() > 4096) return "it is longer than 4096 bytes";
@@ -68,39 +93,30 @@ std::string whyRefused(std::string_view reference)
         return "it has one of the characters \\ $ ~ : or a control character";
     }
     if (reference.front() == '/') return "it is an absolute path";
-    std::size_t start = 0;
-    while (start <= reference.size()) {
-        const std::size_t end = std::min(reference.find('/', start), reference.size());
-        if (reference.substr(start, end - start) == "..") return "it leaves its folder with \"..\"";
-        start = end + 1;
-    }
-    if (reference.back() == '/') return "it names a folder";
+    const Walk walk = walkOf(reference);
+    if (walk.up > (reach == Reach::parent ? 1U : 0U)) return "it leaves its folder with \"..\"";
+    if (reference.back() == '/' || walk.down.empty()) return "it names a folder";
     return {};
 }
 
-std::string readFileBeneath(const std::filesystem::path& folder, std::string_view reference, std::uint64_t mostBytes)
+std::string readFileBeneath(const std::filesystem::path& folder, std::string_view reference, std::uint64_t mostBytes,
+                            Reach reach)
 {
     const std::string shown = (folder / reference).string();
-    if (const std::string why = whyRefused(reference); !why.empty()) {
+    if (const std::string why = whyRefused(reference, reach); !why.empty()) {
         throw Failure(Blame::file, "Cannot follow the reference \"" + std::string(reference) + "\" inside " +
                                        folder.string() + ": " + why + "; use a plain relative path.");
     }
     // One component at a time, none of them a link: what openat2 with RESOLVE_BENEATH and
     // RESOLVE_NO_SYMLINKS does, also where a sandbox refuses that call.
+    const Walk walk = walkOf(reference);
     Descriptor at(::open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
-    std::size_t start = 0;
-    while (at.open()) {
-        const std::size_t slash = reference.find('/', start);
-        const std::string component(reference.substr(start, slash == std::string_view::npos ? slash : slash - start));
-        const bool last = slash == std::string_view::npos;
-        if (!last && component.empty()) {
-            start = slash + 1;
-            continue;
-        }
+    if (walk.up > 0 && at.open()) at = Descriptor(::openat(at.get(), "..", O_PATH | O_DIRECTORY | O_CLOEXEC));
+    for (std::size_t i = 0; at.open() && i < walk.down.size(); ++i) {
+        const bool last = i + 1 == walk.down.size();
         const int flags = last ? O_RDONLY | O_NONBLOCK : O_PATH | O_DIRECTORY;
-        at = Descriptor(::openat(at.get(), component.c_str(), flags | O_NOFOLLOW | O_CLOEXEC));
+        at = Descriptor(::openat(at.get(), walk.down[i].c_str(), flags | O_NOFOLLOW | O_CLOEXEC));
         if (last && at.open()) return readAll(at, shown, mostBytes);
-        start = slash + 1;
     }
     failReading(shown, causeOf(errno));
 }

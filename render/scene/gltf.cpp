@@ -92,7 +92,7 @@ GltfFile readGltfFile(const std::string& bytes, const std::filesystem::path& pat
     tinygltf::Model gltf = parse(document);
     std::vector<std::string> warnings;
     gltf.buffers = readBuffers(document, binOf(bytes, name), folder, limits, warnings);
-    gltf.images = readImages(document, folder, limits);
+    gltf.images = readImages(document, folder, limits, warnings);
     validateGltf(gltf, document, limits);
     return {std::move(document), std::move(gltf), std::move(warnings)};
 }
@@ -109,6 +109,17 @@ Model parseGltf(const std::string& bytes, const std::filesystem::path& path, con
 Model loadGltf(const std::filesystem::path& path, const GltfLimits& limits, const std::function<bool()>& canceled)
 {
     return parseGltf(readFile(path, limits.fileBytes), path, limits, canceled);
+}
+
+std::string whyNothingIsSeen(const std::string& name, const Box& bounds)
+{
+    if (bounds.empty())
+        return "Nothing of " + name +
+               " is to be seen: it has no triangles; choose another file, or export it with its meshes.";
+    const glm::dvec3 size = bounds.high - bounds.low;
+    if ((size.x > 0) + (size.y > 0) + (size.z > 0) >= 2) return {};
+    return "Nothing of " + name +
+           " is to be seen: it is scaled to a point or a line; export it with a scale other than 0.";
 }
 
 }  // namespace vitrine::render

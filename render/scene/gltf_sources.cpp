@@ -72,7 +72,7 @@ Bytes dataOf(const JsonDocument& document, const std::string& path, const std::s
 
 Bytes fileOf(const std::string& uri, const std::filesystem::path& folder, const GltfLimits& limits)
 {
-    const std::string bytes = readFileBeneath(folder, percentDecoded(uri), limits.fileBytes);
+    const std::string bytes = readFileBeneath(folder, gltfReference(uri), limits.fileBytes, Reach::parent);
     return {bytes.begin(), bytes.end()};
 }
 
@@ -104,6 +104,13 @@ std::string percentDecoded(std::string_view uri)
         i += 2;
     }
     return out;
+}
+
+std::string gltfReference(std::string_view uri)
+{
+    std::string path = percentDecoded(uri);
+    std::replace(path.begin(), path.end(), '\\', '/');
+    return path;
 }
 
 std::vector<tinygltf::Buffer> readBuffers(const JsonDocument& document, std::string_view bin,
@@ -142,7 +149,7 @@ std::vector<tinygltf::Buffer> readBuffers(const JsonDocument& document, std::str
 }
 
 std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std::filesystem::path& folder,
-                                        const GltfLimits& limits)
+                                        const GltfLimits& limits, std::vector<std::string>& warnings)
 {
     const Json& rows = arrayAt(document, "images");
     std::vector<tinygltf::Image> images(rows.size());
@@ -161,6 +168,8 @@ std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std:
             image.image = dataOf(document, path, uri);
         } else {
             image.uri = uri;
+            if (const std::string why = whyRefused(gltfReference(uri), Reach::parent); !why.empty())
+                warnings.push_back("The reference to the picture " + uri + " is not followed: " + why + ".");
             try {
                 image.image = fileOf(uri, folder, limits);
             } catch (const Failure&) {

@@ -162,6 +162,46 @@ TEST(Gltf, DecodesPicturesWithItsOwnReader)
     }
 }
 
+TEST(Gltf, TakesPicturesFromTheFolderBesideItsOwn)
+{
+    const TemporaryFolder folder;
+    test::writeBytes(folder / "pack/textures/a.png", smallPng());
+    test::writeBytes(folder / "outside.png", smallPng());
+    for (const char* uri : {"../textures/a.png", "..\\textures\\a.png", "sub/../../textures/a.png"}) {
+        test::writeBytes(folder / "pack/models/a.gltf", textured({{"uri", uri}}).text());
+        const Model model = loadGltf(folder / "pack/models/a.gltf");
+        EXPECT_TRUE(model.warnings.empty()) << uri;
+        EXPECT_TRUE(model.parts.at(0).material->baseColorMap) << uri;
+    }
+    test::writeBytes(folder / "pack/models/a.gltf", textured({{"uri", "../../outside.png"}}).text());
+    const Model outside = loadGltf(folder / "pack/models/a.gltf");
+    EXPECT_FALSE(outside.parts.at(0).material->baseColorMap);
+    EXPECT_TRUE(warnsOf(outside, "../../outside.png is not followed: it leaves its folder"));
+}
+
+// glTF 2.0, 5.19: color space information of pictures is ignored; texture coordinates count rows as stored.
+TEST(Gltf, TakesThePixelsOfPicturesAsStored)
+{
+    const TemporaryFolder folder;
+    Image image(1, 2, 3);
+    image.pixels = {1, 0, 0, 0, 0, 0.25F};
+    writePicture(folder / "plain.png", image, PictureFormat::png8);
+    const std::string plain = test::bytesOf(folder / "plain.png");
+    std::string marked = plain;
+    marked.insert(plain.find("IDAT") - 4, test::pngChunk("eXIf", test::exifBlock(3)));
+    const std::size_t sRgb = marked.find("sRGB") - 4;
+    marked.erase(sRgb, 13);
+    const std::size_t gamma = marked.find("gAMA") - 4;
+    marked.replace(gamma, 16, test::pngChunk("gAMA", test::bigEndian32(100000)));
+    const auto mapOf = [](const std::string& png) {
+        const std::string uri = "data:image/png;base64," + test::base64(png);
+        return parseGltf(textured({{"uri", uri}}).text(), "model.gltf").parts.at(0).material->baseColorMap;
+    };
+    EXPECT_EQ(mapOf(marked)->bytes, mapOf(plain)->bytes);
+    test::writeBytes(folder / "a.png", marked);
+    EXPECT_NE(loadTexture(folder / "a.png", true, true)->bytes, mapOf(plain)->bytes) << "the control: others obey";
+}
+
 TEST(Gltf, LeavesOutPicturesThatCannotBeRead)
 {
     const Model missing = parseGltf(textured({{"uri", "none.png"}}).text(), "model.gltf");
@@ -234,7 +274,7 @@ TEST(Gltf, ListsWhatItDoesNotSupport)
     GltfBuilder builder;
     const int mesh = builder.triangle();
     builder.json["meshes"][0]["primitives"][0]["targets"] = Json::parse(R"([{"POSITION": 0}])");
-    builder.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"] = 0;
+    builder.json["meshes"][0]["primitives"][0]["attributes"]["COLOR_1"] = 0;
     builder.json["meshes"][0]["primitives"].push_back(Json::parse(R"({"mode": 1, "attributes": {"POSITION": 0}})"));
     builder.json["skins"] = Json::parse(R"([{"joints": [0]}])");
     builder.json["animations"] = Json::parse(
@@ -242,8 +282,28 @@ TEST(Gltf, ListsWhatItDoesNotSupport)
     builder.node({{"mesh", mesh}});
     const Model model = modelOf(builder);
     EXPECT_EQ(model.parts.size(), 1U);
-    for (const char* what : {"Morph targets", "COLOR_0", "Lines and points", "Skins", "Animations"})
+    for (const char* what : {"Morph targets", "COLOR_1", "Lines and points", "Skins", "Animations"})
         EXPECT_TRUE(warnsOf(model, what)) << what;
+}
+
+TEST(Gltf, SamplesPicturesAsItsSamplersSay)
+{
+    const auto textureOf = [](const char* sampler) {
+        GltfBuilder builder = textured({{"uri", "data:image/png;base64," + test::base64(smallPng())}});
+        if (sampler) {
+            builder.json["samplers"] = Json::array({Json::parse(sampler)});
+            builder.json["textures"][0]["sampler"] = 0;
+        }
+        return modelOf(builder).parts.at(0).material->baseColorMap;
+    };
+    const auto plain = textureOf(nullptr);
+    EXPECT_TRUE(plain->mipmaps && !plain->magnifyNearest && !plain->minifyNearest && !plain->nearestLevel);
+    const auto pixels = textureOf(R"({"magFilter": 9728, "minFilter": 9728})");
+    EXPECT_TRUE(!pixels->mipmaps && pixels->magnifyNearest && pixels->minifyNearest);
+    const auto mixed = textureOf(R"({"magFilter": 9728, "minFilter": 9987})");
+    EXPECT_TRUE(mixed->mipmaps && mixed->magnifyNearest && !mixed->minifyNearest && !mixed->nearestLevel);
+    const auto levels = textureOf(R"({"magFilter": 9729, "minFilter": 9984})");
+    EXPECT_TRUE(levels->mipmaps && !levels->magnifyNearest && levels->minifyNearest && levels->nearestLevel);
 }
 
 TEST(Gltf, StopsWhenCanceled)
@@ -369,6 +429,22 @@ TEST(Gltf, PassesOverFurtherChunks)
     file["buffers"][0]["uri"] = "data:;base64," + test::base64(builder.bin);
     EXPECT_EQ(parseGltf(test::glbOf(file.dump(), "", {{"XTRA", "1234"}}), "model.glb").parts.size(), 1U)
         << "no BIN chunk";
+}
+
+// Padding is demanded (4.4.3.1), and left out by exporters that write good data all the same.
+TEST(Gltf, TakesChunksWithoutPadding)
+{
+    GltfBuilder builder;
+    builder.node({{"mesh", builder.triangle()}});
+    Json file = builder.json;
+    file["buffers"] = Json::array({Json{{"byteLength", builder.bin.size()}}});
+    std::string text = file.dump();
+    while (text.size() % 4 != 1) text += ' ';
+    std::string glb = "glTF" + test::littleEndian32(2);
+    glb += test::littleEndian32(static_cast<std::uint32_t>(28 + text.size() + builder.bin.size()));
+    glb += test::littleEndian32(static_cast<std::uint32_t>(text.size())) + "JSON" + text;
+    glb += test::littleEndian32(static_cast<std::uint32_t>(builder.bin.size())) + std::string("BIN\0", 4) + builder.bin;
+    EXPECT_EQ(parseGltf(glb, "model.glb").parts.at(0).mesh->vertices[1].position, glm::vec3(1, 0, 0));
 }
 
 }  // namespace
