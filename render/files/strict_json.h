@@ -64,10 +64,10 @@ private:
     std::string name_;
 };
 
-/// Reads one JSON value, strictly (RFC 8259): beyond what the grammar refuses, it refuses a byte order
-/// mark, a key that stands twice in one object, numbers beyond double range (1e999), invalid UTF-8, NUL in
-/// strings, control characters in keys, and everything beyond `limits`. `name` is the file's name for
-/// messages. Throws JsonFailure naming file, line, column and, inside an object, the key path. Does not recurse.
+/// Reads one JSON value, strictly (RFC 8259), behind a byte order mark or without one. Beyond what the grammar
+/// refuses, it refuses a key that stands twice in one object, numbers beyond double range (1e999), invalid UTF-8, NUL
+/// in strings, control characters in keys, and everything beyond `limits`. `name` is the file's name for messages.
+/// Throws JsonFailure naming file, line, column and, inside an object, the key path. Does not recurse.
 [[nodiscard]] JsonDocument parseJson(std::string text, std::string name, const JsonLimits& limits = {});
 
 /// Reads a regular file with `parseJson`. Throws Failure as `readFile` and `parseJson` do.

@@ -4,6 +4,7 @@
 
 #include "tests/exhibits/framework/every_kind.h"
 #include "tests/support/failures.h"
+#include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -30,6 +31,13 @@ Lesson lessonOf(const std::string& text)
 std::string oneStep(const std::string& block, const std::string& text = "See this.")
 {
     return lessonHead + "## First\n\n" + text + "\n```json\n" + block + "\n```\n";
+}
+
+TEST(Lesson, MayStartWithAByteOrderMark)
+{
+    const test::TemporaryFolder folder;
+    test::writeBytes(folder / "a.md", "\xEF\xBB\xBF" + oneStep("{\"camera\": \"best\"}"));
+    EXPECT_EQ(readLesson(folder / "a.md", lessonTables()).title, "Title");
 }
 
 TEST(Lesson, HasATitleAnIntroductionAndSteps)
