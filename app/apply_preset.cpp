@@ -3,27 +3,15 @@
 #include "exhibits/framework/preset_store.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
-#include "render/files/extension.h"
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
+#include "render/video/carried_settings.h"
 
 #include <filesystem>
 
 namespace vitrine::app {
 namespace {
-
-/// The preset's text: the file itself, or what a picture carries.
-std::string presetTextOf(const std::string& file)
-{
-    const std::string extension = render::lowerExtension(file);
-    if (extension != ".png" && extension != ".exr") return render::readFile(file, presetLimits.bytes);
-    std::optional<std::string> text = render::embeddedPreset(file);
-    if (!text)
-        throw Failure(Blame::file,
-                      file + ": this picture carries no preset; give a preset file, or a picture that Vitrine made.");
-    return *text;
-}
 
 /// A shipped preset by its name, or the file as given.
 std::string presetFile(const std::string& given, const std::string& subject)
@@ -50,7 +38,20 @@ void append(std::vector<std::string>& notes, const std::string& file, const std:
 
 }  // namespace
 
-void applyPreset(const Museum& museum, const std::string& given, RequestedPicture& job)
+std::string presetTextOf(const std::string& file)
+{
+    if (!render::mayCarrySettings(file)) {
+        std::string text = render::readFile(file, presetLimits.bytes);
+        return render::settingsInDescription(text).value_or(std::move(text));
+    }
+    std::optional<std::string> text = render::carriedSettings(file);
+    if (!text)
+        throw Failure(Blame::file,
+                      file + ": this picture carries no preset; give a preset file, or a picture that Vitrine made.");
+    return *text;
+}
+
+std::string applyPreset(const Museum& museum, const std::string& given, RequestedPicture& job)
 {
     const std::string file = presetFile(given, std::string(museum.subject(job.subject).name()));
     const std::string text = presetTextOf(file);
@@ -61,9 +62,16 @@ void applyPreset(const Museum& museum, const std::string& given, RequestedPictur
         for (auto& [name, values] : exhibition.values)
             if (const auto i = museum.find(name)) job.sceneState.values[*i] = values;
         job.sceneState.camera = exhibition.camera;
-        job.cameraFromPreset = job.subject == hallIndex;
+        const bool isHall = job.subject == hallIndex;
+        const bool ofSubject = exhibition.chosen == museum.subject(job.subject).name();
+        job.cameraFromPreset = isHall || ofSubject;
         append(job.notes, file, exhibition.notes);
-        return;
+        if (!exhibition.picture) return {};
+        if (!ofSubject && !(isHall && exhibition.picture->isOfTheHall()))
+            return file + ": this is a picture of " + exhibition.chosen +
+                   "; its settings were taken, and not its size, samples, time or turns.";
+        job.taken = exhibition.picture;
+        return {};
     }
     // In the hall, a preset of any exhibit may be shown; elsewhere it must be the subject's.
     const std::string expected =
@@ -79,6 +87,7 @@ void applyPreset(const Museum& museum, const std::string& given, RequestedPictur
         job.cameraFromPreset = true;
     }
     append(job.notes, file, preset.notes);
+    return {};
 }
 
 }  // namespace vitrine::app

@@ -186,7 +186,65 @@ TEST(RenderCommand, APictureBringsItsLookBack)
         const Ended ended = test::vitrine(rendering("sdf_morph", again, {"--preset", first}));
         ASSERT_EQ(ended.code, 0) << ended.err;
         EXPECT_EQ(render::readImage(again).pixels, render::readImage(first).pixels) << extension;
+        const Ended checked = test::vitrine({"preset", "check", first});
+        EXPECT_EQ(checked.code, 0) << checked.err;
+        EXPECT_NE(checked.out.find("good ("), std::string::npos) << checked.out;
     }
+}
+
+TEST(RenderCommand, SixteenBitsOfAnOpenExrAreHalfFloats)
+{
+    const TemporaryFolder folder;
+    // OpenEXR's list of channels: a name, a zero byte, and the type, 1 for half floats and 2 for floats.
+    const auto typeOf = [&](const Words& more) {
+        const Ended made = test::vitrine(rendering("sdf_morph", folder / "a.exr", more));
+        EXPECT_EQ(made.code, 0) << made.err;
+        const std::string bytes = test::bytesOf(folder / "a.exr");
+        const std::size_t list = bytes.find(std::string("chlist\0", 7)) + 7 + 4;
+        return static_cast<int>(bytes.at(list + 2));
+    };
+    EXPECT_EQ(typeOf({}), 2);
+    EXPECT_EQ(typeOf({"--sixteen-bit"}), 1);
+}
+
+TEST(RenderCommand, APictureOfEveryExhibitAloneBringsItselfBackWithNothingElseSaid)
+{
+    const TemporaryFolder folder;
+    const Ended listed = test::vitrine({"list", "--json"});
+    ASSERT_EQ(listed.code, 0);
+    int exhibits = 0;
+    const Json list = Json::parse(listed.out);
+    for (const Json& exhibit : list) {
+        const std::string name = exhibit.at("name");
+        if (name == "hall") continue;
+        ++exhibits;
+        const std::string first = folder / (name + ".png");
+        const Ended made = test::vitrine(rendering(name, first, {"--alone", "--rotate", "0,25,0", "--time", "1.25"}));
+        ASSERT_EQ(made.code, 0) << made.err;
+        const Ended ended = test::vitrine({"render", name, "--preset", first, "--out", folder / "again.png"});
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        EXPECT_TRUE(sameBytes(first, folder / "again.png")) << name;
+    }
+    EXPECT_GE(exhibits, 9);
+}
+
+TEST(RenderCommand, APictureAtItsPlaceBringsTheHallTheTimeAndTheTurnBack)
+{
+    const TemporaryFolder folder;
+    const std::string first = folder / "first.png";
+    const Ended made = test::vitrine(rendering(
+        "sdf_morph", first,
+        {"--set", "hall.exposure=1", "--set", "morph=0.2", "--rotate", "0,40,0", "--time", "3", "--seed", "7"}));
+    ASSERT_EQ(made.code, 0) << made.err;
+    const Ended ended = test::vitrine({"render", "sdf_morph", "--preset", first, "--out", folder / "again.png"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_TRUE(sameBytes(first, folder / "again.png"));
+    // The control: with its settings alone it is another picture.
+    ASSERT_EQ(test::vitrine({"render", "sdf_morph", "--preset", first, "--settings-only", "--size", "48x27",
+                             "--samples", "1", "--out", folder / "settings.png"})
+                  .code,
+              0);
+    EXPECT_NE(render::readImage(folder / "settings.png").pixels, render::readImage(first).pixels);
 }
 
 TEST(RenderCommand, ARowThatMovesIsWhereTheTimeSays)
@@ -274,6 +332,7 @@ TEST(RenderCommand, WhatCannotBeWrittenIsExit5AndNothingIsLeft)
         test::vitrine(rendering("sdf_morph", folder / "x.png", {"--alone", "--report", folder / "no/r.json"}));
     EXPECT_EQ(report.code, 5);
     test::expectOneSentence(report, {"r.json"});
+    EXPECT_TRUE(folder.files().empty()) << "a picture without its report";
 }
 
 TEST(RenderCommand, WhatCannotBeReadIsExit5)
