@@ -5,6 +5,8 @@
 namespace vitrine::render::gl {
 namespace {
 
+constexpr GLuint colorLocation = 5;
+
 BufferName store(const void* data, std::size_t bytes)
 {
     GLuint name = 0;
@@ -13,11 +15,11 @@ BufferName store(const void* data, std::size_t bytes)
     return BufferName(name);
 }
 
-void attribute(GLuint array, GLuint location, GLint components, std::size_t offset)
+void attribute(GLuint array, GLuint location, GLint components, std::size_t offset, GLuint binding = 0)
 {
     glEnableVertexArrayAttrib(array, location);
     glVertexArrayAttribFormat(array, location, components, GL_FLOAT, GL_FALSE, static_cast<GLuint>(offset));
-    glVertexArrayAttribBinding(array, location, 0);
+    glVertexArrayAttribBinding(array, location, binding);
 }
 
 }  // namespace
@@ -40,18 +42,27 @@ MeshBuffers::MeshBuffers(const Mesh& mesh)
     attribute(array, 2, 4, offsetof(Vertex, tangent));
     attribute(array, 3, 2, offsetof(Vertex, uv));
     attribute(array, 4, 2, offsetof(Vertex, extra));
+    if (mesh.colors.size() != mesh.vertices.size()) return;
+    const std::size_t colorBytes = mesh.colors.size() * sizeof(glm::vec4);
+    colors_ = store(mesh.colors.data(), colorBytes);
+    bytes_ += static_cast<std::int64_t>(colorBytes);
+    glVertexArrayVertexBuffer(array, 1, colors_.name(), 0, sizeof(glm::vec4));
+    attribute(array, colorLocation, 4, 0, 1);
 }
 
 void MeshBuffers::draw(int instances) const
 {
     if (indexCount_ == 0 || instances < 1) return;
     glBindVertexArray(array_.name());
+    // What a shader reads of a mesh without colors. It is the state of the context, not of the array.
+    glVertexAttrib4f(colorLocation, 1, 1, 1, 1);
     glDrawElementsInstanced(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr, instances);
 }
 
 void MeshBuffers::abandon()
 {
     vertices_.abandon();
+    colors_.abandon();
     indices_.abandon();
     array_.abandon();
 }

@@ -18,7 +18,7 @@ public:
     void abandon();
 
 private:
-    BufferName vertices_, indices_;
+    BufferName vertices_, indices_, colors_;
     VertexArrayName array_;
     GLsizei indexCount_ = 0;
     std::int64_t bytes_ = 0;

@@ -61,14 +61,19 @@ void bindTarget(const Pass& pass, Resources& resources, bool clears)
         glClearNamedFramebufferfv(name, GL_DEPTH, 0, &pass.depth->clear.x);
 }
 
+void applyCulling(Cull cull)
+{
+    enable(GL_CULL_FACE, cull != Cull::none);
+    glCullFace(cull == Cull::front ? GL_FRONT : GL_BACK);
+}
+
 void applyState(const RasterState& state)
 {
     enable(GL_DEPTH_TEST, state.depthTest != DepthTest::none || state.depthWrite);
     glDepthFunc(depthFunction(state.depthTest));
     glDepthMask(state.depthWrite ? GL_TRUE : GL_FALSE);
     enable(GL_DEPTH_CLAMP, state.depthClamp);
-    enable(GL_CULL_FACE, state.cull != Cull::none);
-    glCullFace(state.cull == Cull::front ? GL_FRONT : GL_BACK);
+    applyCulling(state.cull);
     enable(GL_POLYGON_OFFSET_FILL, state.depthBias != glm::vec2(0));
     // Away from the viewer is towards 0 in reversed depth.
     glPolygonOffset(-state.depthBias.x, -state.depthBias.y);

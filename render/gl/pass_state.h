@@ -10,6 +10,8 @@ namespace vitrine::render::gl {
 void bindTarget(const Pass&, Resources&, bool clears);
 
 void applyState(const RasterState&);
+/// Which faces the next draw leaves out.
+void applyCulling(Cull);
 
 /// Draws these columns alone (`Pass::columns`); unset: all.
 void limitTo(const std::optional<glm::ivec2>& columns);

@@ -236,6 +236,7 @@ struct Renderer::State {
             bindBuffers(draw.buffers);
             arena.bind(BLOCK_OBJECT, objects[i]);
             glFrontFace(draw.mirrored ? GL_CW : GL_CCW);
+            if (draw.cull) applyCulling(*draw.cull);
             if (draw.mesh) {
                 uploads.mesh(draw.mesh).draw(draw.instances);
             } else {

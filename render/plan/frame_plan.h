@@ -94,6 +94,7 @@ struct Draw {
     Bytes object;           ///< The OBJECT block; may be empty.
     std::vector<SampledTexture> inputs;
     std::vector<BufferUse> buffers = {};  ///< Read only: the instances' data at STORAGE_INSTANCES, by gl_InstanceID.
+    std::optional<Cull> cull = {};        ///< In place of the pass's. Set by all draws of a pass, or by none.
 };
 
 /// A simulation is ledger only: whoever prepared the frame has taken its steps.

@@ -37,7 +37,7 @@ struct GltfLimits {
 /// glTF's sense: v = 0 is the top row of a picture, and row 0 of `Texture`.
 ///
 /// What the file asks for and this program does not draw (skins, animations, morph targets, lines, points,
-/// vertex colors, extensions, pictures that cannot be read) is left out and listed in `warnings`.
+/// extensions, pictures that cannot be read) is left out and listed in `warnings`.
 /// `canceled` (may be empty) is asked between primitives and between pictures.
 /// Throws Failure naming file, line and key of what is broken or beyond `limits`.
 [[nodiscard]] Model loadGltf(const std::filesystem::path&, const GltfLimits& = {},
@@ -46,5 +46,9 @@ struct GltfLimits {
 /// The same from the bytes of a file named `path`, which need not exist.
 [[nodiscard]] Model parseGltf(const std::string& bytes, const std::filesystem::path&, const GltfLimits& = {},
                               const std::function<bool()>& canceled = {});
+
+/// Why nothing of a model in these bounds can be seen, a sentence with its name: it has no triangles, or they are
+/// scaled to a point or a line. Empty where something can be seen.
+[[nodiscard]] std::string whyNothingIsSeen(const std::string& name, const Box& bounds);
 
 }  // namespace vitrine::render

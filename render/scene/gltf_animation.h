@@ -25,9 +25,9 @@ public:
 
     [[nodiscard]] const std::vector<Animation>& animations() const;
     /// The model `seconds` into animation `i`; before its first and after its last key it is as there. -1: the rest
-    /// pose, with the weights that the file gives its morph targets. Skins take up to four joints a vertex (JOINTS_0).
-    /// Interpolation is STEP, LINEAR or CUBICSPLINE. Normals are bent along; where a file has none, they are flat.
-    /// What is not supported is in `warnings`.
+    /// pose, with the weights that the file gives its morph targets. Skins take up to eight joints a vertex (JOINTS_0
+    /// and JOINTS_1). Interpolation is STEP, LINEAR or CUBICSPLINE. Normals are bent along; where a file has none, they
+    /// are flat. What is not supported is in `warnings`.
     [[nodiscard]] Model posed(int i, double seconds) const;
 
 private:

@@ -202,6 +202,7 @@ private:
         }
         mesh->indices = triangulated(std::move(mesh->indices), mode);
         if (mesh->indices.empty()) return nullptr;
+        keepUsedVertices(*mesh);
         if (!hasNormals) makeFlatNormals(*mesh);
         if (material.normalMap && !hasUv)
             warnings_.add("Mesh " + name + " has a normal map but no texture coordinates.");
@@ -216,9 +217,15 @@ private:
             {{"POSITION", 3}, {"NORMAL", 3}, {"TANGENT", 4}, {"TEXCOORD_0", 2}, {"TEXCOORD_1", 2}}};
         const auto entry =
             std::find_if(known.begin(), known.end(), [&](const auto& k) { return attribute == k.first; });
+        if (attribute == "COLOR_0") {
+            readColors(mesh, accessor, path);
+            return;
+        }
         if (entry == known.end()) {
+            const std::size_t number = attribute.find('_') + 1;
             const bool ofSkin = attribute.starts_with("JOINTS_") || attribute.starts_with("WEIGHTS_");
-            if (!ofSkin) warnings_.add("The vertex attribute " + attribute + " is not supported and was ignored.");
+            const bool drawn = ofSkin && GltfPose::takesSet(attribute.substr(number));
+            if (!drawn) warnings_.add("The vertex attribute " + attribute + " is not supported and was ignored.");
             return;
         }
         const auto components = static_cast<std::size_t>(entry->second);
@@ -227,12 +234,39 @@ private:
             throw document_.failure(path, "this must have " + std::to_string(components) +
                                               " components; export the file again.");
         }
-        const std::vector<float> values = readFloats(gltf_, accessor);
+        const std::vector<float> values = finiteFloats(accessor, path);
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+            store(mesh.vertices[i], attribute, values.data() + i * components);
+    }
+
+    std::vector<float> finiteFloats(int accessor, const std::string& path) const
+    {
+        std::vector<float> values = readFloats(gltf_, accessor);
         if (!std::all_of(values.begin(), values.end(), [](float x) { return std::isfinite(x); })) {
             throw document_.failure(path, "one of its values is not a finite number; export the file again.");
         }
-        for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
-            store(mesh.vertices[i], attribute, values.data() + i * components);
+        return values;
+    }
+
+    /// Three or four components, floats or integers. Integers are divided by their largest value, also in a file that
+    /// forgot to say `normalized`.
+    void readColors(Mesh& mesh, int accessor, const std::string& path)
+    {
+        const tinygltf::Accessor& from = gltf_.accessors[static_cast<std::size_t>(accessor)];
+        const int components = tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(from.type));
+        if (components != 3 && components != 4)
+            throw document_.failure(path, "this must have 3 or 4 components; export the file again.");
+        float largest = 1;
+        if (!from.normalized && from.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) largest = 255;
+        if (!from.normalized && from.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) largest = 65535;
+        const std::vector<float> values = finiteFloats(accessor, path);
+        const auto step = static_cast<std::size_t>(components);
+        mesh.colors.reserve(mesh.vertices.size());
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+            const float* x = values.data() + i * step;
+            const glm::vec4 color(x[0], x[1], x[2], step == 4 ? x[3] : largest);
+            mesh.colors.push_back(glm::clamp(color / largest, 0.0F, 1.0F));
+        }
     }
 
     static void store(Vertex& vertex, const std::string& attribute, const float* x)

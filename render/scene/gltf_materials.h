@@ -4,6 +4,7 @@
 #include "render/scene/gltf.h"
 #include "render/scene/tinygltf.h"
 
+#include <compare>
 #include <map>
 #include <memory>
 #include <string>
@@ -33,9 +34,15 @@ public:
 
 private:
     enum class Content : unsigned char { color, data };
-    using TextureKey = std::tuple<int, Content, bool, bool>;  // Image, content, repeat, mipmaps.
+    /// How a picture is sampled, as `Texture` has it.
+    struct Sampling {
+        bool repeat = true, mipmaps = true, magnifyNearest = false, minifyNearest = false, nearestLevel = false;
+        auto operator<=>(const Sampling&) const = default;
+    };
+    using TextureKey = std::tuple<int, Content, Sampling>;  // By the image's number.
 
     Material convert(const tinygltf::Material&);
+    [[nodiscard]] Sampling samplingOf(const tinygltf::Texture&, const std::string& user);
     std::shared_ptr<const Texture> texture(int index, int texCoord, Content, const std::string& user);
     std::shared_ptr<const Texture> picture(const TextureKey&);
     [[nodiscard]] std::string_view bytesOf(const tinygltf::Image&) const;

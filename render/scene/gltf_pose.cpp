@@ -46,6 +46,25 @@ void addTarget(Mesh& mesh, const tinygltf::Model& gltf, const std::map<std::stri
     }
 }
 
+/// Four joints of each vertex, and how much each counts.
+struct Influences {
+    std::vector<float> joints, weights;
+};
+
+/// The sets that are whole.
+std::vector<Influences> influences(const tinygltf::Model& gltf, const std::map<std::string, int>& attributes,
+                                   std::size_t vertices)
+{
+    std::vector<Influences> sets;
+    for (const auto& [name, accessor] : attributes) {
+        if (!name.starts_with("JOINTS_") || !GltfPose::takesSet(name.substr(7))) continue;
+        Influences set{valuesOf(gltf, attributes, name, vertices, 4),
+                       valuesOf(gltf, attributes, "WEIGHTS_" + name.substr(7), vertices, 4)};
+        if (!set.joints.empty() && !set.weights.empty()) sets.push_back(std::move(set));
+    }
+    return sets;
+}
+
 }  // namespace
 
 void GltfPose::deform(Mesh& mesh, const tinygltf::Model& gltf, const tinygltf::Primitive& primitive, int node) const
@@ -57,18 +76,18 @@ void GltfPose::deform(Mesh& mesh, const tinygltf::Model& gltf, const tinygltf::P
     for (Vertex& v : mesh.vertices) v.normal = unitOr(glm::dvec3(v.normal), {0, 1, 0});
     const std::vector<glm::dmat4>& joints = jointsOfNode[at];
     const std::size_t n = mesh.vertices.size();
-    const std::vector<float> index = valuesOf(gltf, primitive.attributes, "JOINTS_0", n, 4);
-    const std::vector<float> share = valuesOf(gltf, primitive.attributes, "WEIGHTS_0", n, 4);
-    if (joints.empty() || index.empty() || share.empty()) return;
+    const std::vector<Influences> sets = influences(gltf, primitive.attributes, n);
+    if (joints.empty() || sets.empty()) return;
     for (std::size_t i = 0; i < n; ++i) {
         glm::dmat4 m(0);
         double sum = 0;
-        for (std::size_t k = 4 * i; k < 4 * i + 4; ++k) {
-            const auto joint = static_cast<std::size_t>(std::max(index[k], 0.0F));
-            if (share[k] <= 0 || joint >= joints.size()) continue;
-            m += joints[joint] * static_cast<double>(share[k]);
-            sum += static_cast<double>(share[k]);
-        }
+        for (const Influences& set : sets)
+            for (std::size_t k = 4 * i; k < 4 * i + 4; ++k) {
+                const auto joint = static_cast<std::size_t>(std::max(set.joints[k], 0.0F));
+                if (set.weights[k] <= 0 || joint >= joints.size()) continue;
+                m += joints[joint] * static_cast<double>(set.weights[k]);
+                sum += static_cast<double>(set.weights[k]);
+            }
         if (!(sum > 0)) continue;
         m *= 1 / sum;
         Vertex& v = mesh.vertices[i];

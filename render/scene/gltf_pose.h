@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <string>
 #include <vector>
 
 namespace vitrine::render {
@@ -16,6 +17,8 @@ struct GltfPose {
     /// Of a node with a mesh: weights of its morph targets; may be empty.
     std::vector<std::vector<double>> weightsOfNode;
 
+    /// Whether the joints and weights of this set ("0" of JOINTS_0 and WEIGHTS_0) are used: eight joints a vertex.
+    [[nodiscard]] static bool takesSet(const std::string& number) { return number == "0" || number == "1"; }
     [[nodiscard]] bool isSkinned(int node) const { return !jointsOfNode[static_cast<std::size_t>(node)].empty(); }
     [[nodiscard]] bool deforms(int node) const
     {

@@ -15,7 +15,8 @@ namespace vitrine::render {
 
 [[nodiscard]] inline std::uint64_t heldBytes(const Mesh& mesh)
 {
-    return mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t);
+    return mesh.vertices.size() * sizeof(Vertex) + mesh.indices.size() * sizeof(std::uint32_t) +
+           mesh.colors.size() * sizeof(glm::vec4);
 }
 
 /// Meshes and pictures that parts share count once.

@@ -49,6 +49,8 @@ struct Mesh {
     std::vector<Vertex> vertices;
     std::vector<std::uint32_t> indices;
     Box bounds;
+    /// Linear Rec. 709 color and opacity of each vertex, at location 5. Empty: white.
+    std::vector<glm::vec4> colors = {};
 };
 
 /// An 8-bit or float picture for sampling. Immutable once shared, like a mesh.
@@ -60,6 +62,9 @@ struct Texture {
     bool sRgb = false;   ///< 8-bit values are sRGB-encoded color.
     bool repeat = true;  ///< Otherwise clamp to edge.
     bool mipmaps = true;
+    bool magnifyNearest = false;      ///< Texels are squares where they are larger than pixels. Otherwise interpolated.
+    bool minifyNearest = false;       ///< The same where they are smaller.
+    bool nearestLevel = false;        ///< One mipmap level is read. Otherwise interpolated between two.
     std::vector<std::uint8_t> bytes;  ///< Row 0 is texture coordinate v = 0. Empty when `floats` is used.
     std::vector<float> floats;
     int layers = 1;  ///< More than one: a 2-D array, layers stored one after another.

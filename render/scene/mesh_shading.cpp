@@ -13,9 +13,29 @@ glm::dvec3 anyPerpendicular(const glm::dvec3& n)
 
 }  // namespace
 
+void keepUsedVertices(Mesh& mesh)
+{
+    std::vector<char> used(mesh.vertices.size(), 0);
+    for (const std::uint32_t i : mesh.indices) used[i] = 1;
+    std::vector<std::uint32_t> place(used.size());
+    std::uint32_t kept = 0;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        if (used[i] == 0) continue;
+        place[i] = kept;
+        mesh.vertices[kept] = mesh.vertices[i];
+        if (!mesh.colors.empty()) mesh.colors[kept] = mesh.colors[i];
+        ++kept;
+    }
+    if (kept == used.size()) return;
+    mesh.vertices.resize(kept);
+    if (!mesh.colors.empty()) mesh.colors.resize(kept);
+    for (std::uint32_t& i : mesh.indices) i = place[i];
+}
+
 void makeFlatNormals(Mesh& mesh)
 {
     std::vector<Vertex> vertices;
+    std::vector<glm::vec4> colors;
     vertices.reserve(mesh.indices.size());
     for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
         const glm::dvec3 a = mesh.vertices[mesh.indices[i]].position;
@@ -27,9 +47,11 @@ void makeFlatNormals(Mesh& mesh)
             Vertex vertex = mesh.vertices[mesh.indices[i + k]];
             vertex.normal = length > 0 ? glm::vec3(normal / length) : glm::vec3(0, 1, 0);
             vertices.push_back(vertex);
+            if (!mesh.colors.empty()) colors.push_back(mesh.colors[mesh.indices[i + k]]);
         }
     }
     mesh.vertices = std::move(vertices);
+    mesh.colors = std::move(colors);
     mesh.indices.resize(mesh.vertices.size());
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) mesh.indices[i] = static_cast<std::uint32_t>(i);
 }

@@ -4,6 +4,9 @@
 
 namespace vitrine::render {
 
+/// Drops the vertices that no triangle has, as meshes that share accessors hold them. The others keep their order.
+void keepUsedVertices(Mesh&);
+
 /// Gives every triangle vertices of its own, with the triangle's normal: three vertices per triangle.
 void makeFlatNormals(Mesh&);
 

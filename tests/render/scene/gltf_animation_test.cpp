@@ -124,6 +124,30 @@ TEST(GltfAnimation, SkinsFollowTheirJointsAndNotTheirNode)
     for (const Vertex& v : bent.parts[0].mesh->vertices) EXPECT_NEAR(glm::length(v.normal), 1, 1e-5);
 }
 
+/// The third corner's second half is in the second set of joints.
+TEST(GltfAnimation, SkinsHaveEightJointsAVertexAndNameWhatIsBeyond)
+{
+    GltfBuilder b = skinned();
+    Json& attributes = b.json["meshes"][0]["primitives"][0]["attributes"];
+    const std::uint8_t second[] = {0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0};
+    b.json["accessors"].push_back({{"bufferView", b.view({reinterpret_cast<const char*>(second), sizeof second})},
+                                   {"componentType", 5121},
+                                   {"count", 3U},
+                                   {"type", "VEC4"}});
+    const std::size_t joints = b.json["accessors"].size() - 1;
+    attributes["WEIGHTS_0"] = b.floats({1, 0, 0, 0, 1, 0, 0, 0, 0.5F, 0, 0, 0}, "VEC4");
+    attributes["JOINTS_1"] = joints;
+    attributes["WEIGHTS_1"] = b.floats({0, 0, 0, 0, 0, 0, 0, 0, 0.5F, 0, 0, 0}, "VEC4");
+    const Model bent = animatedModelOf(b).posed(0, 1);
+    EXPECT_TRUE(bent.warnings.empty());
+    expectNear(corner(bent, 1), {1, 0, 2});
+    expectNear(corner(bent, 2), {0, 1, 1});
+    attributes["JOINTS_2"] = joints;
+    const Model more = animatedModelOf(b).posed(0, 1);
+    ASSERT_EQ(more.warnings.size(), 1U);
+    EXPECT_NE(more.warnings.front().find("JOINTS_2"), std::string::npos);
+}
+
 TEST(GltfAnimation, MorphTargetsAreAddedByTheirWeights)
 {
     GltfBuilder b;
