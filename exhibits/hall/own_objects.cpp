@@ -5,7 +5,8 @@
 #include "exhibits/hall/walk.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/surface_draw.h"
-#include "render/scene/gltf.h"
+#include "render/failure.h"
+#include "render/scene/gltf_animation.h"
 #include "render/scene/held_bytes.h"
 
 #include <glm/gtc/matrix_transform.hpp>
@@ -26,7 +27,12 @@ constexpr double narrowestPlinth = 0.18, widestPlinth = 0.9;  ///< Half the widt
 
 render::AssetStore::Made<render::Model> readModel(const std::string& path)
 {
-    auto model = std::make_shared<render::Model>(render::loadGltf(path));
+    const render::AnimatedModel file = render::AnimatedModel::load(path);
+    auto model = std::make_shared<render::Model>(file.posed(-1, 0));
+    if (!file.animations().empty())
+        model->warnings.emplace_back("Animations are not played in the hall; the model stands still.");
+    if (const std::string why = render::whyNothingIsSeen(path, model->bounds); !why.empty())
+        throw Failure(Blame::file, why);
     const std::uint64_t bytes = heldBytes(*model);
     return {std::move(model), bytes};
 }
@@ -121,10 +127,11 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
                    const Channels& channels, render::FramePlan& plan)
 {
     const bool onFreePlinth = scene.values[scene.table.objects[object.which].modelStand] == ObjectStand::freePlinth;
-    Pass pass =
-        surfacePass(ownPassName(object.which),
-                    onFreePlinth ? "an object stands on the free plinth" : "an object of the visitor's stands here",
-                    light, channels, {"BASE_COLOR_MAP", "NORMAL_MAP", "ORM_MAP", "EMISSIVE_MAP", "ALPHA_MASK"});
+    Pass pass = surfacePass(
+        ownPassName(object.which),
+        onFreePlinth ? "an object stands on the free plinth" : "an object of the visitor's stands here", light,
+        channels,
+        {"BASE_COLOR_MAP", "VERTEX_COLOR", "NORMAL_MAP", "ORM_MAP", "OCCLUSION_MAP", "EMISSIVE_MAP", "ALPHA_MASK"});
     pass.state.cull = render::Cull::none;
     pass.depthOnly.reset();  // Its textures cut holes.
     Pass blended = pass;
@@ -134,11 +141,19 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
     blended.state.depthWrite = false;
     blended.colors.resize(1);
     std::erase_if(blended.shader.defines, [](const std::string& define) { return define.starts_with("WRITE_"); });
+    blended.shader.defines.emplace_back("BLENDED");
+    std::vector<TranslucentPart> translucent;
     for (const MeshInstance& part : object.model->parts) {
         const render::Material& material = part.material ? *part.material : redPaint();
-        Draw draw = surfaceDraw(part.mesh, object.worldFromModel * part.modelFromPart, material);
-        (material.alphaMode == render::AlphaMode::blend ? blended : pass).draws.push_back(std::move(draw));
+        const glm::dmat4 place = object.worldFromModel * part.modelFromPart;
+        Draw draw = surfaceDraw(part.mesh, place, material);
+        if (material.alphaMode == render::AlphaMode::blend)
+            translucent.push_back({std::move(draw), part.mesh->bounds.transformed(place), material.doubleSided});
+        else
+            pass.draws.push_back(std::move(draw));
     }
+    blended.draws = farToNear(translucent, plan.view.eye);
+    for (const std::string& warning : object.model->warnings) plan.warn(pass.name, warning);
     if (!pass.draws.empty()) plan.add(std::move(pass));
     if (!blended.draws.empty())
         plan.add(std::move(blended));

@@ -48,9 +48,9 @@ SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Mate
     object.worldFromModel = glm::mat4(worldFromModel);
     object.worldFromModelNormals = glm::mat4(glm::dmat4(normalMatrix(glm::dmat3(worldFromModel))));
     object.baseColor = material.baseColor;
-    // An occlusion map of its own is not read here; only the red channel beside roughness and metalness is.
     const bool packedOcclusion = material.occlusionMap && material.occlusionMap == material.metallicRoughnessMap;
     object.occlusionStrength = packedOcclusion ? material.occlusionStrength : 0.0F;
+    object.ownOcclusionStrength = material.occlusionMap && !packedOcclusion ? material.occlusionStrength : 0.0F;
     object.metalness = material.metalness;
     object.roughness = material.roughness;
     object.specular = 0.5F;
@@ -71,8 +71,33 @@ render::Draw surfaceDraw(std::shared_ptr<const render::Mesh> mesh, const glm::dm
     draw.inputs = {{UNIT_BASE_COLOR, orNeutral(material.baseColorMap, UNIT_BASE_COLOR)},
                    {UNIT_NORMAL, orNeutral(material.normalMap, UNIT_NORMAL)},
                    {UNIT_ORM, orNeutral(material.metallicRoughnessMap, UNIT_ORM)},
-                   {UNIT_EMISSIVE, orNeutral(material.emissiveMap, UNIT_EMISSIVE)}};
+                   {UNIT_EMISSIVE, orNeutral(material.emissiveMap, UNIT_EMISSIVE)},
+                   {UNIT_OCCLUSION, orNeutral(material.occlusionMap, UNIT_OCCLUSION)}};
     return draw;
+}
+
+std::vector<render::Draw> farToNear(const std::vector<TranslucentPart>& parts, const glm::dvec3& eye)
+{
+    struct Face {
+        double distance;
+        render::Draw draw;
+    };
+    std::vector<Face> faces;
+    for (const TranslucentPart& part : parts) {
+        const glm::dvec3 nearest = glm::clamp(eye, part.box.low, part.box.high);
+        const glm::dvec3 farthest = glm::max(glm::abs(part.box.low - eye), glm::abs(part.box.high - eye));
+        if (part.doubleSided) {
+            faces.push_back({glm::length(farthest), part.draw});
+            faces.back().draw.cull = render::Cull::front;
+        }
+        faces.push_back({glm::distance(nearest, eye), part.draw});
+        faces.back().draw.cull = render::Cull::back;
+    }
+    std::stable_sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.distance > b.distance; });
+    std::vector<render::Draw> draws;
+    draws.reserve(faces.size());
+    for (Face& face : faces) draws.push_back(std::move(face.draw));
+    return draws;
 }
 
 std::shared_ptr<const render::Mesh> domeMesh()

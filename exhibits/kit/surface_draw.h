@@ -6,6 +6,8 @@
 
 #include <glm/glm.hpp>
 
+#include <vector>
+
 namespace vitrine {
 
 #include "shaders/kit/surface_object_block.glsl"
@@ -26,6 +28,17 @@ namespace vitrine {
 /// A draw with every map of the surface shaders bound; where the material has none, a neutral pixel is.
 [[nodiscard]] render::Draw surfaceDraw(std::shared_ptr<const render::Mesh>, const glm::dmat4& worldFromModel,
                                        const render::Material&, double textureTile = 1);
+
+/// A mesh that is blended over what is behind it.
+struct TranslucentPart {
+    render::Draw draw;
+    render::Box box;  ///< World space.
+    bool doubleSided = false;
+};
+/// The draws of parts in the order in which they are blended: back faces of double-sided parts by the farthest point of
+/// their box, front faces by the nearest one, so that a part inside another one lies between the two sides of that.
+/// Triangles of one side of a part keep their order.
+[[nodiscard]] std::vector<render::Draw> farToNear(const std::vector<TranslucentPart>&, const glm::dvec3& eye);
 
 /// Half a sphere of radius 1 on y = 0, dome up: a button.
 [[nodiscard]] std::shared_ptr<const render::Mesh> domeMesh();

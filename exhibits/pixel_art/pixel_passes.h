@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/kit/surface_draw.h"
 #include "exhibits/pixel_art/palette.h"
 #include "exhibits/pixel_art/pixel_camera.h"
 #include "exhibits/pixel_art/small_world.h"
@@ -16,6 +17,11 @@ namespace vitrine {
 inline constexpr const char* pixelSurfaceImage = "pixel_art.surface";  ///< As shaders/pixel_art/surface.glsl packs it.
 inline constexpr const char* pixelTruthImage = "pixel_art.truth";      ///< As drawn; a: the object's number, 0: none.
 inline constexpr const char* pixelDrawnDepthImage = "pixel_art.drawn_depth";  ///< Reversed, 32-bit.
+/// Translucent parts alone, where there are any: color premultiplied, opacity in a; and of the nearest of them the
+/// normal and the reversed depth.
+inline constexpr const char* pixelTranslucentImage = "pixel_art.translucent";
+inline constexpr const char* pixelTranslucentNormalImage = "pixel_art.translucent_normal";
+inline constexpr const char* pixelTranslucentDepthImage = "pixel_art.translucent_depth";
 inline constexpr const char* pixelLitImage = "pixel_art.lit";      ///< Linear display light before the palette.
 inline constexpr const char* pixelShownImage = "pixel_art.shown";  ///< The same with the palette; a: coverage.
 
@@ -31,6 +37,10 @@ struct PixelShot {
     bool keepsLit = true;                      ///< Whether pixelLitImage is there; it is when errors are diffused.
     bool seenSmaller = true;  ///< Whether a texel may be smaller than a pixel of who looks: means of texels are made.
 };
+
+/// Whether a part is blended over what is behind it.
+[[nodiscard]] bool isTranslucent(const WorldPart&);
+[[nodiscard]] bool hasTranslucent(const std::vector<WorldPart>&);
 
 /// Adds the passes that draw it, kept until anything about it changes. Returns the block that they share.
 PixelBlock planPixelPicture(const PixelShot&, render::FramePlan&);

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace vitrine {
 namespace {
@@ -85,25 +84,14 @@ PosedModel posedModel(const PixelArtTable& t, const ParameterValues& values, dou
         made.failure = framed.failure.empty() ? posed.failure : framed.failure;
         return made;
     }
+    made.failure = render::whyNothingIsSeen(values[t.model], *framed.value);
+    if (!made.failure.empty()) return made;
     made.model = posed.value;
     made.framed = *framed.value;
     made.pose = pose;
-    made.warnings = blendWarnings(file.value->rest);
+    made.warnings = file.value->rest.warnings;
     made.id = render::Hash().addValue(file.id).addValue(pose.animation).addValue(pose.seconds).value();
     return made;
-}
-
-std::vector<std::string> blendWarnings(const render::Model& model)
-{
-    std::set<std::string> names;
-    for (const render::MeshInstance& part : model.parts)
-        if (part.material && part.material->alphaMode == render::AlphaMode::blend) names.insert(part.material->name);
-    std::vector<std::string> sentences;
-    for (const std::string& name : names)
-        sentences.push_back("The material \"" + name +
-                            "\" is transparent, which pixel art does not blend: it is drawn where its opacity is at "
-                            "least its cutoff, and left out elsewhere.");
-    return sentences;
 }
 
 }  // namespace vitrine

@@ -28,15 +28,12 @@ struct PosedModel {
     std::shared_ptr<const render::Model> model;  ///< Null: it cannot be read, and `failure` says why.
     render::Box framed;                          ///< What the picture holds: the model as it stands and as it moves.
     ModelPose pose;
-    std::vector<std::string> warnings;  ///< What the file asks for and is drawn otherwise, sentences.
+    std::vector<std::string> warnings;  ///< What the file asks for and is not drawn, sentences.
     std::string failure;
     std::uint64_t id = 0;  ///< Of file and pose.
 };
 
 /// The file is read once, and a pose is made once for all who show it.
 [[nodiscard]] PosedModel posedModel(const PixelArtTable&, const ParameterValues&, double now, render::AssetStore&);
-
-/// What the file of a model asks for and is drawn otherwise: materials that are blended. Sentences.
-[[nodiscard]] std::vector<std::string> blendWarnings(const render::Model&);
 
 }  // namespace vitrine

@@ -1,17 +1,18 @@
-// A mesh with a material. Permutations: BASE_COLOR_MAP, NORMAL_MAP, ORM_MAP, EMISSIVE_MAP, LIGHTMAP, BOUNCED_LIGHT
-// (the sun's, with LIGHTMAP), LAMP_LIGHT (of the vault, with LIGHTMAP), FLAT_PROBE (for the probe's own capture: no mirror image), ALPHA_MASK, WRITE_NORMAL,
-// WRITE_EVALUATIONS, and POLISHED_FLOOR with those of kit/standing.glsl.
+// A mesh with a material. Permutations: those of kit/material.glsl, NORMAL_MAP, ORM_MAP, OCCLUSION_MAP, ALPHA_MASK,
+// BLENDED (opacity in alpha), LIGHTMAP, BOUNCED_LIGHT (the sun's, with LIGHTMAP), LAMP_LIGHT (of the vault, with
+// LIGHTMAP), FLAT_PROBE (for the probe's own capture: no mirror image), WRITE_NORMAL, WRITE_EVALUATIONS, and
+// POLISHED_FLOOR with those of kit/standing.glsl.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
 #include "kit/surface_object.glsl"
+#include "kit/material.glsl"
 #ifdef POLISHED_FLOOR
 #include "kit/standing.glsl"
 #endif
 
-layout(binding = UNIT_BASE_COLOR) uniform sampler2D baseColorMap;
 layout(binding = UNIT_NORMAL) uniform sampler2D normalMap;
 layout(binding = UNIT_ORM) uniform sampler2D ormMap;
-layout(binding = UNIT_EMISSIVE) uniform sampler2D emissiveMap;
+layout(binding = UNIT_OCCLUSION) uniform sampler2D occlusionMap;
 layout(binding = UNIT_SKY_LIGHTMAP) uniform sampler2D skyLightmap;
 layout(binding = UNIT_BOUNCED_LIGHT) uniform sampler2D bouncedLight;
 
@@ -48,10 +49,7 @@ vec3 bakedAmbient()
 void main()
 {
     turnDisk(framePixel(gl_FragCoord.xy));
-    vec4 base = object.baseColor;
-#ifdef BASE_COLOR_MAP
-    base *= texture(baseColorMap, tileUv);
-#endif
+    vec4 base = materialColor(tileUv);
 #ifdef ALPHA_MASK
     if (base.a < object.alphaCutoff) discard;
 #endif
@@ -82,6 +80,9 @@ void main()
     s.roughness *= orm.g;
     s.metalness *= orm.b;
 #endif
+#ifdef OCCLUSION_MAP
+    s.occlusion *= mix(1.0, texture(occlusionMap, tileUv).r, object.ownOcclusionStrength);
+#endif
     s.roughness = clamp(s.roughness, 0.045, 1.0);
 #ifdef LIGHTMAP
     s.ambient = bakedAmbient();
@@ -106,12 +107,13 @@ void main()
 #else
     vec3 color = shadeSurface(s, toEye);
 #endif
-    vec3 emitted = object.emissive;
-#ifdef EMISSIVE_MAP
-    emitted *= texture(emissiveMap, tileUv).rgb;
+#ifdef BLENDED
+    float opacity = base.a;
+#else
+    float opacity = 1.0;
 #endif
     // Half floats end at 65504, and infinity is NaN in every average after it.
-    radiance = vec4(min(color + emitted, vec3(6e4)), 1.0);
+    radiance = vec4(min(color + materialEmission(tileUv), vec3(6e4)), opacity);
 #ifdef WRITE_NORMAL
     normalOut = vec4(n, 1.0);
 #endif

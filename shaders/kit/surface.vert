@@ -1,4 +1,4 @@
-// A mesh with a material. Permutations: LIGHTMAP, POLISHED_FLOOR.
+// A mesh with a material. Permutations: VERTEX_COLOR, LIGHTMAP, POLISHED_FLOOR.
 #include "lib/frame.glsl"
 #if defined(LIGHTMAP) || defined(POLISHED_FLOOR)
 #define ROOM_AMBIENT
@@ -11,6 +11,10 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 tangent;
 layout(location = 3) in vec2 uv;
 layout(location = 4) in vec2 lightmapUv;
+#ifdef VERTEX_COLOR
+layout(location = 5) in vec4 color;
+out vec4 vertexColor;
+#endif
 
 out vec3 worldPosition;
 out vec3 worldNormal;
@@ -29,6 +33,9 @@ void main()
     worldTangent = vec4(mat3(object.worldFromModel) * tangent.xyz, tangent.w);
     tileUv = uv * object.textureRepeats;
     atlasUv = lightmapUv;
+#ifdef VERTEX_COLOR
+    vertexColor = color;
+#endif
 #ifdef ROOM_AMBIENT
     roomAmbient = probeAmbient(safeNormalize(worldNormal, vec3(0.0, 1.0, 0.0)));
 #endif

@@ -1,15 +1,11 @@
-// What a model's mask cuts out throws no shadow. After pixel_art/shadow.vert with MASKED.
-#include "lib/bindings.glsl"
-#include "pixel_art/object_block.glsl"
-
-layout(std140, binding = BLOCK_OBJECT) uniform Object {
-    PixelObjectBlock object;
-};
-layout(binding = UNIT_BASE_COLOR) uniform sampler2D baseColorMap;
+// What a model's mask cuts out throws no shadow. After pixel_art/shadow.vert with MASKED. Permutations: those of
+// kit/material.glsl.
+#include "pixel_art/object.glsl"
+#include "kit/material.glsl"
 
 in vec2 uvAt;
 
 void main()
 {
-    if (object.color.a * texture(baseColorMap, uvAt).a < object.alphaCutoff) discard;
+    if (materialColor(uvAt).a < object.alphaCutoff) discard;
 }

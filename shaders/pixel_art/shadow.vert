@@ -1,21 +1,25 @@
-// A part of the small world as its sun sees it. Permutation: MASKED, a part has a mask (pixel_art/shadow.frag).
+// A part of the small world as its sun sees it. Permutations: MASKED, a part has a mask (pixel_art/shadow.frag), and with
+// it VERTEX_COLOR.
 #include "lib/frame.glsl"
-#include "pixel_art/object_block.glsl"
-
-layout(std140, binding = BLOCK_OBJECT) uniform Object {
-    PixelObjectBlock object;
-};
+#include "pixel_art/object.glsl"
 
 layout(location = 0) in vec3 position;
 #ifdef MASKED
 layout(location = 3) in vec2 uv;
 out vec2 uvAt;
 #endif
+#ifdef VERTEX_COLOR
+layout(location = 5) in vec4 color;
+out vec4 vertexColor;
+#endif
 
 void main()
 {
 #ifdef MASKED
     uvAt = uv;
+#endif
+#ifdef VERTEX_COLOR
+    vertexColor = color;
 #endif
     gl_Position = frame.clipFromWorld * (object.worldFromModel * vec4(position, 1.0));
 }

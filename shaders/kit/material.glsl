@@ -1,0 +1,30 @@
+// Color, opacity and emission of a glTF material, for every renderer that draws models. After a block with
+// `SurfaceObject object`, before main. Permutations: BASE_COLOR_MAP, VERTEX_COLOR, EMISSIVE_MAP.
+layout(binding = UNIT_BASE_COLOR) uniform sampler2D baseColorMap;
+layout(binding = UNIT_EMISSIVE) uniform sampler2D emissiveMap;
+#ifdef VERTEX_COLOR
+in vec4 vertexColor;  // linear Rec. 709; a: opacity
+#endif
+
+// Linear Rec. 709; a: opacity.
+vec4 materialColor(vec2 uv)
+{
+    vec4 base = object.baseColor;
+#ifdef BASE_COLOR_MAP
+    base *= texture(baseColorMap, uv);
+#endif
+#ifdef VERTEX_COLOR
+    base *= vertexColor;
+#endif
+    return base;
+}
+
+// Radiance.
+vec3 materialEmission(vec2 uv)
+{
+    vec3 emitted = object.emissive;
+#ifdef EMISSIVE_MAP
+    emitted *= texture(emissiveMap, uv).rgb;
+#endif
+    return emitted;
+}

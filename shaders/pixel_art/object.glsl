@@ -1,0 +1,8 @@
+// One part of the small world. Its `object` is what every surface has, as in kit/surface_object.glsl.
+#include "lib/bindings.glsl"
+#include "pixel_art/object_block.glsl"
+
+layout(std140, binding = BLOCK_OBJECT) uniform Object {
+    PixelObjectBlock part;
+};
+#define object part.surface
