@@ -86,13 +86,13 @@ Image SpriteColors::diffused(const Image& frame)
     Image wanted = frame, made = frame;
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
-            if (frame.at(x, y, 3) <= 0.5F) continue;
+            if (!isSeen(frame, x, y)) continue;
             // What is owed may lie beyond all colors, but not grow without end where none of the palette is near.
             const glm::vec3 here = glm::clamp(colorAt(wanted, x, y), -1.0F, 2.0F);
             const glm::vec3 color = linear_[nearest(here)];
             setColor(made, x, y, color);
             const auto hand = [&](int toX, int toY, float share) {
-                if (toX < 0 || toX >= frame.width || toY >= frame.height || frame.at(toX, toY, 3) <= 0.5F) return;
+                if (toX < 0 || toX >= frame.width || toY >= frame.height || !isSeen(frame, toX, toY)) return;
                 setColor(wanted, toX, toY, colorAt(wanted, toX, toY) + share * (here - color));
             };
             hand(x + 1, y, 7.0F / 16);
@@ -109,7 +109,7 @@ Image SpriteColors::of(const Image& frame)
     Image made = frame;
     for (int y = 0; y < frame.height; ++y)
         for (int x = 0; x < frame.width; ++x) {
-            if (frame.at(x, y, 3) <= 0.5F) continue;
+            if (!isSeen(frame, x, y)) continue;
             const glm::vec3 color = colorAt(frame, x, y);
             const bool plain = dither_ == SpriteDither::none;
             setColor(made, x, y, linear_[plain ? nearest(color) : patternOf(color)[rankAt(dither_, x, y)]]);

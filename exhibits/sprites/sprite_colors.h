@@ -14,7 +14,7 @@ public:
     /// The palette is not empty.
     SpriteColors(const std::vector<Rgb8>& palette, SpriteDither);
 
-    /// A frame (linear, alpha 0 or 1) in colors of the palette. Ordered dithering takes one of sixteen colors, whose
+    /// A frame (linear, straight alpha) in colors of the palette. Ordered dithering takes one of sixteen colors, whose
     /// mean is the one asked for, by the pixel's place in the frame (after Knoll 1999, US 6606166, "Pattern
     /// dithering", and Bayer 1973); blue noise takes it by a pattern without a grid; error diffusion is that of Floyd
     /// and Steinberg 1976 in linear light, among seen pixels.

@@ -1,5 +1,6 @@
 #include "exhibits/sprites/sprite_files.h"
 
+#include "exhibits/framework/preset.h"
 #include "exhibits/pixel_art/palette.h"
 #include "render/files/atomic_write.h"
 #include "render/image/image_io.h"
@@ -14,9 +15,9 @@ std::filesystem::path besides(const std::filesystem::path& out, const std::strin
     return out.parent_path() / (out.stem().string() + suffix + extension);
 }
 
-std::string pngOf(const std::filesystem::path& file, const render::Image& image)
+std::string pngOf(const std::filesystem::path& file, const render::Image& image, const std::string& settings = {})
 {
-    return render::encodedPicture(file, image, render::PictureFormat::png8);
+    return render::encodedPicture(file, image, render::PictureFormat::png8, {.preset = settings});
 }
 
 /// The same of numbers as they are, past the curve that colors are written with.
@@ -54,7 +55,8 @@ std::vector<SheetPart> sheetParts(const ParameterValues& values, const std::file
 {
     const SpriteTable& t = spriteTable();
     using Path = std::filesystem::path;
-    std::vector<SheetPart> parts{{out, [](const SpriteSheet& s, const Path& f) { return pngOf(f, s.color); }}};
+    std::vector<SheetPart> parts{
+        {out, [](const SpriteSheet& s, const Path& f) { return pngOf(f, s.color, s.settings); }}};
     if (values[t.normals])
         parts.push_back({besides(out, "_normal", ".png"),
                          [](const SpriteSheet& s, const Path& f) { return codesOf(f, s.normal); }});
@@ -71,7 +73,7 @@ std::vector<SheetPart> sheetParts(const ParameterValues& values, const std::file
 SpriteRequest spriteRequest(const ParameterValues& values, const std::string& animation)
 {
     const SpriteTable& t = spriteTable();
-    return {values[t.directions], values[t.frames], {values[t.width], values[t.height]}, animation};
+    return {values[t.directions], values[t.frames], {values[t.width], values[t.height]}, animation, values[t.motion]};
 }
 
 std::shared_ptr<const SpriteSubject> spriteSubject(const ParameterValues& values)
@@ -101,6 +103,11 @@ std::vector<std::filesystem::path> sheetFiles(const ParameterValues& values, con
     std::vector<std::filesystem::path> files;
     for (const SheetPart& part : sheetParts(values, out)) files.push_back(part.file);
     return files;
+}
+
+std::string lookPreset(const ParameterValues& look)
+{
+    return presetText({std::string(spriteLookName), "Sprite sheet", look, std::nullopt});
 }
 
 void writeSheet(const SpriteSheet& sheet, const ParameterValues& values, const std::filesystem::path& out,

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace vitrine {
 namespace {
@@ -14,9 +15,14 @@ namespace {
 using render::Image;
 using render::Json;
 
-bool isSeen(const Image& color, int x, int y)
+constexpr int fewestPixels = 12;  ///< Of a frame that shows something.
+
+/// Pixels that are seen in the fullest frame.
+int mostSeen(const std::vector<SpriteFrame>& frames)
 {
-    return color.at(x, y, 3) > 0.5F;
+    int most = 0;
+    for (const SpriteFrame& frame : frames) most = std::max(most, seenPixels(frame));
+    return most;
 }
 
 /// The part of a frame that is not empty; one texel of one that is.
@@ -84,7 +90,8 @@ void copyFrame(const SpriteFrame& frame, const Image& color, const SpriteCell& c
                 sheet.color.at(toX, toY, k) = color.at(fromX, fromY, k);
                 sheet.normal.at(toX, toY, k) = 0.5F + 0.5F * frame.normal.at(fromX, fromY, k);
             }
-            sheet.color.at(toX, toY, 3) = sheet.normal.at(toX, toY, 3) = 1;
+            sheet.color.at(toX, toY, 3) = frame.color.at(fromX, fromY, 3);
+            sheet.normal.at(toX, toY, 3) = 1;
             sheet.depth.at(toX, toY) = frame.depth.at(fromX, fromY);
         }
 }
@@ -110,10 +117,13 @@ std::string describe(const std::vector<SpriteFrame>& frames, const SpriteSheet& 
 {
     Json list = Json::array(), tags = Json::array(), keys = Json::array();
     const glm::ivec2 whole(frames.front().color.width, frames.front().color.height);
+    // Of this sheet alone, as far as its file's name is.
+    const std::string stem = std::filesystem::path(options.imageName).stem().string();
+    const std::string tagStem = stem.empty() ? std::string() : stem + ' ';
     const int milliseconds = std::max(1, static_cast<int>(std::floor(1000 * options.frameSeconds + 0.5)));
     for (std::size_t i = 0; i < frames.size(); ++i) {
         const SpriteCell& cell = sheet.cells[i];
-        list.push_back({{"filename", options.imageName + " " + std::to_string(i)},
+        list.push_back({{"filename", std::to_string(i)},
                         {"frame", box(cell.place, cell.size)},
                         {"rotated", false},
                         {"trimmed", cell.size != whole},
@@ -123,10 +133,11 @@ std::string describe(const std::vector<SpriteFrame>& frames, const SpriteSheet& 
         const glm::ivec2 pivot = sheet.pivots[i];
         keys.push_back({{"frame", i}, {"bounds", box({0, 0}, whole)}, {"pivot", {{"x", pivot.x}, {"y", pivot.y}}}});
         if (i == 0 || frames[i].direction != frames[i - 1].direction)
-            tags.push_back({{"name", "direction " + std::to_string(frames[i].direction)},
+            tags.push_back({{"name", tagStem + "direction " + std::to_string(frames[i].direction)},
                             {"from", i},
                             {"to", i},
-                            {"direction", "forward"}});
+                            {"direction", "forward"},
+                            {"color", "#000000ff"}});
         tags.back()["to"] = i;
     }
     Json meta = {{"app", "https://www.aseprite.org/docs/cli/#data (written by Vitrine)"},
@@ -142,6 +153,14 @@ std::string describe(const std::vector<SpriteFrame>& frames, const SpriteSheet& 
 }
 
 }  // namespace
+
+int seenPixels(const SpriteFrame& frame)
+{
+    int seen = 0;
+    for (int y = 0; y < frame.color.height; ++y)
+        for (int x = 0; x < frame.color.width; ++x) seen += isSeen(frame.color, x, y);
+    return seen;
+}
 
 SpriteSheet spriteSheet(const std::vector<SpriteFrame>& frames, const SpriteSheetOptions& options)
 {
@@ -160,6 +179,10 @@ SpriteSheet spriteSheet(const std::vector<SpriteFrame>& frames, const SpriteShee
     for (std::size_t i = 0; i < frames.size(); ++i)
         copyFrame(frames[i], colors.of(frames[i].color), sheet.cells[i], sheet);
     sheet.description = describe(frames, sheet, options);
+    if (const int most = mostSeen(frames); most < fewestPixels)
+        sheet.warnings.push_back("The object covers at most " + std::to_string(most) +
+                                 " pixels of a frame: it moves far in its animation, or a frame is small. Take its "
+                                 "motion out of the frames, or make them larger.");
     return sheet;
 }
 

@@ -16,11 +16,19 @@ using Rgb8 = glm::u8vec3;
 /// One drawn picture of a sprite.
 struct SpriteFrame {
     int direction = 0;
-    render::Image color;   ///< Linear light; a: 0 or 1.
+    render::Image color;   ///< Linear light; a: opacity, 0 where nothing is.
     render::Image normal;  ///< View space; a: 0 or 1.
     render::Image depth;   ///< One channel, 1 near to 0 far over the object's own depth; 0 where nothing is.
     glm::dvec2 pivot{0};   ///< Where the object stands, texels from the upper left corner of the picture.
 };
+
+/// Whether anything is in a pixel: its opacity is no 0 in 8 bits.
+[[nodiscard]] inline bool isSeen(const render::Image& color, int x, int y)
+{
+    return color.at(x, y, 3) > 0.5F / 255;
+}
+/// In how many pixels of the frame something is.
+[[nodiscard]] int seenPixels(const SpriteFrame&);
 
 struct SpriteSheetOptions {
     int colors = 32;  ///< Of the palette that is made of all frames, 1 to 256; unused where `palette` is given.
@@ -40,7 +48,7 @@ struct SpriteCell {
 
 /// All frames in one picture, a row for each direction.
 struct SpriteSheet {
-    render::Image color;  ///< RGBA, linear; colors of the palette only where alpha is 1, black elsewhere.
+    render::Image color;  ///< RGBA, linear; colors of the palette only where alpha is above 0, black elsewhere.
     render::Image
         normal;  ///< RGBA, stored as n / 2 + 1/2 so that a file's raw codes are the usual normal map; alpha as color.
     render::Image depth;  ///< Gray, raw codes.
@@ -48,9 +56,12 @@ struct SpriteSheet {
     std::vector<glm::ivec2> pivots;  ///< Of each frame, as the description has them.
     double frameSeconds = 0;         ///< Likewise.
     std::vector<Rgb8> palette;
-    /// The JSON that Aseprite exports ("array" form, with frame tags, and the pivot as a slice), which Phaser, Godot's
-    /// and Unity's importers read.
+    /// The JSON that Aseprite exports ("array" form, `--filename-format {frame}`, with frame tags, and the pivot as a
+    /// slice), which Phaser, Godot's and Unity's importers read. Phaser's `createFromAseprite` asks a texture for
+    /// frames by their numbers, and keeps the animations of all sheets by the names of their tags.
     std::string description;
+    std::string settings = {};  ///< The preset that the picture carries: the look that it was drawn in; empty: none.
+    std::vector<std::string> warnings;  ///< What will disappoint, sentences.
 };
 
 /// Frames of one size, direction by direction. Throws Failure (Blame::usage) where there is none.

@@ -75,14 +75,36 @@ PixelCamera spriteCamera(const SpriteExtent& e, const SpriteRequest& request, do
     return camera;
 }
 
-/// Coverage apart from color, and depth over the object's own.
-SpriteFrame frameOf(render::RenderBackend& backend, const PixelBlock& block, const PixelCamera& camera, int direction)
+/// Where nothing opaque is, what is translucent stands alone: its own color, normal and depth.
+void addTranslucent(render::RenderBackend& backend, SpriteFrame& frame, render::Image& depth)
+{
+    const render::Image over = backend.read(pixelTranslucentImage);
+    const render::Image normal = backend.read(pixelTranslucentNormalImage);
+    const render::Image overDepth = backend.read(pixelTranslucentDepthImage);
+    const auto channels = static_cast<std::size_t>(overDepth.channels);
+    for (std::size_t i = 0; i < depth.pixels.size(); ++i) {
+        const float opacity = over.pixels[4 * i + 3];
+        if (depth.pixels[i] > 0 || !(opacity > 0)) continue;
+        for (std::size_t k = 4 * i; k < 4 * i + 3; ++k) {
+            frame.color.pixels[k] = std::min(over.pixels[k] / opacity, 1.0F);
+            frame.normal.pixels[k] = normal.pixels[k];
+        }
+        frame.color.pixels[4 * i + 3] = std::min(opacity, 1.0F);
+        depth.pixels[i] = overDepth.pixels[channels * i];
+    }
+}
+
+/// Coverage apart from color, and depth over the object's own. `origin` of the object, in the small world.
+SpriteFrame frameOf(render::RenderBackend& backend, const PixelBlock& block, const PixelShot& shot,
+                    const glm::dvec3& origin, int direction)
 {
     SpriteFrame frame;
     frame.direction = direction;
     frame.color = backend.read(pixelLitImage);
     frame.normal = normalsOf(backend.read(pixelSurfaceImage));
-    const render::Image depth = backend.read(pixelDrawnDepthImage);
+    render::Image depth = backend.read(pixelDrawnDepthImage);
+    for (std::size_t i = 0; i < depth.pixels.size(); ++i) frame.color.pixels[4 * i + 3] = depth.pixels[i] > 0 ? 1 : 0;
+    if (hasTranslucent(shot.parts)) addTranslucent(backend, frame, depth);
     frame.depth = render::Image(depth.width, depth.height, 1);
     float nearest = 0, farthest = 1;
     for (const float d : depth.pixels)
@@ -93,15 +115,14 @@ SpriteFrame frameOf(render::RenderBackend& backend, const PixelBlock& block, con
     const float span = std::max(nearest - farthest, 1e-9F);
     for (std::size_t i = 0; i < depth.pixels.size(); ++i) {
         const bool seen = depth.pixels[i] > 0;
-        frame.color.pixels[4 * i + 3] = seen ? 1.0F : 0.0F;
         frame.normal.pixels[4 * i + 3] = seen ? 1.0F : 0.0F;
         // 0 is kept for what is nothing.
         if (seen) frame.depth.pixels[i] = (1 + 254 * (depth.pixels[i] - farthest) / span) / 255;
     }
-    const glm::dvec4 view = glm::inverse(glm::dmat4(block.worldFromView)) * glm::dvec4(0, 0, 0, 1);
+    const glm::dvec4 view = glm::inverse(glm::dmat4(block.worldFromView)) * glm::dvec4(origin, 1);
     const glm::dvec2 half(block.halfExtent);
     const glm::dvec2 ndc = glm::dvec2(view) / half;
-    frame.pivot = glm::dvec2(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y) * glm::dvec2(camera.size);
+    frame.pivot = glm::dvec2(0.5 + 0.5 * ndc.x, 0.5 - 0.5 * ndc.y) * glm::dvec2(shot.camera.size);
     return frame;
 }
 
@@ -138,10 +159,7 @@ std::vector<std::string> SpriteSubject::animations() const
 std::vector<std::string> SpriteSubject::warnings() const
 {
     if (!model_) return {};
-    const render::Model rest = model_->posed(-1, 0);
-    std::vector<std::string> all = rest.warnings;
-    for (std::string& sentence : blendWarnings(rest)) all.push_back(std::move(sentence));
-    return all;
+    return model_->posed(-1, 0).warnings;
 }
 
 std::vector<WorldPart> SpriteSubject::parts(const SpriteRequest& request, int i) const
@@ -158,8 +176,48 @@ std::vector<WorldPart> SpriteSubject::parts(const SpriteRequest& request, int i)
 
 struct SpriteShots::Scene {
     std::vector<std::vector<WorldPart>> poses;
+    std::vector<glm::dvec3> origins;  ///< Of the object in the small world, for each pose.
     SpriteExtent extent;
 };
+
+namespace {
+
+/// Of all vertices.
+render::Box exactBounds(const std::vector<WorldPart>& parts)
+{
+    render::Box box;
+    for (const WorldPart& part : parts)
+        for (const render::Vertex& vertex : part.mesh->vertices)
+            box.include(glm::dvec3(part.worldFromModel * glm::dvec4(glm::dvec3(vertex.position), 1)));
+    return box;
+}
+
+double largestSide(const render::Box& box)
+{
+    const glm::dvec3 size = box.high - box.low;
+    return std::max({size.x, size.y, size.z});
+}
+
+/// How far the animation carries the object from its first to its last moment, where that is taken out of the frames.
+glm::dvec3 travel(const std::vector<render::Box>& boxes, const render::Box& end, SpriteMotion motion)
+{
+    if (motion == SpriteMotion::kept || boxes.front().empty() || end.empty()) return glm::dvec3(0);
+    const glm::dvec3 way = end.center() - boxes.front().center();
+    double size = largestSide(end);
+    for (const render::Box& box : boxes)
+        if (!box.empty()) size = std::max(size, largestSide(box));
+    return motion == SpriteMotion::inPlace || glm::length(way) > size ? way : glm::dvec3(0);
+}
+
+/// The point about whose vertical it is turned: the object's origin where it stands over that, else its middle. Its
+/// height is that of the middle.
+glm::dvec3 turningPoint(const render::Box& box)
+{
+    const bool standsOverOrigin = box.low.x <= 0 && box.high.x >= 0 && box.low.z <= 0 && box.high.z >= 0;
+    return standsOverOrigin ? glm::dvec3(0, box.center().y, 0) : box.center();
+}
+
+}  // namespace
 
 SpriteShots::SpriteShots(ParameterValues look, std::shared_ptr<const SpriteSubject> subject, SpriteRequest request)
     : look_(std::move(look)), subject_(std::move(subject)), request_(std::move(request))
@@ -189,16 +247,35 @@ double SpriteShots::progress() const
 void SpriteShots::pose()
 {
     auto scene = std::make_unique<Scene>();
-    SpriteExtent& extent = scene->extent;
+    std::vector<render::Box> boxes;
     for (int i = 0; i < request_.frames; ++i) {
         scene->poses.push_back(subject_->parts(request_, i));
-        extent.include(scene->poses.back(), look_[lookTable().elevation]);
+        boxes.push_back(exactBounds(scene->poses.back()));
+    }
+    const glm::dvec3 way = travel(boxes, exactBounds(subject_->parts(request_, request_.frames)), request_.motion);
+    render::Box all;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        if (boxes[i].empty()) continue;
+        const glm::dvec3 gone = way * (static_cast<double>(i) / request_.frames);
+        all.include(boxes[i].low - gone);
+        all.include(boxes[i].high - gone);
+    }
+    if (const std::string why = render::whyNothingIsSeen(subject_->name(), all); !why.empty())
+        throw Failure(Blame::file, why);
+    const glm::dvec3 middle = turningPoint(all);
+    SpriteExtent& extent = scene->extent;
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        scene->origins.push_back(-middle - way * (static_cast<double>(i) / request_.frames));
+        const glm::dmat4 moved = glm::translate(glm::dmat4(1), scene->origins.back());
+        for (WorldPart& part : scene->poses[i]) part.worldFromModel = moved * part.worldFromModel;
+        extent.include(scene->poses[i], look_[lookTable().elevation]);
     }
     // A model is as large as it is drawn: shadows and thresholds count in meters of the small world.
     const double scale = 3 / std::max({extent.across, 0.5 * (extent.high - extent.low), 1e-9});
     for (auto& pose : scene->poses)
         for (WorldPart& part : pose)
             part.worldFromModel = glm::scale(glm::dmat4(1), glm::dvec3(scale)) * part.worldFromModel;
+    for (glm::dvec3& origin : scene->origins) origin *= scale;
     extent = {extent.across * scale, extent.low * scale, extent.high * scale};
     scene_ = std::move(scene);
 }
@@ -222,9 +299,17 @@ void SpriteShots::step(render::RenderBackend& backend)
     plan.view.raster.size = request_.size;
     plan.allParts = true;
     const PixelBlock block = planPixelPicture(shot, plan);
-    plan.prune({pixelLitImage, pixelSurfaceImage, pixelDrawnDepthImage});
+    std::vector<std::string> outputs{pixelLitImage, pixelSurfaceImage, pixelDrawnDepthImage};
+    if (hasTranslucent(shot.parts))
+        outputs.insert(outputs.end(), {pixelTranslucentImage, pixelTranslucentNormalImage, pixelTranslucentDepthImage});
+    plan.prune(outputs);
     backend.draw(plan);
-    frames_.push_back(frameOf(backend, block, shot.camera, d));
+    frames_.push_back(frameOf(backend, block, shot, scene_->origins[static_cast<std::size_t>(i)], d));
+    if (finished() &&
+        std::none_of(frames_.begin(), frames_.end(), [](const SpriteFrame& f) { return seenPixels(f) > 0; }))
+        throw Failure(Blame::file, "Nothing of " + subject_->name() +
+                                       " is to be seen: every pixel of every frame is empty; choose an object with "
+                                       "more opacity, or larger frames.");
 }
 
 std::vector<SpriteFrame> drawSprite(const ParameterValues& look, const SpriteSubject& subject,

@@ -24,6 +24,7 @@ struct SpriteRequest {
     int frames = 1;      ///< Of each direction, evenly over the animation.
     glm::ivec2 size{64, 64};
     std::string animation;  ///< By name; empty: the first one.
+    SpriteMotion motion = SpriteMotion::automatic;
 };
 
 /// An object of which sprites are made. Immutable.
@@ -32,7 +33,13 @@ public:
     /// The program's own: the torus over its pillar, which tumbles.
     SpriteSubject() = default;
     /// A glTF file, animated by itself. Throws Failure as `AnimatedModel::load`.
-    explicit SpriteSubject(const std::filesystem::path& file) : model_(render::AnimatedModel::load(file)) {}
+    explicit SpriteSubject(const std::filesystem::path& file)
+        : model_(render::AnimatedModel::load(file)), name_(file.string())
+    {
+    }
+
+    /// As messages have it.
+    [[nodiscard]] const std::string& name() const { return name_; }
 
     /// Frame `i` of `n`. Throws Failure (Blame::usage) where there is no such animation.
     [[nodiscard]] std::vector<WorldPart> parts(const SpriteRequest&, int i) const;
@@ -46,18 +53,20 @@ public:
 private:
     [[nodiscard]] int animationOf(const SpriteRequest&) const;
     std::optional<render::AnimatedModel> model_;
+    std::string name_ = "the torus over its pillar";
 };
 
 /// Draws frames one by one, direction by direction, in a look (values of `spriteLookName`): its camera's elevation,
 /// light and lines; orthographic, as large as all frames fit, by drawn normals unless the look has a method other than
-/// its initial one. The object's origin is its pivot.
+/// its initial one. It is turned about its origin where it stands over that, else about its middle; the pivot is the
+/// origin, which may lie outside of the frame.
 class SpriteShots {
 public:
     SpriteShots(ParameterValues look, std::shared_ptr<const SpriteSubject>, SpriteRequest);
     ~SpriteShots();
 
     /// The next frame, or the poses of all, which come first. Throws Failure (Blame::usage) where there is no such
-    /// animation. Always on the same backend.
+    /// animation, and (Blame::file) where nothing is to be seen in any frame. Always on the same backend.
     void step(render::RenderBackend&);
     [[nodiscard]] bool finished() const;
     /// The part that is done, 0 to 1.

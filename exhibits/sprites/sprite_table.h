@@ -10,6 +10,7 @@ namespace vitrine {
 enum class SpritePalette : int { own };
 enum class SpriteDither : int { none, ordered, errorDiffusion, blueNoise };
 enum class SpritePivot : int { origin, center, bottom };
+enum class SpriteMotion : int { automatic, kept, inPlace };
 
 /// Everything that can be set about a sheet of sprites, but the animation's name, which a file gives.
 struct SpriteTable final : Parameters {
@@ -20,6 +21,11 @@ struct SpriteTable final : Parameters {
     Group frameGroup = group("Frames");
     Count directions = count("directions", 8, Range{1, 64}.soft(1, 16), "From how many sides it is drawn, evenly.");
     Count frames = count("frames", 12, Range{1, 256}.soft(1, 24), "Of each direction, evenly over the animation.");
+    Choice<SpriteMotion> motion =
+        choice("motion", SpriteMotion::automatic, {"automatic", "kept", "in place"},
+               "Way that the animation carries the object from its first to its last moment: kept, so that the frames "
+               "hold all of it, or taken out of the frames, so that it walks in place and the pivot moves. Automatic "
+               "takes out what is longer than the object.");
     Real framesPerSecond = real("framesPerSecond", 12, none, Range{0, 1000}.soft(0, 30),
                                 "What the description tells; 0: as long as the animation.", reads(0, "auto"));
     Count width = count("width", 64, Range{1, 16384, logarithmic}.soft(8, 256), "Of a frame, pixels.");

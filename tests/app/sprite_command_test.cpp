@@ -130,11 +130,19 @@ TEST(SpriteCommand, SaysWhatItCannotDo)
     refused({"--palette", "Amiga"}, 2, "Game Boy");
     refused({"--dither", "noise"}, 2, "error diffusion");
     refused({"--pivot", "left"}, 2, "bottom");
+    refused({"--motion", "walk"}, 2, "in place");
     refused({"--size", "9000x9000", "--directions", "8"}, 2, "16384");
     refused({"--set", "nothing=1"}, 2, "nothing");
     EXPECT_EQ(test::vitrine({"sprite", file, "--out", folder / "a.exr"}).code, 2);
     EXPECT_EQ(test::vitrine({"sprite", folder / "none.glb", "--out", folder / "a.png"}).code, 5);
     EXPECT_EQ(folder.files().size(), 1U);
+    test::GltfBuilder nothing;
+    nothing.node({{"mesh", nothing.triangle()}, {"scale", {0, 0, 0}}});
+    test::writeBytes(folder / "nothing.glb", nothing.glb());
+    const Ended ended = test::vitrine({"sprite", folder / "nothing.glb", "--out", folder / "a.png"});
+    EXPECT_EQ(ended.code, 5);
+    EXPECT_NE(ended.err.find("nothing.glb is to be seen: it is scaled to a point"), std::string::npos) << ended.err;
+    EXPECT_EQ(folder.files().size(), 2U);
 }
 
 }  // namespace

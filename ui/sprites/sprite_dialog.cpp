@@ -9,6 +9,7 @@
 #include "ui/kit/replace_question.h"
 #include "ui/kit/scroll_room.h"
 #include "ui/kit/type_size.h"
+#include "ui/kit/window_place.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/sprites/sprite_preview.h"
 
@@ -23,6 +24,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace vitrine::ui {
@@ -31,6 +33,12 @@ namespace {
 constexpr int spritePanelWidth = 376;
 constexpr int lookAfter = 250;                   // Milliseconds.
 constexpr std::int64_t draftPixels = 1U << 20U;  // Of all frames that are drawn to be looked at.
+
+/// Cause of the problems of an export: they leave with the next one.
+QString spriteExportCause()
+{
+    return QStringLiteral("export");
+}
 
 QString spritePlaces()
 {
@@ -63,7 +71,8 @@ QImage pictureOf(const render::Image& sheet)
     for (int y = 0; y < sheet.height; ++y)
         for (int x = 0; x < sheet.width; ++x) {
             const auto code = [&](int k) { return static_cast<int>(render::srgb8FromLinear(sheet.at(x, y, k))); };
-            picture.setPixel(x, y, sheet.at(x, y, 3) > 0.5F ? qRgba(code(0), code(1), code(2), 255) : 0U);
+            const auto opacity = static_cast<int>(std::lround(255 * std::clamp(sheet.at(x, y, 3), 0.0F, 1.0F)));
+            picture.setPixel(x, y, opacity > 0 ? qRgba(code(0), code(1), code(2), opacity) : 0U);
         }
     return picture;
 }
@@ -105,7 +114,6 @@ SpriteDialog::~SpriteDialog()
 
 void SpriteDialog::build()
 {
-    messages_ = new MessageStrip(this);
     panel_ = new ParameterPanel(setup_.history(), this);
     panel_->showExhibit(0, QStringLiteral("sprites"));
     animation_ = new QComboBox(this);
@@ -144,11 +152,13 @@ void SpriteDialog::build()
     auto* sides = new QHBoxLayout;
     sides->setSpacing(8);
     sides->addWidget(side);
-    sides->addWidget(new ScrollRoom(content, this), 1);
+    auto* room = new ScrollRoom(content, this);
+    sides->addWidget(room, 1);
+    messages_ = new MessageStrip(this);
+    messages_->lieOver(room);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(messages_);
     layout->addLayout(sides, 1);
     resize(1000, 680);  // With a title bar it fits 1280 x 720.
 }
@@ -187,7 +197,7 @@ void SpriteDialog::connectParts()
     connect(&write_, &ProgressJob::stopped, this, [this] { endExport(tr("Canceled; no file was written.")); });
     connect(&write_, &ProgressJob::failed, this, [this](const QString& why) {
         endExport(tr("Nothing was written."));
-        messages_->say(MessageStrip::Mood::problem, why);
+        messages_->setProblems(spriteExportCause(), {why});
     });
     connect(export_, &ExportBar::goAsked, this, &SpriteDialog::startExport);
     connect(export_, &ExportBar::exportAsked, this, &SpriteDialog::begin);
@@ -197,7 +207,7 @@ void SpriteDialog::connectParts()
 void SpriteDialog::recall()
 {
     const QSettings places(spritePlaces(), QSettings::IniFormat);
-    restoreGeometry(places.value(QStringLiteral("geometry")).toByteArray());
+    restorePlace(*this, places.value(QStringLiteral("geometry")).toByteArray());
     QString folder = places.value(QStringLiteral("folder")).toString();
     if (folder.isEmpty() || !QDir(folder).exists())
         folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
@@ -221,9 +231,7 @@ void SpriteDialog::remember()
 
 void SpriteDialog::complain(const QString& why)
 {
-    if (!complaint_.isEmpty()) messages_->takeBack(complaint_);
-    complaint_ = why;
-    if (!why.isEmpty()) messages_->say(MessageStrip::Mood::problem, why);
+    messages_->setProblems(QStringLiteral("object"), why.isEmpty() ? QStringList() : QStringList(why));
 }
 
 void SpriteDialog::follow()
@@ -312,7 +320,7 @@ void SpriteDialog::showDraft(const SpriteDrawer::Frames& frames)
                                (all[t.framesPerSecond] > 0 ? static_cast<double>(all[t.frames]) / values[t.frames] : 1);
         const auto shown = shownOf(sheet, values, seconds);
         const bool drawnInFull = values == all;
-        return [this, shown, drawnInFull, colors = sheet.palette.size()] {
+        return [this, shown, drawnInFull, colors = sheet.palette.size(), warnings = sheet.warnings] {
             preview_->setShown(shown);
             const ParameterValues& set = setup_.values();
             const QString frameText =
@@ -322,6 +330,8 @@ void SpriteDialog::showDraft(const SpriteDrawer::Frames& frames)
                                                 .arg(shown->picture.width())
                                                 .arg(shown->picture.height())
                                           : tr("%1; a part of them is shown here").arg(frameText));
+            for (const std::string& warning : warnings)
+                numbers_->setText(numbers_->text() + QLatin1Char('\n') + said(warning));
         };
     });
 }
@@ -339,9 +349,11 @@ QString SpriteDialog::path() const
 void SpriteDialog::startExport()
 {
     if (exporting_ || !subject_ || !whyNot().empty()) return;
+    messages_->setProblems(spriteExportCause(), {});
     if (QFileInfo(path()).suffix().toLower() != QLatin1String("png")) {
-        messages_->say(MessageStrip::Mood::problem,
-                       tr("%1 was not written: sheets of sprites are PNG files; give a name with .png.").arg(path()));
+        messages_->setProblems(
+            spriteExportCause(),
+            {tr("%1 was not written: sheets of sprites are PNG files; give a name with .png.").arg(path())});
         return;
     }
     QStringList beside;
@@ -363,10 +375,11 @@ void SpriteDialog::begin()
 void SpriteDialog::write(const SpriteDrawer::Frames& frames)
 {
     export_->showStatus(tr("Writing"), 1);
-    write_.start([this, frames, subject = subject_, values = setup_.values(), animation = setup_.animation(),
-                  file = std::filesystem::path(path().toStdString())](
+    write_.start([this, frames, look = look_, subject = subject_, values = setup_.values(),
+                  animation = setup_.animation(), file = std::filesystem::path(path().toStdString())](
                      const ProgressJob::Progress& progress) -> ProgressJob::Outcome {
-        const SpriteSheet sheet = sheetOf(*frames, values, animation, *subject, file.filename().string());
+        SpriteSheet sheet = sheetOf(*frames, values, animation, *subject, file.filename().string());
+        sheet.settings = lookPreset(look);
         if (!progress(1)) throw Failure(Blame::check, "stopped");
         writeSheet(sheet, values, file);
         return [this, file, files = sheetFiles(values, file).size()] {

@@ -5,11 +5,13 @@
 #include "exhibits/pixel_art/visitor_model.h"
 #include "exhibits/sprites/sprite_shots.h"
 #include "tests/exhibits/pixel_art/moved_model.h"
+#include "tests/support/failures.h"
 #include "tests/support/gallery.h"
 #include "tests/support/planned.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -200,16 +202,27 @@ TEST_F(TransparentModel, IsCutOutWhereItsMaskSaysWithItsShadow)
     EXPECT_EQ(litWith({floor, squareOf(material)}, -1).pixels, whole.pixels);
     material.alphaCutoff = 0.5F;
     EXPECT_EQ(litWith({floor, squareOf(material)}, -1).pixels, bare.pixels);
-    // What would be blended is drawn or not.
+    // What is blended hides as much as it is opaque. Both opacities are too low for a shadow.
     material.alphaMode = render::AlphaMode::blend;
-    EXPECT_EQ(litWith({floor, squareOf(material)}, -1).pixels, bare.pixels);
-    material.baseColor.a = 0.7F;
-    EXPECT_NE(litWith({floor, squareOf(material)}, -1).pixels, bare.pixels);
+    material.doubleSided = true;
+    const auto changeOf = [&](float opacity) {
+        material.baseColor.a = opacity;
+        const render::Image blended = litWith({floor, squareOf(material)}, -1);
+        double sum = 0;
+        for (std::size_t i = 0; i < bare.pixels.size(); ++i)
+            sum += std::abs(double{blended.pixels[i]} - double{bare.pixels[i]});
+        return sum;
+    };
+    EXPECT_EQ(changeOf(0), 0);
+    const double some = changeOf(0.2F);
+    EXPECT_GT(some, 0.1);
+    EXPECT_NEAR(changeOf(0.4F) / some, 2, 0.02);
 }
 
-TEST_F(TransparentModel, IsHonoredInSpritesWhichNameWhatIsNotBlended)
+TEST_F(TransparentModel, HasItsOpacityInSprites)
 {
     const TemporaryFolder folder;
+    float opacity = 0;
     const auto seenOf = [&](const char* mode, double alpha, std::vector<std::string>& warnings) {
         GltfBuilder b;
         const int mesh = b.triangle();
@@ -225,22 +238,128 @@ TEST_F(TransparentModel, IsHonoredInSpritesWhichNameWhatIsNotBlended)
         const SpriteSubject subject{std::filesystem::path(path)};
         warnings = subject.warnings();
         const auto frames = drawSprite(modelRows().initial(), subject, {1, 1, {24, 24}, {}}, gallery().renderer);
-        int seen = 0;
+        opacity = 0;
         for (std::size_t i = 3; i < frames.front().color.pixels.size(); i += 4)
-            seen += frames.front().color.pixels[i] > 0;
-        return seen;
+            opacity = std::max(opacity, frames.front().color.pixels[i]);
+        return seenPixels(frames.front());
     };
     std::vector<std::string> warnings;
     const int whole = seenOf("OPAQUE", 0.3, warnings);
     EXPECT_GT(whole, 20);
     EXPECT_TRUE(warnings.empty());
-    EXPECT_EQ(seenOf("MASK", 0.3, warnings), 0);
+    EXPECT_FAILURE(seenOf("MASK", 0.3, warnings), "glass.glb is to be seen: every pixel");
     EXPECT_EQ(seenOf("MASK", 0.8, warnings), whole);
     EXPECT_TRUE(warnings.empty());
-    EXPECT_EQ(seenOf("BLEND", 0.3, warnings), 0);
-    ASSERT_EQ(warnings.size(), 1U);
-    EXPECT_NE(warnings.front().find("\"glass\""), std::string::npos) << warnings.front();
-    EXPECT_EQ(seenOf("BLEND", 0.8, warnings), whole);
+    EXPECT_EQ(opacity, 1);
+    EXPECT_EQ(seenOf("BLEND", 0.3, warnings), whole);
+    EXPECT_NEAR(opacity, 0.3, 0.002);
+    EXPECT_TRUE(warnings.empty());
+    EXPECT_FAILURE(seenOf("BLEND", 0, warnings), "glass.glb is to be seen");
+}
+
+/// A box of 1 m with its middle at `place`, which an animation may carry `way` further.
+std::string writeBox(const TemporaryFolder& folder, const glm::vec3& place, const glm::vec3& way = glm::vec3(0))
+{
+    GltfBuilder b;
+    std::vector<float> corners;
+    for (int i = 0; i < 8; ++i)
+        for (const int axis : {0, 1, 2}) corners.push_back((i >> axis & 1) != 0 ? 0.5F : -0.5F);
+    const render::Json primitive{{"attributes", {{"POSITION", b.floats(corners, "VEC3")}}},
+                                 {"indices", b.indices({0, 1, 3, 0, 3, 2, 4, 6, 7, 4, 7, 5, 0, 4, 5, 0, 5, 1,
+                                                        2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 5, 7, 1, 7, 3})}};
+    b.json["meshes"].push_back(render::Json{{"primitives", render::Json::array({primitive})}});
+    const int node = b.node({{"mesh", 0U}, {"translation", {place.x, place.y, place.z}}});
+    if (way != glm::vec3(0)) {
+        const glm::vec3 end = place + way;
+        b.json["animations"] = render::Json::array(
+            {{{"samplers",
+               render::Json::array({{{"input", b.floats({0, 1}, "SCALAR")},
+                                     {"output", b.floats({place.x, place.y, place.z, end.x, end.y, end.z}, "VEC3")}}})},
+              {"channels", render::Json::array(
+                               {{{"sampler", 0U},
+                                 {"target", {{"node", static_cast<unsigned>(node)}, {"path", "translation"}}}}})}}});
+    }
+    const std::string path = (folder / "box.glb").string();
+    writeBytes(path, b.glb());
+    return path;
+}
+
+class SpriteFraming : public GlTest {
+protected:
+    const TemporaryFolder folder;
+
+    std::vector<SpriteFrame> framesOf(const std::string& path, const SpriteRequest& request)
+    {
+        return drawSprite(modelRows().initial(), SpriteSubject{std::filesystem::path(path)}, request,
+                          gallery().renderer);
+    }
+};
+
+TEST_F(SpriteFraming, HoldsAnObjectAsLargeWhereverItsFileHasIt)
+{
+    const SpriteRequest request{4, 1, {64, 64}, {}};
+    std::vector<int> seen;
+    for (const SpriteFrame& frame : framesOf(writeBox(folder, {0, 0, 0}), request)) seen.push_back(seenPixels(frame));
+    EXPECT_GT(*std::min_element(seen.begin(), seen.end()), 64 * 64 / 4);
+    for (const glm::vec3& place : {glm::vec3(1, 0, 0), glm::vec3(0, 0, 3), glm::vec3(-10, 0, 10), glm::vec3(30, 0, 0),
+                                   glm::vec3(0, 0, -100), glm::vec3(0, 50, 0), glm::vec3(1000, 200, 3)}) {
+        const auto frames = framesOf(writeBox(folder, place), request);
+        for (std::size_t i = 0; i < frames.size(); ++i)
+            EXPECT_NEAR(seenPixels(frames[i]), seen[i], 0.03 * seen[i]) << place.x << ' ' << place.y << ' ' << place.z;
+    }
+    // The pivot is the file's origin, as far to the side as the box is wide times ten: seen from the front, to the
+    // left.
+    ParameterValues front = modelRows().initial();
+    front.set(modelRows().azimuth, 0.0);
+    front.set(modelRows().elevation, 0.0);
+    const auto aside = drawSprite(front, SpriteSubject{std::filesystem::path(writeBox(folder, {10, 0, 0}))},
+                                  {1, 1, {64, 64}, {}}, gallery().renderer);
+    int columns = 0;
+    for (int x = 0; x < 64; ++x) columns += isSeen(aside.front().color, x, 32);
+    EXPECT_NEAR(aside.front().pivot.x, 32 - 10 * columns, 10);
+}
+
+TEST_F(SpriteFraming, TakesOutHowFarAnAnimationCarriesTheObject)
+{
+    SpriteRequest request{1, 5, {64, 64}, {}};
+    const int still = seenPixels(framesOf(writeBox(folder, {0, 0, 0}), {1, 1, {64, 64}, {}}).front());
+    const std::string walks = writeBox(folder, {0, 0, 0}, {0, 0, 20});
+    const auto inPlace = framesOf(walks, request);
+    for (const SpriteFrame& frame : inPlace) EXPECT_NEAR(seenPixels(frame), still, 0.03 * still);
+    EXPECT_GT(glm::distance(inPlace.front().pivot, inPlace.back().pivot), 64);
+    request.motion = SpriteMotion::kept;
+    EXPECT_LT(seenPixels(framesOf(walks, request).front()), 20);
+    // A way shorter than the object is part of its motion.
+    request.motion = SpriteMotion::automatic;
+    const auto sways = framesOf(writeBox(folder, {0, 0, 0}, {0.6F, 0, 0}), request);
+    EXPECT_NEAR(sways.front().pivot.x, sways.back().pivot.x, 1e-6);
+    EXPECT_NE(sways.front().color.pixels, sways.back().color.pixels);
+}
+
+TEST_F(SpriteFraming, FailsWhereNothingIsToBeSeen)
+{
+    GltfBuilder empty;
+    empty.node({{"name", "nothing"}});
+    GltfBuilder points;
+    points.triangle();
+    points.json["meshes"][0]["primitives"][0]["mode"] = 0U;
+    points.node({{"mesh", 0U}});
+    GltfBuilder flat;
+    flat.node({{"mesh", flat.triangle()}, {"scale", {0, 0, 0}}});
+    const std::pair<const GltfBuilder*, const char*> cases[] = {
+        {&empty, "no triangles"}, {&points, "no triangles"}, {&flat, "scaled to a point"}};
+    for (const auto& [builder, why] : cases) {
+        const std::string path = (folder / "a.glb").string();
+        writeBytes(path, builder->glb());
+        EXPECT_FAILURE(framesOf(path, {2, 2, {32, 32}, {}}), why);
+        // The exhibit shows its own world in its place, and the hall nothing; both say so.
+        render::AssetStore assets;
+        ParameterValues values = modelRows().initial();
+        values.set(modelRows().model, path);
+        const PosedModel posed = posedModel(modelRows(), values, 0, assets);
+        EXPECT_FALSE(posed.model);
+        EXPECT_NE(posed.failure.find(why), std::string::npos) << posed.failure;
+    }
 }
 
 }  // namespace

@@ -159,6 +159,49 @@ TEST(SpriteSheet, AnotherReaderFindsEveryFrameWhereItsDescriptionSays)
         }
 }
 
+/// Phaser 3.60 to 4.2, AnimationManager.createFromAseprite, asks the sheet's texture for frames named by their numbers
+/// and the JSON for `frames[number].duration`, for each tag from `from` to `to`; names of tags are keys of one list for
+/// the whole game. Its parser of arrays (textures/parsers/JSONArray.js) names frames by `filename`.
+TEST(SpriteSheet, HasTheFramesAndTagsThatPhaserAsksFor)
+{
+    std::set<std::string> keys;
+    for (const char* name : {"hero.png", "my tree.png"}) {
+        SpriteSheetOptions options;
+        options.imageName = name;
+        const SpriteSheet sheet = spriteSheet(disks(3, 4, {24, 20}), options);
+        const auto json = nlohmann::json::parse(sheet.description);
+        std::set<std::string> texture;
+        for (const auto& frame : json["frames"]) {
+            EXPECT_TRUE(texture.insert(frame["filename"].get<std::string>()).second);
+            for (const char* key : {"x", "y", "w", "h"}) EXPECT_TRUE(frame["frame"][key].is_number_integer());
+        }
+        for (const auto& tag : json["meta"]["frameTags"]) {
+            EXPECT_TRUE(keys.insert(tag["name"].get<std::string>()).second) << tag["name"];
+            EXPECT_EQ(tag["direction"], "forward");
+            for (int i = tag["from"].get<int>(); i <= tag["to"].get<int>(); ++i) {
+                EXPECT_TRUE(texture.contains(std::to_string(i))) << i;
+                EXPECT_GT(json["frames"][static_cast<std::size_t>(i)]["duration"].get<int>(), 0);
+            }
+        }
+    }
+    EXPECT_EQ(keys.size(), 6U);
+    EXPECT_TRUE(keys.contains("hero direction 0"));
+}
+
+TEST(SpriteSheet, KeepsOpacitiesAndSaysWhereHardlyAnythingIsSeen)
+{
+    std::vector<SpriteFrame> frames = disks(1, 1, {24, 20});
+    for (std::size_t i = 3; i < frames.front().color.pixels.size(); i += 4) frames.front().color.pixels[i] *= 0.25F;
+    const SpriteSheet sheet = spriteSheet(frames, {});
+    EXPECT_EQ(sheet.color.at(8, 8, 3), 0.25F);
+    EXPECT_EQ(sheet.normal.at(8, 8, 3), 1);
+    EXPECT_TRUE(sheet.warnings.empty());
+    for (std::size_t i = 3; i < frames.front().color.pixels.size(); i += 4) frames.front().color.pixels[i] = 0;
+    frames.front().color.at(3, 3, 3) = 1;
+    ASSERT_EQ(spriteSheet(frames, {}).warnings.size(), 1U);
+    EXPECT_NE(spriteSheet(frames, {}).warnings.front().find("at most 1 pixel"), std::string::npos);
+}
+
 TEST(SpriteSheet, HoldsColorsOfOnePaletteOverAllFrames)
 {
     SpriteSheetOptions options;
