@@ -2,9 +2,13 @@
 #include "render/files/strict_json.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <map>
+#include <optional>
+#include <utility>
 
 namespace vitrine::scenes {
 namespace {
@@ -29,17 +33,67 @@ std::uint8_t srgb(float linear)
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0F, 1.0F)));
 }
 
-/// The JSON of a glTF file whose binary part holds positions, normals, colors (16 bits, four of them) and indices.
-std::string gltfJson(const SceneMesh& mesh, const std::string& name)
+/// Triangles of one color, or of several: the indices of their corners.
+struct ColorGroup {
+    std::optional<glm::vec3> color;  ///< Unset: their corners differ.
+    std::vector<std::uint32_t> indices;
+};
+
+/// A group for each color that whole triangles have, and a last one for triangles between colors. Many programs show
+/// the colors of materials and not those of vertices.
+std::vector<ColorGroup> groupsByColor(const SceneMesh& mesh)
 {
-    using render::Json;
-    const std::size_t n = mesh.vertices.size();
+    constexpr std::size_t mostColors = 64;
+    const auto codes = [](const glm::vec3& c) {
+        const glm::ivec3 code(glm::round(c * 255.0F));
+        return std::array<int, 3>{code.x, code.y, code.z};
+    };
+    std::map<std::array<int, 3>, std::size_t> known;
+    std::vector<ColorGroup> groups;
+    ColorGroup mixed;
+    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3) {
+        const auto colorAt = [&](std::size_t k) { return mesh.vertices[mesh.indices[i + k]].color; };
+        const auto code = codes(colorAt(0));
+        ColorGroup* group = &mixed;
+        if (codes(colorAt(1)) == code && codes(colorAt(2)) == code) {
+            const auto found = known.find(code);
+            if (found != known.end()) {
+                group = &groups[found->second];
+            } else if (groups.size() < mostColors) {
+                known[code] = groups.size();
+                group = &groups.emplace_back(ColorGroup{colorAt(0), {}});
+            }
+        }
+        for (std::size_t k = 0; k < 3; ++k) group->indices.push_back(mesh.indices[i + k]);
+    }
+    if (!mixed.indices.empty() || groups.empty()) groups.push_back(std::move(mixed));
+    return groups;
+}
+
+/// The lowest and the highest coordinates of a mesh; zeros for one without vertices.
+std::pair<glm::vec3, glm::vec3> extremesOf(const SceneMesh& mesh)
+{
     glm::vec3 low(0), high(0);
-    if (n > 0) low = high = mesh.vertices.front().position;
+    if (!mesh.vertices.empty()) low = high = mesh.vertices.front().position;
     for (const MeshVertex& v : mesh.vertices) {
         low = glm::min(low, v.position);
         high = glm::max(high, v.position);
     }
+    return {low, high};
+}
+
+bool hasVertexColors(const std::vector<ColorGroup>& groups)
+{
+    return !groups.back().color;
+}
+
+/// The JSON of a glTF file whose binary part holds positions, normals, colors (16 bits, four of them, where triangles
+/// have several) and the indices of all groups.
+std::string gltfJson(const SceneMesh& mesh, const std::vector<ColorGroup>& groups, const std::string& name)
+{
+    using render::Json;
+    const std::size_t n = mesh.vertices.size();
+    const auto [low, high] = extremesOf(mesh);
     constexpr int arrayBuffer = 34962, elementBuffer = 34963, float32 = 5126, uint16 = 5123, uint32 = 5125;
     const auto view = [](std::size_t offset, std::size_t length, int target) {
         return Json{{"buffer", 0}, {"byteOffset", offset}, {"byteLength", length}, {"target", target}};
@@ -52,25 +106,42 @@ std::string gltfJson(const SceneMesh& mesh, const std::string& name)
     positions["max"] = Json::array({high.x, high.y, high.z});
     Json colors = accessor(2, uint16, n, "VEC4");
     colors["normalized"] = true;
-    const std::size_t indexBytes = 4 * mesh.indices.size();
-    const Json root{
-        {"asset", Json{{"version", "2.0"}, {"generator", "Vitrine " VITRINE_VERSION}}},
-        {"scene", 0},
-        {"scenes", Json::array({Json{{"nodes", Json::array({0})}}})},
-        {"nodes", Json::array({Json{{"name", name}, {"mesh", 0}}})},
-        {"materials",
-         Json::array({Json{{"pbrMetallicRoughness", Json{{"metallicFactor", 0}, {"roughnessFactor", 0.5}}}}})},
-        {"meshes",
-         Json::array({Json{
-             {"name", name},
-             {"primitives", Json::array({Json{{"attributes", Json{{"POSITION", 0}, {"NORMAL", 1}, {"COLOR_0", 2}}},
-                                              {"indices", 3},
-                                              {"material", 0}}})}}})},
-        {"accessors", Json::array({positions, accessor(1, float32, n, "VEC3"), colors,
-                                   accessor(3, uint32, mesh.indices.size(), "SCALAR")})},
-        {"bufferViews", Json::array({view(0, 12 * n, arrayBuffer), view(12 * n, 12 * n, arrayBuffer),
-                                     view(24 * n, 8 * n, arrayBuffer), view(32 * n, indexBytes, elementBuffer)})},
-        {"buffers", Json::array({Json{{"byteLength", 32 * n + indexBytes}}})}};
+    const bool ofVertices = hasVertexColors(groups);
+    Json accessors = Json::array({positions, accessor(1, float32, n, "VEC3")});
+    Json views = Json::array({view(0, 12 * n, arrayBuffer), view(12 * n, 12 * n, arrayBuffer)});
+    if (ofVertices) {
+        accessors.push_back(std::move(colors));
+        views.push_back(view(24 * n, 8 * n, arrayBuffer));
+    }
+    const std::size_t indicesAt = (ofVertices ? 32 : 24) * n;
+    const int indexView = ofVertices ? 3 : 2;
+    Json materials = Json::array(), primitives = Json::array();
+    std::size_t indices = 0;
+    for (const ColorGroup& group : groups) {
+        Json indexAccessor = accessor(indexView, uint32, group.indices.size(), "SCALAR");
+        indexAccessor["byteOffset"] = 4 * indices;
+        indices += group.indices.size();
+        Json attributes{{"POSITION", 0}, {"NORMAL", 1}};
+        Json surface{{"metallicFactor", 0}, {"roughnessFactor", 0.5}};
+        if (group.color)
+            surface["baseColorFactor"] = Json::array({group.color->x, group.color->y, group.color->z, 1});
+        else
+            attributes["COLOR_0"] = 2;
+        primitives.push_back(
+            Json{{"attributes", attributes}, {"indices", accessors.size()}, {"material", materials.size()}});
+        accessors.push_back(std::move(indexAccessor));
+        materials.push_back(Json{{"pbrMetallicRoughness", surface}});
+    }
+    views.push_back(view(indicesAt, 4 * indices, elementBuffer));
+    const Json root{{"asset", Json{{"version", "2.0"}, {"generator", "Vitrine " VITRINE_VERSION}}},
+                    {"scene", 0},
+                    {"scenes", Json::array({Json{{"nodes", Json::array({0})}}})},
+                    {"nodes", Json::array({Json{{"name", name}, {"mesh", 0}}})},
+                    {"materials", std::move(materials)},
+                    {"meshes", Json::array({Json{{"name", name}, {"primitives", std::move(primitives)}}})},
+                    {"accessors", std::move(accessors)},
+                    {"bufferViews", std::move(views)},
+                    {"buffers", Json::array({Json{{"byteLength", indicesAt + 4 * indices}}})}};
     std::string json = root.dump();
     json.resize((json.size() + 3) / 4 * 4, ' ');
     return json;
@@ -78,8 +149,10 @@ std::string gltfJson(const SceneMesh& mesh, const std::string& name)
 
 std::string glbFile(const SceneMesh& mesh, const std::string& name)
 {
-    const std::string json = gltfJson(mesh, name);
-    const std::size_t binary = 32 * mesh.vertices.size() + 4 * mesh.indices.size();
+    const std::vector<ColorGroup> groups = groupsByColor(mesh);
+    const std::string json = gltfJson(mesh, groups, name);
+    const bool ofVertices = hasVertexColors(groups);
+    const std::size_t binary = (ofVertices ? 32 : 24) * mesh.vertices.size() + 4 * mesh.indices.size();
     std::string bytes;
     bytes.reserve(28 + json.size() + binary);
     bytes += "glTF";
@@ -92,10 +165,13 @@ std::string glbFile(const SceneMesh& mesh, const std::string& name)
     for (const MeshVertex& v : mesh.vertices) put(bytes, v.position);
     for (const MeshVertex& v : mesh.vertices) put(bytes, v.normal);
     for (const MeshVertex& v : mesh.vertices) {
-        for (int i = 0; i < 3; ++i) put(bytes, static_cast<std::uint16_t>(std::lround(65535 * v.color[i])));
+        if (!ofVertices) break;
+        for (int i = 0; i < 3; ++i)
+            put(bytes, static_cast<std::uint16_t>(std::lround(65535 * std::clamp(v.color[i], 0.0F, 1.0F))));
         put(bytes, std::uint16_t{65535});
     }
-    for (const std::uint32_t i : mesh.indices) put(bytes, i);
+    for (const ColorGroup& group : groups)
+        for (const std::uint32_t i : group.indices) put(bytes, i);
     return bytes;
 }
 

@@ -126,6 +126,10 @@ struct NodeKind {
     /// Others: what of a child, joined with `siblings` others, is at most this far, where the node is at most `level`
     /// far. None is `level`.
     double (*childLevel)(const double* v, double level, double siblings) = nullptr;
+    /// modifier: the same where it grows with the distance from an axis, for points up to `reach` from that; with it,
+    /// `reachOf` is the largest distance of a box from the axis. In place of `childLevel`.
+    double (*childLevelWithin)(const double* v, double level, double reach) = nullptr;
+    double (*reachOf)(const render::Box& child) = nullptr;
     /// modifier, repeater: what is within `level`, from what is of the child.
     Extent (*extentOf)(const Extent& child, const double* v, double level) = nullptr;
     /// operands, pair: the same of two.

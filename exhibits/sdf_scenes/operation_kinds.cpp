@@ -87,10 +87,10 @@ Extent sameExtent(const Extent& child, const double*, double)
     return child;
 }
 
-/// Where space is sheared, what is within a level is known for level 0 alone.
-double levelOfSheared(const double* v, double level, double)
+/// The inverse of `sceneSheared`: what a child has where the sheared distance is `level`, so far from the axis.
+double levelOfSheared(const double* v, double level, double reach)
 {
-    return level > 0 && v[0] != 0 ? noEnd : level;
+    return level * (1 + std::abs(v[0]) * (reach + level));
 }
 
 /// How many copies may be nearest along an axis of a child from `low` to `high`.
@@ -171,6 +171,13 @@ Asked askedAround(const Extent& child, bool exactChild, const double* v)
     return all;
 }
 
+/// Half the width of a box around the z axis.
+double radiusAroundZ(const render::Box& box)
+{
+    const glm::dvec3 far = glm::max(glm::abs(box.low), glm::abs(box.high));
+    return std::hypot(far.x, far.y);
+}
+
 /// Around the y axis, as far as the child reaches.
 Extent turnedExtent(const Extent& child, const double*, double)
 {
@@ -180,8 +187,7 @@ Extent turnedExtent(const Extent& child, const double*, double)
 
 Extent bentExtent(const Extent& child, const double*, double)
 {
-    const glm::dvec3 far = glm::max(glm::abs(child.box.low), glm::abs(child.box.high));
-    const double reach = std::hypot(far.x, far.y);
+    const double reach = radiusAroundZ(child.box);
     return {{{-reach, -reach, child.box.low.z}, {reach, reach, child.box.high.z}}, 0};
 }
 
@@ -251,7 +257,8 @@ void addDistorting(std::vector<NodeKind>& kinds)
          .place = SCENE_PLACE(sceneTwist(p, V(0))),
          .after = SCENE_AFTER(sceneTwisted(d, p, V(0))),
          .lipschitz = [](const glm::dvec3& p, const double* v) { return 1 + std::abs(v[0]) * std::hypot(p.x, p.z); },
-         .childLevel = levelOfSheared,
+         .childLevelWithin = levelOfSheared,
+         .reachOf = radiusAround,
          .extentOf = turnedExtent});
     add({.name = "bend",
          .help = "Turned about the z axis, the more the farther along x.",
@@ -260,7 +267,8 @@ void addDistorting(std::vector<NodeKind>& kinds)
          .place = SCENE_PLACE(sceneBend(p, V(0))),
          .after = SCENE_AFTER(sceneBent(d, p, V(0))),
          .lipschitz = [](const glm::dvec3& p, const double* v) { return 1 + std::abs(v[0]) * std::hypot(p.x, p.y); },
-         .childLevel = levelOfSheared,
+         .childLevelWithin = levelOfSheared,
+         .reachOf = radiusAroundZ,
          .extentOf = bentExtent});
     add({.name = "displace",
          .help = "Moved in and out by smooth noise.",

@@ -86,7 +86,8 @@ struct MeshCheck {
 enum class MeshFormat : std::uint8_t { glb, stl, ply };
 /// By the end of a file's name.
 [[nodiscard]] std::optional<MeshFormat> meshFormat(const std::string& file);
-/// The bytes of a file: glTF 2.0 (meters, y up, linear vertex colors), binary STL (millimeters, without colors), binary
+/// The bytes of a file: glTF 2.0 (meters, y up, a material for
+/// each color, linear vertex colors between them), binary STL (millimeters, without colors), binary
 /// PLY (meters, sRGB vertex colors).
 [[nodiscard]] std::string meshFile(const SceneMesh&, MeshFormat, const std::string& name);
 

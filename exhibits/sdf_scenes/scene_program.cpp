@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace vitrine::scenes {
 namespace {
@@ -255,31 +256,32 @@ SceneWords SceneProgram::words(const std::vector<double>& numbers) const
 }
 
 /// Of a node in its own space, from those of its children.
-Extent SceneProgram::extentInside(const SceneWords& all, std::uint32_t i, double level) const
+Extent SceneProgram::extentInside(const SceneWords& all, const Cover& cover, std::uint32_t i) const
 {
     const ProgramNode& node = nodes_[i];
     const NodeKind& k = kind(node);
     const double* v = all.words.data() + node.numbers;
+    const double level = cover.levels[i - cover.first];
     if (k.form == Form::shape) {
         Extent own = k.extent(v);
         own.box = k.exactness == Exactness::bound && level > 0 ? endlessBox() : grown(own.box, level);
         return own;
     }
-    Extent inside = all.extents[node.firstChild];
+    Extent inside = cover.extent(node.firstChild);
     if (k.extentOf) return k.extentOf(inside, v, level);
     for (std::uint32_t c = nodes_[node.firstChild].next; c != none; c = nodes_[c].next)
-        inside = k.extentOfTwo(inside, all.extents[c]);
+        inside = k.extentOfTwo(inside, cover.extent(c));
     return inside;
 }
 
 /// The numbers of a repeater that follow from what its child covers.
-void SceneProgram::fillAsked(SceneWords& all, std::uint32_t i) const
+void SceneProgram::fillAsked(SceneWords& all, const Cover& cover, std::uint32_t i) const
 {
     const ProgramNode& node = nodes_[i];
     const NodeKind& k = kind(node);
     double* v = all.words.data() + node.numbers;
     const bool exactChild = nodes_[node.firstChild].exactness != Exactness::bound;
-    const Asked asked = k.asked(withPlace(all.extents[node.firstChild]), exactChild, v);
+    const Asked asked = k.asked(withPlace(cover.extent(node.firstChild)), exactChild, v);
     all.asked[i] = asked.times.x * asked.times.y * asked.times.z;
     // Where a number that moves asks for more than the reader lets pass, a picture without all copies is better than
     // none.
@@ -299,33 +301,87 @@ void SceneProgram::fillAsked(SceneWords& all, std::uint32_t i) const
     writeBox(asked.box, w + 7);
 }
 
-void SceneProgram::fillExtents(SceneWords& all) const
+/// How far out of its surface the child of a twist or a bend counts, which stretches more the farther out it is. Points
+/// at most `level` from the node are within a reach from the axis; the level of the child follows from that reach, and
+/// the reach from what of the child is within that level. Infinite where no reach holds them all.
+double SceneProgram::levelWithinReach(const SceneWords& all, std::uint32_t i, double level, int nested) const
 {
-    // How far out of its surface each node counts: a blend or a rounding further up may reach so far.
-    std::vector<double> levels(nodes_.size(), 0);
-    for (std::size_t i = 0; i < nodes_.size(); ++i) {
-        const ProgramNode& node = nodes_[i];
-        if (node.scale != none) levels[i] /= all.words[node.scale + 3];
-        const NodeKind& k = kind(node);
-        const double siblings = node.children > 0 ? node.children - 1.0 : 0.0;
-        const double* v = all.words.data() + node.numbers;
-        const double level = k.childLevel ? k.childLevel(v, levels[i], siblings) : levels[i];
-        for (std::uint32_t c = node.firstChild; c != none; c = nodes_[c].next) levels[c] = level;
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    constexpr int mostNested = 3;      // Each looks at all below it some hundred times.
+    constexpr double farthest = 20e3;  // Nothing in a scene is farther away, meters.
+    const NodeKind& k = kind(nodes_[i]);
+    const double* v = all.words.data() + nodes_[i].numbers;
+    const auto levelAt = [&](double reach) { return k.childLevelWithin(v, level, reach); };
+    const double perMeter = levelAt(1) - levelAt(0);
+    if (level <= 0 || perMeter <= 0) return level;
+    if (nested >= mostNested) return endless;
+    const std::uint32_t child = nodes_[i].firstChild;
+    const auto reachAt = [&](double inner) {
+        return k.reachOf(coverOf(all, child, inner, nested + 1).extents.front().box);
+    };
+    double reach = reachAt(0);
+    if (!std::isfinite(reach)) return level;
+    if (nodes_[child].exactness != Exactness::bound) {
+        // Outside it is the distance, so what is within a level is no farther out than that.
+        return perMeter < 1 ? levelAt((reach + levelAt(0)) / (1 - perMeter)) : endless;
     }
-    all.extents.resize(nodes_.size());
-    all.asked.assign(nodes_.size(), 1);
-    for (auto i = static_cast<std::uint32_t>(nodes_.size()); i-- > 0;) {
+    constexpr double step = 1.1;
+    while (reachAt(levelAt(reach)) > reach)
+        if (reach = step * reachAt(levelAt(reach)); !(reach < farthest)) return endless;
+    // Nor does any reach beyond it hold a point that only it explains.
+    for (double beyond = std::max(reach, 1e-3); beyond < farthest; beyond *= step)
+        if (reachAt(levelAt(step * beyond)) > beyond) return endless;
+    return levelAt(reach);
+}
+
+double SceneProgram::levelOfChild(const SceneWords& all, std::uint32_t i, double level, int nested) const
+{
+    const ProgramNode& node = nodes_[i];
+    const NodeKind& k = kind(node);
+    if (k.childLevelWithin) return levelWithinReach(all, i, level, nested);
+    const double siblings = node.children > 0 ? node.children - 1.0 : 0.0;
+    return k.childLevel ? k.childLevel(all.words.data() + node.numbers, level, siblings) : level;
+}
+
+SceneProgram::Cover SceneProgram::coverOf(const SceneWords& all, std::uint32_t first, double level, int nested) const
+{
+    // Nodes stand in the order of a walk: those below one are behind it, up to the first one that is not.
+    auto end = first + 1;
+    while (end < nodes_.size() && nodes_[end].parent != none && nodes_[end].parent >= first) ++end;
+    // A blend or a rounding further up may reach so far out of each node's surface.
+    Cover cover{first, std::vector<double>(end - first, level), std::vector<Extent>(end - first)};
+    for (std::uint32_t i = first; i < end; ++i) {
         const ProgramNode& node = nodes_[i];
-        const NodeKind& k = kind(node);
-        if (k.form == Form::repeater) fillAsked(all, i);
-        Extent extent = extentInside(all, i, levels[i]);
-        if (k.form == Form::repeater) writeBox(extent.box, all.words.data() + node.numbers + k.numbers() + 13);
+        double& own = cover.levels[i - first];
+        if (node.scale != none) own /= all.words[node.scale + 3];
+        if (node.firstChild == none) continue;
+        const double inner = levelOfChild(all, i, own, nested);
+        for (std::uint32_t c = node.firstChild; c != none; c = nodes_[c].next) cover.levels[c - first] = inner;
+    }
+    for (std::uint32_t i = end; i-- > first;) {
+        const ProgramNode& node = nodes_[i];
+        Extent extent = extentInside(all, cover, i);
         extent.box = placedBox(extent.box, all.words.data(), node);
         if (node.rotate != none) extent.even = 0;
         for (std::uint32_t axis = 0; axis < 3 && node.translate != none; ++axis)
             if (all.words[node.translate + axis] != 0) extent.even &= ~(1U << axis);
-        all.extents[i] = extent;
+        cover.extents[i - first] = extent;
     }
+    return cover;
+}
+
+void SceneProgram::fillExtents(SceneWords& all) const
+{
+    all.asked.assign(nodes_.size(), 1);
+    if (nodes_.empty()) return;
+    Cover cover = coverOf(all, 0, 0, 0);
+    for (std::uint32_t i = 0; i < nodes_.size(); ++i) {
+        const NodeKind& k = kind(nodes_[i]);
+        if (k.form != Form::repeater) continue;
+        fillAsked(all, cover, i);
+        writeBox(extentInside(all, cover, i).box, all.words.data() + nodes_[i].numbers + k.numbers() + 13);
+    }
+    all.extents = std::move(cover.extents);
 }
 
 }  // namespace vitrine::scenes

@@ -71,8 +71,20 @@ private:
     void writeSteps();
     void findExactness();
     void fillExtents(SceneWords&) const;
-    void fillAsked(SceneWords&, std::uint32_t node) const;
-    [[nodiscard]] Extent extentInside(const SceneWords&, std::uint32_t node, double level) const;
+    /// What a node and all below it cover, in the order of the nodes, and how far out of its surface each counts.
+    struct Cover {
+        std::uint32_t first = 0;
+        std::vector<double> levels;
+        std::vector<Extent> extents;
+
+        [[nodiscard]] const Extent& extent(std::uint32_t node) const { return extents[node - first]; }
+    };
+    /// `nested`: inside how many nodes that look for a level of their child.
+    [[nodiscard]] Cover coverOf(const SceneWords&, std::uint32_t node, double level, int nested) const;
+    [[nodiscard]] double levelOfChild(const SceneWords&, std::uint32_t node, double level, int nested) const;
+    [[nodiscard]] double levelWithinReach(const SceneWords&, std::uint32_t node, double level, int nested) const;
+    [[nodiscard]] Extent extentInside(const SceneWords&, const Cover&, std::uint32_t node) const;
+    void fillAsked(SceneWords&, const Cover&, std::uint32_t node) const;
 
     std::shared_ptr<const Scene> scene_;
     std::vector<ProgramNode> nodes_;

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double farthestInSource = 100;
 constexpr double farthestOfOurs = 300;
+constexpr double timesAsFar = 60;  ///< As what a scene without a camera is seen from: as far as 300 m from 5 m.
 
 glm::dvec3 vectorOf(const double* v)
 {
@@ -62,9 +63,13 @@ SceneStage sceneStage(const ShownScene& shown, const SceneWords& words, const st
     const Scene& scene = *shown.scene;
     const double* look = &numbers[scene.look.numbers];
     const bool asInSource = look[0] > 0.5;
+    const glm::dvec3 target = vectorOf(&numbers[scene.camera.numbers + 3]);
     SceneStage stage;
     setBox(stage, words.extents.empty() ? render::Box{glm::dvec3(0), glm::dvec3(0)} : words.extents.front().box);
-    stage.farthest = static_cast<float>(asInSource ? farthestInSource : farthestOfOurs);
+    const double toTarget = glm::length(vectorOf(&numbers[scene.camera.numbers]) - target);
+    const double farthest = asInSource ? farthestInSource : farthestOfOurs;
+    stage.farthest = static_cast<float>(scene.hasCamera ? farthest : std::max(farthest, timesAsFar * toTarget));
+    stage.largestNormalStep = static_cast<float>(scene.hasCamera ? 1e3 : 0.001 * toTarget);
     stage.bounces = static_cast<int>(look[1]);
     stage.softShadows = static_cast<float>(look[2]);
     stage.occlusion = static_cast<float>(look[3]);
@@ -83,7 +88,6 @@ SceneStage sceneStage(const ShownScene& shown, const SceneWords& words, const st
     }
     const std::size_t lights = std::min<std::size_t>(scene.lights.size(), SCENE_MOST_LIGHTS);
     stage.lights = static_cast<int>(lights);
-    const glm::dvec3 target = vectorOf(&numbers[scene.camera.numbers + 3]);
     for (std::size_t i = 0; i < lights; ++i)
         setLight(scene.lights[i], &numbers[scene.lights[i].numbers], target, asInSource, i, stage);
     return stage;

@@ -58,7 +58,8 @@ SceneHit sceneHit(vec3 origin, vec3 direction, March march, MarchSettings settin
     hit.position = origin + direction * march.t;
     hit.tolerance = hitTolerance(march.t, settings);
     hit.traveled = settings.traveled + march.t;
-    float h = max(max(parameters.normalStep, 0.25 * settings.pixelCone * hit.traveled), 2e-6 * length(hit.position));
+    float asked = min(parameters.normalStep, stage.largestNormalStep);
+    float h = max(max(asked, 0.25 * settings.pixelCone * hit.traveled), 2e-6 * length(hit.position));
     hit.normal = fieldNormal(hit.position, h, NORMAL_CENTRAL, -direction * march.side);
     evaluations += 6;
     return hit;

@@ -9,6 +9,7 @@
 #define SCENE_STAGE_FIELDS(FIELD, ARRAY) \
     FIELD(vec3, boxLow)               /* holds all that is solid */ \
     FIELD(float, farthest)            /* no ray goes on from here, meters */ \
+    FIELD(float, largestNormalStep)   /* limit of the row normalStep, meters: a small scene is seen from near */ \
     FIELD(vec3, boxHigh) \
     FIELD(float, exposure)            /* of the picture; not as in the source */ \
     FIELD(vec3, zenith)               /* the sky: radiance from above, ... */ \

@@ -1,5 +1,6 @@
 // What the exhibit plans, without a context: what a scene lacks is left out, what cannot be read changes nothing.
 
+#include "exhibits/sdf_scenes/scene_reader.h"
 #include "exhibits/sdf_scenes/sdf_scenes.h"
 #include "exhibits/sdf_scenes/shown_scene.h"
 #include "shaders/lib/bindings.glsl"
@@ -9,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <limits>
 
@@ -50,6 +52,52 @@ struct Shown : test::Scene {
                                    [&](const std::string& define) { return define.starts_with(word); });
     }
 };
+
+TEST(SceneExhibit, SeesAllOfASceneThatNamesNoCamera)
+{
+    const auto shownOf = [](const std::string& root, const std::string& head = "") {
+        return scenes::shownScene(
+            scenes::readScene(R"({"format": "vitrine-scene", "version": 1, )" + head + R"("root": )" + root + "}",
+                              "a.json", {})
+                .scene);
+    };
+    for (const double size : {0.001, 0.05, 1.0, 5.0, 1000.0})
+        for (const double aside : {0.0, 7.0}) {
+            const std::string s = std::to_string(size), x = std::to_string(aside * size);
+            const auto shown = shownOf(R"({"kind": "box", "size": [)" + s + ", " + s + ", " + s +
+                                       R"(], "translate": [)" + x + ", 0, 0]}");
+            const std::vector<double> numbers = shown->scene->numbersAt(0);
+            const scenes::SceneCamera camera = scenes::sceneCamera(*shown->scene, numbers, 0);
+            const glm::dvec3 middle(aside * size, 0, 0);
+            const glm::dvec3 ahead = glm::normalize(camera.target - camera.eye);
+            double widest = 0;
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::dvec3 p = middle + 0.5 * size *
+                                                  glm::dvec3((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1,
+                                                             (corner & 4) != 0 ? 1 : -1);
+                const glm::dvec3 to = p - camera.eye;
+                ASSERT_GT(glm::dot(to, ahead), 0);
+                widest = std::max(widest, std::acos(glm::dot(glm::normalize(to), ahead)));
+            }
+            // It is all seen, and fills a good part of the picture's height.
+            EXPECT_LT(widest, 0.5 * camera.fovY) << size;
+            EXPECT_GT(widest, 0.18 * camera.fovY) << size;
+            const auto words = shown->program->words(numbers);
+            EXPECT_GT(scenes::sceneStage(*shown, words, numbers).farthest, glm::length(camera.eye - middle) + size);
+        }
+    // A camera of its own stays, and so does that of a scene without an end.
+    const std::string camera = R"("camera": {"position": [0, 0, 3], "target": [0, 0, 0]}, )";
+    const auto own = shownOf(R"({"kind": "sphere", "radius": 200})", camera);
+    EXPECT_EQ(scenes::sceneCamera(*own->scene, own->scene->numbersAt(0), 0).eye, glm::dvec3(0, 0, 3));
+    const auto noise = shownOf(R"({"kind": "noise"})");
+    EXPECT_EQ(scenes::sceneCamera(*noise->scene, noise->scene->numbersAt(0), 0).eye, glm::dvec3(0, 1.5, 5));
+    // A shape that moves by a little leaves the view where it is.
+    const auto eyeFor = [&](const char* x) {
+        const auto shown = shownOf(std::string(R"({"kind": "sphere", "radius": 1, "translate": [)") + x + ", 0, 0]}");
+        return scenes::sceneCamera(*shown->scene, shown->scene->numbersAt(0), 0).eye;
+    };
+    EXPECT_EQ(eyeFor("0.3"), eyeFor("0.32"));
+}
 
 TEST(SceneExhibit, HasNothingInItsShaderThatTheSceneDoesNotContain)
 {

@@ -3,7 +3,9 @@
 #include "exhibits/sdf_scenes/cell_loops.h"
 #include "exhibits/sdf_scenes/scene_mesh.h"
 #include "render/failure.h"
+#include "render/scene/gltf.h"
 #include "tests/exhibits/sdf_scenes/support.h"
+#include "tests/support/failures.h"
 
 #include <cmath>
 #include <numbers>
@@ -237,6 +239,105 @@ TEST(SceneMesh, RefusesWhatHasNoEndOrNoRoom)
     EXPECT_EQ(sentenceOf(ball, {.cell = advised, .mostBytes = 100'000'000}), "");
     EXPECT_NE(sentenceOf(ball, {.cell = 1e-9}).find("too small"), std::string::npos);
     EXPECT_NE(sentenceOf(ball, {.cell = 0}), "");
+}
+
+/// A node of an operation with its initial numbers, a blend of 20 cm, and this child; others are small balls.
+std::string operationOn(const scenes::NodeKind& kind, const std::string& child)
+{
+    const bool blends = kind.form == scenes::Form::operands;
+    const std::string ball = R"({"kind": "sphere", "radius": 0.3, "translate": [0.2, 0.1, 0]})";
+    std::string text = R"({"kind": ")" + std::string(kind.name) + '"';
+    if (blends) text += R"(, "blendWidth": 0.2)";
+    if (blends || kind.form == scenes::Form::pair) return text + R"(, "children": [)" + child + ", " + ball + "]}";
+    return text + R"(, "child": )" + child + '}';
+}
+
+/// The box of a scene holds every point that is inside, far ones too; and its mesh is closed.
+TEST(SceneMesh, EveryOperationHasAnEndInsideEveryOther)
+{
+    test::Random random(7);
+    const std::string shapes[] = {R"({"kind": "box", "size": [0.6, 0.8, 0.4], "rotate": [10, 20, 30]})",
+                                  R"({"kind": "ellipsoid", "radii": [0.5, 0.3, 0.2], "translate": [0.4, 0, 0.1]})"};
+    int pairs = 0, points = 0;
+    for (const scenes::NodeKind& outer : scenes::nodeKinds()) {
+        if (outer.form == scenes::Form::shape) continue;
+        for (const scenes::NodeKind& inner : scenes::nodeKinds()) {
+            if (inner.form == scenes::Form::shape) continue;
+            for (const std::string& shape : shapes) {
+                SCOPED_TRACE(std::string(inner.name) + " in " + std::string(outer.name));
+                const scenes::SceneField field = test::fieldOf(operationOn(outer, operationOn(inner, shape)));
+                const render::Box box = field.box();
+                ASSERT_LT(glm::length(box.low) + glm::length(box.high), 1e3);
+                ++pairs;
+                for (int i = 0; i < 300; ++i) {
+                    const glm::dvec3 p = random.point(i % 3 == 0 ? 100 : 2);
+                    if (field.distance(p) > 0) continue;
+                    ++points;
+                    EXPECT_TRUE(scenes::grown(box, 1e-9).contains(p)) << p.x << ' ' << p.y << ' ' << p.z;
+                }
+            }
+        }
+    }
+    EXPECT_GT(pairs, 300);
+    EXPECT_GT(points, 300);
+    const std::string twist = R"({"kind": "twist", "child": {"kind": "box"}})";
+    for (const char* around : {"union", "round", "onion", "displace"})
+        expectGood(scenes::checkMesh(meshOf(operationOn(*scenes::findKind(around), twist), 0.08)));
+}
+
+TEST(SceneMesh, NamesThePartThatHasNoEnd)
+{
+    EXPECT_PRED_FORMAT2(::testing::IsSubstring, "the plane in line", test::refusalOf([] {
+                            return meshOf(R"({"kind": "union", "children": [{"kind": "sphere"}, {"kind": "plane"}]})",
+                                          0.1);
+                        }));
+    EXPECT_PRED_FORMAT2(
+        ::testing::IsSubstring, "the repeat in line", test::refusalOf([] {
+            return meshOf(R"({"kind": "repeat", "count": [0, 1, 1], "child": {"kind": "sphere", "radius": 0.2}})", 0.1);
+        }));
+    // Ten turns a meter: far away, its distance is below 2 cm everywhere, and a wall of 10 cm is everywhere.
+    EXPECT_PRED_FORMAT2(::testing::IsSubstring, "the twist in line", test::refusalOf([] {
+                            return meshOf(R"({"kind": "onion", "thickness": 0.1, "child":
+                             {"kind": "twist", "rate": 3600, "child": {"kind": "box"}}})",
+                                          0.1);
+                        }));
+    const scenes::SceneField far = test::fieldOf(R"({"kind": "onion", "thickness": 0.1, "child":
+                             {"kind": "twist", "rate": 3600, "child": {"kind": "box"}}})");
+    EXPECT_LT(far.distance({500, 0, 500}), 0);
+}
+
+TEST(SceneMesh, HasItsColorsInTheFile)
+{
+    const auto scene = test::sceneOf(
+        R"({"kind": "union", "children": [{"kind": "sphere", "radius": 0.3, "material": "red"},
+            {"kind": "sphere", "radius": 0.3, "translate": [1, 0, 0], "material": "blue"}]})",
+        R"("materials": {"red": {"model": "pbr", "color": [0.8, 0.1, 0.05]},
+                         "blue": {"model": "pbr", "color": [0, 0.2, 0.9]}},)");
+    const auto modelOf = [](const scenes::SceneMesh& mesh) {
+        return render::parseGltf(scenes::meshFile(mesh, scenes::MeshFormat::glb, "a"), "a.glb");
+    };
+    const scenes::SceneField field(scene);
+    const render::Model model = modelOf(scenes::SceneMesher(field, {.cell = 0.05}).mesh().value());
+    EXPECT_TRUE(model.warnings.empty());
+    ASSERT_EQ(model.parts.size(), 2U);
+    for (const render::MeshInstance& part : model.parts) {
+        const bool left = part.mesh->bounds.center().x < 0.5;
+        const glm::vec3 color(part.material->baseColor);
+        EXPECT_LT(glm::distance(color, left ? glm::vec3(0.8, 0.1, 0.05) : glm::vec3(0, 0.2, 0.9)), 1e-5F);
+        EXPECT_TRUE(part.mesh->colors.empty());
+        EXPECT_NEAR(part.mesh->bounds.halfSize().y, 0.3, 0.01);
+    }
+    // Where colors run into each other, vertices have them.
+    const scenes::SceneField blended = test::fieldOf(
+        R"({"kind": "union", "blendWidth": 0.8, "children": [{"kind": "sphere", "radius": 0.4, "material": "red"},
+            {"kind": "sphere", "radius": 0.4, "translate": [0.5, 0, 0], "material": "blue"}]})",
+        R"("materials": {"red": {"model": "pbr", "color": [1, 0, 0]}, "blue": {"model": "pbr", "color": [0, 0, 1]}},)");
+    const render::Model mixed = modelOf(scenes::SceneMesher(blended, {.cell = 0.05}).mesh().value());
+    const render::Mesh& last = *mixed.parts.back().mesh;
+    ASSERT_EQ(last.colors.size(), last.vertices.size());
+    bool isMixed = false;
+    for (const glm::vec4& color : last.colors) isMixed = isMixed || (color.r > 0.3F && color.b > 0.3F);
+    EXPECT_TRUE(isMixed);
 }
 
 TEST(SceneMesh, StopsWhenAsked)
