@@ -3,6 +3,7 @@
 #include "exhibits/printing/sheet.h"
 #include "exhibits/printing/taps.h"
 #include "render/failure.h"
+#include "render/parallel.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <thread>
 
 namespace vitrine::printing {
 namespace {
@@ -306,17 +306,15 @@ template <typename Code> void Interlacer::fillThreaded(const Region& region, Cod
            region.y1 <= layout_.height() + 2 * borderY_);
     const std::int64_t rows = region.y1 - region.y0;
     const std::int64_t parts = std::clamp<std::int64_t>(threads, 1, std::max<std::int64_t>(rows, 1));
-    const auto work = [&](std::int64_t part) {
+    render::onThreads(static_cast<std::size_t>(parts), [&](std::size_t thread) {
+        const auto part = static_cast<std::int64_t>(thread);
         Region own = region;
         own.y0 = region.y0 + rows * part / parts;
         own.y1 = region.y0 + rows * (part + 1) / parts;
         Code* at =
             out + static_cast<std::size_t>(own.y0 - region.y0) * static_cast<std::size_t>(region.x1 - region.x0) * 3;
         fillPart(own, at);
-    };
-    std::vector<std::jthread> others;
-    for (std::int64_t part = 1; part < parts; ++part) others.emplace_back(work, part);
-    work(0);
+    });
 }
 
 void Interlacer::fill(const Region& region, std::uint8_t* out, int threads) const

@@ -11,6 +11,8 @@ namespace {
 
 constexpr std::uint32_t nothing = ~std::uint32_t{0};
 
+constexpr int fewestCells = 8;  ///< Along the longest side: fewer leave nothing out.
+
 bool isFinite(const render::Box& box)
 {
     return std::isfinite(glm::length(box.high - box.low));
@@ -148,7 +150,7 @@ int cellsAcross(std::size_t shapes)
 }
 
 std::shared_ptr<const NearScene> nearScene(const SceneProgram& program, const SceneWords& words,
-                                           const ListVocabulary& vocabulary, int across)
+                                           const ListVocabulary& vocabulary, int across, const PruneBudget& budget)
 {
     const auto begun = std::chrono::steady_clock::now();
     auto near = std::make_shared<NearScene>();
@@ -165,13 +167,24 @@ std::shared_ptr<const NearScene> nearScene(const SceneProgram& program, const Sc
         const double longest = std::max({near->box.high.x - near->box.low.x, near->box.high.y - near->box.low.y,
                                          near->box.high.z - near->box.low.z, 1e-3});
         const render::Box box = grown(near->box, 0.05 * longest);
-        const double cell = 1.1 * longest / across;
-        const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(2.0 * box.halfSize() / cell - 1e-9)), glm::ivec3(1));
-        near->cells = pruneCells(program, words, rest.steps, box, count);
-        packed = packLists(near->cells, writer);
-    } else {
-        packed.steps = writer.write(rest.steps);
+        const auto shapes = static_cast<std::size_t>(std::count_if(
+            rest.steps.begin(), rest.steps.end(), [](const Step& step) { return step.type == Step::Type::shape; }));
+        // Larger cells take less to find, and hold more.
+        for (int cells = across;; cells /= 2) {
+            const double cell = 1.1 * longest / cells;
+            const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(2.0 * box.halfSize() / cell - 1e-9)), glm::ivec3(1));
+            near->cells = pruneCells(program, words, rest.steps, box, count, Pruner::asShaders, budget);
+            // Where hardly anything is left out of a part, larger ones leave out less.
+            const bool holdsAll = near->cells.evaluations > near->cells.looks * shapes / 4;
+            if (near->cells.whole || holdsAll || cells < 2 * fewestCells) break;
+        }
+        near->crowded = !near->cells.whole;
+        if (near->crowded) near->cells = {};
     }
+    if (near->cells.cells.empty())
+        packed.steps = writer.write(rest.steps);
+    else
+        packed = packLists(near->cells, writer);
     if (packed.steps.empty()) packed.steps.emplace_back();
     near->records = bytesOf(records.records());
     near->lists = bytesOf(packed.steps);

@@ -33,8 +33,10 @@ struct NearScene {
 
     std::shared_ptr<const render::Bytes> records, lists, grid;
     std::uint32_t planes = 0;
-    render::Box box;     ///< Holds all but the planes.
-    SceneCells cells;    ///< None where the scene has no end, or none were asked for.
+    render::Box box;   ///< Holds all but the planes.
+    SceneCells cells;  ///< None where the scene has no end, none were asked for, or `crowded`.
+    /// Cells would take more than their budget: too many shapes are within the width of one blend.
+    bool crowded = false;
     double seconds = 0;  ///< That making it took.
     [[nodiscard]] std::uint64_t bytes() const { return records->size() + lists->size() + grid->size(); }
 };
@@ -42,9 +44,14 @@ struct NearScene {
 /// Cells along the longest side that serve a scene of so many shapes well.
 [[nodiscard]] int cellsAcross(std::size_t shapes);
 
-/// `across`: cells along the longest side of what is not a plane; 0: without cells, every place has all steps.
+/// What its cells may take at most: a thousand shapes take 20 MB and 6 million evaluations; beyond this, a picture
+/// waits for seconds.
+inline constexpr PruneBudget cellBudget{128U << 20U, 60'000'000};
+
+/// `across`: cells along the longest side of what is not a plane; 0: without cells, every place has all steps. Where
+/// they would take more than the budget, there are fewer and larger ones, or none.
 [[nodiscard]] std::shared_ptr<const NearScene> nearScene(const SceneProgram&, const SceneWords&, const ListVocabulary&,
-                                                         int across);
+                                                         int across, const PruneBudget& = cellBudget);
 
 /// How many planes a scene's lists leave out, which its shader has to know.
 [[nodiscard]] std::uint32_t planesOf(const SceneProgram&, const SceneWords&);

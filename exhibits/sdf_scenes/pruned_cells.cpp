@@ -1,10 +1,11 @@
 #include "exhibits/sdf_scenes/pruning.h"
 #include "render/hash.h"
+#include "render/parallel.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <deque>
-#include <thread>
 #include <unordered_map>
 
 namespace vitrine::scenes {
@@ -32,13 +33,27 @@ bool isSame(const Step& a, const Step& b)
     return a.type == b.type && a.node == b.node && a.child == b.child && a.back == b.back;
 }
 
+/// What is left of a budget, for all threads.
+class BudgetLeft {
+public:
+    explicit BudgetLeft(const PruneBudget& budget) : budget_(budget) {}
+
+    void takeBytes(std::size_t bytes) { bytes_ += bytes; }
+    void takeEvaluations(std::size_t evaluations) { evaluations_ += evaluations; }
+    [[nodiscard]] bool isOver() const { return bytes_ > budget_.bytes || evaluations_ > budget_.evaluations; }
+
+private:
+    PruneBudget budget_;
+    std::atomic<std::uint64_t> bytes_ = 0, evaluations_ = 0;
+};
+
 /// Splits a block of cells, along all axes in which it is long, until a part is one cell.
 class CellPruner {
 public:
     /// Writes lists and counts into one, and cells into another one of the same grid.
     CellPruner(const SceneProgram& program, const SceneWords& words, double tolerance, SceneCells& into,
-               std::vector<SceneCell>& cells)
-        : pruner_(program, words, tolerance), into_(into), cells_(cells), size_(into.cellSize()),
+               std::vector<SceneCell>& cells, BudgetLeft& budget)
+        : pruner_(program, words, tolerance), into_(into), cells_(cells), budget_(budget), size_(into.cellSize()),
           far_(cells.size() < fewCells ? 3 : 1)
     {
     }
@@ -50,7 +65,11 @@ public:
         const glm::dvec3 half = 0.5 * size_ * glm::dvec3(high - low);
         const glm::dvec3 center = into_.box.low + size_ * glm::dvec3(low) + half;
         const double radius = glm::length(half) * wider;
+        if (budget_.isOver()) return;
+        const std::size_t before = pruner_.evaluations();
         pruner_.prune(steps, center, radius, left);
+        budget_.takeEvaluations(pruner_.evaluations() - before);
+        ++into_.looks;
         const glm::ivec3 sides = high - low;
         const int longest = std::max({sides.x, sides.y, sides.z});
         // A distance from the middle is a short step for most of a large block, and looking into small ones costs most.
@@ -131,6 +150,7 @@ private:
         const auto first = static_cast<std::uint32_t>(into_.steps.size());
         listAt_.emplace(hash, KnownList{first, static_cast<std::uint32_t>(steps.size())});
         into_.steps.insert(into_.steps.end(), steps.begin(), steps.end());
+        budget_.takeBytes(steps.size_bytes() + sizeof(KnownList));
         ++lists_;
         return first;
     }
@@ -154,6 +174,7 @@ private:
     Pruner pruner_;
     SceneCells& into_;
     std::vector<SceneCell>& cells_;
+    BudgetLeft& budget_;
     glm::dvec3 size_;
     double far_;                    ///< In small blocks, from so many times their reach on no surface is near.
     std::deque<PrunedSteps> left_;  ///< By depth.
@@ -215,14 +236,15 @@ double SceneCells::clearance(std::size_t cell, const glm::dvec3& p) const
 }
 
 SceneCells pruneCells(const SceneProgram& program, const SceneWords& words, std::span<const Step> steps,
-                      const render::Box& box, const glm::ivec3& count, double tolerance)
+                      const render::Box& box, const glm::ivec3& count, double tolerance, const PruneBudget& budget)
 {
+    BudgetLeft left(budget);
     SceneCells cells;
     cells.box = box;
     cells.count = count;
     cells.cells.resize(static_cast<std::size_t>(count.x) * static_cast<std::size_t>(count.y) *
                        static_cast<std::size_t>(count.z));
-    CellPruner pruner(program, words, tolerance, cells, cells.cells);
+    CellPruner pruner(program, words, tolerance, cells, cells.cells, left);
     const int axis = count.x >= count.y && count.x >= count.z ? 0 : count.y >= count.z ? 1 : 2;
     if (cells.cells.size() < fewCells) {
         pruner.prune(steps, glm::ivec3(0), count);
@@ -230,15 +252,17 @@ SceneCells pruneCells(const SceneProgram& program, const SceneWords& words, std:
         SceneCells others;
         others.box = box;
         others.count = count;
-        CellPruner other(program, words, tolerance, others, cells.cells);
+        CellPruner other(program, words, tolerance, others, cells.cells, left);
         glm::ivec3 middle = count, from(0);
         middle[axis] = from[axis] = count[axis] / 2;
-        {
-            const std::jthread beside([&] { other.prune(steps, from, count); });
-            pruner.prune(steps, glm::ivec3(0), middle);
-        }
-        pruner.take(other, from);
+        render::onThreads(2, [&](std::size_t thread) {
+            thread == 0 ? pruner.prune(steps, glm::ivec3(0), middle) : other.prune(steps, from, count);
+        });
+        if (!left.isOver()) pruner.take(other, from);
+        cells.looks += others.looks;
+        if (left.isOver()) cells.evaluations += other.evaluations();
     }
+    cells.whole = !left.isOver();
     cells.lists = pruner.lists();
     cells.evaluations += pruner.evaluations();
     if (cells.withSteps > 0) cells.meanShapes /= static_cast<double>(cells.withSteps);

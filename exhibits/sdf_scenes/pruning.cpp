@@ -63,6 +63,22 @@ void Pruner::drop(std::size_t from, std::size_t to)
         if (kept_[k].type == Step::Type::again) kept_[k].back -= moved;
 }
 
+/// Takes all of `dropped_` out at once: of many operands each move costs as much as all that are behind it.
+void Pruner::dropAll()
+{
+    if (dropped_.empty()) return;
+    std::size_t to = dropped_.back().first;
+    for (std::size_t r = dropped_.size(); r-- > 0;) {
+        const std::size_t next = r > 0 ? dropped_[r - 1].first : kept_.size();
+        for (std::size_t from = dropped_[r].second; from < next; ++from, ++to) {
+            kept_[to] = kept_[from];
+            if (kept_[to].type == Step::Type::again) kept_[to].back -= static_cast<std::uint32_t>(from - to);
+        }
+    }
+    kept_.resize(to);
+    dropped_.clear();
+}
+
 /// Without all that was joined before.
 void Pruner::startWith(const Step& step)
 {
@@ -145,19 +161,21 @@ void Pruner::leave(std::uint32_t index)
     const bool alike = std::all_of(joints.begin(), joints.end(), [&](const Joint& j) { return j.moves == moves; });
     double share = alike && moves != Moves::neither ? 1 : std::numeric_limits<double>::infinity();
     const double least = tolerance_ / static_cast<double>(joints.size());
+    dropped_.clear();  // From the last to the first, so that places before stay what they are.
     for (std::size_t k = joints.size(); k-- > 0 && std::isfinite(share);) {
         const Joint& joint = joints[k];
         if (moves != Moves::upOfFirst && joint.effectOfFormer * share <= least) {
             kept_[joint.combined].type = Step::Type::first;
-            drop(entered_[index] + 1, joint.child);
+            dropped_.emplace_back(entered_[index] + 1, joint.child);
             break;
         }
         if (joint.effect * share <= least)
-            drop(joint.child, joint.combined + 1);
+            dropped_.emplace_back(joint.child, joint.combined + 1);
         else
             share *= joint.formerShare;
     }
     joints.clear();
+    dropAll();
 }
 
 PrunedSteps Pruner::prune(std::span<const Step> steps, const glm::dvec3& center, double radius)

@@ -2,7 +2,10 @@
 
 #include "exhibits/sdf_scenes/scene_walk.h"
 
+#include <cstdint>
+#include <limits>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace vitrine::scenes {
@@ -59,6 +62,7 @@ private:
     void startWith(const Step&);
     void leave(std::uint32_t node);
     void drop(std::size_t from, std::size_t to);
+    void dropAll();
 
     const SceneProgram& program_;
     const SceneWords& words_;
@@ -68,6 +72,7 @@ private:
     std::vector<double> reach_;               // By node: how far apart the points are at which its children are asked.
     std::vector<std::size_t> entered_;        // By node: which of the kept steps enters it.
     std::vector<std::vector<Joint>> joints_;  // By node.
+    std::vector<std::pair<std::size_t, std::size_t>> dropped_;  // Of the kept steps: from and to; the last first.
 };
 
 /// What is in a cell of a grid.
@@ -93,6 +98,8 @@ struct SceneCells {
     std::size_t mostShapes = 0;   ///< Of a cell.
     double meanShapes = 0;        ///< Over the cells with steps.
     std::size_t evaluations = 0;  ///< Of shapes, that finding all this took.
+    std::size_t looks = 0;        ///< Parts of the box, from large to small, that were looked into for that.
+    bool whole = true;            ///< False: the budget ended before all cells were looked into; none is to be used.
 
     /// The one that holds a point of the box; those outside are brought to the nearest cell.
     [[nodiscard]] std::size_t cellAt(const glm::dvec3& p) const;
@@ -110,9 +117,16 @@ struct SceneCells {
 [[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
                                       const render::Box&);
 
+/// What cells may take at most: where all shapes are within the width of one blend, every cell has all of them.
+struct PruneBudget {
+    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();        ///< Of lists.
+    std::uint64_t evaluations = std::numeric_limits<std::uint64_t>::max();  ///< Of shapes, to find them.
+};
+
 /// Prunes steps of a program for every cell of a finite box, from large parts of it to small ones. Parts that are far
 /// from every surface are not looked into.
 [[nodiscard]] SceneCells pruneCells(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
-                                    const render::Box&, const glm::ivec3& count, double tolerance = Pruner::asShaders);
+                                    const render::Box&, const glm::ivec3& count, double tolerance = Pruner::asShaders,
+                                    const PruneBudget& = {});
 
 }  // namespace vitrine::scenes

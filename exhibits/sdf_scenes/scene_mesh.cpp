@@ -4,6 +4,7 @@
 #include "exhibits/sdf_scenes/mesh_stitch.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
+#include "render/parallel.h"
 
 #include <algorithm>
 #include <atomic>
@@ -32,6 +33,36 @@ double roundedUp(double x)
     return std::ceil(x / unit - 1e-9) * unit;
 }
 
+/// The node from which on a scene has no end, half a sentence with its place.
+std::string endlessPart(const SceneField& field)
+{
+    const SceneProgram& program = field.program();
+    const auto ends = [&](std::uint32_t i) {
+        const render::Box& box = field.words().extents[i].box;
+        return std::isfinite(glm::length(box.low)) && std::isfinite(glm::length(box.high));
+    };
+    std::uint32_t i = 0;
+    for (std::uint32_t c = program.nodes()[i].firstChild; c != none;) {
+        // What stretches too much asks its child for a level without end: the child is not to blame.
+        if (program.scene().nodes[program.nodes()[i].node].kind->childLevelWithin) break;
+        if (ends(c)) {
+            c = program.nodes()[c].next;
+        } else {
+            i = c;
+            c = program.nodes()[i].firstChild;
+        }
+    }
+    const Node& node = program.scene().nodes[program.nodes()[i].node];
+    const render::JsonText& file = *program.scene().files[node.origin.file].text;
+    const bool isAlone = program.nodes()[i].firstChild == none;
+    return "the " + std::string(node.kind->name) + " in line " + std::to_string(file.position(node.origin.value).line) +
+           " of " + file.name() +
+           (isAlone || node.kind->form == Form::repeater
+                ? " goes on without end"
+                : " is stretched too much to have a bound within what is blended, rounded or displaced "
+                  "around it");
+}
+
 render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
 {
     render::Box box = scene.box();
@@ -40,9 +71,8 @@ render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
         throw Failure(Blame::usage, "There is nothing of the scene in this part of space; choose another.");
     const glm::dvec3 size = box.high - box.low;
     if (!std::isfinite(size.x + size.y + size.z))
-        throw Failure(Blame::usage,
-                      "The scene has no end (a plane, an endless cylinder or copies without end); say with "
-                      "--low and --high what part of it is to be meshed.");
+        throw Failure(Blame::usage, "The scene has no end: " + endlessPart(scene) +
+                                        ". Say with --low and --high what part of it is to be meshed.");
     // Only where something is; what the extents say of many blended operands is much wider.
     const render::Box occupied = occupiedBox(scene.program(), scene.words(), scene.program().steps(), box);
     if (!occupied.empty()) box = occupied;
@@ -61,17 +91,18 @@ bool inParallel(std::size_t count, std::size_t threads, const MeshProgress& prog
 {
     std::atomic<std::size_t> next = 0, done = 0;
     std::atomic<bool> stopped = false;
-    const auto run = [&](std::size_t thread) {
-        for (std::size_t i = next++; i < count && !stopped; i = next++, ++done) work(thread, i);
-    };
-    std::vector<std::jthread> others;
-    for (std::size_t t = 1; t < threads; ++t) others.emplace_back(run, t);
-    for (std::size_t i = next++; i < count && !stopped; i = next++, ++done) {
-        work(0, i);
-        const double part = static_cast<double>(done) / static_cast<double>(count);
-        if (progress && !progress(from + (to - from) * part)) stopped = true;
-    }
-    others.clear();
+    render::onThreads(threads, [&](std::size_t thread) {
+        try {
+            for (std::size_t i = next++; i < count && !stopped; i = next++, ++done) {
+                work(thread, i);
+                const double part = static_cast<double>(done) / static_cast<double>(count);
+                if (thread == 0 && progress && !progress(from + (to - from) * part)) stopped = true;
+            }
+        } catch (...) {
+            stopped = true;
+            throw;
+        }
+    });
     return !stopped;
 }
 

@@ -42,7 +42,8 @@ std::optional<BuiltProgram> ProgramBuilder::take(const std::string& id)
     const std::lock_guard lock(mutex_);
     auto node = finished_.extract(id);
     if (node.empty()) return std::nullopt;
-    return std::move(node.mapped());
+    if (node.mapped().thrown) std::rethrow_exception(node.mapped().thrown);
+    return std::move(node.mapped().built);
 }
 
 void ProgramBuilder::run()
@@ -56,10 +57,15 @@ void ProgramBuilder::run()
         waiting_.pop_front();
         building_ = job.id;
         lock.unlock();
-        BuiltProgram built = buildProgram(source_, job.key);
-        glFinish();  // So that the other context finds it whole.
+        Finished finished;
+        try {
+            finished.built = buildProgram(source_, job.key);
+            glFinish();  // So that the other context finds it whole.
+        } catch (...) {
+            finished.thrown = std::current_exception();
+        }
         lock.lock();
-        if (building_ == job.id) finished_.insert_or_assign(job.id, std::move(built));
+        if (building_ == job.id) finished_.insert_or_assign(job.id, std::move(finished));
         building_.clear();
     }
     lock.unlock();

@@ -5,6 +5,7 @@
 
 #include <condition_variable>
 #include <deque>
+#include <exception>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -25,7 +26,7 @@ public:
     void begin(const std::string& id, const ShaderKey&);
     /// Not begun yet: never will be. Begun: what comes of it is thrown away.
     void cancel(const std::string& id);
-    /// The program, once: nothing while it is not finished.
+    /// The program, once: nothing while it is not finished. Throws what building it threw.
     [[nodiscard]] std::optional<BuiltProgram> take(const std::string& id);
 
 private:
@@ -41,7 +42,11 @@ private:
     std::condition_variable wake_;
     std::deque<Job> waiting_;
     std::string building_;  ///< Id; empty when idle or when nobody wants it any more.
-    std::map<std::string, BuiltProgram> finished_;
+    struct Finished {
+        BuiltProgram built;
+        std::exception_ptr thrown;  ///< In its place: memory may end while it is built.
+    };
+    std::map<std::string, Finished> finished_;
     bool stop_ = false;
     std::thread thread_;  ///< Last: it uses the others.
 };

@@ -5,6 +5,7 @@
 #include "tests/bench/many_shapes.h"
 #include "tests/exhibits/sdf_scenes/support.h"
 
+#include <algorithm>
 #include <cmath>
 
 #ifdef VITRINE_RAPIDCHECK
@@ -218,6 +219,73 @@ TEST(PruningCells, TakeHardlyMoreForEachCellOfManyShapes)
     EXPECT_LT(of1024.each, 36);
     EXPECT_LT(of1024.each, 1.5 * of256.each) << "of four times as many shapes";
     EXPECT_GT(of1024.bound, 300 * of1024.evaluations) << "control: asking every shape for every cell";
+}
+
+/// Unions of eight, so deep, each ball within the blend of all others.
+std::string crowd(int depth)
+{
+    std::string text = R"({"kind": "union", "blend": "cubic", "blendWidth": 5, "children": [)";
+    for (int i = 0; i < 8; ++i)
+        text += (i > 0 ? ", " : "") + (depth > 1 ? crowd(depth - 1)
+                                                 : R"({"kind": "sphere", "radius": 0.5, "translate": [)" +
+                                                       std::to_string(0.01 * i) + ", 0, 0]}");
+    return text + "]}";
+}
+
+TEST(PruneCells, EndWithTheirBudgetAndTheSceneIsWholeWithoutThem)
+{
+    const scenes::SceneField field = test::fieldOf(crowd(3));
+    const auto& steps = field.program().steps();
+    const render::Box box = scenes::occupiedBox(field.program(), field.words(), steps, field.box());
+    const auto pruned = [&](int across, const scenes::PruneBudget& budget) {
+        return scenes::pruneCells(field.program(), field.words(), steps, box, glm::ivec3(across),
+                                  scenes::Pruner::asShaders, budget);
+    };
+    for (const int across : {12, 48}) {  // On one thread, and on two.
+        const scenes::SceneCells all = pruned(across, {});
+        EXPECT_TRUE(all.whole);
+        EXPECT_GT(all.meanShapes, 250);  // Of 512.
+        EXPECT_FALSE(pruned(across, {.bytes = 10'000}).whole);
+        const scenes::SceneCells few = pruned(across, {.evaluations = 50'000});
+        EXPECT_FALSE(few.whole);
+        EXPECT_LT(few.evaluations, 53'000U);
+        EXPECT_TRUE(pruned(across, {all.steps.size() * 64, all.evaluations}).whole);
+    }
+}
+
+TEST(NearScene, HasNoCellsWhereAllShapesAreInEach)
+{
+    const scenes::SceneField field = test::fieldOf(crowd(3));
+    const auto near = scenes::nearScene(field.program(), field.words(), scenes::ListVocabulary::of(field.program()), 96,
+                                        {.evaluations = 1'000'000});
+    EXPECT_TRUE(near->crowded);
+    EXPECT_TRUE(near->cells.cells.empty());
+    // Where cells hold few of many shapes, larger ones do.
+    const scenes::SceneField many = test::fieldOf(bench::manyShapes(600));
+    const auto coarse = scenes::nearScene(many.program(), many.words(), scenes::ListVocabulary::of(many.program()), 96,
+                                          {.evaluations = 1'000'000});
+    EXPECT_FALSE(coarse->crowded);
+    EXPECT_FALSE(coarse->cells.cells.empty());
+    EXPECT_LT(std::max({coarse->cells.count.x, coarse->cells.count.y, coarse->cells.count.z}), 60);
+}
+
+TEST(Pruning, OfManyOperandsLeavesTheSameDistance)
+{
+    const scenes::SceneField field = test::fieldOf(bench::manyShapes(400));
+    scenes::Pruner pruner(field.program(), field.words(), scenes::Pruner::asShaders);
+    test::Random random(5);
+    for (int i = 0; i < 40; ++i) {
+        const glm::dvec3 center = random.point(1);
+        const double radius = 0.05;
+        const scenes::PrunedSteps left = pruner.prune(field.program().steps(), center, radius);
+        EXPECT_LT(left.shapes, 60U);
+        scenes::SceneWalk walk(field.program(), field.words().words, false);
+        for (int k = 0; k < 20; ++k) {
+            const glm::dvec3 p = center + radius * random.number(0, 1) * random.direction();
+            walk.run(left.steps, p);
+            EXPECT_NEAR(walk.state(0).distance, field.distance(p), 2e-6);
+        }
+    }
 }
 
 #ifdef VITRINE_RAPIDCHECK
