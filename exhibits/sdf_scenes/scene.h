@@ -105,6 +105,8 @@ struct Scene {
     std::vector<Record> materials;  ///< The first is that of nodes without one.
     std::vector<Record> lights;
     Record environment, camera, look;
+    bool hasCamera = false;        ///< Whether its file says where it is seen from.
+    std::vector<Finding> leftOut;  ///< Shapes of its file that are not drawn, and why.
 
     [[nodiscard]] const std::vector<SceneParameter>& parameters() const { return files.front().parameters; }
     /// Whether something in it moves by itself.

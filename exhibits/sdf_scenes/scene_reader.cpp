@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <set>
 
 namespace vitrine::scenes {
 namespace {
@@ -32,13 +34,16 @@ constexpr std::array<ParameterUnit, 8> parameterUnits = {{{"", Unit::none},
 /// Reads everything of a scene into one that it owns.
 class SceneReader {
 public:
-    SceneReader(const IncludedText& included, const SceneLimits& limits)
-        : included_(included), limits_(limits), findings_(limits.findings), fields_(scene_, findings_)
+    /// `without`: shapes of a scene of the source that are left out.
+    SceneReader(const IncludedText& included, const SceneLimits& limits, const std::set<std::uint32_t>& without)
+        : included_(included), limits_(limits), without_(without), findings_(limits.findings),
+          fields_(scene_, findings_)
     {
     }
 
-    ReadScene read(std::string text, const std::string& name)
+    ReadScene read(std::string text, const std::string& name, std::vector<Finding> leftOut)
     {
+        scene_.leftOut = std::move(leftOut);
         if (const auto file = openText(std::move(text), name)) {
             scene_.materials.push_back(
                 {&materialTable().kinds.back(), "", fields_.initialFields(materialTable().kinds.back().fields)});
@@ -52,14 +57,22 @@ public:
                 limits_)
                 .read();
         }
-        if (!findings_.empty()) return {nullptr, findings_.take()};
+        if (!findings_.empty()) return refused();
         auto whole = std::make_shared<const Scene>(std::move(scene_));
         checkRepeaters(whole);
-        if (!findings_.empty()) return {nullptr, findings_.take()};
+        if (!findings_.empty()) return refused();
         return {whole, {}};
     }
 
+    /// After reading: the shapes of the source that all findings are about; else nothing.
+    [[nodiscard]] const std::vector<std::uint32_t>& faultyShapes() const { return faulty_; }
+
 private:
+    ReadScene refused()
+    {
+        faulty_ = findings_.shapes();
+        return {nullptr, findings_.take()};
+    }
     std::shared_ptr<const render::JsonText> openText(std::string text, const std::string& name);
     std::uint32_t addFile(std::shared_ptr<const render::JsonText>, const std::string& path);
     std::optional<std::uint32_t> include(std::uint32_t from, std::uint32_t value, const std::string& path);
@@ -79,8 +92,10 @@ private:
 
     const IncludedText& included_;
     const SceneLimits& limits_;
+    const std::set<std::uint32_t>& without_;
     Scene scene_;
     Findings findings_;
+    std::vector<std::uint32_t> faulty_;
     FieldReader fields_;
     std::vector<FileNames> names_;
     std::vector<std::string> paths_;                  ///< Of each file, from the scene's folder.
@@ -92,7 +107,7 @@ std::shared_ptr<const render::JsonText> SceneReader::openText(std::string text, 
     try {
         auto json = std::make_shared<const render::JsonText>(std::move(text), name, limits_.json);
         if (!scene_.files.empty() || !isSourceScene(*json)) return json;
-        const std::optional<ConvertedScene> converted = convertSourceScene(*json, findings_);
+        const std::optional<ConvertedScene> converted = convertSourceScene(*json, findings_, without_);
         if (!converted) return nullptr;
         source_ = json;
         auto made = std::make_shared<const render::JsonText>(converted->text, name, limits_.json);
@@ -300,6 +315,7 @@ void SceneReader::readRecords()
     };
     scene_.environment = recordAt("environment", environmentTable(), "an environment");
     scene_.camera = recordAt("camera", cameraTable(), "a camera");
+    scene_.hasCamera = json.member(0, "camera").has_value();
     scene_.look = recordAt("look", lookTable(), "a look");
     if (const auto camera = json.member(0, "camera"); camera && findings_.empty()) checkCamera(*camera);
     const auto lights = json.member(0, "lights");
@@ -349,9 +365,23 @@ void SceneReader::checkRepeaters(const std::shared_ptr<const Scene>& scene)
 
 }  // namespace
 
-ReadScene readScene(std::string text, const std::string& name, const IncludedText& included, const SceneLimits& limits)
+ReadScene readScene(const std::string& text, const std::string& name, const IncludedText& included,
+                    const SceneLimits& limits)
 {
-    return SceneReader(included, limits).read(std::move(text), name);
+    std::set<std::uint32_t> without;
+    std::vector<Finding> leftOut;
+    std::optional<ReadScene> first;
+    // Each round leaves out at least one shape more.
+    for (;;) {
+        SceneReader reader(included, limits, without);
+        ReadScene read = reader.read(text, name, leftOut);
+        const std::vector<std::uint32_t>& faulty = reader.faultyShapes();
+        if (read.scene) return read;
+        if (!first) first = read;
+        if (faulty.empty()) return *first;
+        without.insert(faulty.begin(), faulty.end());
+        leftOut.insert(leftOut.end(), read.findings.begin(), read.findings.end());
+    }
 }
 
 ReadScene readSceneFile(const std::filesystem::path& path, const SceneLimits& limits)

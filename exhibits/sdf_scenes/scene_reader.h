@@ -25,9 +25,10 @@ using IncludedText = std::function<std::string(const std::string& path)>;
 
 /// Reads a scene: assets/scenes/scene.schema.json says what may stand in it, and the scene objects of its source
 /// (Akgul, Boucher and El Hajal's ray marching engine, as JSON) are read as well. Strict: what is unknown, out of range
-/// or of no use is found wrong, with its place. `name` is the file's name for people. Throws nothing for a bad text,
+/// or of no use is found wrong, with its place. Of a scene object of the source, a shape without area or size is left
+/// out where others remain (`Scene::leftOut`). `name` is the file's name for people. Throws nothing for a bad text,
 /// and does not recurse, however deep it is.
-[[nodiscard]] ReadScene readScene(std::string text, const std::string& name, const IncludedText& included,
+[[nodiscard]] ReadScene readScene(const std::string& text, const std::string& name, const IncludedText& included,
                                   const SceneLimits& limits = {});
 
 /// The same of a file, which may include files of its own folder and of folders therein. A file that cannot be read is

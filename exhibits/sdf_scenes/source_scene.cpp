@@ -39,7 +39,10 @@ Json skyOf(const std::string& cubemap)
 
 class SourceReader {
 public:
-    SourceReader(const render::JsonText& json, Findings& findings) : json_(json), findings_(findings) {}
+    SourceReader(const render::JsonText& json, Findings& findings, const std::set<std::uint32_t>& without)
+        : json_(json), findings_(findings), without_(without)
+    {
+    }
 
     std::optional<ConvertedScene> convert();
 
@@ -60,6 +63,7 @@ private:
 
     const render::JsonText& json_;
     Findings& findings_;
+    const std::set<std::uint32_t>& without_;
     Json scene_;
     Json children_ = Json::array();
     std::vector<MadeFrom> parts_;
@@ -181,16 +185,17 @@ void SourceReader::addMaterial(std::uint32_t value, Json& node)
 void SourceReader::addShape(std::uint32_t value, const SourceKind& kind, std::vector<std::string_view> others,
                             Json& into, const std::string& path)
 {
+    if (without_.contains(value)) return;
     const std::size_t before = findings_.count();
     const SourceNumbers n = numbers(value, kind.keys, std::move(others), "a " + std::string(kind.type));
     if (findings_.count() != before) return;
     try {
         Json node = kind.node(n, eye_);
         addMaterial(value, node);
-        parts_.push_back({path + '[' + std::to_string(into.size()) + ']', value});
+        parts_.push_back({path + '[' + std::to_string(into.size()) + ']', value, true});
         into.push_back(std::move(node));
     } catch (const std::string& fault) {
-        findings_.add(json_, value, fault);
+        findings_.addOfShape(json_, value, fault);
     }
 }
 
@@ -222,7 +227,12 @@ void SourceReader::readCombinations(std::string_view key, const char* operation)
         Json node = {{"kind", operation}, {"blend", "quadratic"}, {"blendWidth", n.find("smooth_factor")->second[0]}};
         addMaterial(value, node);
         Json both = Json::array();
+        const bool hasFirst = !without_.contains(shapes[0]), hasSecond = !without_.contains(shapes[1]);
         // There, the first one is taken from the second.
+        const bool holds = operation == std::string_view("union")         ? hasFirst || hasSecond
+                           : operation == std::string_view("subtraction") ? hasSecond
+                                                                          : hasFirst && hasSecond;
+        if (!holds) continue;
         const bool swapped = std::string_view(operation) == "subtraction";
         for (const std::uint32_t shape : {shapes[swapped ? 1 : 0], shapes[swapped ? 0 : 1]}) {
             const std::string type = word(shape, "type");
@@ -315,9 +325,10 @@ bool isSourceScene(const render::JsonText& json)
     return isCombined || json.member(0, "primitives") || json.member(0, "is_noise");
 }
 
-std::optional<ConvertedScene> convertSourceScene(const render::JsonText& json, Findings& findings)
+std::optional<ConvertedScene> convertSourceScene(const render::JsonText& json, Findings& findings,
+                                                 const std::set<std::uint32_t>& without)
 {
-    return SourceReader(json, findings).convert();
+    return SourceReader(json, findings, without).convert();
 }
 
 }  // namespace vitrine::scenes

@@ -164,6 +164,36 @@ TEST(SceneFiles, WhatIsWrongInThemIsSaidWhereItStands)
     }
 }
 
+/// The source's "Primitives" has a triangle without area beside one with; it divides by zero there, and draws the rest.
+TEST(SceneFiles, ShapesOfTheSourceThatAreNoneAreLeftOutOfTheOthers)
+{
+    const std::string text = R"({"camera": {"position": [0, 0, 9], "target": [0, 0, 0], "up": [0, 1, 0], "fov": 65},
+        "primitives": {"spheres": [{"center": [0,0,0], "radius": 1}, {"center": [0,0,0], "radius": 0}],
+                       "triangles": [{"vertice1": [4,3,3], "vertice2": [4,3,3], "vertice3": [4,3,3]},
+                                     {"vertice1": [4,3,3], "vertice2": [5,3,3], "vertice3": [4,4,3]}]},
+        "unions": [{"shapes": [{"type": "sphere", "center": [20,0,0], "radius": 1},
+                               {"type": "cylinder", "center": [30,0,0], "axis": [0,0,0], "radius": 1, "height": 1}]}],
+        "subtractions": [{"shapes": [{"type": "sphere", "center": [40,0,0], "radius": 1},
+                                     {"type": "sphere", "center": [40,0,0], "radius": -2}]}]})";
+    const scenes::ReadScene read = test::readText(text);
+    ASSERT_TRUE(read.scene) << test::findingsText(read);
+    ASSERT_EQ(read.scene->leftOut.size(), 4U);
+    std::string all;
+    for (const scenes::Finding& finding : read.scene->leftOut) all += finding.text() + '\n';
+    for (const char* key :
+         {"primitives.spheres[1]: this is 0 m", "primitives.triangles[0]: the corners lie on one line",
+          "unions[0].shapes[1]: the axis is 0, 0, 0", "subtractions[0].shapes[1]: this is -2 m"})
+        EXPECT_NE(all.find(key), std::string::npos) << key << '\n' << all;
+    const scenes::SceneField field(read.scene);
+    EXPECT_NEAR(field.distance({0, 0, 1.5}), 0.5, 1e-9);
+    EXPECT_NEAR(field.distance({4.2, 3.2, 3.5}), 0.5, 1e-9);
+    EXPECT_NEAR(field.distance({20, 0, 1.5}), 0.5, 1e-9);
+    EXPECT_GT(field.distance({30, 0, 0}), 8);
+    // Its second shape is what the first is taken from: nothing is left of it.
+    EXPECT_GT(field.distance({40, 0, 0}), 8);
+    EXPECT_TRUE(test::readText(test::sceneText(R"({"kind": "sphere"})")).scene->leftOut.empty());
+}
+
 TEST(SceneFiles, NoiseScenesOfTheSourceAreSurfacesOfNoise)
 {
     const std::string camera = R"("camera": {"position": [0, 0, 0], "target": [0, 0, 1], "up": [0, 1, 0], "fov": 75})";
