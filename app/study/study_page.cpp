@@ -1,10 +1,13 @@
 #include "app/study/study_page.h"
 
 #include "app/html_text.h"
+#include "exhibits/study/study_situation.h"
 #include "exhibits/study/study_text.h"
 #include "render/files/strict_json.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vitrine::app {
 namespace {
@@ -51,49 +54,90 @@ std::string numbersOf(const StudyShot& shot)
     return text;
 }
 
-std::string table(const StudyRequest& request, const StudyResult& result, const std::vector<StudyPagePoint>& points)
+std::string marksOf(const StudyResult& result, const StudyCosts& costs, std::size_t i)
+{
+    const StudyPoint& p = result.points[i];
+    const bool dominated = costs.settings[i].cost > 0 && !costs.onFront(i);
+    std::string marks;
+    for (const auto& [holds, mark] : {std::pair(result.choice && result.choice->point == i, "chosen"),
+                                      std::pair(costs.knee == i, "knee"), std::pair(result.present == i, "present"),
+                                      std::pair(p.uncertain, "uncertain"), std::pair(dominated, "dominated")})
+        if (holds) marks += (marks.empty() ? "" : ", ") + std::string(mark);
+    return marks;
+}
+
+std::string table(const StudyRequest& request, const StudyResult& result, const std::vector<StudyPageChart>& charts,
+                  const std::vector<StudyPagePoint>& points)
 {
     std::string text = "<div class=\"sheet scroll\"><table><thead><tr><th>setting</th><th>" +
                        std::string(toString(request.metric)) + "</th><th>over the views</th>";
     if (request.modelError) text += "<th>against everything exact</th>";
-    if (result.costName != "ms") text += "<th>" + escaped(costTitle(result.costName)) + "</th>";
-    text += "<th>ms, median</th><th>interval of the median</th><th>spread</th><th></th></tr></thead><tbody>\n";
+    text += "<th>ms, median</th><th>interval of the median</th><th>spread</th>";
+    if (!result.workName.empty()) text += "<th>" + escaped(costTitle(result.workName)) + "</th>";
+    text += "<th></th></tr></thead><tbody>\n";
     for (std::size_t i = 0; i < points.size(); ++i) {
         const StudyPoint& p = result.points[i];
-        std::string row = "<tr tabindex=\"0\" data-point=\"" + std::to_string(i) + "\"" +
-                          (p.dominated ? " class=\"dominated\"" : "") + "><td>" + escaped(points[i].text) +
+        std::string row = "<tr tabindex=\"0\" data-point=\"" + std::to_string(i) + "\"><td>" + escaped(points[i].text) +
                           "</td><td>" + pageNumber(p.error) + "</td><td>" + pageNumber(p.lowestError, 3) + " to " +
                           pageNumber(p.worstError, 3) + "</td>";
-        if (request.modelError) row += "<td>" + pageNumber(p.modelError) + "</td>";
-        if (result.costName != "ms") row += "<td>" + pageNumber(p.cost, 12) + "</td>";
+        if (request.modelError) row += "<td>" + (p.modelError ? pageNumber(*p.modelError) : std::string("–")) + "</td>";
         if (p.time)
             row += "<td>" + pageNumber(p.time->median) + "</td><td>" + pageNumber(p.time->interval.low, 3) + " to " +
                    pageNumber(p.time->interval.high, 3) + " (" + pageNumber(100 * p.time->interval.confidence, 3) +
                    " %)</td><td>" + pageNumber(p.time->spread, 2) + "</td>";
         else
             row += "<td>–</td><td>–</td><td>–</td>";
-        std::string marks;
-        for (const auto& [holds, mark] :
-             {std::pair(result.choice && result.choice->point == i, "chosen"), std::pair(result.knee == i, "knee"),
-              std::pair(result.present == i, "present"), std::pair(p.uncertain, "uncertain"),
-              std::pair(p.dominated, "dominated")})
-            if (holds) marks += (marks.empty() ? "" : ", ") + std::string(mark);
-        text += row + "<td>" + marks + "</td></tr>\n";
+        if (const auto count = p.counters.find(result.workName); count != p.counters.end())
+            row += "<td>" + pageNumber(static_cast<double>(count->second), 12) + "</td>";
+        else if (!result.workName.empty())
+            row += "<td>–</td>";
+        row += "<td>";
+        for (const StudyPageChart& chart : charts)
+            row += "<span" + shownWith(chart.cost) + ">" +
+                   escaped(marksOf(result, costsAlong(chart.axis, request, result), i)) + "</span>";
+        text += row + "</td></tr>\n";
     }
     return text + "</tbody></table></div>\n";
+}
+
+std::vector<PageCost> costsOf(const std::vector<StudyPageChart>& charts)
+{
+    std::vector<PageCost> costs;
+    for (const StudyPageChart& chart : charts) costs.push_back(chart.cost);
+    return costs;
+}
+
+/// Buttons that choose the axis, where there is a choice, and the chart of each.
+std::string chartsOf(const std::vector<StudyPageChart>& charts, glm::ivec2 size,
+                     const std::vector<StudyPagePoint>& points)
+{
+    std::string page = "<div class=\"sheet\">" + costButtons(costsOf(charts));
+    for (const StudyPageChart& chart : charts) {
+        // The drawing alone: within HTML there is no place for an XML declaration.
+        const std::size_t start = chart.svg.find("<svg");
+        page += "<div class=\"chart\"" + shownWith(chart.cost) + ">" +
+                (start == std::string::npos ? std::string() : chart.svg.substr(start)) +
+                "<svg class=\"spots\" viewBox=\"0 0 " + std::to_string(size.x) + ' ' + std::to_string(size.y) + "\">";
+        for (std::size_t i = 0; i < points.size(); ++i)
+            if (const auto& place = chart.places[i])
+                page += "<circle data-point=\"" + std::to_string(i) + "\" cx=\"" + pageNumber(place->x, 6) +
+                        "\" cy=\"" + pageNumber(place->y, 6) + "\" r=\"11\"><title>" + escaped(points[i].text) +
+                        "</title></circle>";
+        page += "</svg></div>";
+    }
+    return page + "</div>\n";
 }
 
 }  // namespace
 
 std::string studyPage(Subjects subjects, const StudyRequest& request, const StudyResult& result,
-                      const std::string& chartSvg, glm::ivec2 chartSize, const std::vector<StudyPagePoint>& points)
+                      const std::vector<StudyPageChart>& charts, glm::ivec2 chartSize,
+                      const std::vector<StudyPagePoint>& points)
 {
     const Subject& subject = *subjects[request.subject];
-    std::string names;
-    for (const StudyAxis& axis : request.axes)
-        names += (names.empty() ? "" : ", ") + axisName(subjects, request.sceneState, request.subject, axis);
     const std::string title = std::string(subject.title()) + ": what " +
-                              (request.axes.size() > 2 ? std::string("accuracy") : names) + " costs";
+                              (request.axes.size() > 2 ? std::string("accuracy") : axisLabels(subjects, request)) +
+                              " costs";
 
     std::string page = pageHead(title);
     page += "<h1>" + escaped(title) + "</h1>\n";
@@ -104,23 +148,15 @@ std::string studyPage(Subjects subjects, const StudyRequest& request, const Stud
             (result.clockTrusted ? ", trusted" : ", not trusted") + "; taking a time adds " +
             pageNumber(1000 * result.overheadMilliseconds, 2) + " µs to a picture.</p>\n";
     page += "<p class=\"dim\">" + escaped(result.convergence) + "</p>\n";
-    if (const std::string law = lawSentence(result); !law.empty())
-        page += "<p class=\"law\">" + escaped(law) + "</p>\n";
+    for (const std::string& sentence : situationSentences(subjects, request, result, RowNames::shown))
+        page += "<p class=\"dim\">" + escaped(sentence) + "</p>\n";
+    for (const StudyPageChart& chart : charts)
+        if (const std::string law = lawSentence(costsAlong(chart.axis, request, result)); !law.empty())
+            page += "<p class=\"law\"" + shownWith(chart.cost) + ">" + escaped(law) + "</p>\n";
     if (const std::string choice = choiceSentence(subjects, request, result); !choice.empty())
         page += "<p class=\"law\">" + escaped(choice) + "</p>\n";
 
-    // The drawing alone: within HTML there is no place for an XML declaration.
-    const std::size_t start = chartSvg.find("<svg");
-    page += "<div class=\"sheet\"><div class=\"chart\">" +
-            (start == std::string::npos ? std::string() : chartSvg.substr(start));
-    page +=
-        "<svg class=\"spots\" viewBox=\"0 0 " + std::to_string(chartSize.x) + ' ' + std::to_string(chartSize.y) + "\">";
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (std::isfinite(points[i].place.x) && std::isfinite(points[i].place.y))
-            page += "<circle data-point=\"" + std::to_string(i) + "\" cx=\"" + pageNumber(points[i].place.x, 6) +
-                    "\" cy=\"" + pageNumber(points[i].place.y, 6) + "\" r=\"11\"><title>" + escaped(points[i].text) +
-                    "</title></circle>";
-    page += "</svg></div></div>\n<div class=\"sheet\"><nav>";
+    page += chartsOf(charts, chartSize, points) + "<div class=\"sheet\"><nav>";
     for (std::size_t v = 0; v < result.views.size(); ++v)
         page += "<button data-view=\"" + std::to_string(v) + "\">" + escaped(result.views[v]) + "</button>";
     page += "</nav><div class=\"pictures\" id=\"pictures\"><figure><div class=\"wipe\" id=\"wipe\"><img id=\"picture\" "
@@ -128,11 +164,13 @@ std::string studyPage(Subjects subjects, const StudyRequest& request, const Stud
             "<figcaption>Left of the line: <b id=\"name\"></b>; right of it: the reference.</figcaption></figure>"
             "<figure><img id=\"heat\" alt=\"Where they differ\"><figcaption>Where they differ, one scale for all "
             "settings of a view. <span id=\"numbers\"></span></figcaption></figure></div></div>\n";
-    page += table(request, result, points);
+    page += table(request, result, charts, points);
 
-    Json data{{"first", result.choice ? result.choice->point
-                                      : result.present.value_or(
-                                            result.knee.value_or(result.front.empty() ? 0 : result.front.front()))},
+    const auto shown =
+        std::find_if(charts.begin(), charts.end(), [](const StudyPageChart& chart) { return chart.cost.shown; });
+    const StudyCosts costs = costsAlong(shown->axis, request, result);
+    const std::size_t best = costs.knee.value_or(costs.front.empty() ? 0 : costs.front.front());
+    Json data{{"first", result.choice ? result.choice->point : result.present.value_or(best)},
               {"points", Json::array()}};
     for (std::size_t i = 0; i < points.size(); ++i) {
         Json numbers = Json::array();
@@ -140,7 +178,7 @@ std::string studyPage(Subjects subjects, const StudyRequest& request, const Stud
         data["points"].push_back(
             Json{{"text", points[i].text}, {"pictures", points[i].hasPictures}, {"numbers", numbers}});
     }
-    return page + with(script, "@DATA@", scriptJson(data));
+    return page + costScript(costsOf(charts)) + with(script, "@DATA@", scriptJson(data));
 }
 
 }  // namespace vitrine::app

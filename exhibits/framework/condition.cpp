@@ -1,5 +1,6 @@
 #include "exhibits/framework/condition.h"
 
+#include "exhibits/framework/make_act.h"
 #include "exhibits/framework/parameters.h"
 #include "exhibits/framework/value_text.h"
 #include "render/text/translation.h"
@@ -33,30 +34,16 @@ std::size_t rowNamed(const Parameters& table, std::string_view name)
     return row.value_or(0);
 }
 
-bool holds(const Condition& condition, const ParameterValues& values)
-{
-    const auto part = [&](const Condition& one) { return holds(one, values); };
-    if (condition.test == Condition::Test::all)
-        return std::all_of(condition.parts.begin(), condition.parts.end(), part);
-    if (condition.test == Condition::Test::any)
-        return std::any_of(condition.parts.begin(), condition.parts.end(), part);
-    const std::size_t row = rowNamed(values.table(), condition.row);
-    if (!acts(values, row)) return false;
-    if (condition.test == Condition::Test::given) return !std::get<std::string>(values.row(row)).empty();
-    const double x = std::get<double>(values.row(row));
-    const bool among = std::find(condition.values.begin(), condition.values.end(), x) != condition.values.end();
-    if (condition.test == Condition::Test::among) return among;
-    if (condition.test == Condition::Test::differs) return !among;
-    return x > condition.values.front();
-}
-
 /// "a, b or c".
 std::string alternatives(const ParameterInfo& row, const std::vector<double>& values)
 {
     std::string text;
     for (std::size_t i = 0; i < values.size(); ++i) {
-        if (i > 0) text += i + 1 == values.size() ? translated(" or ") : ", ";
-        text += translated(formatValue(row, values[i]));
+        const std::string one = translated(formatValue(row, values[i]));
+        if (i == 0)
+            text = one;
+        else
+            text = i + 1 == values.size() ? translated("{1} or {2}", {text, one}) : text + ", " + one;
     }
     return text;
 }
@@ -68,25 +55,29 @@ std::string text(const Condition& condition, const Parameters& table, const Para
     if (all || condition.test == Condition::Test::any) {
         std::string line;
         for (const Condition& part : condition.parts) {
-            const std::string one = text(part, table, values);
-            if (!line.empty()) line += translated(all ? " and " : " or ");
-            line += all && part.test == Condition::Test::any ? "(" + one + ")" : one;
+            std::string one = text(part, table, values);
+            if (all && part.test == Condition::Test::any) one = "(" + one + ")";
+            if (line.empty())
+                line = one;
+            else
+                line = all ? translated("{1} and {2}", {line, one}) : translated("{1} or {2}", {line, one});
         }
         return line;
     }
     const std::size_t index = rowNamed(table, condition.row);
     const ParameterInfo& row = table.rows()[index];
-    std::string line = "“" + label(row) + "” ";
+    const std::string name = translated(label(row));
+    std::string line;
     if (condition.test == Condition::Test::given)
-        line += "names a file";
+        line = translated("“{1}” names a file", {name});
     else if (condition.test == Condition::Test::above)
-        line += "is above " + formatValue(row, condition.values.front());
+        line = translated("“{1}” is above {2}", {name, formatValue(row, condition.values.front())});
+    else if (condition.test == Condition::Test::differs)
+        line = translated("“{1}” is not {2}", {name, alternatives(row, condition.values)});
     else
-        line += (condition.test == Condition::Test::differs ? "is not " : "is ") + alternatives(row, condition.values);
-    line = translated(line);
-    if (values && !acts(*values, index))
-        line += translated(" (which acts when " + text(*row.actsWhen, table, values) + ")");
-    return line;
+        line = translated("“{1}” is {2}", {name, alternatives(row, condition.values)});
+    if (!values || acts(*values, index)) return line;
+    return translated("{1} (which acts when {2})", {line, text(*row.actsWhen, table, values)});
 }
 
 }  // namespace
@@ -121,6 +112,23 @@ std::vector<std::string_view> rowsOf(const Condition& condition)
     for (const Condition& part : condition.parts)
         for (const std::string_view name : rowsOf(part)) names.push_back(name);
     return names;
+}
+
+bool holds(const Condition& condition, const ParameterValues& values)
+{
+    const auto part = [&](const Condition& one) { return holds(one, values); };
+    if (condition.test == Condition::Test::all)
+        return std::all_of(condition.parts.begin(), condition.parts.end(), part);
+    if (condition.test == Condition::Test::any)
+        return std::any_of(condition.parts.begin(), condition.parts.end(), part);
+    const std::size_t row = rowNamed(values.table(), condition.row);
+    if (!acts(values, row)) return false;
+    if (condition.test == Condition::Test::given) return !std::get<std::string>(values.row(row)).empty();
+    const double x = std::get<double>(values.row(row));
+    const bool among = std::find(condition.values.begin(), condition.values.end(), x) != condition.values.end();
+    if (condition.test == Condition::Test::among) return among;
+    if (condition.test == Condition::Test::differs) return !among;
+    return x > condition.values.front();
 }
 
 bool acts(const ParameterValues& values, std::size_t row)

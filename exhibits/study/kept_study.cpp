@@ -21,6 +21,7 @@ constexpr std::size_t mostPoints = 20'000;
 constexpr std::size_t mostParameters = 64;
 constexpr std::size_t mostViews = 256;
 constexpr std::size_t mostCounters = 256;
+constexpr std::size_t mostSentences = 256;
 constexpr std::size_t mostNameBytes = 200;
 constexpr double largestNumber = 1e15;
 
@@ -126,6 +127,8 @@ KeptPoint pointAt(const Place& place, const std::vector<KeptStudy::Parameter>& p
     if (over.size() != 2) throw place.at("errorOverViews").failure("this must be two numbers; correct it there.");
     point.lowestError = over[0].numberOrNone();
     point.worstError = over[1].numberOrNone();
+    if (place.has("modelError") && !place.at("modelError").json().is_null())
+        point.modelError = place.at("modelError").number();
     point.cost = place.at("cost").numberOrNone();
     if (!std::isfinite(point.cost)) point.cost = 0;
     point.uncertain = place.at("uncertain").boolean();
@@ -177,7 +180,7 @@ void readHead(const Place& root, KeptStudy& study)
     for (const Place& view : root.at("views").elements(mostViews)) study.views.push_back(view.text());
     if (study.views.empty()) throw root.at("views").failure("there is no view; it is no study that Vitrine wrote.");
     for (const Place& each : root.at("parameters").elements(mostParameters))
-        study.parameters.push_back({each.at("name").text(200), textIn(each, "unit")});
+        study.parameters.push_back({each.at("name").text(200), textIn(each, "label"), textIn(each, "unit")});
     if (study.parameters.empty())
         throw root.at("parameters").failure("there is no parameter; it is no study that Vitrine wrote.");
     const std::string metric = root.at("metric").text();
@@ -189,15 +192,23 @@ void readHead(const Place& root, KeptStudy& study)
 
 void readSentences(const Place& root, KeptStudy& study)
 {
-    for (const char* key : {"law", "choice"})
-        if (root.has(key)) study.sentences.push_back(root.at(key).at("sentence").text());
+    if (root.has("law")) (void)root.at("law").at("sentence").text();  // Follows anew from the points.
+    if (root.has("choice")) study.sentences.push_back(root.at("choice").at("sentence").text());
     study.sentences.push_back(root.at("reference").at("why").text());
+    if (root.has("situation"))
+        for (const Place& each : root.at("situation").at("sentences").elements(mostSentences))
+            study.sentences.push_back(each.text());
     std::erase(study.sentences, std::string());
 }
 
 std::string numberField(double x)
 {
     return std::isfinite(x) ? render::shortestNumber(x) : std::string();
+}
+
+const std::string& labelOf(const KeptStudy::Parameter& parameter)
+{
+    return parameter.label.empty() ? parameter.name : parameter.label;
 }
 
 std::string valueText(const Json& value)
@@ -233,21 +244,30 @@ bool KeptPoint::measured() const
     return cost > 0 && std::isfinite(error);
 }
 
+std::vector<SettingPart> KeptStudy::settingParts(std::size_t point) const
+{
+    std::vector<SettingPart> parts;
+    for (std::size_t i = 0; i < parameters.size(); ++i) {
+        const Json& value = points[point].values[i];
+        const bool hasUnit = value.is_number() && !parameters[i].unit.empty();
+        parts.push_back({labelOf(parameters[i]), valueText(value) + (hasUnit ? ' ' + parameters[i].unit : "")});
+    }
+    return parts;
+}
+
 std::string KeptStudy::pointText(std::size_t point) const
 {
     std::string text;
-    for (std::size_t i = 0; i < parameters.size(); ++i) {
-        const Json& value = points[point].values[i];
-        text += (text.empty() ? "" : ", ") + parameters[i].name + ' ' + valueText(value);
-        if (value.is_number() && !parameters[i].unit.empty()) text += ' ' + parameters[i].unit;
-    }
+    const std::vector<SettingPart> parts = settingParts(point);
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        text += (text.empty() ? "" : ", ") + parameters[i].name + ' ' + parts[i].value;
     return text;
 }
 
 std::string KeptStudy::parameterNames() const
 {
     if (parameters.size() > 2) return "all parameters";
-    return parameters.size() == 1 ? parameters[0].name : parameters[0].name + " and " + parameters[1].name;
+    return parameters.size() == 1 ? labelOf(parameters[0]) : labelOf(parameters[0]) + " and " + labelOf(parameters[1]);
 }
 
 std::size_t KeptStudy::measuredPoints() const

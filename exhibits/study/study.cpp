@@ -44,6 +44,9 @@ Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest 
                       "before, so it cannot be split; study one or two parameters.");
     request_.runs = std::max(request_.runs, 1);
     if (request_.subject == hallIndex) request_.alone = false;
+    situation_ = studySituation(museum_.subjects(), request_);
+    result_.changes = situation_.changes;
+    result_.exactInReference = situation_.exact;
     addViews();
     for (const StudyAxis& axis : request_.axes)
         result_.exact.push_back(exactness(rowOf(request_.sceneState, axis)).exact);
@@ -70,8 +73,7 @@ Study::~Study() = default;
 
 void Study::addViews()
 {
-    const std::vector<StudyView> all =
-        museum_.subject(request_.subject).studyViews(request_.sceneState.values[request_.subject]);
+    const std::vector<StudyView>& all = situation_.views;
     for (const std::size_t i : spread(all.size(), static_cast<std::size_t>(std::max(request_.views, 1))))
         views_.push_back({all[i], {}, {}, {}, false});
     for (const View& view : views_) result_.views.push_back(view.view.name);
@@ -98,13 +100,23 @@ void Study::addViews()
 
 SceneState Study::lookAt(const std::vector<double>& axisValues, std::size_t view) const
 {
-    SceneState sceneState = request_.sceneState;
+    SceneState sceneState = situation_.sceneState;
     sceneState.values[request_.subject] = views_[view].view.values;
     for (std::size_t i = 0; i < request_.axes.size(); ++i)
         sceneState.values[request_.axes[i].subject].setRow(request_.axes[i].row, axisValues[i]);
     sceneState.camera = views_[view].view.camera;
     if (!request_.alone && request_.subject != hallIndex)
         sceneState.camera = sceneState.camera.transformed(museum_.worldFromExhibit(request_.subject));
+    return sceneState;
+}
+
+SceneState Study::referenceLook(std::size_t view) const
+{
+    SceneState sceneState = lookAt(result_.exact, view);
+    for (const StudyRow& row : situation_.exact) {
+        ParameterValues& values = sceneState.values[row.subject];
+        values.setRow(row.row, *values.rows()[row.row].qualityReference);
+    }
     return sceneState;
 }
 

@@ -4,6 +4,7 @@
 #include "exhibits/study/study_judge.h"
 #include "exhibits/study/study_parts.h"
 #include "exhibits/study/study_search.h"
+#include "exhibits/study/study_situation.h"
 
 #include <deque>
 #include <functional>
@@ -75,6 +76,8 @@ private:
     void findJob();
     void keepColors();
     [[nodiscard]] SceneState lookAt(const std::vector<double>& axisValues, std::size_t view) const;
+    /// What the errors of this view are taken against.
+    [[nodiscard]] SceneState referenceLook(std::size_t view) const;
     [[nodiscard]] std::vector<double> valuesOf(const Setting&) const;
     [[nodiscard]] PictureRequest pictureRequest(const SceneState&, std::size_t view) const;
     /// Of what the errors are taken against: as that of any setting, but at rest where pictures in motion are studied.
@@ -95,6 +98,7 @@ private:
     StudyParts* parts_;
     std::size_t measures_ = 0;  ///< Jobs that measure, so far.
     StudyRequest request_;
+    StudySituation situation_;
     StudyResult result_;
     StudyJudge judge_;
     StudySearch search_;

@@ -2,6 +2,7 @@
 
 #include "exhibits/study/study.h"
 
+#include "exhibits/study/point_time.h"
 #include "exhibits/study/study_picture.h"
 
 #include <algorithm>
@@ -86,6 +87,7 @@ void Study::addPicture(PictureJob job, std::function<void(StudyMeasure)> take)
             const render::Image& picture = maker->picture();
             const bool scaled = picture.width != request_.size.x || picture.height != request_.size.y;
             StudyMeasure measure{.picture = scaled ? resampled(picture, request_.size) : picture};
+            noteClock(maker->report(), measure);  // Before anything is timed: a chart's axis depends on the clock.
             if (!job.timedView) return measure;
             const render::FrameReport report = drawTimed(job.sceneState, *job.timedView);
             measure.counters = report.counters;
@@ -99,7 +101,7 @@ void Study::addPicture(PictureJob job, std::function<void(StudyMeasure)> take)
 void Study::addReference(std::size_t view, bool withNeighbors)
 {
     if (views_[view].heldOut && phase_ != Phase::choice) return;
-    const SceneState exact = lookAt(result_.exact, view);
+    const SceneState exact = referenceLook(view);
     const std::string place = std::to_string(view) + "_" + std::to_string(doublings_);
     addPicture({"reference_" + place, "reference of " + views_[view].view.name, exact, referenceRequest(exact, view)},
                [this, view](StudyMeasure measure) {
@@ -208,6 +210,7 @@ void Study::addTimes()
                 [this, point](const StudyMeasure& times) {
                     for (std::size_t view = 0; view < times.milliseconds.size(); ++view)
                         result_.points[point].shots[view].milliseconds.push_back(times.milliseconds[view]);
+                    result_.points[point].time = timeOf(result_.points[point]);  // So that charts show it at once.
                 });
         }
     }

@@ -1,5 +1,8 @@
 #include "exhibits/study/study_judge.h"
 
+#include "exhibits/study/point_time.h"
+#include "exhibits/study/study_costs.h"
+#include "exhibits/study/study_situation.h"
 #include "render/files/number_text.h"
 #include "render/measure/distance.h"
 #include "render/measure/pareto.h"
@@ -16,14 +19,6 @@ using render::shortNumber;
 
 /// A reference is trusted when it moves by less than this part of the smallest error.
 constexpr double quarter = 0.25;
-/// A counter that varies less than this says little of what a parameter costs.
-constexpr double leastRatio = 1.15;
-
-bool isDrawn(const StudyPoint& point)
-{
-    return std::all_of(point.shots.begin(), point.shots.end(),
-                       [](const StudyShot& shot) { return !shot.picture.empty(); });
-}
 
 /// Those whose reference counts as exact although neither its meaning nor another value says so.
 std::vector<StudyAxis> uncheckedAxes(const SceneState& sceneState, const std::vector<StudyAxis>& axes)
@@ -35,37 +30,8 @@ std::vector<StudyAxis> uncheckedAxes(const SceneState& sceneState, const std::ve
     return found;
 }
 
-/// The counter that tells the settings' work apart: of what is done per pixel, the first that differs enough, else the
-/// one in which they differ most; empty when none does.
-std::string mostTelling(const std::vector<StudyPoint>& points)
-{
-    std::map<std::string, std::pair<double, double>> ranges;
-    for (const StudyPoint& point : points) {
-        if (!isDrawn(point)) continue;
-        for (const auto& [name, count] : point.counters) {
-            auto [range, isNew] = ranges.try_emplace(name, static_cast<double>(count), static_cast<double>(count));
-            range->second.first = std::min(range->second.first, static_cast<double>(count));
-            range->second.second = std::max(range->second.second, static_cast<double>(count));
-        }
-    }
-    for (const char* name : {"pixels", "evaluations", "fetches", "marchSteps", "samples"})
-        if (const auto known = ranges.find(name);
-            known != ranges.end() && known->second.first > 0 && known->second.second > leastRatio * known->second.first)
-            return name;
-    std::string best;
-    double largest = leastRatio;
-    for (const auto& [name, range] : ranges) {
-        // How a picture is cut into passes and draws is not its work.
-        if (name == "passes" || name == "draws" || !(range.first > 0)) continue;
-        if (range.second / range.first > largest) {
-            largest = range.second / range.first;
-            best = name;
-        }
-    }
-    return best;
-}
+}  // namespace
 
-/// Of all runs that every view has.
 std::optional<render::Summary> timeOf(const StudyPoint& point)
 {
     std::size_t runs = std::numeric_limits<std::size_t>::max();
@@ -77,12 +43,11 @@ std::optional<render::Summary> timeOf(const StudyPoint& point)
     return means.empty() ? std::nullopt : std::optional(render::summarize(means));
 }
 
-}  // namespace
-
 bool studiesMotion(const StudyRequest& request)
 {
     return std::any_of(request.axes.begin(), request.axes.end(), [&](const StudyAxis& axis) {
-        return axis.subject == hallIndex && rowOf(request.sceneState, axis).name == historyFramesRow;
+        const std::string_view name = rowOf(request.sceneState, axis).name;
+        return axis.subject == hallIndex && (name == historyFramesRow || name == temporalAntialiasingRow);
     });
 }
 
@@ -128,32 +93,38 @@ void StudyJudge::judge(StudyResult& result, int doublings) const
     }
     result.converged =
         uncertain == 0 && uncheckedAxes(request_.sceneState, request_.axes).empty() && !studiesMotion(request_);
-    result.convergence = convergenceSentence(result, uncertain, smallest, doublings);
-    if (std::isinf(smallest) && result.points.size() > 1 &&
-        std::all_of(result.points.begin(), result.points.end(), isDrawn)) {
-        std::string names;
-        for (const StudyAxis& axis : request_.axes)
-            names += (names.empty() ? "" : " or ") + axisName(subjects_, request_.sceneState, request_.subject, axis);
-        result.convergence =
-            "Nothing depends on " + names +
-            " at present: every setting gives the same picture. Switch on what it acts on, and study again.";
-    }
+    const bool allTheSame = std::isinf(smallest) && result.points.size() > 1 &&
+                            std::all_of(result.points.begin(), result.points.end(), isDrawn);
+    result.convergence = allTheSame ? samenessSentence() : convergenceSentence(result, uncertain, smallest, doublings);
     judgeCosts(result);
+}
+
+std::string StudyJudge::samenessSentence() const
+{
+    std::string names;
+    for (const StudyAxis& axis : request_.axes) {
+        if (const StudiedRow declared = declaredOf(request_.sceneState, axis); !declared.same.empty())
+            return std::string(declared.same);
+        names += (names.empty() ? "" : " or ") + axisName(subjects_, request_.sceneState, request_.subject, axis);
+    }
+    return "Nothing depends on " + names +
+           " at present: every setting gives the same picture. Switch on what it acts on, and study again.";
 }
 
 void StudyJudge::judgePoint(StudyPoint& point, double uncertainty) const
 {
     std::vector<double> errors;
-    std::vector<double> modelErrors;
+    std::vector<double> modelErrors;  // Of the views that are measured.
     point.counters.clear();
     for (StudyShot& shot : point.shots) {
         errors.push_back(shot.errors.contains(request_.metric) ? shot.errors.at(request_.metric)
                                                                : std::numeric_limits<double>::quiet_NaN());
-        modelErrors.push_back(shot.modelError);
+        if (shot.modelError) modelErrors.push_back(*shot.modelError);
         for (const auto& [name, count] : shot.counters) point.counters[name] += count;
     }
     point.error = pooled(errors);
-    point.modelError = pooled(modelErrors);
+    point.modelError.reset();
+    if (modelErrors.size() == point.shots.size()) point.modelError = pooled(modelErrors);
     point.lowestError = *std::min_element(errors.begin(), errors.end());
     point.worstError = *std::max_element(errors.begin(), errors.end());
     point.uncertain = point.error > 0 && point.error * quarter < uncertainty;
@@ -175,8 +146,9 @@ std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size
     const auto listed = [&](const std::vector<StudyAxis>& axes, const std::vector<double>& values) {
         std::string text;
         for (std::size_t i = 0; i < axes.size(); ++i)
-            text += (text.empty() ? "" : ", ") + axisName(subjects_, request_.sceneState, request_.subject, axes[i]) +
-                    ' ' + axisValueText(request_.sceneState, axes[i], values[i]);
+            text += (text.empty() ? "" : " and ") +
+                    axisLabel(subjects_, request_.sceneState, request_.subject, axes[i]) + " at " +
+                    axisValueText(request_.sceneState, axes[i], values[i]);
         return text;
     };
     if (studiesMotion(request_)) return "The reference is the picture at rest, whose own error is not checked.";
@@ -195,7 +167,7 @@ std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size
                (doublings == 1 ? " time" : " times") + ", the last time changing it by " + change;
     } else {
         for (const std::vector<double>& neighbor : neighbors)
-            text += (text.empty() ? "At " : ", or at ") + listed(request_.axes, neighbor);
+            text += (text.empty() ? "With " : ", or with ") + listed(request_.axes, neighbor);
         text += " the reference changes by " + change;
     }
     if (uncertainErrors > 0)
@@ -205,14 +177,24 @@ std::string StudyJudge::convergenceSentence(const StudyResult& result, std::size
         text += std::isfinite(smallestError)
                     ? ", less than a quarter of the smallest error, " + shortNumber(smallestError) + '.'
                     : ".";
+    if (result.uncertainty == 0)
+        for (const StudyAxis& axis : request_.axes)
+            if (const StudiedRow declared = declaredOf(request_.sceneState, axis); !declared.settles.empty())
+                text += ' ' + std::string(declared.settles);
     return text + (onTrust.empty() ? "" : ' ' + onTrust);
 }
 
 void StudyJudge::judgeCosts(StudyResult& result) const
 {
     for (StudyPoint& point : result.points) point.time = timeOf(point);
+    if (result.workName.empty() && std::all_of(result.points.begin(), result.points.end(), isDrawn)) {
+        std::vector<std::map<std::string, double>> counters;
+        for (const StudyPoint& point : result.points)
+            counters.emplace_back(point.counters.begin(), point.counters.end());
+        result.workName = mostTellingCounter(counters);
+    }
     const bool oneParameter = request_.axes.size() <= 2 && !request_.maxMilliseconds;
-    const std::string counter = oneParameter ? mostTelling(result.points) : std::string();
+    const std::string counter = oneParameter ? result.workName : std::string();
     result.costName = counter.empty() ? "ms" : counter;
 
     std::vector<render::CostAndError> measured;
@@ -251,8 +233,7 @@ void StudyJudge::fitLaw(StudyResult& result, std::span<const render::CostAndErro
         errors.push_back(result.points[i].error);
         costs.push_back(measured[i].cost);
     }
-    const render::PowerLaw law = render::fitPowerLaw(errors, costs);
-    if (law.points >= 3) result.law = law;
+    result.law = costLaw(errors, costs);
 }
 
 }  // namespace vitrine

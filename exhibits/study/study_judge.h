@@ -30,6 +30,8 @@ private:
     [[nodiscard]] bool isPresent(const StudyPoint&) const;
     [[nodiscard]] std::string convergenceSentence(const StudyResult&, std::size_t uncertainErrors, double smallestError,
                                                   int doublings) const;
+    /// Why all settings give the same picture: what the table declares, or that nothing depends on them at present.
+    [[nodiscard]] std::string samenessSentence() const;
     void judgeCosts(StudyResult&) const;
     void fitLaw(StudyResult&, std::span<const render::CostAndError>) const;
 

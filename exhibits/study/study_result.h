@@ -6,12 +6,36 @@
 #include "render/measure/metrics.h"
 #include "render/measure/statistics.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace vitrine {
+
+/// A row of a subject's table.
+struct StudyRow {
+    std::size_t subject = 0, row = 0;
+
+    bool operator==(const StudyRow&) const = default;
+};
+
+/// A setting that a study changed for itself, so that one of its parameters shows.
+struct StudyChange {
+    enum class Why : std::uint8_t {
+        acts,   ///< The parameter acts only with this value.
+        shows,  ///< Its table declares that it shows only with this value.
+        limits  ///< The row caps or overrides the parameter with any other value.
+    };
+    StudyRow row;
+    double from = 0, to = 0;
+    std::size_t axis = 0;  ///< The parameter.
+    Why why = Why::acts;
+
+    bool operator==(const StudyChange&) const = default;
+};
 
 /// What to measure.
 struct StudyRequest {
@@ -27,8 +51,10 @@ struct StudyRequest {
     bool alone = false;           ///< Without the hall, in the environment's light. The hall itself is never without.
     bool needsFiles = false;      ///< As FrameRequest's.
     bool modelError = true;       ///< Measure against everything at its best, too.
-    int largestTile = 2048;       ///< Side in pixels: smaller ones make shorter steps.
-    int settings = 60;            ///< At most, of a search over three axes or more.
+    bool asSet = false;           ///< Change no setting, even where a parameter does not show.
+    std::vector<StudyRow> pinned = {};  ///< Rows that no study may change: the user named their values.
+    int largestTile = 2048;             ///< Side in pixels: smaller ones make shorter steps.
+    int settings = 60;                  ///< At most, of a search over three axes or more.
     /// Choose: the cheapest setting with an error up to this in every view, or the most exact one whose frame takes
     /// no longer than that. At most one of them.
     std::optional<double> maxError, maxMilliseconds;
@@ -44,8 +70,8 @@ using Errors = std::map<render::Metric, double>;
 struct StudyShot {
     /// As PictureMaker makes it; empty until drawn. Once the study is finished, color only, unless it goes by more.
     render::Image picture;
-    Errors errors;          ///< Against the same model with the studied parameters exact.
-    double modelError = 0;  ///< By the request's metric, against everything exact.
+    Errors errors;                     ///< Against the same model with the studied parameters exact.
+    std::optional<double> modelError;  ///< By the request's metric, against everything exact; unset until measured.
     std::map<std::string, std::int64_t>
         counters;                      ///< Of one picture, and "pixels": samples drawn; the machine's state left out.
     double firstMilliseconds = 0;      ///< Of the picture that was not timed: a first guess.
@@ -60,13 +86,16 @@ struct StudyPoint {
     // Over all views; the error by the request's metric.
     double error = 0;  ///< Root mean square of the views' RMS errors, largest of maxima, else the mean.
     double lowestError = 0, worstError = 0;
-    double modelError = 0;
+    std::optional<double> modelError;              ///< Unset until every view is measured against everything exact.
     std::map<std::string, std::int64_t> counters;  ///< Summed.
     std::optional<render::Summary> time;           ///< Milliseconds of one picture, the mean of the views in each run.
     double cost = 0;                               ///< By StudyResult::costName.
     bool dominated = false;
     bool uncertain = false;  ///< Its error is under four times the reference's own uncertainty.
 };
+
+/// Whether its pictures of all views are there, so that its errors are known.
+[[nodiscard]] bool isDrawn(const StudyPoint&);
 
 /// What was chosen, and whether it holds where it was not chosen for.
 struct StudyChoice {
@@ -80,14 +109,19 @@ struct StudyChoice {
 /// What a study found so far; everything is filled in by the time that it is finished.
 struct StudyResult {
     std::vector<std::string> views;
-    std::vector<render::Image> references;  ///< By view.
-    std::vector<double> exact;              ///< Of the reference, by axis.
+    std::vector<StudyChange> changes;        ///< What was set otherwise than in the request, in every view.
+    std::vector<StudyRow> exactInReference;  ///< Rows with their most exact value in the references only.
+    std::vector<render::Image> references;   ///< By view.
+    std::vector<double> exact;               ///< Of the reference, by axis.
     double uncertainty =
         0;  ///< How far the reference is from one half as exact (or twice as exact, where it was doubled).
     bool converged = true;    ///< No error that is not 0 is under four times that.
     std::string convergence;  ///< The same as a sentence.
     std::vector<StudyPoint> points;
-    std::string costName;                 ///< A counter, or "ms".
+    /// Counter that tells the settings' work apart, chosen when all of them were drawn for the first time and kept from
+    /// then on. Empty before, and if no counter does.
+    std::string workName;
+    std::string costName;                 ///< `workName` or "ms": the cost that searches and choices go by.
     std::vector<std::size_t> front;       ///< Points by growing cost.
     std::optional<std::size_t> knee;      ///< A point.
     std::optional<std::size_t> present;   ///< The point with the look's own values.

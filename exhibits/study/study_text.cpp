@@ -3,6 +3,7 @@
 #include "exhibits/framework/preset_values.h"
 #include "exhibits/framework/value_text.h"
 #include "exhibits/study/csv_field.h"
+#include "exhibits/study/study_situation.h"
 #include "render/files/number_text.h"
 
 #include <cmath>
@@ -13,6 +14,9 @@ namespace {
 
 using render::Json;
 using render::shortNumber;
+
+/// Ends of an interval of factors that are further apart say nothing that helps to choose a setting.
+constexpr double widestFactor = 4;
 
 /// JSON has no word for what is not finite.
 Json number(double x)
@@ -40,7 +44,7 @@ Json shotJson(const std::string& view, const StudyShot& shot)
     for (const double ms : shot.milliseconds) milliseconds.push_back(ms);
     return Json{{"view", view},
                 {"errors", errorsJson(shot.errors)},
-                {"modelError", number(shot.modelError)},
+                {"modelError", shot.modelError ? number(*shot.modelError) : Json(nullptr)},
                 {"counters", countersJson(shot.counters)},
                 {"ms", milliseconds}};
 }
@@ -63,7 +67,7 @@ Json pointJson(Subjects subjects, const StudyRequest& request, const StudyResult
               {"knee", result.knee == i},
               {"present", result.present == i},
               {"counters", countersJson(point.counters)}};
-    if (request.modelError) json["modelError"] = number(point.modelError);
+    if (point.modelError) json["modelError"] = number(*point.modelError);
     if (point.time) {
         const render::Summary& t = *point.time;
         json["ms"] = Json{{"median", t.median},
@@ -114,13 +118,43 @@ std::string pointText(Subjects subjects, const StudyRequest& request, const Stud
     return text.empty() ? "as at present" : text;
 }
 
+std::vector<SettingPart> settingParts(Subjects subjects, const StudyRequest& request, const StudyPoint& point)
+{
+    std::vector<SettingPart> parts;
+    for (std::size_t a = 0; a < request.axes.size(); ++a) {
+        const StudyAxis& axis = request.axes[a];
+        const double value = axis.values[point.setting[a]];
+        const bool asAtPresent = std::get<double>(request.sceneState.values[axis.subject].row(axis.row)) == value;
+        if (asAtPresent && request.axes.size() > 2) continue;
+        parts.push_back({axisLabel(subjects, request.sceneState, request.subject, axis),
+                         axisValueText(request.sceneState, axis, value)});
+    }
+    return parts;
+}
+
+std::string settingText(const std::vector<SettingPart>& parts)
+{
+    std::string text;
+    for (const SettingPart& part : parts) text += (text.empty() ? "" : ", ") + part.label + ' ' + part.value;
+    return text.empty() ? "as at present" : text;
+}
+
+std::string axisLabels(Subjects subjects, const StudyRequest& request)
+{
+    std::string text;
+    for (const StudyAxis& axis : request.axes)
+        text += (text.empty() ? "" : ", ") + axisLabel(subjects, request.sceneState, request.subject, axis);
+    return text;
+}
+
 std::string costTitle(const std::string& costName)
 {
     if (costName == "evaluations") return "field evaluations";
     if (costName == "ms") return "milliseconds";
     if (costName == "pixels") return "pixel samples";
     if (costName == "fetches") return "texture fetches";
-    std::string words;  // "march steps" for "marchSteps".
+    if (costName == "samples") return "samples kept";  // Those that were discarded or hidden are not counted.
+    std::string words;                                 // "march steps" for "marchSteps".
     for (const char c : costName) {
         const bool capital = c >= 'A' && c <= 'Z';
         if (capital) words += ' ';
@@ -129,19 +163,28 @@ std::string costTitle(const std::string& costName)
     return words;
 }
 
+std::string lawSentence(const StudyCosts& costs)
+{
+    if (!costs.law) return {};
+    const auto factor = [](double slope) { return std::pow(2.0, -slope); };
+    const render::Interval& interval = costs.law->slopeInterval;
+    const double low = factor(interval.high);
+    const double high = factor(interval.low);
+    if (!(low > 0) || !(high <= widestFactor * low))
+        return "What halving the error costs cannot be told from so few points that vary so much: measure more values.";
+    const std::string what =
+        costs.parameters > 1 ? "With the best of the settings, halving the error" : "Halving the error";
+    return what + " costs " + shortNumber(factor(costs.law->slope)) + " times the " + costTitle(costs.name) + " (" +
+           shortNumber(low) + " to " + shortNumber(high) + " with 95 % confidence).";
+}
+
 std::string lawSentence(const StudyResult& result)
 {
-    if (!result.law) return {};
-    const auto factor = [](double slope) { return std::pow(2.0, -slope); };
-    const bool surface = !result.points.empty() && result.points.front().setting.size() > 1;
-    std::string text = std::string(surface ? "With the best of the settings, halving" : "Halving") +
-                       " the error costs " + shortNumber(factor(result.law->slope)) + " times the " +
-                       costTitle(result.costName);
-    const render::Interval& interval = result.law->slopeInterval;
-    if (std::isfinite(interval.low) && std::isfinite(interval.high))
-        text += " (" + shortNumber(factor(interval.high)) + " to " + shortNumber(factor(interval.low)) +
-                " with 95 % confidence)";
-    return text + '.';
+    StudyCosts costs;
+    costs.name = result.costName;
+    costs.law = result.law;
+    costs.parameters = result.points.empty() ? 1 : result.points.front().setting.size();
+    return lawSentence(costs);
 }
 
 std::string choiceSentence(Subjects subjects, const StudyRequest& request, const StudyResult& result)
@@ -153,8 +196,8 @@ std::string choiceSentence(Subjects subjects, const StudyRequest& request, const
     if (!result.choice) return "No setting that was measured stays within " + limit + '.';
     const StudyPoint& point = result.points[result.choice->point];
     std::string text = std::string(request.maxError ? "Cheapest" : "Best") + " within " + limit + ": " +
-                       pointText(subjects, request, point) + "; error " + shortNumber(point.worstError) +
-                       " at worst, " +
+                       settingText(settingParts(subjects, request, point)) + "; error " +
+                       shortNumber(point.worstError) + " at worst, " +
                        (point.time ? shortNumber(point.time->median) + " ms a frame"
                                    : shortNumber(point.cost) + ' ' + costTitle(result.costName));
     text += besidePresent(result, point);
@@ -179,11 +222,28 @@ Json axesJson(Subjects subjects, const StudyRequest& request, const StudyResult&
         Json values = Json::array();
         for (const double value : axis.values) values.push_back(jsonFromValue(row, value));
         axes.push_back(Json{{"name", axisName(subjects, request.sceneState, request.subject, axis)},
+                            {"label", axisLabel(subjects, request.sceneState, request.subject, axis)},
                             {"unit", std::string(info(row.unit).storedSymbol)},
                             {"values", values},
                             {"reference", jsonFromValue(row, result.exact[a])}});
     }
     return axes;
+}
+
+/// What the study set otherwise than it was asked to, and how to repeat it.
+Json situationJson(Subjects subjects, const StudyRequest& request, const StudyResult& result)
+{
+    Json changed = Json::array(), sentences = Json::array(), settings = Json::array();
+    for (const StudyChange& change : result.changes) {
+        const StudyAxis at{change.row.subject, change.row.row, {}};
+        const ParameterInfo& row = rowOf(request.sceneState, at);
+        changed.push_back(Json{{"name", axisName(subjects, request.sceneState, request.subject, at)},
+                               {"value", jsonFromValue(row, change.to)},
+                               {"instead", jsonFromValue(row, change.from)}});
+    }
+    for (const std::string& sentence : situationSentences(subjects, request, result)) sentences.push_back(sentence);
+    for (const std::string& setting : settingsToRepeat(subjects, request, result)) settings.push_back(setting);
+    return Json{{"changed", changed}, {"sentences", sentences}, {"set", settings}};
 }
 
 }  // namespace
@@ -206,6 +266,7 @@ Json studyJson(Subjects subjects, const StudyRequest& request, const StudyResult
         {"size", Json::array({request.size.x, request.size.y})},
         {"views", views},
         {"parameters", axesJson(subjects, request, result)},
+        {"situation", situationJson(subjects, request, result)},
         {"metric", std::string(toString(request.metric))},
         {"errorsAreOf",
          "display-referred linear light, one sample at each pixel's center unless supersamples or pictures in motion "
@@ -257,7 +318,10 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
     for (const render::Metric metric : metrics) text += ',' + std::string(toString(metric));
     if (request.modelError) text += ",model_" + std::string(toString(request.metric));
     for (const std::string& name : counters) text += ',' + name;
-    text += ",ms_median,ms_spread,ms_low,ms_high,runs,clock\n";
+    text += ",ms_median,ms_spread,ms_low,ms_high,runs,clock,settings\n";
+    std::string settings;
+    for (const std::string& setting : settingsToRepeat(subjects, request, result))
+        settings += (settings.empty() ? "" : "; ") + setting;
     for (const StudyPoint& point : result.points) {
         for (std::size_t v = 0; v < point.shots.size(); ++v) {
             const StudyShot& shot = point.shots[v];
@@ -268,7 +332,7 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
             text += csvField(result.views[v]);
             for (const render::Metric metric : metrics)
                 text += ',' + (shot.errors.contains(metric) ? numberText(shot.errors.at(metric)) : std::string());
-            if (request.modelError) text += ',' + numberText(shot.modelError);
+            if (request.modelError) text += ',' + (shot.modelError ? numberText(*shot.modelError) : std::string());
             for (const std::string& name : counters)
                 text +=
                     ',' + (shot.counters.contains(name) ? std::to_string(shot.counters.at(name)) : std::string("0"));
@@ -279,7 +343,7 @@ std::string studyCsv(Subjects subjects, const StudyRequest& request, const Study
                 for (const double x : {t.median, t.spread, t.low, t.high}) text += ',' + numberText(x);
                 text += ',' + std::to_string(t.runs) + ',';
             }
-            text += csvField(result.clock) + '\n';
+            text += csvField(result.clock) + ',' + csvField(settings) + '\n';
         }
     }
     return text;

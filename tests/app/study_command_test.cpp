@@ -70,13 +70,71 @@ TEST(StudyCommand, WritesWhatItMeasuredAndAPageThatShowsIt)
     EXPECT_NE(textOf(out + "/chart.svg").find("<svg"), std::string::npos);
     EXPECT_EQ(render::readImage(out + "/pictures/point-3-view-2-heat.png").width, 48);
     const std::string page = textOf(out + "/index.html");
-    for (const char* part : {"<svg", "pictures/reference-", "data-point=\"2\"", "hitTolerance"})
+    for (const char* part : {"<svg", "pictures/reference-", "data-point=\"2\"", "Hit tolerance"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     for (const char* network : {"http://", "https://", "//cdn", "@import"}) {
         // Names of XML vocabularies are no addresses that a page opens.
         for (std::size_t at = page.find(network); at != std::string::npos; at = page.find(network, at + 1))
             EXPECT_EQ(page.substr(at, 18), "http://www.w3.org/") << page.substr(at, 60);
     }
+}
+
+/// What an SVG writes, in its order.
+std::string textsOf(const std::string& svg)
+{
+    std::string texts;
+    for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at + 1)) {
+        const std::size_t start = svg.find('>', at) + 1;
+        texts += svg.substr(start, svg.find("</text>", start) - start) + '\n';
+    }
+    return texts;
+}
+
+TEST(StudyCommand, ChartsShowMillisecondsWhereTheClockIsTrustedAndWorkWhereItIsAskedFor)
+{
+    const test::TemporaryFolder folder;
+    const std::string out = folder / "study";
+    const std::vector<std::string> what{"hitTolerance", "--values", "0.25,1,4"};
+    ASSERT_EQ(study(out, what).code, 0);
+    const bool trusted = render::readJson(out + "/study.json").root()["clock"]["trusted"].get<bool>();
+    const auto has = [&](const char* file, const char* words) {
+        return textsOf(textOf(out + file)).find(words) != std::string::npos;
+    };
+    EXPECT_EQ(has("/chart.svg", "milliseconds of a picture"), trusted);
+    EXPECT_EQ(has("/chart.svg", "field evaluations in all views"), !trusted);
+    // The page has both, one of them hidden, and a button for each.
+    const std::string page = textOf(out + "/index.html");
+    EXPECT_TRUE(has("/index.html", "milliseconds of a picture"));
+    EXPECT_TRUE(has("/index.html", "field evaluations in all views"));
+    for (const char* cost : {"ms", "evaluations"}) {
+        EXPECT_NE(page.find("<button data-cost=\"" + std::string(cost) + '"'), std::string::npos) << cost;
+        const bool shown = (std::string(cost) == "ms") == trusted;
+        const std::string chart = "<div class=\"chart\" data-with-cost=\"" + std::string(cost) + '"';
+        ASSERT_NE(page.find(chart), std::string::npos) << cost;
+        EXPECT_EQ(page.substr(page.find(chart) + chart.size(), 1), shown ? ">" : " ") << cost;
+    }
+
+    std::vector<std::string> asked = what;
+    asked.insert(asked.end(), {"--cost", "work"});
+    ASSERT_EQ(study(out, asked).code, 0);
+    EXPECT_TRUE(has("/chart.svg", "field evaluations in all views"));
+    EXPECT_FALSE(has("/chart.svg", "milliseconds of a picture"));
+    EXPECT_TRUE(has("/index.html", "milliseconds of a picture"));
+    asked.back() = "soup";
+    const Ended refused = study(out, asked);
+    EXPECT_EQ(refused.code, 2);
+    test::expectOneSentence(refused, {"--cost", "soup", "ms", "work"});
+}
+
+TEST(StudyCommand, TheChartShowsWhatIsLeftAgainstEverythingExact)
+{
+    const test::TemporaryFolder folder;
+    const std::string out = folder / "study";
+    const Ended ended = test::vitrine({"study", "sdf_morph", "hitTolerance", "--values", "0.25,1,4", "--size", "48x27",
+                                       "--views", "1", "--runs", "3", "--alone", "--out", out});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    for (const char* file : {"/chart.svg", "/index.html"})
+        EXPECT_NE(textsOf(textOf(out + file)).find("against everything exact"), std::string::npos) << file;
 }
 
 TEST(StudyCommand, ReplacesAStudyAndNothingElse)
@@ -122,6 +180,53 @@ TEST(StudyCommand, WhatCannotBeHadIsAFailedCheckWithoutAPreset)
     EXPECT_TRUE(std::filesystem::exists(out + "/study.json")) << "what was measured is still worth having";
 }
 
+TEST(StudyCommand, NamesTheSettingsThatRepeatIt)
+{
+    const test::TemporaryFolder folder;
+    const std::string out = folder / "study";
+    const std::vector<std::string> words{"relaxationFactor", "--values", "1.2,1.8"};
+    std::vector<std::string> first = words;
+    first.insert(first.end(), {"--set", "morph=0.4"});
+    const Ended ended = study(out, first);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const std::string sentence =
+        "Studied with “relaxation” at fixed instead of automatic, so that “relaxationFactor” acts.";
+    EXPECT_NE(ended.out.find(sentence), std::string::npos) << ended.out;
+    const render::Json json = render::readJson(out + "/study.json").root();
+    const render::Json& changed = json["situation"]["changed"];
+    ASSERT_EQ(changed.size(), 1U);
+    EXPECT_EQ(changed[0], (render::Json{{"name", "relaxation"}, {"value", "fixed"}, {"instead", "automatic"}}));
+    EXPECT_EQ(json["situation"]["sentences"], render::Json::array({sentence}));
+    const std::string csv = textOf(out + "/study.csv");
+    EXPECT_NE(csv.find("relaxation=fixed"), std::string::npos) << csv;
+    EXPECT_NE(textOf(out + "/index.html").find("so that “Relaxation factor” acts."), std::string::npos);
+
+    std::vector<std::string> again = words;
+    for (const render::Json& setting : json["situation"]["set"])
+        again.insert(again.end(), {"--set", setting.get<std::string>()});
+    ASSERT_GE(again.size(), words.size() + 4) << "the morph and the relaxation";
+    const std::string repeated = folder / "repeated";
+    ASSERT_EQ(study(repeated, again).code, 0);
+    const render::Json same = render::readJson(repeated + "/study.json").root();
+    EXPECT_EQ(same["situation"]["changed"].size(), 0U);
+    EXPECT_EQ(same["situation"]["set"], json["situation"]["set"]);
+    ASSERT_EQ(same["points"].size(), json["points"].size());
+    for (std::size_t i = 0; i < same["points"].size(); ++i) {
+        EXPECT_EQ(same["points"][i]["error"], json["points"][i]["error"]);
+        EXPECT_EQ(same["points"][i]["counters"], json["points"][i]["counters"]);
+    }
+}
+
+TEST(StudyCommand, AsSetChangesNothingAndSaysThatNothingShows)
+{
+    const test::TemporaryFolder folder;
+    const std::string out = folder / "study";
+    ASSERT_EQ(study(out, {"relaxationFactor", "--values", "1.2,1.8", "--as-set"}).code, 0);
+    const render::Json json = render::readJson(out + "/study.json").root();
+    EXPECT_EQ(json["situation"]["changed"].size(), 0U);
+    EXPECT_EQ(json["reference"]["why"].get<std::string>().rfind("Nothing depends on relaxationFactor", 0), 0U);
+}
+
 TEST(StudyCommand, WhatIsTypedWronglyIsSaidInOneSentence)
 {
     const test::TemporaryFolder folder;
@@ -133,7 +238,7 @@ TEST(StudyCommand, WhatIsTypedWronglyIsSaidInOneSentence)
         EXPECT_FALSE(std::filesystem::exists(out)) << words[0];
     };
     expectUsage({"hitTolerence"}, {"hitTolerence", "hitTolerance"});
-    expectUsage({"morph"}, {"morph", "accuracy", "hitTolerance"});
+    expectUsage({"morph"}, {"morph", "no value of it is more exact", "hitTolerance"});
     expectUsage({"hitTolerance", "hitTolerance"}, {"hitTolerance", "twice"});
     expectUsage({"hitTolerance", "--values", "1,soup"}, {"--values", "soup", "hitTolerance"});
     expectUsage({"hitTolerance", "--values", "1,1e9"}, {"--values", "1e9"});

@@ -1,6 +1,7 @@
 #include "ui/study/study_view.h"
 
 #include "exhibits/museum/museum.h"
+#include "exhibits/study/study_situation.h"
 #include "exhibits/study/study_text.h"
 #include "render/measure/distance.h"
 #include "ui/kit/language.h"
@@ -13,12 +14,14 @@
 #include "ui/study/study_pictures.h"
 
 #include <QComboBox>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSplitter>
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <map>
 
 namespace vitrine::ui {
 namespace {
@@ -33,17 +36,29 @@ QString timesText(double median, double low, double high)
     return StudyView::tr(", %1 ms (%2 to %3)").arg(shortNumber(median), shortNumber(low), shortNumber(high));
 }
 
-QString workText(double cost, const std::string& name)
+/// Empty where there is no such count.
+template <typename Count> QString workText(const std::map<std::string, Count>& counters, const std::string& name)
 {
-    return StudyView::tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(cost)), said(costTitle(name)));
+    const auto found = counters.find(name);
+    if (found == counters.end()) return {};
+    return StudyView::tr(", %1 %2").arg(QLocale::c().toString(static_cast<qlonglong>(found->second)),
+                                        said(costTitle(name)));
 }
 
 }  // namespace
 
 StudyView::StudyView(const Museum& museum, History& history, QWidget* parent)
-    : QWidget(parent), museum_(museum), history_(history), view_(new QComboBox(this)), words_(new QLabel(this)),
-      caption_(new QLabel(this)), chart_(new StudyChart(this)), pictures_(new StudyPictures(this))
+    : QWidget(parent), museum_(museum), history_(history), cost_(new QComboBox(this)), right_(new QWidget(this)),
+      view_(new QComboBox(this)), words_(new QLabel(this)), caption_(new QLabel(this)), chart_(new StudyChart(this)),
+      pictures_(new StudyPictures(this))
 {
+    cost_->setObjectName(QStringLiteral("cost"));
+    view_->setObjectName(QStringLiteral("view"));
+    cost_->setAccessibleName(tr("Costs of the chart"));
+    cost_->setToolTip(tr("What the chart has on its lower axis: time, or work that was counted, which is the same on "
+                         "every machine."));
+    cost_->addItem(tr("Milliseconds"));
+    cost_->addItem(tr("Counted work"));
     view_->setAccessibleName(tr("View"));
     // Long names must not widen the window.
     view_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -57,20 +72,21 @@ StudyView::StudyView(const Museum& museum, History& history, QWidget* parent)
     words_->setTextInteractionFlags(Qt::TextSelectableByMouse);
     layOut();
     connectParts();
+    hidePictures();
+    showCaption({});
 }
 
 void StudyView::layOut()
 {
-    auto* right = new QWidget(this);
-    auto* column = new QVBoxLayout(right);
+    auto* column = new QVBoxLayout(right_);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     column->addWidget(view_);
     column->addWidget(pictures_, 1);
     column->addWidget(caption_);
     auto* split = new QSplitter(Qt::Horizontal, this);
-    split->addWidget(chart_);
-    split->addWidget(right);
+    split->addWidget(chartWithCosts());
+    split->addWidget(right_);
     split->setStretchFactor(0, 1);
     split->setStretchFactor(1, 1);
     split->setChildrenCollapsible(false);
@@ -82,8 +98,46 @@ void StudyView::layOut()
     all->addWidget(words_);
 }
 
+QWidget* StudyView::chartWithCosts()
+{
+    auto* left = new QWidget(this);
+    auto* label = new QLabel(tr("&Cost:"), left);
+    label->setBuddy(cost_);
+    auto* top = new QHBoxLayout;
+    top->setSpacing(8);
+    top->addWidget(label);
+    top->addWidget(cost_);
+    top->addStretch(1);
+    auto* column = new QVBoxLayout(left);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addLayout(top);
+    column->addWidget(chart_, 1);
+    return left;
+}
+
+CostAxis StudyView::costAxis() const
+{
+    return cost_->currentIndex() == 0 ? CostAxis::time : CostAxis::work;
+}
+
+void StudyView::chooseCostAxis(CostAxis axis)
+{
+    costChosen_ = true;
+    cost_->setCurrentIndex(axis == CostAxis::time ? 0 : 1);
+}
+
+void StudyView::decideCostAxis(bool clockTrusted)
+{
+    if (costChosen_) return;
+    const QSignalBlocker quiet(cost_);
+    cost_->setCurrentIndex(usualCostAxis(clockTrusted) == CostAxis::time ? 0 : 1);
+}
+
 void StudyView::connectParts()
 {
+    connect(cost_, &QComboBox::activated, this, [this] { costChosen_ = true; });
+    connect(cost_, &QComboBox::currentIndexChanged, this, &StudyView::refresh);
     connect(view_, &QComboBox::currentIndexChanged, this, [this] { showPoint(shownPoint_); });
     connect(pictures_, &StudyPictures::enlargeAsked, this, &StudyView::enlarge);
     connect(chart_, &StudyChart::hovered, this, [this](int point) { showPoint(point); });
@@ -107,9 +161,11 @@ void StudyView::showMeasured(const StudyRequest& request, StudyResult result, co
         kept_.reset();
         request_ = request;
         shownPoint_ = -1;
+        stopped_ = false;
         const QSignalBlocker quiet(view_);
         view_->clear();
         for (const std::string& view : result.views) view_->addItem(said(view));
+        decideCostAxis(result.clockTrusted);
     }
     machine_ = machine;
     result_ = std::move(result);
@@ -125,6 +181,9 @@ void StudyView::showKept(KeptStudy study, std::string json, const QString& title
     const QSignalBlocker quiet(view_);
     view_->clear();
     for (const std::string& view : study.views) view_->addItem(said(view));
+    const bool timed = std::any_of(study.points.begin(), study.points.end(),
+                                   [](const KeptPoint& point) { return point.time.has_value(); });
+    decideCostAxis(study.clockTrusted && timed);
     kept_ = std::move(study);
     keptPictures_ = {};
     refresh();
@@ -135,6 +194,19 @@ void StudyView::showKeptPictures(const ContactSheet& sheet)
     if (!kept_ || sheet.points != kept_->points.size() || sheet.views != kept_->views.size()) return;
     keptPictures_ = sheet;
     showPoint(shownPoint_);
+}
+
+void StudyView::noteStopped()
+{
+    if (result_.complete || result_.points.empty()) return;
+    stopped_ = true;
+    if (result_.workName.empty()) {
+        std::vector<std::map<std::string, double>> counters;
+        for (const StudyPoint& point : result_.points)
+            if (isDrawn(point)) counters.emplace_back(point.counters.begin(), point.counters.end());
+        result_.workName = mostTellingCounter(counters);
+    }
+    if (!kept_) refresh();
 }
 
 void StudyView::say(const QString& words)
@@ -191,30 +263,36 @@ std::optional<std::size_t> StudyView::presentKeptPoint() const
     return std::nullopt;
 }
 
-QString StudyView::sentences() const
+QString StudyView::sentences(const QString& law) const
 {
-    QStringList sentences;
-    for (const std::string& sentence :
-         {lawSentence(result_), choiceSentence(museum_.subjects(), request_, result_), result_.convergence})
-        if (!sentence.empty()) sentences << said(sentence);
+    QStringList sentences{law};
+    for (const std::string& sentence : {choiceSentence(museum_.subjects(), request_, result_), result_.convergence})
+        sentences << said(sentence);
+    for (const std::string& sentence : situationSentences(museum_.subjects(), request_, result_, RowNames::shown))
+        sentences << said(sentence);
+    sentences.removeAll(QString());
     sentences
         << tr("Clock: %1, %2.").arg(said(result_.clock), result_.clockTrusted ? tr("trusted") : tr("not trusted"));
-    return sentences.join(QLatin1Char('\n'));
+    return sentences.join(QLatin1Char(' '));
+}
+
+void StudyView::showChart(ChartedStudy study, std::optional<std::size_t> present)
+{
+    for (std::size_t i = 0; i < study.points.size(); ++i) study.points[i].present = present == i;
+    chart_->showStudy(std::move(study));
 }
 
 void StudyView::refresh()
 {
     if (kept_) return refreshKept();
     if (request_.axes.empty()) return;
-    const std::optional<std::size_t> present = presentPoint();
-    std::vector<ChartPoint> points = chartPoints(museum_.subjects(), request_, result_);
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].present = present == i;
-    chart_->setTitles(studyCostTitle(result_.costName), said(title(request_.metric)));
-    chart_->setPoints(std::move(points));
+    ChartedStudy study = charted(museum_.subjects(), request_, result_, costAxis());
+    if (stopped_ && costAxis() == CostAxis::time)
+        study.emptyText = tr("The study was stopped before its settings were timed.");
+    const QString law = study.law;
+    showChart(std::move(study), presentPoint());
     showPoint(shownPoint_);
-    if (result_.clock.empty()) return;
-    say(sentences());
-    words_->setText(words_->text().replace(QLatin1Char('\n'), QLatin1Char(' ')));
+    if (!result_.clock.empty()) say(sentences(law));
 }
 
 QString StudyView::whyNotApplied() const
@@ -231,13 +309,10 @@ QString StudyView::whyNotApplied() const
 void StudyView::refreshKept()
 {
     keptRows_ = rowsOf(*kept_, museum_.subjects(), history_.sceneState());
-    const std::optional<std::size_t> present = presentKeptPoint();
-    std::vector<ChartPoint> points = chartPoints(*kept_);
-    for (std::size_t i = 0; i < points.size(); ++i) points[i].present = present == i;
-    chart_->setTitles(studyCostTitle(kept_->cost), said(title(kept_->metric)));
-    chart_->setPoints(std::move(points));
+    ChartedStudy study = charted(*kept_, costAxis());
+    QStringList sentences{tr("Kept: %1.").arg(keptTitle_), whyNotApplied(), study.law};
+    showChart(std::move(study), presentKeptPoint());
     showPoint(shownPoint_);
-    QStringList sentences{tr("Kept: %1.").arg(keptTitle_), whyNotApplied()};
     for (const std::string& sentence : kept_->sentences) sentences << said(sentence);
     sentences << tr("Clock: %1, %2.").arg(said(kept_->clock), kept_->clockTrusted ? tr("trusted") : tr("not trusted"));
     sentences.removeAll(QString());
@@ -248,30 +323,43 @@ void StudyView::showCaption(const QString& caption)
 {
     caption_->setText(caption);
     caption_->setToolTip(caption);
+    right_->setVisible(!caption.isEmpty());
+}
+
+void StudyView::hidePictures()
+{
+    shown_ = {};
+    pictures_->show({}, {}, {});
+    pictures_->hide();
+    view_->hide();
 }
 
 QString StudyView::captionOf(const KeptStudy& study, std::size_t point) const
 {
     const KeptPoint& p = study.points[point];
-    QString text = said(study.pointText(point)) + tr(": error %1").arg(shortNumber(p.error));
-    if (study.cost != "ms") text += workText(p.cost, study.cost);
+    if (!p.measured()) return tr("%1 was not measured.").arg(settingWords(study.settingParts(point)));
+    QString text = tr("%1: error %2").arg(settingWords(study.settingParts(point)), shortNumber(p.error));
     if (p.time) text += timesText(p.time->median, p.time->interval.low, p.time->interval.high);
+    text += workText(p.counters, costsAlong(CostAxis::work, study).name);
+    if (p.modelError) text += tr("; against everything exact %1").arg(shortNumber(*p.modelError));
     return keptPictures_.empty() ? tr("%1. Its pictures were not kept.").arg(text) : text;
 }
 
 QString StudyView::captionOf(const StudyPoint& p) const
 {
-    QString text = said(pointText(museum_.subjects(), request_, p)) + tr(": error %1").arg(shortNumber(p.error));
-    if (result_.costName != "ms") text += workText(p.cost, result_.costName);
+    const QString setting = settingWords(settingParts(museum_.subjects(), request_, p));
+    if (!isDrawn(p)) return tr("%1 is not measured yet.").arg(setting);
+    QString text = tr("%1: error %2").arg(setting, shortNumber(p.error));
     if (p.time) text += timesText(p.time->median, p.time->interval.low, p.time->interval.high);
-    if (p.modelError > 0) text += tr("; against everything exact %1").arg(shortNumber(p.modelError));
+    text += workText(p.counters, result_.workName);
+    if (p.modelError) text += tr("; against everything exact %1").arg(shortNumber(*p.modelError));
     return text;
 }
 
 void StudyView::showKeptPoint(int wanted)
 {
     const std::optional<std::size_t> present = presentKeptPoint();
-    const std::optional<std::size_t> fallback = present ? present : kept_->knee;
+    const std::optional<std::size_t> fallback = present ? present : costsAlong(costAxis(), *kept_).knee;
     const int point = wanted >= 0 ? wanted : fallback ? static_cast<int>(*fallback) : -1;
     const bool is = point >= 0 && static_cast<std::size_t>(point) < kept_->points.size();
     const auto at = static_cast<std::size_t>(std::max(point, 0));
@@ -279,8 +367,7 @@ void StudyView::showKeptPoint(int wanted)
     if (is && view < keptPictures_.views && kept_->points[at].measured()) {
         showPictures(keptPictures_.picture(at, view), keptPictures_.reference(view), kept_->metric);
     } else {
-        shown_ = {};
-        pictures_->show({}, {}, {});
+        hidePictures();
     }
     const QString none = keptPictures_.empty() ? tr("Its pictures were not kept.") : QString();
     showCaption(is ? captionOf(*kept_, at) : none);
@@ -294,17 +381,18 @@ void StudyView::showPoint(int wanted)
     if (kept_) return showKeptPoint(wanted);
     const std::optional<std::size_t> present = presentPoint();
     // Without a pointer on one: what the picture on show is, or where it pays most.
-    const std::optional<std::size_t> fallback = present ? present : result_.knee;
+    const std::optional<std::size_t> fallback = present ? present : costsAlong(costAxis(), request_, result_).knee;
     const int point = wanted >= 0 ? wanted : fallback ? static_cast<int>(*fallback) : -1;
     const auto view = static_cast<std::size_t>(std::max(view_->currentIndex(), 0));
     if (point < 0 || static_cast<std::size_t>(point) >= result_.points.size() || view >= result_.references.size()) {
-        shown_ = {};
-        pictures_->show({}, {}, {});
+        hidePictures();
         showCaption({});
     } else {
         const StudyPoint& p = result_.points[static_cast<std::size_t>(point)];
-        if (p.shots[view].picture.empty()) return;
-        showPictures(p.shots[view].picture, result_.references[view], request_.metric);
+        if (isDrawn(p))
+            showPictures(p.shots[view].picture, result_.references[view], request_.metric);
+        else
+            hidePictures();
         showCaption(captionOf(p));
     }
     fillLarge();
@@ -316,10 +404,17 @@ void StudyView::showPictures(render::Image picture, render::Image reference, ren
     shown_.reference = std::move(reference);
     shown_.errors = render::errorMap(metric, shown_.reference, shown_.picture)
                         .value_or(render::differenceMap(shown_.reference, shown_.picture));
-    shown_.full = render::fullScale(metric, shown_.errors);
-    shownScale_ = tr("The heat map goes from 0 to %1 (%2).").arg(shortNumber(shown_.full), said(title(metric)));
+    const bool differ =
+        std::any_of(shown_.errors.pixels.begin(), shown_.errors.pixels.end(), [](float error) { return error > 0; });
+    if (!differ) shown_.errors = {};  // A black heat map would say nothing.
+    shown_.full = differ ? render::fullScale(metric, shown_.errors) : 1;
+    shownScale_ = differ ? tr("The heat map goes from 0 to %1 (%2).").arg(shortNumber(shown_.full), said(title(metric)))
+                         : noPixelDiffers();
     pictures_->show(screenImage(shown_.picture), screenImage(shown_.reference),
-                    screenImage(render::heatMap(shown_.errors, shown_.full)), shortNumber(shown_.full));
+                    differ ? screenImage(render::heatMap(shown_.errors, shown_.full)) : QImage(),
+                    differ ? shortNumber(shown_.full) : QString());
+    pictures_->setVisible(true);
+    view_->setVisible(true);
     pictures_->setAccessibleDescription(
         tr("Left of the line the setting, right of it the reference; arrows move the line, Enter opens a large view.") +
         QLatin1Char(' ') + shownScale_);
@@ -362,9 +457,10 @@ void StudyView::applyMeasured(std::size_t point)
             next.values[axis.subject].setRow(*row, axis.values[result_.points[point].setting[a]]);
     }
     const bool one = request_.axes.size() == 1;
-    history_.change(one ? tr("Set %1").arg(said(pointText(museum_.subjects(), request_, result_.points[point])))
-                        : tr("Set what the study found"),
-                    next);
+    history_.change(
+        one ? tr("Set %1").arg(settingWords(settingParts(museum_.subjects(), request_, result_.points[point])))
+            : tr("Set what the study found"),
+        next);
 }
 
 void StudyView::applyKept(std::size_t point)
@@ -384,8 +480,9 @@ void StudyView::applyKept(std::size_t point)
     }
     for (std::size_t i = 0; i < values->size(); ++i)
         next.values[keptRows_.rows[i].subject].setRow(keptRows_.rows[i].row, (*values)[i]);
-    history_.change(
-        values->size() == 1 ? tr("Set %1").arg(said(kept_->pointText(point))) : tr("Set what the study found"), next);
+    history_.change(values->size() == 1 ? tr("Set %1").arg(settingWords(kept_->settingParts(point)))
+                                        : tr("Set what the study found"),
+                    next);
 }
 
 }  // namespace vitrine::ui
