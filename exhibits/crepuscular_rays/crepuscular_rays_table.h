@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/studied_rows.h"
 
 namespace vitrine {
 
@@ -103,9 +104,10 @@ struct CrepuscularRaysTable final : Parameters {
         count("samples", 216, {1, 4096, logarithmic},
               "Points along a ray: three passes take the cube root each, the polar grid takes two cells a point.",
               quality(4096), screenSpace);
-    Toggle jitter = toggle(
-        "jitter", true,
-        "Shift samples and steps by blue noise, so that too few of them look like grain and not like bands.", anyBeams);
+    Toggle jitter =
+        toggle("jitter", true,
+               "Shift samples and steps by blue noise, so that too few of them look like grain and not like bands.",
+               quality(1), anyBeams);
     Count volumeSteps =
         count("volumeSteps", 16, {1, 1024, logarithmic}, "Steps in which a ray crosses a beam of the volume.",
               quality(1024), volume&& whenAbove(airDensity, 0) && whenAbove(beamStrength, 0));
@@ -113,6 +115,7 @@ struct CrepuscularRaysTable final : Parameters {
         choice("resolution", RayResolution::half, {"full", "half", "quarter"},
                "Of the beams, before they are brought up to the picture's with regard to its depth.",
                exactAt(RayResolution::full), anyBeams);
+    StudiedRows studied{*this, {{.name = "jitter", .exactInReference = {"volumeSteps", "samples"}}}};
 
     Group hangings = group("Hangings");
     Toggle animate = toggle("animate", false, "Let the draft turn the mobile and carry the dust.");

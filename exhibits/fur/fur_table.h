@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/studied_rows.h"
 
 #include <array>
 #include <vector>
@@ -162,6 +163,19 @@ struct FurTable final : Parameters {
     Count springRate =
         count("springRate", 240, {15, 240, logarithmic}, "Spring steps a second: few make the first two methods fail.",
               quality(240), when(byHand, false));
+
+    StudiedRows studied{
+        *this,
+        {{.name = "shellCount", .lifted = {"levelOfDetail"}},
+         {.name = "samplesBetween", .settles = "No ray grazes a shell along so many cells."},
+         {.name = "levelOfDetail", .with = {{"shellCount", 256}}},
+         {.name = "drawOrder",
+          .same = "What lies behind a shell is covered in either order, so that the picture is the same."},
+         {.name = "rotationModel", .views = {"spin of 120 degrees"}},
+         {.name = "springModel", .views = {"stiff fur in long steps", "landing"}},
+         {.name = "springRate",
+          .with = {{"springModel", static_cast<double>(FurSpring::semiImplicit)}},
+          .views = {"landing"}}}};
 
 private:
     struct CoatInitial {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/studied_rows.h"
 #include "exhibits/kit/sdf_rows.h"
 
 #include <array>
@@ -283,6 +284,11 @@ private:
 /// Everything that can be set about it.
 struct IceCreamTable final : IceCreamRows, SdfRows {
     IceCreamTable() : SdfRows(0, when(lighting, IceCreamLighting::source)) {}
+
+    // The hall's sun hardly reaches the niche; that of the source does.
+    StudiedRows studied{*this,
+                        {{.name = "shadowMethod", .views = {"as in the source"}},
+                         {.name = "shadowRays", .with = {{"sunWidth", degrees(10)}}, .views = {"as in the source"}}}};
 };
 
 }  // namespace vitrine

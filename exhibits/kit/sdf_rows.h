@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/studied_rows.h"
 
 #include <optional>
 
@@ -119,6 +120,10 @@ public:
              when(heatMap, {SdfHeatMap::steps, SdfHeatMap::evaluations}));
 
 private:
+    StudiedRows studiedMarch_{*this,
+                              {{.name = "hitTolerance", .lifted = {"stepLimit"}},
+                               {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."},
+                               {.name = "bounces", .settles = "No ray meets the object so often."}}};
     GoneRows gone_{*this, {{"compareMesh", "Compare with “The rasterized mesh”, in the Compare menu."}, {"wipe"}}};
 
     /// While its rays are marched for the picture.

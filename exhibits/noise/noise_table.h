@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/studied_rows.h"
 
 namespace vitrine {
 
@@ -117,7 +118,7 @@ struct NoiseTable final : Parameters {
         "march", NoiseMarch::bounded, {"as in the source", "bounded"},
         "How rays find what they show: by steps of half the field's value, of the height above the water, of one "
         "length through clouds, or by as much as bounds of the slope allow, with clear air passed quickly.",
-        ours);
+        quality(NoiseMarch::bounded), ours);
     Real boundShare =
         real("boundShare", 0.45, none, {0.1, 1},
              "Share of the bounds of slope and curvature that strides go by, proven ones of the field, five and a half "
@@ -155,7 +156,14 @@ struct NoiseTable final : Parameters {
     Toggle jitter = toggle("jitter", true,
                            "Shift the steps by blue noise, another at every supersample, so that few of them look like "
                            "grain and not like shells.",
-                           inClouds&& ours);
+                           quality(1), inClouds&& ours);
+
+    StudiedRows studied{*this,
+                        {{.name = "march", .lifted = {"boundShare"}},
+                         {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."},
+                         {.name = "hitTolerance", .lifted = {"stepLimit", "seaSteps"}},
+                         {.name = "seaSteps", .settles = "Rays have found the water in fewer steps."},
+                         {.name = "jitter", .exactInReference = {"cloudSteps"}}}};
 };
 
 }  // namespace vitrine

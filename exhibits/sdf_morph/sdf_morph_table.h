@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/studied_rows.h"
 #include "exhibits/kit/sdf_rows.h"
 
 namespace vitrine {
@@ -29,6 +30,13 @@ struct TorusMugRows : virtual Parameters {
 };
 
 /// Everything that can be set about it.
-struct SdfMorphTable final : TorusMugRows, SdfMaterialRows, SdfRows {};
+struct SdfMorphTable final : TorusMugRows, SdfMaterialRows, SdfRows {
+    // Bare metal shows no shadow of its own, and a small sun hardly any half-shadow.
+    StudiedRows studied{*this,
+                        {{.name = "shadowMethod", .with = {{"metalness", 0}}},
+                         {.name = "shadowRays",
+                          .with = {{"metalness", 0}, {"sunWidth", degrees(10)}},
+                          .views = {"best view", "into the mug, along its wall"}}}};
+};
 
 }  // namespace vitrine

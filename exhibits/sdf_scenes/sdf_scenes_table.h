@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/studied_rows.h"
 
 #include <memory>
 #include <vector>
@@ -119,7 +120,14 @@ struct SdfScenesTable final : Parameters {
         "evaluation", SceneEvaluation::automatic,
         {"automatic", "what is near", "every shape", "numbers folded", "lists", "interpreter"},
         "What the shader asks at a point: the shapes that matter there, or all of them; written out for this scene "
-        "with its numbers beside it or in it, or as lists that it walks, of this scene's kinds or of all.");
+        "with its numbers beside it or in it, or as lists that it walks, of this scene's kinds or of all.",
+        exactAt(SceneEvaluation::shapes));
+    StudiedRows studied{
+        *this,
+        {{.name = "bounces", .settles = "The scene asks for fewer mirror images of mirror images."},
+         {.name = "hitTolerance", .lifted = {"stepLimit"}},
+         {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."},
+         {.name = "normalStep", .settles = "Steps of half and of double that length give the same normals."}}};
 
     const std::shared_ptr<const scenes::ShownScene> shown;
     std::vector<Real> ofScene;  ///< Its parameters, in their order.

@@ -1,0 +1,156 @@
+// Every accuracy parameter of every exhibit and of the hall, studied as by the plain command: its study shows an error,
+// or its table says why there is none.
+
+#include "exhibits/study/study.h"
+#include "tests/support/gallery.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+namespace vitrine {
+namespace {
+
+using namespace test;
+
+StudyRequest plainRequest(std::size_t subject, std::size_t row)
+{
+    StudyRequest request;
+    request.subject = subject;
+    request.sceneState = gallery().museum.initialSceneState();
+    request.size = subject == hallIndex ? glm::ivec2(64, 36) : glm::ivec2(96, 54);
+    request.views = 2;
+    request.runs = 1;
+    request.modelError = false;
+    request.axes = {*studyAxis(request.sceneState, subject, row, 3)};
+    return request;
+}
+
+StudyResult measured(const StudyRequest& request)
+{
+    Study study(gallery().museum, gallery().renderer, request);
+    while (study.step()) {
+    }
+    return study.takeResult();
+}
+
+/// What a small study of one parameter found.
+struct Found {
+    StudyResult result;
+    double largest = 0;  ///< Error of the least exact value.
+    double second = 0;   ///< Error of the second most exact value; of a choice, the largest.
+    bool costs = false;  ///< Whether counted work differs between two values.
+};
+
+Found measure(std::size_t subject, std::size_t row)
+{
+    StudyRequest request = plainRequest(subject, row);
+    StudyAxis& axis = request.axes.front();
+    const ParameterInfo& info = rowOf(request.sceneState, axis);
+    const Exactness exact = exactness(info);
+    // Where a study checks its reference against a value nearby, that value need not be among its points: the most
+    // exact values take the longest. Pictures in motion are not checked.
+    const bool isChecked = !exact.neighbors.empty() && !studiesMotion(request);
+    double nearest = exact.exact;
+    if (info.isNumeric()) {
+        std::vector<double> all = axis.values;
+        std::erase(all, exact.exact);
+        nearest = exact.neighbors.empty() ? (exact.exact > all.back() ? all.back() : all.front()) : exact.neighbors[0];
+        axis.values = isChecked ? std::vector{all.front(), all.back()} : std::vector{all.front(), nearest};
+        std::sort(axis.values.begin(), axis.values.end());
+        axis.values.erase(std::unique(axis.values.begin(), axis.values.end()), axis.values.end());
+    }
+    Found found{.result = measured(request)};
+    for (const StudyPoint& point : found.result.points) {
+        found.largest = std::max(found.largest, point.error);
+        found.costs = found.costs || point.counters != found.result.points.front().counters;
+        if (!info.isNumeric() || axis.values[point.setting[0]] == nearest)
+            found.second = std::max(found.second, point.error);
+    }
+    if (info.isNumeric() && isChecked) found.second = found.result.uncertainty;
+    return found;
+}
+
+/// A line of the table of all parameters: where each is studied, and what that found.
+void print(const std::string& name, const Found& found)
+{
+    std::string where;
+    for (const std::string& view : found.result.views) where += (where.empty() ? "" : ", ") + view;
+    std::string with;
+    for (const StudyChange& change : found.result.changes) {
+        const Parameters& table = gallery().museum.subject(change.row.subject).parameters();
+        const ParameterInfo& row = table.rows()[change.row.row];
+        with +=
+            (with.empty() ? "" : ", ") + std::string(row.name) + ' ' +
+            axisValueText(gallery().museum.initialSceneState(), {change.row.subject, change.row.row, {}}, change.to);
+    }
+    std::printf("| %s | %s | %s | %.3g | %.3g | %s |\n", name.c_str(), where.c_str(), with.c_str(), found.largest,
+                found.second, found.costs ? "yes" : "no");
+    std::fflush(stdout);
+}
+
+class EveryParameter : public GlTest, public testing::WithParamInterface<std::string> {};
+
+TEST_P(EveryParameter, ShowsItsErrorOrSaysWhyThereIsNone)
+{
+    const Museum& museum = gallery().museum;
+    const std::size_t subject = museum.find(GetParam()).value();
+    const Parameters& table = museum.subject(subject).parameters();
+    for (std::size_t row = 0; row < table.rows().size(); ++row) {
+        const ParameterInfo& info = table.rows()[row];
+        if (!info.qualityReference) continue;
+        const std::string name = GetParam() + '.' + std::string(info.name);
+        SCOPED_TRACE(name);
+        const StudiedRow declared = StudiedRows::of(table, info.name);
+        const Found found = measure(subject, row);
+        print(name, found);
+        if (!declared.same.empty()) {
+            EXPECT_EQ(found.largest, 0) << "declared to be the same";
+            EXPECT_EQ(found.result.convergence, declared.same);
+            continue;
+        }
+        EXPECT_GT(found.largest, 0) << "no value is wrong: declare where it shows, or why all are the same";
+        if (declared.settles.empty()) {
+            EXPECT_GT(found.second, 0) << "declare what limits it, or why it settles";
+        }
+    }
+}
+
+std::vector<std::string> subjectNames()
+{
+    std::vector<std::string> names{"hall"};
+    for (const std::unique_ptr<Exhibit>& exhibit : allExhibits()) names.emplace_back(exhibit->name());
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, EveryParameter, testing::ValuesIn(subjectNames()),
+                         [](const auto& each) { return each.param; });
+
+using OneParameter = GlTest;
+
+TEST_F(OneParameter, ShellsAreNotCappedByTheLevelOfDetail)
+{
+    const std::size_t fur = gallery().museum.find("fur").value();
+    const Parameters& table = gallery().museum.subject(fur).parameters();
+    StudyRequest request = plainRequest(fur, table.find("shellCount").value());
+    request.size = {48, 27};
+    request.views = 1;
+    request.axes.front().values = {16, 40, 256};
+    const StudyResult result = measured(request);
+    ASSERT_EQ(result.points.size(), 3U);
+    EXPECT_GT(result.points[0].error, result.points[1].error);
+    EXPECT_GT(result.points[1].error, 0);
+    EXPECT_EQ(result.points[2].error, 0);
+    EXPECT_NE(result.points[1].counters, result.points[2].counters);
+    EXPECT_GT(result.uncertainty, 0) << "128 shells are not 256";
+
+    // As they are set, level of detail draws as many shells for 40 as for 256.
+    request.asSet = true;
+    const StudyResult capped = measured(request);
+    EXPECT_TRUE(capped.changes.empty());
+    EXPECT_EQ(capped.points[1].error, 0);
+}
+
+}  // namespace
+}  // namespace vitrine
