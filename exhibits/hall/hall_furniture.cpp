@@ -17,7 +17,7 @@ namespace {
 
 using render::MeshInstance;
 
-constexpr double visitorHeight = 1.8;  ///< Colliders that are higher are walls.
+constexpr double wallHeight = 1.8;  ///< Colliders that are at least as high are walls.
 
 /// Which vertices hang together: of each the first one of its piece.
 std::vector<std::uint32_t> pieceOfVertices(const render::Mesh& mesh)
@@ -64,7 +64,7 @@ MeshPiece pieceOf(const std::vector<glm::dvec3>& points)
 
 bool isFurniture(const Collider& collider)
 {
-    return 2 * collider.halfSize.y < visitorHeight;
+    return 2 * collider.halfSize.y < wallHeight;
 }
 
 /// Whether a piece with this middle belongs to what the collider keeps visitors off.
