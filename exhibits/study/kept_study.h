@@ -19,12 +19,19 @@ namespace vitrine {
 inline constexpr render::JsonLimits studyLimits{
     .bytes = 16U << 20U, .depth = 24, .nodes = 1'000'000, .stringBytes = 1U << 16U};
 
+/// Value of one parameter of a setting, for people.
+struct SettingPart {
+    std::string label;  ///< As the interface shows the parameter: "Shell count".
+    std::string value;  ///< With its unit: "16", "on", "0.5 m".
+};
+
 /// One setting of a study that was read from a file.
 struct KeptPoint {
     std::vector<render::Json> values;  ///< By parameter, as the file has them: in SI, choices by name.
     double error = 0;                  ///< Over all views; infinite where the file has none.
     double lowestError = 0, worstError = 0;
-    double cost = 0;  ///< By `KeptStudy::cost`; 0 where it was not measured.
+    std::optional<double> modelError;  ///< Against everything exact; unset where it was not measured.
+    double cost = 0;                   ///< By `KeptStudy::cost`; 0 where it was not measured.
     bool uncertain = false;
     std::map<std::string, double> counters;  ///< Over all views.
     struct Time {
@@ -44,8 +51,9 @@ struct KeptStudy {
     bool complete = true;  ///< It was not stopped before it had measured everything.
     std::string exhibit;
     struct Parameter {
-        std::string name;  ///< "steps", or "hall.shadowMapSize".
-        std::string unit;  ///< Of numbers in SI; may be empty.
+        std::string name;        ///< "steps", or "hall.shadowMapSize".
+        std::string label = {};  ///< "Steps"; empty: the file does not say.
+        std::string unit;        ///< Of numbers in SI; may be empty.
     };
     std::vector<Parameter> parameters;
     glm::ivec2 size{0};  ///< Pixels.
@@ -59,12 +67,14 @@ struct KeptStudy {
     int processors = 0;    ///< Likewise; 0: the file does not say.
     std::vector<std::size_t> front;
     std::optional<std::size_t> knee;
-    std::vector<std::string> sentences;  ///< What the study came to.
+    std::vector<std::string> sentences;  ///< What was chosen, and how sure the reference is.
     std::vector<KeptPoint> points;
 
     /// "steps 64, method fair".
     [[nodiscard]] std::string pointText(std::size_t point) const;
-    /// "steps", "steps and method", or "all parameters".
+    /// The same by the labels of the interface, where the file has them.
+    [[nodiscard]] std::vector<SettingPart> settingParts(std::size_t point) const;
+    /// "Steps", "Steps and Method", or "all parameters".
     [[nodiscard]] std::string parameterNames() const;
     [[nodiscard]] std::size_t measuredPoints() const;
 };

@@ -21,6 +21,12 @@ std::string axisName(Subjects subjects, const SceneState& sceneState, std::size_
     return axis.subject == subject ? name : std::string(subjects[axis.subject]->name()) + '.' + name;
 }
 
+std::string axisLabel(Subjects subjects, const SceneState& sceneState, std::size_t subject, const StudyAxis& axis)
+{
+    const std::string name = label(rowOf(sceneState, axis));
+    return axis.subject == subject ? name : std::string(subjects[axis.subject]->title()) + ": " + name;
+}
+
 std::string axisValueText(const SceneState& sceneState, const StudyAxis& axis, double value)
 {
     const ParameterInfo& row = rowOf(sceneState, axis);

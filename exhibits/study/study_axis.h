@@ -28,6 +28,9 @@ using Setting = std::vector<std::size_t>;
 /// "stepLimit", or "hall.shadowMapSize" where the hall is not the subject.
 [[nodiscard]] std::string axisName(Subjects, const SceneState&, std::size_t subject, const StudyAxis&);
 
+/// Name of the axis's parameter as the interface shows it: "Step limit"; of the hall's, "The hall: Shadow map size".
+[[nodiscard]] std::string axisLabel(Subjects, const SceneState&, std::size_t subject, const StudyAxis&);
+
 /// The value of an axis for people: "64", "none", "on".
 [[nodiscard]] std::string axisValueText(const SceneState&, const StudyAxis&, double value);
 

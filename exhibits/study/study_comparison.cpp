@@ -1,5 +1,6 @@
 #include "exhibits/study/study_comparison.h"
 
+#include "exhibits/study/study_text.h"
 #include "render/measure/pareto.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ ComparedCurve curveOf(const KeptStudy& study, const std::string& label, const st
         if (!from.measured() || (cost == "ms" ? !from.time : !from.counters.contains(cost))) continue;
         Point point;
         point.point = i;
-        point.text = study.pointText(i);
+        point.text = settingText(study.settingParts(i));
         setCost(study, from, cost, point);
         if (!(point.cost > 0)) continue;
         point.error = from.error;
@@ -152,14 +153,18 @@ TimesDiffer timesDiffer(const std::vector<KeptStudy>& studies)
 
 std::vector<std::string> sharedCosts(const std::vector<KeptStudy>& studies)
 {
-    // What their own fronts go by, then what is done per pixel, then the rest. How a picture is cut into passes and
-    // draws is not its work.
+    // Milliseconds by a clock that can be trusted, then what their own fronts go by, then what is done per pixel, then
+    // the rest. How a picture is cut into passes and draws is not its work.
     std::vector<std::string> wanted;
     const auto want = [&](const std::string& name) {
         if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);
     };
-    for (const KeptStudy& study : studies) want(study.cost);
-    for (const char* name : {"pixels", "evaluations", "fetches", "marchSteps", "samples"}) want(name);
+    const bool trusted =
+        std::all_of(studies.begin(), studies.end(), [](const KeptStudy& study) { return study.clockTrusted; });
+    if (trusted) want("ms");
+    for (const KeptStudy& study : studies)
+        if (study.cost != "ms") want(study.cost);
+    for (const char* name : {"pixels", "evaluations", "fetches", "marchSteps"}) want(name);
     for (const KeptStudy& study : studies)
         for (const KeptPoint& point : study.points)
             for (const auto& [name, count] : point.counters)

@@ -1,10 +1,18 @@
 #include "exhibits/study/study_result.h"
 
+#include <algorithm>
+
 namespace vitrine {
 
 bool goesByColor(const StudyRequest& request)
 {
     return request.metric != render::Metric::normal && request.metric != render::Metric::depth;
+}
+
+bool isDrawn(const StudyPoint& point)
+{
+    return std::all_of(point.shots.begin(), point.shots.end(),
+                       [](const StudyShot& shot) { return !shot.picture.empty(); });
 }
 
 bool StudyResult::costsTheSame(const StudyPoint& a, const StudyPoint& b) const

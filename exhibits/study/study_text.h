@@ -1,20 +1,32 @@
 #pragma once
 
+#include "exhibits/study/study_costs.h"
 #include "exhibits/study/study_result.h"
 #include "render/files/strict_json.h"
 
 #include <string>
+#include <vector>
 
 namespace vitrine {
 
-/// "steps 64" or "steps 64, method fair": a point's values for people; of more than two parameters, those that differ
-/// from the present ones.
+/// "steps 64" or "steps 64, method fair": a point's values by the names that a command line takes; of more than two
+/// parameters, those that differ from the present ones.
 [[nodiscard]] std::string pointText(Subjects, const StudyRequest&, const StudyPoint&);
+
+/// The same values by the labels of the interface, in pieces, so that each can be translated. None: as at present.
+[[nodiscard]] std::vector<SettingPart> settingParts(Subjects, const StudyRequest&, const StudyPoint&);
+/// The same as text: "Steps 64, Method fair".
+[[nodiscard]] std::string settingText(const std::vector<SettingPart>&);
+/// Labels of the parameters that a study varies: "Steps, Method".
+[[nodiscard]] std::string axisLabels(Subjects, const StudyRequest&);
 
 /// What the cost is counted in: "field evaluations", "milliseconds", or the counter's own name.
 [[nodiscard]] std::string costTitle(const std::string& costName);
 
-/// "Halving the error costs 1.9 times the evaluations (1.7 to 2.2 with 95 % confidence)."; empty without a law.
+/// "Halving the error costs 1.9 times the evaluations (1.7 to 2.2 with 95 % confidence)." Says that more points are
+/// needed where the ends of the interval are more than a factor of 4 apart. Empty without a law.
+[[nodiscard]] std::string lawSentence(const StudyCosts&);
+/// The same by the cost that the study's own front goes by.
 [[nodiscard]] std::string lawSentence(const StudyResult&);
 
 /// What was chosen and whether it held, with its numbers; or that nothing keeps the limit. Empty when no limit was set,

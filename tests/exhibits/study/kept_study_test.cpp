@@ -82,7 +82,7 @@ TEST_F(KeptStudies, ComeBackAsTheyWereMeasured)
         EXPECT_EQ(kept.points[i].counters.at("work"), static_cast<double>(result_.points[i].counters.at("work")));
         EXPECT_EQ(kept.pointText(i), pointText(museum_.subjects(), request_, result_.points[i]));
     }
-    EXPECT_EQ(kept.sentences.front(), lawSentence(result_));
+    EXPECT_EQ(kept.sentences, std::vector<std::string>{result_.convergence});
 }
 
 TEST_F(KeptStudies, GiveTheirValuesToTheRowsThatAreThere)
@@ -138,6 +138,7 @@ TEST_F(KeptStudies, DamagedFilesAreRefusedWithFileAndKey)
     expectRefusal("/points/1", 3, "points[1]");
     expectRefusal("/points/1/values", Json::object(), "points[1].values");
     expectRefusal("/points/1/error", "small", "points[1].error");
+    expectRefusal("/points/1/modelError", "much", "points[1].modelError");
     expectRefusal("/points/1/cost", -2, "points[1].cost");
     expectRefusal("/points/1/uncertain", 1, "points[1].uncertain");
     expectRefusal("/points/1/counters/work", "much", "points[1].counters.work");

@@ -14,7 +14,7 @@ KeptStudy studyOf(const std::vector<std::pair<double, double>>& costsAndErrors)
 {
     KeptStudy study;
     study.exhibit = "known";
-    study.parameters = {{"steps", ""}};
+    study.parameters = {{"steps", "", ""}};
     study.size = {10, 10};
     study.views = {"front"};
     study.cost = "evaluations";
@@ -59,8 +59,10 @@ TEST(StudyComparison, OffersCountedWorkEverywhereAndTimesWhereTheyMayBeCompared)
 {
     const KeptStudy a = studyOf({{100, 0.1}, {200, 0.05}});
     // Neither how a picture is cut into passes, nor a count that tells no settings apart.
-    EXPECT_EQ(sharedCosts({a, a}), (std::vector<std::string>{"evaluations", "ms"}));
+    EXPECT_EQ(sharedCosts({a, a}), (std::vector<std::string>{"ms", "evaluations"}));
     KeptStudy b = a;
+    b.clockTrusted = false;  // Then times are a choice, but no longer the first.
+    EXPECT_EQ(sharedCosts({b, b}), (std::vector<std::string>{"evaluations", "ms"}));
     b.renderer = "a graphics card";
     EXPECT_EQ(sharedCosts({a, b}), std::vector<std::string>{"evaluations"});
     for (KeptPoint& point : b.points) point.counters.erase("evaluations");

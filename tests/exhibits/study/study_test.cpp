@@ -91,7 +91,8 @@ TEST(Study, TellsNumericalErrorFromModelError)
     for (const StudyPoint& point : result.points) {
         // Rough method, few rays and the shortcut: what no number of steps mends.
         const double others = 0.05 / 2 - 0.05 / 8 + 0.02 + 0.001;
-        EXPECT_NEAR(point.modelError, rms * std::abs(others + 0.2 / valueOf(request, point) - 0.2 / result.exact[0]),
+        ASSERT_TRUE(point.modelError);
+        EXPECT_NEAR(*point.modelError, rms * std::abs(others + 0.2 / valueOf(request, point) - 0.2 / result.exact[0]),
                     1e-6);
     }
 }
@@ -134,15 +135,15 @@ TEST(Study, SaysThatAReferenceIsExactByMeaningOnlyWhereItsRowSaysSo)
     EXPECT_TRUE(shortcut.converged);
     // A choice is taken for exact: nothing beyond it could tell.
     const StudyResult method = convergence({"method"});
-    EXPECT_EQ(method.convergence, "What counts as exact is not checked: method exact.");
+    EXPECT_EQ(method.convergence, "What counts as exact is not checked: Method at exact.");
     EXPECT_FALSE(method.converged);
     const StudyResult both = convergence({"method", "steps"});
     EXPECT_NE(both.convergence.find("twice as exact"), std::string::npos) << both.convergence;
-    EXPECT_NE(both.convergence.find(" What counts as exact is not checked: method exact."), std::string::npos)
+    EXPECT_NE(both.convergence.find(" What counts as exact is not checked: Method at exact."), std::string::npos)
         << both.convergence;
     EXPECT_FALSE(both.converged);
     const StudyResult rays = convergence({"rays"});
-    EXPECT_EQ(rays.convergence.rfind("At rays 32 the reference changes by ", 0), 0U) << rays.convergence;
+    EXPECT_EQ(rays.convergence.rfind("With Rays at 32 the reference changes by ", 0), 0U) << rays.convergence;
 }
 
 /// Numbers whose initial value counts as exact, in the middle of their range and at its end.
