@@ -40,8 +40,6 @@ ChartSpan spanOf(const ComparedCurve::Point& p)
 ComparisonChart::ComparisonChart(QWidget* parent) : LogChart(parent)
 {
     setAccessibleName(tr("Errors over cost of several studies"));
-    legend->setVisible(true);
-    axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignRight);
     setMinimumSize(420, 240);
     applyColors();
 }
@@ -50,21 +48,18 @@ void ComparisonChart::setComparison(StudyComparison comparison)
 {
     comparison_ = std::move(comparison);
     setTitles(comparedCostTitle(comparison_.cost), text(title(comparison_.metric)));
-    rebuild();
+    arrange();
 }
 
-void ComparisonChart::rebuild()
+void ComparisonChart::build()
 {
-    legend->clearItems();
     std::vector<ChartSpan> all;
     for (const ComparedCurve& curve : comparison_.curves)
         std::transform(curve.points.begin(), curve.points.end(), std::back_inserter(all), spanOf);
     legend->setVisible(begin(all));
     if (!legend->visible()) return;
     for (std::size_t i = 0; i < comparison_.curves.size(); ++i) addCurve(i);
-    addLegend();
     markExact();
-    replot(QCustomPlot::rpQueuedReplot);
 }
 
 void ComparisonChart::addCurve(std::size_t index)
@@ -75,14 +70,13 @@ void ComparisonChart::addCurve(std::size_t index)
     QColor faint = color;
     faint.setAlphaF(faintness);
     QCPGraph* front = addGraph();
-    front->setName(curve.leftOut ? tr("%1: another metric, left out").arg(QString::fromStdString(curve.label))
-                                 : QString::fromStdString(curve.label));
+    nameInLegend(*front, curve.leftOut ? tr("%1: another metric, left out").arg(QString::fromStdString(curve.label))
+                                       : QString::fromStdString(curve.label));
     front->setPen(QPen(color, 2, look.line));
     front->setScatterStyle(
         QCPScatterStyle(look.mark, QPen(color, 1.6), index == 0 ? QBrush(color) : QBrush(theme().base), 9));
     QCPErrorBars* bars = addBars(front, faint);
     QCPGraph* rest = addGraph();
-    rest->removeFromLegend();
     rest->setLineStyle(QCPGraph::lsNone);
     rest->setScatterStyle(QCPScatterStyle(look.mark, QPen(faint, 1.2), Qt::NoBrush, 6));
     std::vector<ChartSpan> timed;
@@ -93,18 +87,6 @@ void ComparisonChart::addCurve(std::size_t index)
         timed.push_back(spanOf(p));
     }
     addTimes(timed, faint);
-}
-
-void ComparisonChart::addLegend()
-{
-    const Theme& t = theme();
-    QColor ground = t.base;
-    ground.setAlphaF(0.85F);
-    legend->setBrush(ground);
-    legend->setBorderPen(QPen(t.outline, 1));
-    legend->setTextColor(t.text);
-    legend->setFont(labelFont());
-    legend->setIconSize(36, 14);
 }
 
 QString comparedCostTitle(const std::string& cost)

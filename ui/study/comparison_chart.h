@@ -18,9 +18,8 @@ public:
     [[nodiscard]] const StudyComparison& comparison() const { return comparison_; }
 
 private:
-    void rebuild() override;
+    void build() override;
     void addCurve(std::size_t curve);
-    void addLegend();
 
     StudyComparison comparison_;
 };

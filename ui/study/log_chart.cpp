@@ -1,5 +1,6 @@
 #include "ui/study/log_chart.h"
 
+#include "ui/kit/roomy_ticker.h"
 #include "ui/kit/theme.h"
 
 #include <QSvgGenerator>
@@ -11,21 +12,24 @@
 namespace vitrine::ui {
 namespace {
 
-/// Ticks at 1, 2 and 5 of each decade, at 1 alone over many, and evenly spaced within less than one.
-class DecadeTicker final : public QCPAxisTicker {
-protected:
-    int getSubTickCount(double) override { return 0; }
-    QVector<double> createTickVector(double step, const QCPRange& range) override
-    {
-        const double decades = std::log10(range.upper / range.lower);
-        if (!(decades > 0.8)) return QCPAxisTicker::createTickVector(step, range);
-        QVector<double> ticks;
-        for (double decade = std::pow(10, std::floor(std::log10(range.lower))); decade <= range.upper; decade *= 10)
-            for (const double m : {1.0, 2.0, 5.0})
-                if (m == 1 || decades < 4) ticks.append(m * decade);
-        return ticks;
+constexpr double smallType = 0.85;  // Of labels within the chart, beside its type.
+
+/// The text in lines that are no wider than so many pixels, as far as its words allow.
+QString inLines(const QString& text, const QFontMetrics& metrics, int width)
+{
+    QStringList lines;
+    for (const QString& paragraph : text.split(QLatin1Char('\n'))) {
+        lines << QString();
+        for (const QString& word : paragraph.split(QLatin1Char(' '))) {
+            const QString longer = lines.back().isEmpty() ? word : lines.back() + QLatin1Char(' ') + word;
+            if (lines.back().isEmpty() || metrics.horizontalAdvance(longer) <= width)
+                lines.back() = longer;
+            else
+                lines << word;
+        }
     }
-};
+    return lines.join(QLatin1Char('\n'));
+}
 
 }  // namespace
 
@@ -33,19 +37,79 @@ LogChart::LogChart(QWidget* parent) : SpokenPlot(parent)
 {
     for (QCPAxis* axis : {xAxis, yAxis}) {
         axis->setScaleType(QCPAxis::stLogarithmic);
-        axis->setNumberFormat(QStringLiteral("gb"));
-        axis->setNumberPrecision(6);
         axis->grid()->setSubGridVisible(false);
-        axis->setTicker(QSharedPointer<QCPAxisTicker>(new DecadeTicker));
+        axis->setTicker(QSharedPointer<QCPAxisTicker>(new RoomyTicker(*axis)));
     }
+    setAutoAddPlottableToLegend(false);
+    // Above the curves: it covers none of them.
+    auto* top = new QCPLayoutGrid;
+    plotLayout()->insertRow(0);
+    plotLayout()->addElement(0, 0, top);
+    plotLayout()->setRowStretchFactor(0, 0.001);
+    top->addElement(0, 0, legend);
+    // Takes the room that the legend does not need; an empty legend would allow the axes none.
+    top->addElement(0, 1, new QCPLayoutElement);
+    top->setColumnStretchFactor(0, 0.001);
+    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
     setMinimumSize(320, 190);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
 void LogChart::setTitles(const QString& cost, const QString& error)
 {
+    costTitle_ = cost;
+    errorTitle_ = error;
     xAxis->setLabel(cost);
     yAxis->setLabel(error);
+}
+
+void LogChart::applyType()
+{
+    for (QCPAxis* axis : {xAxis, yAxis}) {
+        axis->setLabelFont(font());
+        axis->setTickLabelFont(labelFont());
+    }
+    legend->setFont(labelFont());
+}
+
+/// Titles end within the chart: what is longer is cut, with an ellipsis.
+void LogChart::fitTitles()
+{
+    const QRect inner = axisRect()->rect();
+    const QRect all = viewport();
+    const QFontMetrics metrics(xAxis->labelFont());
+    const auto fit = [&](QCPAxis& axis, const QString& title, int middle, int low, int high) {
+        axis.setLabel(metrics.elidedText(title, Qt::ElideRight, 2 * std::min(middle - low, high - middle) - 4));
+    };
+    fit(*xAxis, costTitle_, inner.center().x(), all.left(), all.right());
+    fit(*yAxis, errorTitle_, inner.center().y(), all.top(), all.bottom());
+}
+
+void LogChart::fitLegend()
+{
+    if (legend->itemCount() == 0) return;
+    const int width = viewport().width();
+    const QFontMetrics metrics(legend->font());
+    // A chart of a few lines has no room for it beside its axes.
+    legend->setVisible(viewport().height() >= 12 * metrics.height());
+    const int beside = legend->iconSize().width() + 24;
+    int widest = 1;
+    for (int i = 0; i < legend->itemCount(); ++i) {
+        auto* item = qobject_cast<QCPPlottableLegendItem*>(legend->item(i));
+        if (item == nullptr) continue;
+        const QString name = item->plottable()->property("fullName").toString();
+        item->plottable()->setName(metrics.elidedText(name, Qt::ElideRight, (width - beside) * 9 / 10));
+        widest = std::max(widest, metrics.horizontalAdvance(name) + beside);
+    }
+    legend->setWrap(std::clamp(width / widest, 1, std::max(legend->itemCount(), 1)));
+    legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
+}
+
+void LogChart::nameInLegend(QCPGraph& graph, const QString& name)
+{
+    graph.setProperty("fullName", name);
+    graph.setName(name);
+    graph.addToLegend();
 }
 
 void LogChart::applyColors()
@@ -61,7 +125,12 @@ void LogChart::applyColors()
         axis->setLabelColor(t.text);
         axis->grid()->setPen(QPen(faint, 0));
     }
-    rebuild();
+    legend->setBrush(t.base);
+    legend->setBorderPen(Qt::NoPen);
+    legend->setTextColor(t.text);
+    legend->setIconSize(36, 14);
+    applyType();
+    arrange();
 }
 
 void LogChart::scaleAxes(const std::vector<ChartSpan>& points)
@@ -72,13 +141,19 @@ void LogChart::scaleAxes(const std::vector<ChartSpan>& points)
     double highY = 0;
     anyExact_ = false;
     for (const ChartSpan& p : points) {
-        if (p.cost > 0) {
-            lowX = std::min(lowX, p.costLow > 0 ? p.costLow : p.cost);
-            highX = std::max({highX, p.cost, p.costHigh});
-        }
+        if (!(p.cost > 0)) continue;
+        lowX = std::min(lowX, p.costLow > 0 ? p.costLow : p.cost);
+        highX = std::max({highX, p.cost, p.costHigh});
         if (p.error > 0) {
             lowY = std::min({lowY, p.error, p.errorLow > 0 ? p.errorLow : p.error});
             highY = std::max({highY, p.error, p.errorHigh});
+        } else {
+            anyExact_ = true;
+        }
+        if (!p.modelError) continue;
+        if (*p.modelError > 0) {
+            lowY = std::min(lowY, *p.modelError);
+            highY = std::max(highY, *p.modelError);
         } else {
             anyExact_ = true;
         }
@@ -94,19 +169,23 @@ void LogChart::scaleAxes(const std::vector<ChartSpan>& points)
 
 bool LogChart::begin(const std::vector<ChartSpan>& points)
 {
+    legend->clearItems();
     clearPlottables();
     clearItems();
     scaleAxes(points);
     // Without a point there is no scale to show.
     const bool empty = std::none_of(points.begin(), points.end(), [](const ChartSpan& p) { return p.cost > 0; });
     for (QCPAxis* axis : {xAxis, yAxis}) axis->setVisible(!empty);
+    legend->setVisible(false);
     if (!empty) return true;
     auto* nothing = new QCPItemText(this);
-    nothing->setText(tr("No point is measured yet"));
+    nothing->setText(inLines(emptyText_.isEmpty() ? tr("No point is measured yet") : emptyText_,
+                             QFontMetrics(labelFont()), viewport().width() - 24));
     nothing->setColor(theme().dim);
+    nothing->setFont(labelFont());
+    nothing->setTextAlignment(Qt::AlignCenter);
     nothing->position->setType(QCPItemPosition::ptAxisRectRatio);
     nothing->position->setCoords(0.5, 0.5);
-    replot(QCustomPlot::rpQueuedReplot);
     return false;
 }
 
@@ -116,7 +195,6 @@ QCPErrorBars* LogChart::addBars(QCPGraph* graph, const QColor& color)
     bars->setDataPlottable(graph);
     bars->setPen(QPen(color, 1));
     bars->setWhiskerWidth(5);
-    bars->removeFromLegend();
     return bars;
 }
 
@@ -129,12 +207,14 @@ void LogChart::addErrorBar(QCPErrorBars* bars, const ChartSpan& p) const
 void LogChart::addTimes(const std::vector<ChartSpan>& points, const QColor& color)
 {
     QCPGraph* times = addGraph();
-    times->removeFromLegend();
     times->setLineStyle(QCPGraph::lsNone);
     QCPErrorBars* bars = addBars(times, color);
     bars->setErrorType(QCPErrorBars::etKeyError);
-    for (const ChartSpan& p : points) {
-        if (!(p.costHigh > p.costLow)) continue;
+    // A graph sorts its points by cost, and bars are told theirs by the order.
+    std::vector<ChartSpan> sorted = points;
+    std::sort(sorted.begin(), sorted.end(), [](const ChartSpan& a, const ChartSpan& b) { return a.cost < b.cost; });
+    for (const ChartSpan& p : sorted) {
+        if (!(p.cost > 0) || !(p.costHigh > p.costLow)) continue;
         times->addData(p.cost, shownError(p.error));
         bars->addData(p.cost - p.costLow, p.costHigh - p.cost);
     }
@@ -142,30 +222,42 @@ void LogChart::addTimes(const std::vector<ChartSpan>& points, const QColor& colo
 
 QFont LogChart::labelFont() const
 {
-    return {font().family(), 8};
+    QFont small = font();
+    if (small.pointSizeF() > 0) small.setPointSizeF(smallType * small.pointSizeF());
+    return small;
 }
 
-void LogChart::markExact()
+std::optional<QRectF> LogChart::markExact()
 {
-    if (!anyExact_) return;
+    if (!anyExact_) return std::nullopt;
     const Theme& t = theme();
     auto* line = new QCPItemStraightLine(this);
     line->setPen(QPen(t.dim, 1, Qt::DotLine));
     line->point1->setCoords(xAxis->range().lower, floor_);
     line->point2->setCoords(xAxis->range().upper, floor_);
     auto* label = new QCPItemText(this);
-    label->setText(tr("exact"));
+    const QPointF at(xAxis->coordToPixel(xAxis->range().lower), yAxis->coordToPixel(floor_));
+    const QFontMetricsF metrics(labelFont());
+    const bool isWhole =
+        !exactText_.isEmpty() && metrics.horizontalAdvance(exactText_) + 24 < axisRect()->rect().right() - at.x();
+    label->setText(isWhole ? exactText_ : tr("exact"));
     label->setColor(t.dim);
     label->setFont(labelFont());
-    label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
     label->position->setCoords(xAxis->range().lower, floor_);
-    label->setPadding(QMargins(6, 3, 0, 0));
+    const QSizeF size(metrics.horizontalAdvance(label->text()) + 12, metrics.height() + 3);
+    // Below the line; above it where that would be below the axis.
+    const bool below = at.y() + size.height() < axisRect()->rect().bottom();
+    label->setPositionAlignment(Qt::AlignLeft | (below ? Qt::AlignTop : Qt::AlignBottom));
+    label->setPadding(below ? QMargins(6, 3, 6, 0) : QMargins(6, 0, 6, 3));
+    return QRectF(below ? at : at - QPointF(0, size.height()), size);
 }
 
 QImage LogChart::picture(QSize size, double scale)
 {
     layOutFor(size);
-    return toPixmap(size.width(), size.height(), scale).toImage();
+    const QImage image = toPixmap(size.width(), size.height(), scale).toImage();
+    if (parentWidget() != nullptr) layOutFor(this->size());  // As it is on the screen.
+    return image;
 }
 
 QByteArray LogChart::svg(QSize size)
@@ -177,13 +269,15 @@ QByteArray LogChart::svg(QSize size)
     generator.setOutputDevice(&buffer);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(0, 0), size));
-    generator.setTitle(yAxis->label());
+    generator.setTitle(errorTitle_);
+    generator.setResolution(logicalDpiX());  // Type as large as it was laid out.
     QCPPainter painter;
     painter.begin(&generator);
     painter.setMode(QCPPainter::pmVectorized);
     painter.setMode(QCPPainter::pmNoCaching);
     toPainter(&painter, size.width(), size.height());
     painter.end();
+    if (parentWidget() != nullptr) layOutFor(this->size());
     // A name that browsers know, too.
     return bytes.replace("font-family=\"Sans Serif\"", "font-family=\"sans-serif\"");
 }
@@ -198,7 +292,25 @@ void LogChart::resizeEvent(QResizeEvent* event)
 void LogChart::layOutFor(QSize size)
 {
     setViewport(QRect(QPoint(0, 0), size));
-    replot(QCustomPlot::rpImmediateRefresh);
+    arrange();
+}
+
+void LogChart::rebuild()
+{
+    build();
+    fitLegend();
+    replot(QCustomPlot::rpQueuedReplot);
+}
+
+void LogChart::arrange()
+{
+    build();
+    fitLegend();
+    // Margins follow from the labels of ticks, and ticks from the length that margins leave: twice settles both.
+    for (int i = 0; i < 2; ++i) {
+        replot(QCustomPlot::rpQueuedRefresh);
+        fitTitles();
+    }
     rebuild();
 }
 
@@ -206,6 +318,10 @@ void LogChart::changeEvent(QEvent* event)
 {
     SpokenPlot::changeEvent(event);
     if (event->type() == QEvent::PaletteChange) applyColors();
+    if (event->type() == QEvent::FontChange) {
+        applyType();
+        arrange();
+    }
 }
 
 }  // namespace vitrine::ui

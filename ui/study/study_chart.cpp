@@ -5,13 +5,33 @@
 #include "ui/kit/theme.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
 
 constexpr double fingerWidth = 18;  // Pixels around a point that count as on it.
+constexpr double pointRadius = 4;   // Of what no text may cover.
+constexpr int besideLabel = 7;      // Between a text and the middle of its point, pixels.
+constexpr int aboveLabel = 5;       // The same above and below.
+constexpr double sameError = 1e-9;  // Relative: errors that are equal but for rounding.
+
+/// Whether any of the line is within the rectangle.
+bool crosses(const QLineF& line, const QRectF& place)
+{
+    if (place.contains(line.p1()) || place.contains(line.p2())) return true;
+    const QLineF sides[] = {{place.topLeft(), place.topRight()},
+                            {place.topRight(), place.bottomRight()},
+                            {place.bottomRight(), place.bottomLeft()},
+                            {place.bottomLeft(), place.topLeft()}};
+    return std::any_of(std::begin(sides), std::end(sides), [&](const QLineF& side) {
+        return line.intersects(side, nullptr) == QLineF::BoundedIntersection;
+    });
+}
 
 }  // namespace
 
@@ -26,34 +46,74 @@ void StudyChart::setPoints(std::vector<ChartPoint> points)
 {
     points_ = std::move(points);
     if (emphasized_ && *emphasized_ >= points_.size()) emphasized_.reset();
-    rebuild();
+    arrange();
     say();
 }
 
-void StudyChart::rebuild()
+void StudyChart::showStudy(ChartedStudy study)
 {
-    if (!begin({points_.begin(), points_.end()})) return;
+    setTitles(study.costTitle, study.errorTitle);
+    setEmptyText(study.emptyText);
+    parameters_ = study.parameters;
+    setPoints(std::move(study.points));
+}
+
+bool StudyChart::hasModelErrors() const
+{
+    return std::any_of(points_.begin(), points_.end(), [](const ChartPoint& p) {
+        return p.cost > 0 && p.modelError &&
+               std::abs(*p.modelError - p.error) > sameError * std::max(*p.modelError, p.error);
+    });
+}
+
+void StudyChart::build()
+{
+    const bool both = hasModelErrors();
+    std::vector<ChartSpan> spans{points_.begin(), points_.end()};
+    if (!both)
+        for (ChartSpan& span : spans) span.modelError.reset();
+    setExactText(!both              ? QString()
+                 : parameters_ == 1 ? tr("exact in this parameter")
+                                    : tr("exact in these parameters"));
+    if (!begin(spans)) return;
     const Theme& t = theme();
     QColor gray = t.dim;
     gray.setAlphaF(0.55F);
     addErrors(gray, false, 6, [](const ChartPoint& p) { return !p.onFront; });
-    addErrors(t.accent, true, 7, [](const ChartPoint& p) { return p.onFront; });
-    addTimes({points_.begin(), points_.end()}, t.dim);
+    QCPGraph* front = addErrors(t.accent, true, 7, [](const ChartPoint& p) { return p.onFront; });
+    if (both) addModelErrors(*front);
+    addTimes(spans, t.dim);
     addMarks();
-    replot(QCustomPlot::rpQueuedReplot);
+}
+
+void StudyChart::addModelErrors(QCPGraph& front)
+{
+    const Theme& t = theme();
+    nameInLegend(front, parameters_ == 1 ? tr("against this parameter exact") : tr("against these parameters exact"));
+    for (const bool onFront : {false, true}) {
+        QCPGraph* graph = addGraph();
+        graph->setLineStyle(onFront ? QCPGraph::lsLine : QCPGraph::lsNone);
+        graph->setPen(QPen(t.good, 1.5, Qt::DashLine));
+        graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssSquare, QPen(t.good, 1.5), QBrush(t.base), 7));
+        for (const ChartPoint* p :
+             byCost([&](const ChartPoint& each) { return each.onFront == onFront && each.modelError; }))
+            graph->addData(p->cost, shownError(*p->modelError));
+        if (onFront) nameInLegend(*graph, tr("against everything exact"));
+    }
+    legend->setVisible(true);
 }
 
 std::vector<const ChartPoint*> StudyChart::byCost(const std::function<bool(const ChartPoint&)>& holds) const
 {
     std::vector<const ChartPoint*> shown;
     for (const ChartPoint& p : points_)
-        if (holds(p)) shown.push_back(&p);
+        if (p.cost > 0 && holds(p)) shown.push_back(&p);
     std::sort(shown.begin(), shown.end(), [](const ChartPoint* a, const ChartPoint* b) { return a->cost < b->cost; });
     return shown;
 }
 
-void StudyChart::addErrors(const QColor& color, bool lined, double size,
-                           const std::function<bool(const ChartPoint&)>& holds)
+QCPGraph* StudyChart::addErrors(const QColor& color, bool lined, double size,
+                                const std::function<bool(const ChartPoint&)>& holds)
 {
     QCPGraph* graph = addGraph();
     QCPErrorBars* bars = addBars(graph, color);
@@ -64,6 +124,7 @@ void StudyChart::addErrors(const QColor& color, bool lined, double size,
         graph->addData(p->cost, shownError(p->error));
         addErrorBar(bars, *p);
     }
+    return graph;
 }
 
 /// A text beside a point, and the pixels that it takes.
@@ -77,6 +138,7 @@ void StudyChart::addMarks()
 {
     const bool crowded = points_.size() > 24;
     std::vector<Label> labels;
+    if (const std::optional<QRectF> exact = markExact()) labels.push_back({points_.size(), nullptr, *exact});
     // Marked points first: where two would write over each other, the later one is silent.
     std::vector<std::size_t> order(points_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -87,7 +149,6 @@ void StudyChart::addMarks()
         if ((!isMarked(i) && crowded) || sharesLabel(i, labels)) continue;
         addLabel(i, labels);
     }
-    markExact();
 }
 
 bool StudyChart::isMarked(std::size_t i) const
@@ -121,11 +182,41 @@ bool StudyChart::sharesLabel(std::size_t i, std::vector<Label>& labels) const
         return std::abs(dx) < 0.03 && std::abs(dy) < 0.02;
     };
     const auto same = std::find_if(labels.begin(), labels.end(), [&](const Label& other) {
-        return !isMarked(i) && !isMarked(other.point) && isAt(other.point);
+        return other.item != nullptr && !isMarked(i) && !isMarked(other.point) && isAt(other.point);
     });
     if (same == labels.end()) return false;
-    same->item->setText(same->item->text() + QStringLiteral(", ") + points_[i].text);
-    same->place.setWidth(QFontMetricsF(labelFont()).horizontalAdvance(same->item->text()) + 14);
+    const QString text = same->item->text() + QStringLiteral(", ") + points_[i].text;
+    QRectF place = same->place;
+    const double more = QFontMetricsF(labelFont()).horizontalAdvance(text) + 2 * besideLabel - place.width();
+    if (same->item->positionAlignment() & Qt::AlignRight)
+        place.setLeft(place.left() - more);
+    else
+        place.setRight(place.right() + more);
+    std::vector<Label> others = labels;
+    others.erase(others.begin() + (same - labels.begin()));
+    if (!isFree(place, same->point, others)) return true;  // Where both are, one is named.
+    same->item->setText(text);
+    same->place = place;
+    return true;
+}
+
+bool StudyChart::isFree(const QRectF& place, std::size_t point, const std::vector<Label>& labels) const
+{
+    if (!QRectF(axisRect()->rect()).contains(place)) return false;
+    if (std::any_of(labels.begin(), labels.end(), [&](const Label& other) { return other.place.intersects(place); }))
+        return false;
+    const bool both = hasModelErrors();
+    const QRectF text = place.adjusted(besideLabel, 0, -besideLabel, 0);
+    for (std::size_t i = 0; i < points_.size(); ++i) {
+        if (!(points_[i].cost > 0)) continue;
+        const auto covers = [&](double error) {
+            const QPointF at(xAxis->coordToPixel(points_[i].cost), yAxis->coordToPixel(shownError(error)));
+            return QRectF(at.x() - pointRadius, at.y() - pointRadius, 2 * pointRadius, 2 * pointRadius)
+                .intersects(text);
+        };
+        if (i != point && covers(points_[i].error)) return false;
+        if (both && points_[i].modelError && covers(*points_[i].modelError)) return false;
+    }
     return true;
 }
 
@@ -135,24 +226,53 @@ void StudyChart::addLabel(std::size_t i, std::vector<Label>& labels)
     QString text = p.text;
     if (p.knee) text += tr(" · knee");
     if (p.present) text += tr(" · present");
-    const bool atRightEdge =
-        std::log(p.cost / xAxis->range().lower) > 0.8 * std::log(xAxis->range().upper / xAxis->range().lower);
     const QFontMetricsF metrics(labelFont());
-    const QSizeF size(metrics.horizontalAdvance(text) + 14, metrics.height() + 5);
+    const QSizeF size(metrics.horizontalAdvance(text) + 2 * besideLabel, metrics.height() + aboveLabel);
     const QPointF at = placeOf(i);
-    const QRectF place(QPointF(atRightEdge ? at.x() - size.width() : at.x(), at.y() - size.height()), size);
-    if (std::any_of(labels.begin(), labels.end(), [&](const Label& other) { return other.place.intersects(place); }))
-        return;
-    auto* label = new QCPItemText(this);
-    label->setText(text);
-    label->setColor(p.onFront ? theme().text : theme().dim);
-    label->setFont(labelFont());
-    label->setPositionAlignment((atRightEdge ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
-    label->position->setType(QCPItemPosition::ptPlotCoords);
-    label->position->setCoords(p.cost, shownError(p.error));
-    label->setPadding(QMargins(7, 0, 7, 5));
-    label->setSelectable(false);
-    labels.push_back({i, label, place});
+    const std::vector<QLineF> lines = curves();
+    const auto isCrossed = [&](const QRectF& words) {
+        return std::any_of(lines.begin(), lines.end(), [&](const QLineF& line) { return crosses(line, words); });
+    };
+    const std::array<std::pair<bool, bool>, 4> sides{{{true, true}, {true, false}, {false, true}, {false, false}}};
+    // Where no curve goes through it, if there is such a place.
+    for (const bool mayBeCrossed : {false, true}) {
+        for (const auto& [above, right] : sides) {
+            const QRectF place(QPointF(right ? at.x() : at.x() - size.width(), above ? at.y() - size.height() : at.y()),
+                               size);
+            const QRectF words =
+                place.adjusted(besideLabel, above ? 0 : aboveLabel, -besideLabel, above ? -aboveLabel : 0);
+            if (!isFree(place, i, labels) || (!mayBeCrossed && isCrossed(words))) continue;
+            auto* label = new QCPItemText(this);
+            label->setText(text);
+            label->setColor(p.onFront ? theme().text : theme().dim);
+            label->setFont(labelFont());
+            label->setPositionAlignment((right ? Qt::AlignLeft : Qt::AlignRight) |
+                                        (above ? Qt::AlignBottom : Qt::AlignTop));
+            label->position->setType(QCPItemPosition::ptPlotCoords);
+            label->position->setCoords(p.cost, shownError(p.error));
+            label->setPadding(QMargins(besideLabel, above ? 0 : aboveLabel, besideLabel, above ? aboveLabel : 0));
+            label->setSelectable(false);
+            labels.push_back({i, label, place});
+            return;
+        }
+    }
+}
+
+std::vector<QLineF> StudyChart::curves() const
+{
+    std::vector<QLineF> lines;
+    std::optional<QPointF> before, modelBefore;
+    const bool both = hasModelErrors();
+    for (const ChartPoint* p : byCost([](const ChartPoint& each) { return each.onFront; })) {
+        const auto join = [&](std::optional<QPointF>& from, double error) {
+            const QPointF to(xAxis->coordToPixel(p->cost), yAxis->coordToPixel(shownError(error)));
+            if (from) lines.emplace_back(*from, to);
+            from = to;
+        };
+        join(before, p->error);
+        if (both && p->modelError) join(modelBefore, *p->modelError);
+    }
+    return lines;
 }
 
 QPointF StudyChart::placeOf(std::size_t point) const
@@ -187,10 +307,10 @@ void StudyChart::emphasize(std::optional<std::size_t> point)
 void StudyChart::say()
 {
     const auto measured = byCost([](const ChartPoint& p) { return p.cost > 0; });
-    if (measured.empty()) return setSentences(tr("No point is measured yet"));
+    if (measured.empty()) return setSentences(emptyText().isEmpty() ? tr("No point is measured yet") : emptyText());
     const auto number = [](double value) { return QString::number(value, 'g', 3); };
     QStringList all{tr("%1 over %2, both logarithmic: %n points.", nullptr, static_cast<int>(measured.size()))
-                        .arg(yAxis->label(), xAxis->label())};
+                        .arg(errorTitle(), costTitle())};
     const auto add = [&](const ChartPoint& p, const QString& sentence) {
         all << sentence.arg(p.text, number(p.error), number(p.cost));
     };
@@ -253,62 +373,104 @@ void StudyChart::leaveEvent(QEvent* event)
     hovered_ = -1;
 }
 
-std::vector<ChartPoint> chartPoints(Subjects subjects, const StudyRequest& request, const StudyResult& result)
+QString settingWords(const std::vector<SettingPart>& parts)
 {
-    std::vector<ChartPoint> points;
-    const bool timed = result.costName == "ms";
+    if (parts.empty()) return said(settingText(parts));
+    QStringList all;
+    for (const SettingPart& part : parts) all << said(part.label) + QLatin1Char(' ') + said(part.value);
+    return all.join(QStringLiteral(", "));
+}
+
+namespace {
+
+QString axisTitle(const StudyCosts& costs, bool clockTrusted)
+{
+    if (costs.axis == CostAxis::time)
+        return clockTrusted ? StudyChart::tr("milliseconds of a picture")
+                            : StudyChart::tr("milliseconds of a picture, by a clock that is not trusted");
+    return costs.name.empty() ? StudyChart::tr("counted work")
+                              : StudyChart::tr("%1 in all views").arg(said(costTitle(costs.name)));
+}
+
+void setCost(ChartPoint& point, const StudyCosts& costs, std::size_t i)
+{
+    const SettingCost& cost = costs.settings[i];
+    point.cost = cost.cost;
+    point.costLow = cost.interval.low;
+    point.costHigh = cost.interval.high;
+    point.onFront = costs.onFront(i);
+    point.dominated = !point.onFront;
+    point.knee = costs.knee == i;
+}
+
+/// Of several parameters, a setting is told by their names, of one by its value alone.
+QString pointWords(const std::vector<SettingPart>& parts, std::size_t parameters)
+{
+    if (parameters > 2) return {};
+    return parameters == 1 && !parts.empty() ? said(parts.front().value) : settingWords(parts);
+}
+
+ChartedStudy chartedBy(const StudyCosts& costs, render::Metric metric, bool clockTrusted)
+{
+    ChartedStudy study;
+    study.costTitle = axisTitle(costs, clockTrusted);
+    study.errorTitle = said(title(metric));
+    study.parameters = costs.parameters;
+    study.law = said(lawSentence(costs));
+    return study;
+}
+
+}  // namespace
+
+ChartedStudy charted(Subjects subjects, const StudyRequest& request, const StudyResult& result, CostAxis axis)
+{
+    const StudyCosts costs = costsAlong(axis, request, result);
+    ChartedStudy study = chartedBy(costs, request.metric, result.clockTrusted);
+    int drawn = 0;
     for (std::size_t i = 0; i < result.points.size(); ++i) {
         const StudyPoint& p = result.points[i];
         ChartPoint c;
-        const bool measured =
-            std::all_of(p.shots.begin(), p.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); });
-        if (measured) c.cost = c.costLow = c.costHigh = p.cost;
-        if (measured && timed && p.time) {
-            c.costLow = p.time->interval.low;
-            c.costHigh = p.time->interval.high;
-        }
+        setCost(c, costs, i);
         c.error = p.error;
         c.errorLow = p.lowestError;
         c.errorHigh = p.worstError;
-        const std::string text = request.axes.size() == 1 ? axisValueText(request.sceneState, request.axes[0],
-                                                                          request.axes[0].values[p.setting[0]])
-                                                          : pointText(subjects, request, p);
-        c.text = said(request.axes.size() > 2 ? std::string() : text);
-        c.dominated = p.dominated;
-        c.onFront = std::find(result.front.begin(), result.front.end(), i) != result.front.end();
-        c.knee = result.knee == i;
+        c.modelError = p.modelError;
+        c.text = pointWords(settingParts(subjects, request, p), request.axes.size());
         c.present = result.present == i;
-        points.push_back(std::move(c));
+        drawn += isDrawn(p) ? 1 : 0;
+        study.points.push_back(std::move(c));
     }
-    return points;
+    const int all = static_cast<int>(result.points.size());
+    if (axis == CostAxis::time)
+        study.emptyText =
+            StudyChart::tr("%1 of %2 settings are drawn.\nTimes come when all of them are.").arg(drawn).arg(all);
+    else if (drawn < all)
+        study.emptyText = StudyChart::tr("%1 of %2 settings are drawn.\nTheir work is compared when all of them are.")
+                              .arg(drawn)
+                              .arg(all);
+    else
+        study.emptyText = StudyChart::tr("No count of work tells these settings apart.");
+    return study;
 }
 
-std::vector<ChartPoint> chartPoints(const KeptStudy& study)
+ChartedStudy charted(const KeptStudy& kept, CostAxis axis)
 {
-    std::vector<ChartPoint> points;
-    for (std::size_t i = 0; i < study.points.size(); ++i) {
-        const KeptPoint& p = study.points[i];
+    const StudyCosts costs = costsAlong(axis, kept);
+    ChartedStudy study = chartedBy(costs, kept.metric, kept.clockTrusted);
+    for (std::size_t i = 0; i < kept.points.size(); ++i) {
+        const KeptPoint& p = kept.points[i];
         ChartPoint c;
-        if (p.measured()) c.cost = c.costLow = c.costHigh = p.cost;
-        if (p.measured() && study.cost == "ms" && p.time) {
-            c.costLow = p.time->interval.low;
-            c.costHigh = p.time->interval.high;
-        }
+        setCost(c, costs, i);
         c.error = std::isfinite(p.error) ? p.error : 0;
         c.errorLow = std::min(p.lowestError, c.error);
         c.errorHigh = std::isfinite(p.worstError) ? std::max(p.worstError, c.error) : c.error;
-        if (study.parameters.size() <= 2) c.text = said(study.pointText(i));
-        c.onFront = std::find(study.front.begin(), study.front.end(), i) != study.front.end();
-        c.dominated = !c.onFront;
-        c.knee = study.knee == i;
-        points.push_back(std::move(c));
+        c.modelError = p.modelError;
+        c.text = pointWords(kept.settingParts(i), kept.parameters.size());
+        study.points.push_back(std::move(c));
     }
-    return points;
-}
-
-QString studyCostTitle(const std::string& costName)
-{
-    return said(costTitle(costName.empty() ? "ms" : costName));
+    study.emptyText = axis == CostAxis::time ? StudyChart::tr("This study has no times.")
+                                             : StudyChart::tr("No count of work tells these settings apart.");
+    return study;
 }
 
 }  // namespace vitrine::ui
