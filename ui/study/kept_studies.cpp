@@ -25,6 +25,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <exception>
 #include <memory>
 
@@ -129,7 +130,7 @@ QString KeptStudies::titleOf(const KeptStudy& study) const
     for (const auto& subject : subjects_)
         if (subject->name() == study.exhibit) exhibit = text(subject->title());
     return study.parameters.size() > 2 ? tr("%1: all parameters").arg(exhibit)
-                                       : tr("%1: %2").arg(exhibit, words(study.parameterNames()));
+                                       : tr("%1: %2").arg(exhibit, said(study.parameterNames()));
 }
 
 QListWidgetItem* KeptStudies::itemFor(const StudyEntry& entry) const
@@ -150,7 +151,7 @@ QListWidgetItem* KeptStudies::itemFor(const StudyEntry& entry) const
     facts.removeAll(QString());
     item->setData(TwoLineDelegate::secondLine, facts.join(QStringLiteral(" · ")));
     QStringList lines{titleOf(study), tr("Exhibit: %1").arg(words(study.exhibit)),
-                      tr("Rows: %1").arg(words(study.parameterNames())), facts.join(QStringLiteral(" · ")),
+                      tr("Rows: %1").arg(said(study.parameterNames())), facts.join(QStringLiteral(" · ")),
                       tr("%1 × %2 pixels, clock: %3").arg(study.size.x).arg(study.size.y).arg(words(study.clock))};
     item->setToolTip(lines.join(QLatin1Char('\n')));
     item->setData(Qt::AccessibleTextRole, titleOf(study) + QStringLiteral(", ") + facts.join(QStringLiteral(", ")));
@@ -370,8 +371,9 @@ QByteArray KeptStudies::exported(const QString& suffix) const
     std::unique_ptr<LogChart> chart;
     if (studies.size() == 1) {
         auto one = std::make_unique<StudyChart>();
-        one->setTitles(studyCostTitle(studies[0].cost), said(title(studies[0].metric)));
-        one->setPoints(chartPoints(studies[0]));
+        const bool timed = std::any_of(studies[0].points.begin(), studies[0].points.end(),
+                                       [](const KeptPoint& point) { return point.time.has_value(); });
+        one->showStudy(charted(studies[0], usualCostAxis(studies[0].clockTrusted && timed)));
         chart = std::move(one);
     } else {
         const std::vector<std::string> costs = sharedCosts(studies);

@@ -180,12 +180,13 @@ std::optional<QPoint> PicturePanes::pixel() const
 QString PicturePanes::reading() const
 {
     const std::optional<QPoint> at = pixel();
-    if (!at || triple_.reference.empty() || triple_.errors.empty()) return {};
+    if (!at || triple_.reference.empty()) return {};
+    const float error = triple_.errors.empty() ? 0 : triple_.errors.at(at->x(), at->y(), 0);
     return tr("Pixel %1, %2: setting %3; reference %4; error %5")
         .arg(at->x())
         .arg(at->y())
         .arg(valuesText(triple_.picture, *at), valuesText(triple_.reference, *at),
-             QString::fromStdString(render::shortNumber(triple_.errors.at(at->x(), at->y(), 0))));
+             QString::fromStdString(render::shortNumber(error)));
 }
 
 void PicturePanes::paintPane(QPainter& painter, const QRectF& pane, const QImage& image, const QString& title) const
@@ -195,7 +196,12 @@ void PicturePanes::paintPane(QPainter& painter, const QRectF& pane, const QImage
     painter.fillRect(pane, theme().base);
     // Beyond 100 % nothing is made up between pixels.
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale_ * devicePixelRatioF() < 1);
-    if (!image.isNull()) painter.drawImage(placeIn(pane), image);
+    if (!image.isNull()) {
+        painter.drawImage(placeIn(pane), image);
+    } else if (!picture_.isNull()) {
+        painter.setPen(theme().dim);
+        painter.drawText(pane, Qt::AlignCenter | Qt::TextWordWrap, noPixelDiffers());
+    }
     if (!title.isEmpty()) {
         const QRectF words = painter.fontMetrics().boundingRect(title).adjusted(-6, -3, 6, 3);
         QColor ground = theme().base;

@@ -13,7 +13,7 @@ namespace vitrine::ui {
 /// A setting's picture, its reference, and how far they differ per pixel; of one size.
 struct PictureTriple {
     render::Image picture, reference;  ///< Linear light; empty: nothing to show.
-    render::Image errors;              ///< One channel.
+    render::Image errors;              ///< One channel; empty: no pixel differs.
     double full = 1;                   ///< The error that the heat map shows brightest.
 };
 

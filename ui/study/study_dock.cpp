@@ -297,14 +297,10 @@ void StudyDock::start(StudyRequest request)
 
 void StudyDock::take(News news)
 {
-    const auto measured = [](const StudyPoint& p) {
-        return p.cost > 0 &&
-               std::all_of(p.shots.begin(), p.shots.end(), [](const StudyShot& shot) { return !shot.picture.empty(); });
-    };
     const bool done = news.progress >= 1;
     // The former result stays until this one has a point.
     const bool isNew =
-        !showsRunning_ && (done || std::any_of(news.result.points.begin(), news.result.points.end(), measured));
+        !showsRunning_ && (done || std::any_of(news.result.points.begin(), news.result.points.end(), isDrawn));
     showsRunning_ = showsRunning_ || isNew;
     progress_->setValue(static_cast<int>(100 * news.progress));
     const double left = secondsLeft(news.progress, elapsed_);
@@ -329,7 +325,10 @@ void StudyDock::end(const QString& failure)
 void StudyDock::stop()
 {
     task_.cancel();
-    if (showsRunning_) keepMeasured();
+    if (showsRunning_) {
+        shown_->noteStopped();
+        keepMeasured();
+    }
     isRunning_ = false;
     showsRunning_ = false;
     showIdle();
@@ -338,7 +337,7 @@ void StudyDock::stop()
 void StudyDock::keepMeasured()
 {
     const auto& points = result().points;
-    const auto measured = std::count_if(points.begin(), points.end(), [](const StudyPoint& p) { return p.cost > 0; });
+    const auto measured = std::count_if(points.begin(), points.end(), isDrawn);
     if (result().complete || measured >= leastToKeep)
         kept_->keep(shown_->json(), result().complete, contactSheet(result()));
 }

@@ -18,8 +18,7 @@ QByteArray studyFile(const QString& suffix, Subjects subjects, const StudyReques
     if (suffix == QLatin1String("csv")) return QByteArray::fromStdString(studyCsv(subjects, request, result));
     if (suffix == QLatin1String("json"))
         return QByteArray::fromStdString(render::writeJson(studyJson(subjects, request, result, machine)));
-    const QSize size(960, 600);
-    return suffix == QLatin1String("svg") ? chart.svg(size) : pngOf(chart.picture(size, 2));
+    return suffix == QLatin1String("svg") ? chart.svg(exportedChart) : pngOf(chart.picture(exportedChart, 2));
 }
 
 QString askAndSaveStudy(QWidget* parent, const std::function<QByteArray(const QString& suffix)>& contentOf)

@@ -26,6 +26,11 @@ QImage screenImage(const render::Image& picture)
     return image;
 }
 
+QString noPixelDiffers()
+{
+    return StudyPictures::tr("No pixel differs.");
+}
+
 namespace {
 
 constexpr double wipeStep = 0.05;
@@ -116,7 +121,10 @@ void StudyPictures::paintPictures(QPainter& painter, const QRectF& at)
         painter.setPen(QPen(theme().accent, 1));
         painter.drawLine(QPointF(edge, at.top()), QPointF(edge, at.bottom()));
     }
-    if (!heat_.isNull()) {
+    if (heat_.isNull()) {
+        painter.setPen(theme().dim);
+        painter.drawText(placeOf(1), Qt::AlignCenter | Qt::TextWordWrap, noPixelDiffers());
+    } else {
         const QRectF map = placeOf(1);
         painter.drawImage(map, heat_);
         const QRectF below(map.left(), map.bottom() + 3, map.width(), scaleHeight - 4);

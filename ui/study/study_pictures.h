@@ -10,6 +10,9 @@ class QPainter;
 
 namespace vitrine::ui {
 
+/// What stands in place of a heat map of two pictures that are equal.
+[[nodiscard]] QString noPixelDiffers();
+
 /// sRGB codes of a picture of linear light, for the screen.
 [[nodiscard]] QImage screenImage(const render::Image&);
 
@@ -20,7 +23,8 @@ class StudyPictures final : public QWidget, public Spoken {
 public:
     explicit StudyPictures(QWidget* parent = nullptr);
 
-    /// Null images show nothing yet. `full` is the error that the heat map shows brightest.
+    /// A null heat map: no pixel differs, which is said in its place. `full` is the error that the heat map shows
+    /// brightest.
     void show(const QImage& picture, const QImage& reference, const QImage& heat, const QString& full = {});
     [[nodiscard]] double wipe() const { return wipe_; }
     void setWipe(double share);  ///< 0: all reference, 1: all setting.

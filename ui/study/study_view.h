@@ -2,7 +2,7 @@
 
 #include "exhibits/study/contact_sheet.h"
 #include "exhibits/study/kept_rows.h"
-#include "exhibits/study/study_result.h"
+#include "exhibits/study/study_costs.h"
 #include "ui/study/picture_panes.h"
 
 #include <QWidget>
@@ -19,6 +19,7 @@ class History;
 class LargePictures;
 class StudyChart;
 class StudyPictures;
+struct ChartedStudy;
 
 /// A study as it is seen: chart, pictures, and what it came to in words. One that was measured here, or one that was
 /// kept, perhaps without its pictures. A click on a point applies it.
@@ -31,6 +32,8 @@ public:
 
     /// The study that runs, or ran: shown from its first point on. `isNew`: another one than is on show.
     void showMeasured(const StudyRequest&, StudyResult, const render::Json& machine, bool isNew);
+    /// The study that runs was stopped: no point follows.
+    void noteStopped();
     /// `json`: of its file; `title`: for people.
     void showKept(KeptStudy, std::string json, const QString& title);
     /// Of the kept study on show, once they have been read.
@@ -49,6 +52,11 @@ public:
     [[nodiscard]] const StudyRequest& request() const { return request_; }
     [[nodiscard]] bool showsKept() const { return kept_.has_value(); }
     [[nodiscard]] StudyChart& chart() const { return *chart_; }
+    /// What the chart has on its axis of costs. Until the user chooses one, it follows from the clock of each study
+    /// before its first point is shown; nothing else changes it.
+    [[nodiscard]] CostAxis costAxis() const;
+    /// The user's choice, which stays for all studies from then on.
+    void chooseCostAxis(CostAxis);
     /// The study that was measured here last, as its file has it.
     [[nodiscard]] render::Json json() const;
     /// What is shown, as a file that ends in csv, json, png or svg.
@@ -70,7 +78,11 @@ private:
     void refreshKept();
     void enlarge();
     void fillLarge();
-    [[nodiscard]] QString sentences() const;
+    [[nodiscard]] QString sentences(const QString& law) const;
+    [[nodiscard]] QWidget* chartWithCosts();
+    void decideCostAxis(bool clockTrusted);
+    void showChart(ChartedStudy, std::optional<std::size_t> present);
+    void hidePictures();
     [[nodiscard]] QString whyNotApplied() const;  ///< Of the kept one; empty where it can be.
     [[nodiscard]] QString captionOf(const StudyPoint&) const;
     [[nodiscard]] QString captionOf(const KeptStudy&, std::size_t point) const;
@@ -94,6 +106,11 @@ private:
     PictureTriple shown_;  ///< In the pictures.
     QString shownScale_;
 
+    bool costChosen_ = false;  ///< By the user.
+    bool stopped_ = false;     ///< The measured study ended early.
+
+    QComboBox* cost_;
+    QWidget* right_;  ///< Pictures and what they are; hidden while there is nothing to say.
     QComboBox* view_;
     QLabel* words_;
     QLabel* caption_;

@@ -35,10 +35,13 @@ inline std::vector<std::unique_ptr<Exhibit>> knownExhibit()
 /// Takes its time, so that there is something to see while it measures.
 class SlowBackend final : public render::RenderBackend {
 public:
+    explicit SlowBackend(bool clockTrusted) : clockTrusted_(clockTrusted) {}
     render::FrameReport draw(const render::FramePlan& plan) override
     {
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        return known_.draw(plan);
+        render::FrameReport report = known_.draw(plan);
+        report.clockTrusted = clockTrusted_;
+        return report;
     }
     [[nodiscard]] render::Image read(const std::string& image) override { return known_.read(image); }
     [[nodiscard]] const render::PersistentState& persistentState() const override { return known_.persistentState(); }
@@ -46,6 +49,7 @@ public:
 
 private:
     KnownBackend known_;
+    bool clockTrusted_;
 };
 
 /// A museum, and renderers that measure it by a painter without GL. Nothing else of them is asked for.
@@ -54,6 +58,7 @@ public:
     Museum museum{knownExhibit()};
     KnownTable table;
     std::thread::id measuredOn;
+    bool clockTrusted = true;  ///< Of the studies that are started from now on.
 
     void open() override {}
     void close() override {}
@@ -75,7 +80,7 @@ public:
         measuredOn = std::this_thread::get_id();
         ui::StudyJob job;
         job.machine = {{"renderer", "the painter"}, {"processors", 2}};
-        job.backend = std::make_unique<SlowBackend>();
+        job.backend = std::make_unique<SlowBackend>(clockTrusted);
         job.study = std::make_unique<Study>(museum, *job.backend, request);
         return job;
     }

@@ -41,7 +41,7 @@ private slots:
         auto* view = large->findChild<QComboBox*>();
         QCOMPARE(view->count(), 3);
         view->setCurrentIndex(2);
-        QCOMPARE(dock_->view().findChild<QComboBox*>()->currentIndex(), 2);
+        QCOMPARE(dock_->view().findChild<QComboBox*>("view")->currentIndex(), 2);
         large->close();
         QTest::keyClick(small, Qt::Key_Return);
         QVERIFY(large->isVisible());

@@ -8,12 +8,14 @@
 #include "ui/study/study_chart.h"
 #include "ui/study/study_dock.h"
 #include "ui/study/study_pictures.h"
+#include "ui/study/study_view.h"
 
 #include <QAccessible>
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
 #include <QJsonDocument>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSet>
@@ -250,7 +252,7 @@ private slots:
             std::vector<QRectF> places;
             for (int i = 0; i < chart.itemCount(); ++i) {
                 auto* label = qobject_cast<QCPItemText*>(chart.item(i));
-                if (!label || label->text() == QStringLiteral("exact")) continue;
+                if (!label || label->text().startsWith(QStringLiteral("exact"))) continue;
                 const QRectF place(label->topLeft->pixelPosition(), label->bottomRight->pixelPosition());
                 for (const QRectF& other : places)
                     QVERIFY2(!place.adjusted(1, 1, -1, -1).intersects(other), qPrintable(label->text()));
@@ -258,6 +260,134 @@ private slots:
             }
             QVERIFY(!places.empty());
         }
+    }
+
+    void theAxisIsDecidedBeforeTheFirstPointAndOnlyTheUserChangesIt()
+    {
+        StudyChart& chart = dock_->chart();
+        auto* cost = dock_->view().findChild<QComboBox*>("cost");
+        QVERIFY(cost != nullptr);
+        dock_->ask(1, row("steps"));
+        QStringList titles;
+        while (dock_->running()) {
+            QTest::qWait(1);
+            if (dock_->result().points.empty()) continue;
+            if (titles.isEmpty() || titles.back() != chart.costTitle()) titles << chart.costTitle();
+            for (std::size_t i = 0; i < chart.points().size(); ++i) {
+                // In its place by its time, or not there yet.
+                const StudyPoint& point = dock_->result().points[i];
+                QCOMPARE(chart.points()[i].cost, point.time ? point.time->median : 0.0);
+            }
+        }
+        QCOMPARE(titles, QStringList{"milliseconds of a picture"});
+        for (const ChartPoint& point : chart.points())
+            QVERIFY(point.costLow <= point.cost && point.cost <= point.costHigh);
+
+        cost->setCurrentIndex(1);
+        emit cost->activated(1);
+        QCOMPARE(chart.costTitle(), QString("work in all views"));
+        for (std::size_t i = 0; i < chart.points().size(); ++i)
+            QCOMPARE(chart.points()[i].cost, static_cast<double>(dock_->result().points[i].counters.at("work")));
+        // The choice stays for the next study.
+        dock_->ask(1, row("rays"));
+        finish();
+        QCOMPARE(chart.costTitle(), QString("work in all views"));
+        dock_->view().chooseCostAxis(CostAxis::time);
+        QCOMPARE(chart.costTitle(), QString("milliseconds of a picture"));
+    }
+
+    void aClockThatIsNotTrustedMakesTheAxisWork()
+    {
+        gallery_->clockTrusted = false;
+        dock_->ask(1, row("steps"));
+        QStringList titles;
+        while (dock_->running()) {
+            QTest::qWait(1);
+            if (!dock_->result().points.empty() && (titles.isEmpty() || titles.back() != dock_->chart().costTitle()))
+                titles << dock_->chart().costTitle();
+        }
+        titles.removeAll(QString("counted work"));  // Under an empty chart, before all settings are drawn.
+        QCOMPARE(titles, QStringList{"work in all views"});
+        dock_->view().chooseCostAxis(CostAxis::time);
+        QVERIFY(dock_->chart().costTitle().contains("not trusted"));
+    }
+
+    void whatIsNotMeasuredYetHasNeitherNumbersNorAPicture()
+    {
+        const auto* pictures = dock_->findChild<StudyPictures*>();
+        QVERIFY(!pictures->isVisible());
+        StudyRequest request;
+        request.sceneState = history_->sceneState();
+        request.axes = {*studyAxis(request.sceneState, 1, row("steps"), 8)};
+        request.size = {16, 9};
+        request.runs = 3;
+        test::KnownBackend backend;
+        Study study(gallery_->museum, backend, request);
+        ui::StudyView& view = dock_->view();
+        const auto caption = [&view] {
+            for (const QLabel* label : view.findChildren<QLabel*>())
+                if (label->isVisible() && label->text().startsWith("Steps")) return label->text();
+            return QString();
+        };
+        while (!isDrawn(study.result().points.front())) QVERIFY(study.step());
+        view.showMeasured(request, study.result(), render::Json::object(), true);
+        // The present setting has its turn later.
+        QCOMPARE(caption(), QString("Steps 8 is not measured yet."));
+        QVERIFY(!pictures->isVisible());
+        QVERIFY(!view.chart().xAxis->visible());
+        QVERIFY2(view.chart().emptyText().startsWith("1 of "), qPrintable(view.chart().emptyText()));
+        emit view.chart().hovered(0);
+        QVERIFY2(caption().startsWith("Steps 1: error ") && !caption().contains(" ms"), qPrintable(caption()));
+        QVERIFY2(!caption().contains("everything exact"), qPrintable(caption()));
+        QVERIFY(pictures->isVisible());
+        emit view.chart().hovered(-1);
+        QVERIFY(!pictures->isVisible());
+        while (study.step()) {
+        }
+        view.showMeasured(request, study.result(), render::Json::object(), false);
+        QVERIFY2(caption().startsWith("Steps 8: error ") && caption().contains(" ms") && caption().contains(" work") &&
+                     caption().contains("against everything exact"),
+                 qPrintable(caption()));
+        QVERIFY(pictures->isVisible());
+        QVERIFY(view.chart().xAxis->visible());
+    }
+
+    void equalPicturesHaveASentenceInPlaceOfABlackHeatMap()
+    {
+        auto* pictures = dock_->findChild<StudyPictures*>();
+        pictures->resize(520, 200);
+        QImage gray(64, 36, QImage::Format_RGB888);
+        gray.fill(Qt::gray);
+        QImage black(64, 36, QImage::Format_RGB888);
+        black.fill(Qt::black);
+        pictures->show(gray, gray, {}, QString());
+        const QImage seen = pictures->grab().toImage();
+        for (int y = 0; y < seen.height(); ++y)
+            for (int x = 0; x < seen.width(); ++x)
+                QVERIFY(seen.pixelColor(x, y) != Qt::black || theme().text == QColor(Qt::black));
+    }
+
+    void theSecondLineIsTheErrorAgainstEverythingExact()
+    {
+        dock_->ask(1, row("steps"));
+        finish();
+        const StudyChart& chart = dock_->chart();
+        QVERIFY(chart.legend->visible());
+        for (std::size_t i = 0; i < chart.points().size(); ++i) {
+            QVERIFY(chart.points()[i].modelError);
+            QCOMPARE(*chart.points()[i].modelError, *dock_->result().points[i].modelError);
+            QVERIFY(*chart.points()[i].modelError > chart.points()[i].error);
+        }
+        bool found = false;
+        for (int i = 0; i < chart.graphCount(); ++i) {
+            const QCPGraph& graph = *chart.graph(i);
+            if (graph.name() != QString("against everything exact")) continue;
+            found = true;
+            QCOMPARE(static_cast<std::size_t>(graph.dataCount()),
+                     std::size_t(std::count_if(chart.points().begin(), chart.points().end(),
+                                               [](const ChartPoint& p) { return p.onFront; })));
+        }
+        QVERIFY(found);
     }
 
     void theFormerResultStaysUntilTheNextOneHasAPoint()
@@ -301,12 +431,16 @@ private slots:
 
     void theHeatMapHasAScale()
     {
-        auto* pictures = dock_->findChild<StudyPictures*>();
+        StudyPictures alone(nullptr);
+        StudyPictures* const pictures = &alone;
+        pictures->resize(520, 200);
         QImage gray(64, 36, QImage::Format_RGB888);
         gray.fill(Qt::gray);
-        pictures->show(gray, gray, gray, QString());
+        QImage other = gray;
+        other.fill(Qt::darkGray);
+        pictures->show(gray, other, gray, QString());
         const QImage without = pictures->grab().toImage();
-        pictures->show(gray, gray, gray, QStringLiteral("0.031"));
+        pictures->show(gray, other, gray, QStringLiteral("0.031"));
         QVERIFY(pictures->grab().toImage() != without);
         QSet<QRgb> colors;
         const QImage seen = pictures->grab().toImage();
