@@ -17,6 +17,7 @@ constexpr const char* pageStart = R"page(<!DOCTYPE html>
 <style>
 :root { color-scheme: light; --ground: #f1efeb; --sheet: #fbfaf8; --text: #2a2825; --dim: #6d685f; --accent: #9a5f14; --line: #ddd8cf; }
 * { box-sizing: border-box; }
+[hidden] { display: none !important; }
 body { margin: 0 auto; max-width: 1320px; padding: 24px; background: var(--ground); color: var(--text); font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; }
 h1 { font-size: 24px; font-weight: 600; margin: 0 0 4px; }
 p { margin: 4px 0; max-width: 80ch; }

@@ -58,11 +58,33 @@ std::string costOf(const std::vector<KeptStudy>& studies, const std::string& wan
                 std::string(timesDiffer(studies) == TimesDiffer::no ? "" : ", and their times cannot be compared") +
                 "; measure them by the same counter.");
     if (wanted.empty()) return costs.front();
+    if (wanted == "work") {
+        const auto work =
+            std::find_if(costs.begin(), costs.end(), [](const std::string& cost) { return cost != "ms"; });
+        if (work == costs.end())
+            throw Failure(Blame::check, "--cost work: these studies share no count of work; give ms.");
+        return *work;
+    }
     if (std::find(costs.begin(), costs.end(), wanted) != costs.end()) return wanted;
     const std::string why = wanted == "ms" ? ui::timesDifferText(timesDiffer(studies)).toStdString() + " Give"
                                            : "these studies do not share it; give";
     throw Failure(wanted == "ms" ? Blame::check : Blame::usage,
                   "--cost " + wanted + ": " + why + " one of " + listed(costs) + '.');
+}
+
+/// By this cost, then by time and by the most telling count of work, as far as these are others.
+std::vector<StudyComparison> comparisons(const std::vector<KeptStudy>& studies, const std::string& cost)
+{
+    std::vector<std::string> costs{cost};
+    bool hasWork = cost != "ms";
+    for (const std::string& each : sharedCosts(studies)) {
+        if (each == cost || (each != "ms" && hasWork)) continue;
+        hasWork = hasWork || each != "ms";
+        costs.push_back(each);
+    }
+    std::vector<StudyComparison> all;
+    for (const std::string& each : costs) all.push_back(compareStudies(studies, labelsOf(studies), each));
+    return all;
 }
 
 void printDifferences(const StudyComparison& comparison)
@@ -81,8 +103,9 @@ int compareStudyFiles(const ComparisonOptions& options)
 {
     requireStudyComparisonFolder(options.out);
     const std::vector<KeptStudy> studies = readAll(options.files);
-    const StudyComparison comparison = compareStudies(studies, labelsOf(studies), costOf(studies, options.cost));
-    writeStudyComparisonFolder(options.out, studies, comparison);
+    const std::vector<StudyComparison> all = comparisons(studies, costOf(studies, options.cost));
+    const StudyComparison& comparison = all.front();
+    writeStudyComparisonFolder(options.out, studies, all);
     printDifferences(comparison);
     if (const QString why = ui::timesDifferText(timesDiffer(studies)); !why.isEmpty())
         std::printf("%s\n", why.toStdString().c_str());
@@ -103,7 +126,10 @@ void addCompareStudiesCommand(CLI::App& parser, Action& chosen)
         ->add_option("files", options->files, "Two or more study.json, of which the first is what the others stand to")
         ->required()
         ->expected(1, -1);
-    command->add_option("--cost", options->cost, "ms, or a counter such as evaluations; without it the most telling");
+    command->add_option(
+        "--cost", options->cost,
+        "Costs that are compared: ms, work (the most telling count), or a counter such as evaluations; by "
+        "default ms if the times can be compared. The page shows time and work");
     command->add_option("--out", options->out, "The folder of the page; one that holds a comparison is replaced")
         ->required();
     command->callback([&chosen, options] { chosen = [options] { return compareStudyFiles(*options); }; });

@@ -2,6 +2,7 @@
 
 #include "app/html_text.h"
 #include "app/part_folder.h"
+#include "app/study/cost_switch.h"
 #include "app/study/offscreen_charts.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
@@ -34,9 +35,9 @@ std::string studiesTable(const std::vector<KeptStudy>& studies, const StudyCompa
     return text + "</tbody></table></div>\n";
 }
 
-std::string differencesTable(const StudyComparison& comparison)
+std::string differencesTable(const StudyComparison& comparison, const PageCost& cost)
 {
-    std::string text = "<div class=\"sheet scroll\"><table><thead><tr>";
+    std::string text = "<div class=\"sheet scroll\"" + shownWith(cost) + "><table><thead><tr>";
     for (const QString& column : ui::differenceColumns(comparison))
         text += "<th>" + escaped(column.toStdString()) + "</th>";
     text += "</tr></thead><tbody>\n";
@@ -49,25 +50,38 @@ std::string differencesTable(const StudyComparison& comparison)
     return text + "</tbody></table></div>\n";
 }
 
-std::string comparisonPage(const std::vector<KeptStudy>& studies, const StudyComparison& comparison,
-                           const std::string& svg)
+/// A comparison by one cost, as the page shows it.
+struct ComparisonSheet {
+    StudyComparison comparison;
+    PageCost cost;
+    std::string svg;
+};
+
+std::string comparisonPage(const std::vector<KeptStudy>& studies, const std::vector<ComparisonSheet>& sheets)
 {
     std::string names;
-    for (const ComparedCurve& curve : comparison.curves) names += (names.empty() ? "" : ", ") + curve.label;
+    for (const ComparedCurve& curve : sheets.front().comparison.curves)
+        names += (names.empty() ? "" : ", ") + curve.label;
     std::string page = pageHead(names);
     page += "<h1>" + escaped("What accuracy costs: " + names) + "</h1>\n";
     if (const QString why = ui::timesDifferText(timesDiffer(studies)); !why.isEmpty())
         page += "<p class=\"law\">" + escaped(why.toStdString()) + "</p>\n";
     page +=
-        "<p class=\"dim\">Costs: " + escaped(ui::comparedCostTitle(comparison.cost).toStdString()) +
-        ". Errors: " + escaped(std::string(title(comparison.metric))) +
+        "<p class=\"dim\">Errors: " + escaped(std::string(title(sheets.front().comparison.metric))) +
         ", over all views; bars reach from the lowest view to the worst. Between two settings of a front, costs and "
         "errors are taken on logarithmic scales; beyond its ends nothing is said.</p>\n";
-    // The drawing alone: within HTML there is no place for an XML declaration.
-    const std::size_t start = svg.find("<svg");
-    page += "<div class=\"sheet\"><div class=\"chart\">" +
-            (start == std::string::npos ? std::string() : svg.substr(start)) + "</div></div>\n";
-    return page + studiesTable(studies, comparison) + differencesTable(comparison) + "</body>\n</html>\n";
+    std::vector<PageCost> costs;
+    for (const ComparisonSheet& sheet : sheets) costs.push_back(sheet.cost);
+    page += "<div class=\"sheet\">" + costButtons(costs);
+    for (const ComparisonSheet& sheet : sheets) {
+        // The drawing alone: within HTML there is no place for an XML declaration.
+        const std::size_t start = sheet.svg.find("<svg");
+        page += "<div class=\"chart\"" + shownWith(sheet.cost) + ">" +
+                (start == std::string::npos ? std::string() : sheet.svg.substr(start)) + "</div>";
+    }
+    page += "</div>\n" + studiesTable(studies, sheets.front().comparison);
+    for (const ComparisonSheet& sheet : sheets) page += differencesTable(sheet.comparison, sheet.cost);
+    return page + costScript(costs) + "</body>\n</html>\n";
 }
 
 }  // namespace
@@ -78,21 +92,29 @@ void requireStudyComparisonFolder(const std::filesystem::path& folder)
 }
 
 void writeStudyComparisonFolder(const std::filesystem::path& folder, const std::vector<KeptStudy>& studies,
-                                const StudyComparison& comparison)
+                                const std::vector<StudyComparison>& comparisons)
 {
     requireStudyComparisonFolder(folder);
     prepareOffscreenCharts();
+    std::vector<ComparisonSheet> sheets;
+    for (const StudyComparison& comparison : comparisons) {
+        ui::ComparisonChart chart;
+        chart.setComparison(comparison);
+        sheets.push_back({comparison,
+                          {comparison.cost, ui::comparedCostTitle(comparison.cost).toStdString(), sheets.empty()},
+                          chart.svg(studyChartSize).toStdString()});
+    }
+    const StudyComparison& first = comparisons.front();
     ui::ComparisonChart chart;
-    chart.setComparison(comparison);
+    chart.setComparison(first);
     const QByteArray png = ui::pngOf(chart.picture(studyChartSize, studyChartScale));
-    const std::string svg = chart.svg(studyChartSize).toStdString();
     requireChart(png, folder);
-    const PartFolder part(folder);
-    render::atomicWrite(part.path() / "study-comparison.json", render::writeJson(comparisonJson(studies, comparison)));
-    render::atomicWrite(part.path() / "study-comparison.csv", comparisonCsv(comparison));
-    render::atomicWrite(part.path() / "chart.svg", svg);
+    PartFolder part(folder);
+    render::atomicWrite(part.path() / "study-comparison.json", render::writeJson(comparisonJson(studies, first)));
+    render::atomicWrite(part.path() / "study-comparison.csv", comparisonCsv(first));
+    render::atomicWrite(part.path() / "chart.svg", sheets.front().svg);
     render::atomicWrite(part.path() / "chart.png", png.toStdString());
-    render::atomicWrite(part.path() / "index.html", comparisonPage(studies, comparison, svg));
+    render::atomicWrite(part.path() / "index.html", comparisonPage(studies, sheets));
     part.publish();
 }
 

@@ -63,12 +63,18 @@ std::vector<StudyPagePoint> writePictures(const fs::path& folder, Subjects subje
         }
     }
     for (std::size_t i = 0; i < result.points.size(); ++i)
-        points.push_back(
-            {pointText(subjects, study.request(), result.points[i]), isShown(study.request(), result, i), {}});
+        points.push_back({settingText(settingParts(subjects, study.request(), result.points[i])),
+                          isShown(study.request(), result, i)});
     return points;
 }
 
 }  // namespace
+
+CostAxis chartCosts(const StudyResult& result, std::optional<CostAxis> asked)
+{
+    if (asked) return *asked;
+    return result.workName.empty() ? CostAxis::time : usualCostAxis(result.clockTrusted);
+}
 
 void requireStudyFolder(const fs::path& folder)
 {
@@ -76,37 +82,46 @@ void requireStudyFolder(const fs::path& folder)
 }
 
 void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& study, const render::Json& machine,
-                      const std::string& presetText)
+                      const std::string& presetText, CostAxis costs)
 {
     requireStudyFolder(folder);
     const StudyRequest& request = study.request();
     const StudyResult& result = study.result();
-    const PartFolder part(folder);
+    PartFolder part(folder);
     std::vector<StudyPagePoint> points = writePictures(part.path() / "pictures", subjects, study);
 
     prepareOffscreenCharts();
-    ui::StudyChart chart;
-    chart.setTitles(
-        QString::fromStdString(costTitle(result.costName) +
-                               (result.costName == "ms" ? " of a frame, " + result.clock : " in all views")),
-        QString::fromStdString(std::string(title(request.metric))));
-    chart.setPoints(ui::chartPoints(subjects, request, result));
-    const QByteArray png = ui::pngOf(chart.picture(studyChartSize, studyChartScale));
-    const QByteArray svg = chart.svg(studyChartSize);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const QPointF at = chart.placeOf(i);
-        points[i].place = {at.x(), at.y()};
+    std::vector<StudyPageChart> charts;
+    QByteArray png;
+    std::string svg;
+    for (const CostAxis axis : {CostAxis::time, CostAxis::work}) {
+        const std::string name = costsAlong(axis, request, result).name;
+        if (axis != costs && name.empty()) continue;  // It would have no point.
+        ui::StudyChart chart;
+        chart.showStudy(ui::charted(subjects, request, result, axis));
+        const std::string words = axis == CostAxis::time ? "milliseconds" : "counted work: " + costTitle(name);
+        StudyPageChart made{axis, chart.svg(studyChartSize).toStdString(), {}, {name, words, axis == costs}};
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const QPointF at = chart.placeOf(i);
+            const bool shown = chart.points()[i].cost > 0;
+            made.places.push_back(shown ? std::optional(glm::dvec2(at.x(), at.y())) : std::nullopt);
+        }
+        if (made.cost.shown) {
+            svg = made.svg;
+            png = ui::pngOf(chart.picture(studyChartSize, studyChartScale));
+            requireChart(png, folder);
+        }
+        charts.push_back(std::move(made));
     }
-    requireChart(png, folder);
 
     const render::Json json = studyJson(subjects, request, result, machine);
     render::atomicWrite(part.path() / "study.json", render::writeJson(json));
     render::atomicWrite(part.path() / "study.csv", studyCsv(subjects, request, result));
-    render::atomicWrite(part.path() / "chart.svg", svg.toStdString());
+    render::atomicWrite(part.path() / "chart.svg", svg);
     render::atomicWrite(part.path() / "chart.png", png.toStdString());
-    render::atomicWrite(part.path() / "index.html",
-                        studyPage(subjects, request, result, svg.toStdString(),
-                                  {studyChartSize.width(), studyChartSize.height()}, points));
+    render::atomicWrite(
+        part.path() / "index.html",
+        studyPage(subjects, request, result, charts, {studyChartSize.width(), studyChartSize.height()}, points));
     if (!presetText.empty()) render::atomicWrite(part.path() / "preset.json", presetText);
     part.publish();
 }

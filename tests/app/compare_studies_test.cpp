@@ -84,12 +84,18 @@ TEST_F(CompareStudies, OneChartOneTableOnePage)
         EXPECT_NE(page.find(part), std::string::npos) << part;
     EXPECT_NE(test::bytesOf(out_ + "/study-comparison.csv").find("\ntolerance,"), std::string::npos);
 
-    // The same bytes again, in place of the old ones; what their own fronts go by where nothing is asked for, and times
-    // where they are.
+    // The page has the times, too.
+    for (const char* part : {"milliseconds of a picture", "<button data-cost=\"ms\"", "data-with-cost=\"ms\" hidden"})
+        EXPECT_NE(page.find(part), std::string::npos) << part;
+
+    // The same bytes again, in place of the old ones; times where the clock is trusted and nothing is asked for.
     ASSERT_EQ(compare(file("tolerance"), file("steps"), {"--cost", "evaluations"}).code, 0);
     EXPECT_EQ(test::bytesOf(out_ + "/index.html"), page);
     ASSERT_EQ(compare(file("tolerance"), file("steps")).code, 0);
-    EXPECT_EQ(render::readJson(out_ + "/study-comparison.json").root()["cost"], study["cost"]);
+    EXPECT_EQ(render::readJson(out_ + "/study-comparison.json").root()["cost"],
+              study["clock"]["trusted"].get<bool>() ? "ms" : "evaluations");
+    ASSERT_EQ(compare(file("tolerance"), file("steps"), {"--cost", "work"}).code, 0);
+    EXPECT_EQ(render::readJson(out_ + "/study-comparison.json").root()["cost"], "evaluations");
     ASSERT_EQ(compare(file("tolerance"), file("steps"), {"--cost", "ms"}).code, 0);
     EXPECT_EQ(render::readJson(out_ + "/study-comparison.json").root()["cost"], "ms");
 }
