@@ -1,9 +1,11 @@
 #include "ui/lessons/lesson_desk.h"
 
 #include "exhibits/museum/museum.h"
+#include "exhibits/study/study_text.h"
 #include "render/plan/render_backend.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
+#include "ui/kit/numbers.h"
 #include "ui/kit/text.h"
 #include "ui/lessons/lesson_bar.h"
 #include "ui/model/history.h"
@@ -24,17 +26,6 @@ namespace {
 QString words(const std::string& s)
 {
     return QString::fromStdString(s);
-}
-
-/// "march steps" for "marchSteps".
-QString counterWords(const std::string& name)
-{
-    QString result;
-    for (const QChar c : words(name)) {
-        if (c.isUpper()) result += QLatin1Char(' ');
-        result += c.toLower();
-    }
-    return result;
 }
 
 /// Paragraphs, **bold** and what `withLabels` marked.
@@ -74,6 +65,7 @@ LessonDesk::LessonDesk(Workbench& window, QObject* parent) : QObject(parent), wi
     addActions();
     bar_ = new LessonBar(*this);
     connect(&window.viewport(), &Viewport::drawn, this, &LessonDesk::noteFrame);
+    connect(&window.viewport(), &Viewport::looked, this, &LessonDesk::show);
     connect(&window.history(), &History::changed, this, &LessonDesk::show);
     connect(&window.history(), &History::replaced, this, &LessonDesk::show);
     show();
@@ -135,9 +127,11 @@ void LessonDesk::open(const QString& path)
 {
     try {
         load(path);
+        window_.setProblems(openingOf(path), {});
         emit opened(path);
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, messageOf(failure));
+        window_.setProblems(openingOf(path), {});
+        window_.setProblems(openingOf(path), {messageOf(failure)});
     }
 }
 
@@ -241,16 +235,19 @@ void LessonDesk::noteFrame(const render::FrameReport& report, const QSize& pixel
 {
     const LessonNumber* number = asked(place_.page);
     if (!number || number->of == LessonNumber::Of::row) return;
-    // While something moves, pictures are smaller, and their numbers tell nothing.
+    // A picture of the settings before may arrive after the change, and a partial one counts only a part of the work.
     const Viewport& viewport = window_.viewport();
+    const long long sceneState = viewport.drawnSceneState();
+    if (report.unfinished || sceneState != viewport.sceneStateNumber()) return;
+    // While something moves, pictures are smaller, and their numbers tell nothing.
     if (pixels != (QSizeF(viewport.size()) * viewport.devicePixelRatioF()).toSize()) return;
-    const QLocale plain = QLocale::c();
+    const QLocale plain = numberLocale();
     if (number->of == LessonNumber::Of::milliseconds) {
-        numbers_[place_.page] = tr("%1 ms").arg(plain.toString(report.milliseconds, 'f', 1));
+        numbers_[place_.page] = {tr("%1 ms").arg(plain.toString(report.milliseconds, 'f', 1)), sceneState};
     } else {
         const auto found = report.counters.find(number->name);
         if (found == report.counters.end()) return;
-        numbers_[place_.page] = plain.toString(static_cast<qlonglong>(found->second));
+        numbers_[place_.page] = {plain.toString(static_cast<qlonglong>(found->second)), sceneState};
     }
     show();
 }
@@ -258,7 +255,7 @@ void LessonDesk::noteFrame(const render::FrameReport& report, const QSize& pixel
 QString LessonDesk::nameOf(const LessonNumber& number) const
 {
     switch (number.of) {
-    case LessonNumber::Of::counter: return counterWords(number.name);
+    case LessonNumber::Of::counter: return said(costTitle(number.name));
     case LessonNumber::Of::milliseconds: return tr("time of a picture");
     case LessonNumber::Of::row: break;
     }
@@ -278,11 +275,12 @@ QString LessonDesk::numberText() const
                    : QString();
     }
     const auto now = numbers_.find(place_.page);
-    QString line = tr("Read: %1 %2").arg(nameOf(*number), now == numbers_.end() ? QStringLiteral("…") : now->second);
+    const bool isCurrent = now != numbers_.end() && now->second.sceneState == window_.viewport().sceneStateNumber();
+    QString line = tr("Read: %1 %2").arg(nameOf(*number), isCurrent ? now->second.text : QStringLiteral("…"));
     const LessonNumber* before = asked(place_.page - 1);
     const auto then = numbers_.find(place_.page - 1);
     if (before && before->of == number->of && before->name == number->name && then != numbers_.end())
-        line += tr(", in the step before %1").arg(then->second);
+        line += tr(", in the step before %1").arg(then->second.text);
     return line;
 }
 

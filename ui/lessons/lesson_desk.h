@@ -55,7 +55,8 @@ public:
     [[nodiscard]] std::size_t page() const { return place_.page; }
     /// The text of the page as rich text, its rows as links: "row:samples".
     [[nodiscard]] QString pageText() const;
-    /// The number that the step asks the reader to look up, and what it was in the step before; empty: none.
+    /// The number that the step asks the reader to look up, and what it was in the step before; empty: none. An
+    /// ellipsis takes its place until the settings on show are drawn at full resolution.
     [[nodiscard]] QString numberText() const;
 
 signals:
@@ -97,7 +98,12 @@ private:
     QAction* next_ = nullptr;
     QAction* back_ = nullptr;
     QAction* leave_ = nullptr;
-    std::map<std::size_t, QString> numbers_;  // Read last, by page, of the lesson that is open.
+    /// A number as it was read, and the scene state that it was read of (`Viewport::sceneStateNumber`).
+    struct ReadNumber {
+        QString text;
+        long long sceneState = 0;
+    };
+    std::map<std::size_t, ReadNumber> numbers_;  ///< Read last, by page of the lesson that is open.
 };
 
 }  // namespace vitrine::ui

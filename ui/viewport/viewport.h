@@ -92,6 +92,10 @@ public:
     /// What the last whole picture on the screen was asked for as.
     [[nodiscard]] const FrameRequest& shownRequest() const { return shownRequest_; }
     [[nodiscard]] const DrawOrder& shownOrder() const { return shownOrder_; }
+    /// Number of the scene state on show: grows with every change of values, camera or size.
+    [[nodiscard]] long long sceneStateNumber() const { return sceneStateNumber_; }
+    /// The same of the picture that `drawn` told of last, which may be an older one.
+    [[nodiscard]] long long drawnSceneState() const { return drawnState_; }
     /// What the present picture is asked for as.
     [[nodiscard]] FrameRequest presentRequest() const { return request(time_); }
     /// While on, what moves in a picture that stands still is not drawn by itself, but with all of it: for those who

@@ -2,6 +2,7 @@
 
 #include "exhibits/exhibits.h"
 #include "exhibits/hall/hall_table.h"
+#include "exhibits/museum/museum.h"
 #include "render/files/assets.h"
 #include "render/files/read_file.h"
 #include "render/text/translation.h"
@@ -11,9 +12,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <map>
 #include <regex>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -75,6 +80,40 @@ TEST_F(ShippedLessons, EveryStepShowsSomethingElseAndNamesARowOrANumber)
                 << exhibit->name() << ", line " << step.line << ": the same as the step before";
         }
     }
+}
+
+/// A counter that only the graphics card knows, such as of samples that stay, says little of what was done.
+TEST_F(ShippedLessons, CountersThatAreReadCountTheWorkThatIsPlanned)
+{
+    const Museum museum(allExhibits());
+    std::map<std::string, std::vector<std::int64_t>> counts;  // By exhibit, step by step.
+    for (const auto& [index, exhibit] : museum.exhibits()) {
+        const std::string name(exhibit.name());
+        const Lesson lesson = readLesson(shippedLesson(name), tables_);
+        for (const LessonStep& step : lesson.steps) {
+            if (!step.read || step.read->of != LessonNumber::Of::counter) continue;
+            SceneState state = museum.initialSceneState();
+            state.values[index] = step.values;
+            for (const auto& [row, value] : step.hall) state.hall().setRow(row, value);
+            FrameRequest frame;
+            frame.camera = step.camera ? *step.camera : museum.bestView(index, step.values);
+            frame.raster.size = {64, 36};
+            const render::FramePlan plan = museum.plan(museum.prepare(state, frame), frame);
+            std::int64_t count = 0;
+            for (const render::Pass& pass : plan.passes())
+                if (const auto found = pass.counts.find(step.read->name); found != pass.counts.end())
+                    count += found->second;
+            EXPECT_GT(count, 0) << name << ", line " << step.line << ": " << step.read->name;
+            counts[name].push_back(count);
+        }
+    }
+    // "Now an eighth of the steps", and the taps of 3 and 5 tap.
+    ASSERT_EQ(counts["crepuscular_rays"].size(), 2U);
+    EXPECT_EQ(counts["crepuscular_rays"][0], 8 * counts["crepuscular_rays"][1]);
+    ASSERT_EQ(counts["pixel_art"].size(), 3U);
+    EXPECT_EQ(5 * counts["pixel_art"][0], 3 * counts["pixel_art"][1]);
+    EXPECT_GT(counts["pixel_art"][2], counts["pixel_art"][1]);
+    EXPECT_EQ(counts.count("fur"), 0U);
 }
 
 /// What stands between ``` and ```, marks and all, in order.

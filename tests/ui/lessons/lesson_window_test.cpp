@@ -14,10 +14,16 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScopeGuard>
 #include <QTextBlock>
 #include <QTextBrowser>
 #include <QTextDocument>
 #include <QToolButton>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -120,6 +126,44 @@ private slots:
         QCOMPARE(window_->chosen(), hallIndex);
         QVERIFY(window_->history().sceneState() == before);
         QCOMPARE(window_->history().stack().count(), steps + 5);
+    }
+
+    void aNumberIsShownOnlyOnceThePictureOfTheStepIsDrawn()
+    {
+        const QString path =
+            write("numbers.md", "## Rough\nText.\n```json\n{\"values\": {\"roughness\": 0.9}, \"read\": "
+                                "\"milliseconds\"}\n```\n"
+                                "## Smooth\nText.\n```json\n{\"values\": {\"roughness\": 0.1}, \"read\": "
+                                "\"milliseconds\"}\n```\n");
+        desk().open(path);
+        desk().next();
+        QTRY_VERIFY(says("Read: time of a picture 43.8 ms"));
+        settle();
+        // From here on every picture waits, so that those of the step before are the last.
+        const auto go = std::make_shared<std::atomic<bool>>(false);
+        const auto goOn = qScopeGuard([go] { *go = true; });
+        gallery_->beforeDrawing = [go](const FrameRequest&, const Renderers::Unwanted&) {
+            while (!*go) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        };
+        desk().next();
+        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
+        QTest::qWait(50);
+        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
+        QVERIFY(says("in the step before 43.8 ms"));
+        *go = true;
+        QTRY_VERIFY(says("Read: time of a picture 43.8 ms"));
+        // The same where a visitor changes a value within a step, and where he comes back to it.
+        settle();
+        *go = false;
+        window_->history().set(1, *window_->history().sceneState().values[1].table().find("roughness"), 0.5,
+                               newGesture());
+        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
+        desk().back();
+        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
+        *go = true;
+        QTRY_VERIFY(says("Read: time of a picture 43.8 ms"));
+        settle();
+        gallery_->beforeDrawing = nullptr;
     }
 
     void undoLeadsThroughTheLesson()
