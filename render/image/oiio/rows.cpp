@@ -2,6 +2,7 @@
 
 #include "render/image/oiio/guarded.h"
 #include "render/image/oiio/unlimited.h"
+#include "render/image/oiio/write.h"
 
 #include <OpenImageIO/imageio.h>
 
@@ -66,6 +67,7 @@ std::string openRowsWithOiio(const OiioRowTarget& target, std::unique_ptr<OiioRo
     spec.attribute("XResolution", static_cast<float>(target.dpiX));
     spec.attribute("YResolution", static_cast<float>(target.dpiY));
     spec.attribute("ResolutionUnit", "in");
+    spec.attribute("DateTime", timelessDate);
     spec.attribute("PixelAspectRatio", aspectFor(static_cast<float>(target.dpiX), static_cast<float>(target.dpiY)));
     if (!target.description.empty()) spec.attribute("ImageDescription", target.description);
     if (!target.profile.empty()) {

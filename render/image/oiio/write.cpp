@@ -47,8 +47,7 @@ OIIO::ImageSpec specFor(const StoredPicture& picture, const OiioTarget& target)
         spec.attribute("YResolution", static_cast<float>(target.pixelsPerInch));
         spec.attribute("ResolutionUnit", "in");
     }
-    // OpenImageIO would write the time of day; the same picture must give the same bytes.
-    spec.attribute("DateTime", "1970:01:01 00:00:00");
+    spec.attribute("DateTime", timelessDate);
     for (const auto& [key, text] : target.texts) spec.attribute(key, text);
     return spec;
 }
