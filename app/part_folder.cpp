@@ -2,7 +2,8 @@
 
 #include "render/failure.h"
 
-#include <unistd.h>
+#include <fcntl.h>
+#include <stdio.h>
 
 #include <utility>
 #include <vector>
@@ -42,43 +43,95 @@ bool keepForeign(const fs::path& from, const fs::path& to, bool picturesToo)
     return moved;
 }
 
+/// A folder in one that is not whole yet.
+constexpr const char* unfinishedMark = ".unfinished";
+
+/// Brings what somebody else put into the old content over to the new one, and removes the rest of the old.
+void dissolve(const fs::path& old, const fs::path& target)
+{
+    std::error_code error;
+    const bool pictures = fs::is_directory(old / "pictures", error);
+    if (keepForeign(old, target, true) && (!pictures || keepForeign(old / "pictures", target / "pictures", false)))
+        fs::remove_all(old, error);
+}
+
+/// What killed processes left beside the target: unfinished folders go. A whole one is the content that the target is
+/// to have, where it has none, and else its old content.
+void clearBeside(const fs::path& target)
+{
+    const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
+    std::vector<fs::path> left;
+    std::error_code error;
+    for (const char* kind : {"part", "old"})
+        for (fs::directory_iterator entry(parent, error), end; !error && entry != end; entry.increment(error)) {
+            const std::string name = entry->path().filename().string();
+            if (name.starts_with(target.filename().string() + '.' + kind + '-') && render::isLeftBehind(name, kind))
+                left.push_back(entry->path());
+        }
+    for (const fs::path& folder : left) {
+        if (fs::exists(folder / unfinishedMark, error))
+            fs::remove_all(folder, error);
+        else if (!fs::exists(target, error))
+            fs::rename(folder, target, error);
+        else
+            dissolve(folder, target);
+    }
+}
+
+/// Puts each folder in the other's place, in one step. False where the file system cannot.
+bool exchanged(const fs::path& a, const fs::path& b)
+{
+    return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;
+}
+
 }  // namespace
 
-PartFolder::PartFolder(fs::path target) : target_(std::move(target)), part_(target_)
+PartFolder::PartFolder(fs::path target) : target_(std::move(target))
 {
-    if (!part_.has_filename()) part_ = target_ = target_.parent_path();  // "DIR/" is DIR.
-    part_ += ".part-" + std::to_string(getpid());
+    if (!target_.has_filename()) target_ = target_.parent_path();  // "DIR/" is DIR.
+    clearBeside(target_);
+    part_ = target_;
+    part_ += render::partSuffix();
+    unfinished_.emplace(part_);
     std::error_code error;
     fs::create_directories(part_ / "pictures", error);
-    if (error)
+    if (!error) fs::create_directory(part_ / unfinishedMark, error);
+    if (error) {
+        std::error_code ignored;
+        fs::remove_all(part_, ignored);
         throw Failure(Blame::file, target_.string() + ": the folder cannot be made (" + error.message() +
                                        "); choose another with --out.");
+    }
 }
 
 PartFolder::~PartFolder()
 {
     std::error_code ignored;
-    fs::remove_all(part_, ignored);
+    if (unfinished_) fs::remove_all(part_, ignored);
 }
 
-void PartFolder::publish() const
+void PartFolder::publish()
 {
-    fs::path old = target_;
-    old += ".old-" + std::to_string(getpid());
+    const auto lock = render::unfinishedLock();
     std::error_code error;
     const bool replaces = fs::exists(target_, error);
-    if (replaces) fs::rename(target_, old, error);
-    if (!error) fs::rename(part_, target_, error);
-    if (error) {
-        std::error_code ignored;
-        if (replaces && fs::exists(old, ignored)) fs::rename(old, target_, ignored);
+    fs::path old = part_;
+    std::error_code ignored;
+    fs::remove(part_ / unfinishedMark, ignored);
+    if (!replaces) {
+        fs::rename(part_, target_, error);
+    } else if (!exchanged(part_, target_)) {
+        old = target_;
+        old += render::partSuffix("old");
+        fs::rename(target_, old, error);
+        if (!error) fs::rename(part_, target_, error);
+        if (error && fs::exists(old, ignored)) fs::rename(old, target_, ignored);
+    }
+    if (error)
         throw Failure(Blame::file, target_.string() + ": the folder cannot be put in place (" + error.message() +
                                        "); choose another with --out.");
-    }
-    if (!replaces) return;
-    const bool pictures = fs::is_directory(old / "pictures", error);
-    if (keepForeign(old, target_, true) && (!pictures || keepForeign(old / "pictures", target_ / "pictures", false)))
-        fs::remove_all(old, error);
+    unfinished_.reset();
+    if (replaces) dissolve(old, target_);
 }
 
 }  // namespace vitrine::app

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "render/files/unfinished.h"
+
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace vitrine::app {
@@ -10,11 +13,12 @@ namespace vitrine::app {
 void requireFolderFor(const std::filesystem::path& folder, const std::string& mark, const std::string& what);
 
 /// A folder beside the target that is gone again unless it took the target's place: the target holds all of the old
-/// content or all of the new. What somebody else put into it stays: all but files of the old content's names, and the
-/// pictures in pictures/.
+/// content or all of the new, at every moment where the file system can exchange two names. What somebody else put into
+/// it stays: all but files of the old content's names, and the pictures in pictures/.
 class PartFolder {
 public:
-    /// With a folder pictures/ in it. Throws Failure (Blame::file) when it cannot be made.
+    /// With a folder pictures/ in it. Clears what processes of this machine left beside the target when they were
+    /// killed. Throws Failure (Blame::file) when it cannot be made.
     explicit PartFolder(std::filesystem::path target);
     ~PartFolder();
     PartFolder(const PartFolder&) = delete;
@@ -22,10 +26,11 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return part_; }
     /// Throws Failure (Blame::file) when it cannot take the target's place, which is then as it was.
-    void publish() const;
+    void publish();
 
 private:
     std::filesystem::path target_, part_;
+    std::optional<render::Unfinished> unfinished_;
 };
 
 }  // namespace vitrine::app

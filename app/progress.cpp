@@ -1,31 +1,14 @@
 #include "app/progress.h"
 
-#include <sys/eventfd.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <csignal>
-#include <cstdint>
 #include <cstdio>
 
 namespace vitrine::app {
 namespace {
-
-volatile std::sig_atomic_t stopAsked = 0;
-volatile std::sig_atomic_t stopEvent = -1;  ///< The descriptor that wakes who waits.
-
-extern "C" void askToStop(int signal)
-{
-    const int error = errno;
-    stopAsked = 1;
-    const std::uint64_t one = 1;
-    if (stopEvent >= 0 && ::write(stopEvent, &one, sizeof one) < 0) stopEvent = -1;
-    std::signal(signal, SIG_DFL);
-    errno = error;
-}
 
 /// ", 2:05 left" after so many seconds; empty where that is not known yet.
 std::string timeLeft(double part, double seconds)
@@ -38,32 +21,6 @@ std::string timeLeft(double part, double seconds)
 }
 
 }  // namespace
-
-StopSignal::StopSignal()
-{
-    stopAsked = 0;
-    stopEvent = ::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
-    std::signal(SIGINT, askToStop);
-    std::signal(SIGTERM, askToStop);
-}
-
-StopSignal::~StopSignal()
-{
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
-    if (stopEvent >= 0) ::close(stopEvent);
-    stopEvent = -1;
-}
-
-int StopSignal::descriptor()
-{
-    return stopEvent;
-}
-
-bool StopSignal::stopped()
-{
-    return stopAsked != 0;
-}
 
 ProgressLine::ProgressLine(std::string what)
     : what_(std::move(what)), begun_(std::chrono::steady_clock::now()), shown_(begun_),

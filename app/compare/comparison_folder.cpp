@@ -98,7 +98,7 @@ void writeComparisonFolder(const std::filesystem::path& folder, Subjects subject
                            const ComparisonText& text)
 {
     requireComparisonFolder(folder);
-    const PartFolder part(folder);
+    PartFolder part(folder);
     const std::filesystem::path pictures = part.path() / "pictures";
     const ComparisonResult& result = comparison.result();
     for (std::size_t side = 0; side < 2; ++side)

@@ -4,8 +4,6 @@
 #include "render/failure.h"
 #include "render/image/image_io.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 
 namespace vitrine::app {
@@ -18,15 +16,29 @@ namespace fs = std::filesystem;
     throw Failure(Blame::file, "--save-views " + folder.string() + ": " + why + ".");
 }
 
+/// Removes unfinished views of processes that are no longer there.
+void clearViews(const fs::path& folder)
+{
+    std::vector<fs::path> left;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string name = entry->path().filename().string();
+        if (name.starts_with(".views.") && render::isLeftBehind(name)) left.push_back(entry->path());
+    }
+    for (const fs::path& part : left) fs::remove_all(part, error);
+}
+
 }  // namespace
 
 ViewFolder::ViewFolder(fs::path folder, std::string extension, int count)
-    : folder_(std::move(folder)), part_(folder_ / (".views-" + std::to_string(getpid()))),
+    : folder_(std::move(folder)), part_(folder_ / (".views" + render::partSuffix())), unfinished_(part_),
       extension_(std::move(extension)), digits_(count > 100 ? 3 : 2)
 {
     std::error_code error;
     made_ = fs::create_directory(folder_, error);
     if (error) refuse(folder_, "the folder cannot be made (" + error.message() + "); choose another");
+    if (made_) newFolder_.emplace(folder_, render::Unfinished::Content::onlyIfEmpty);
+    clearViews(folder_);
     std::vector<std::string> names;
     for (int k = 0; k < count; ++k) names.push_back(nameOf(k));
     for (const fs::path& file : printing::picturesIn(folder_)) {
@@ -64,6 +76,7 @@ void ViewFolder::add(int k, const render::Image& image, const std::string& prese
 
 void ViewFolder::publish()
 {
+    const auto lock = render::unfinishedLock();
     std::vector<fs::path> files;
     for (const fs::directory_entry& file : fs::directory_iterator(part_)) files.push_back(file.path());
     for (const fs::path& file : files) {

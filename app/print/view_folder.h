@@ -1,8 +1,10 @@
 #pragma once
 
+#include "render/files/unfinished.h"
 #include "render/image/image.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace vitrine::app {
@@ -13,7 +15,7 @@ class ViewFolder {
 public:
     /// `extension` is "png" or "jpg"; `count` views will come. Makes the folder when it is missing (not those that hold
     /// it). Throws Failure (Blame::file) when it cannot be made, or holds other pictures than views of these names:
-    /// they would be taken for views as well.
+    /// they would be taken for views as well. Clears what processes of this machine left there when they were killed.
     ViewFolder(std::filesystem::path, std::string extension, int count);
     /// Removes what was not published.
     ~ViewFolder();
@@ -27,7 +29,10 @@ public:
 private:
     [[nodiscard]] std::string nameOf(int k) const;
 
-    std::filesystem::path folder_, part_;
+    std::filesystem::path folder_;
+    std::optional<render::Unfinished> newFolder_;
+    std::filesystem::path part_;
+    render::Unfinished unfinished_;
     std::string extension_;
     int digits_ = 2;
     bool made_ = false;  ///< The folder is new, and empty as long as nothing is published.
