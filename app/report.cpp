@@ -1,7 +1,6 @@
 #include "app/report.h"
 
 #include "app/ledger_json.h"
-#include "render/files/atomic_write.h"
 #include "render/files/strict_json.h"
 #include "render/measure/memory.h"
 #include "render/plan/step_costs.h"
@@ -56,8 +55,8 @@ Json memoryJson(const render::gl::Renderer& renderer)
 
 }  // namespace
 
-void writeReport(const std::string& file, const Museum& museum, render::gl::Renderer& renderer,
-                 const render::gl::ContextInfo& gl, const RequestedPicture& job, const PictureMaker& maker)
+std::string reportText(const Museum& museum, render::gl::Renderer& renderer, const render::gl::ContextInfo& gl,
+                       const RequestedPicture& job, const PictureMaker& maker)
 {
     const FrameRequest frame = frameOf(job, renderer);
     const Prepared prepared = museum.prepare(job.sceneState, frame);
@@ -112,7 +111,7 @@ void writeReport(const std::string& file, const Museum& museum, render::gl::Rend
                     {"low", milliseconds.front()},
                     {"high", milliseconds.back()},
                     {"runs", timedRuns}}}};
-    render::atomicWrite(file, render::writeJson(report));
+    return render::writeJson(report);
 }
 
 }  // namespace vitrine::app

@@ -10,11 +10,10 @@
 
 namespace vitrine::app {
 
-/// Writes the ledger of a picture: what ran in its first frame and why, what was skipped and why, counters,
-/// and the time of a frame over several runs with everything kept already in place. Throws Failure
-/// (Blame::file) when the file cannot be written.
-void writeReport(const std::string& file, const Museum&, render::gl::Renderer&, const render::gl::ContextInfo&,
-                 const RequestedPicture&, const PictureMaker&);
+/// The frame report of a picture as JSON text: what ran in its first frame and why, what was skipped and why, counters,
+/// and the time of a frame over several runs with everything kept already in place.
+[[nodiscard]] std::string reportText(const Museum&, render::gl::Renderer&, const render::gl::ContextInfo&,
+                                     const RequestedPicture&, const PictureMaker&);
 
 using render::gl::machineJson;
 

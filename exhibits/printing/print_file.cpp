@@ -92,21 +92,25 @@ std::vector<std::filesystem::path> writeRaster(const PrintLayout& layout, const 
     const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
     const PrintSettings& settings = layout.settings();
     std::vector<std::filesystem::path> paths;
-    std::vector<std::unique_ptr<render::PictureStream>> streams;
+    std::vector<std::unique_ptr<render::PartFile>> parts;
     for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile) {
         paths.push_back(cuts.size() == 2 ? file.path : tilePath(file.path, tile));
         const render::StreamSpec spec{
             cuts[tile + 1] - cuts[tile], layout.height(), file.bits,    settings.dpiX, settings.dpiY, file.compression,
             layout.vertical(),           file.json,       file.profile, file.threads};
-        streams.push_back(std::make_unique<render::PictureStream>(paths.back(), spec));
+        render::PictureStream stream(paths.back(), spec);
         if (file.bits == 16)
-            writeColumns<std::uint16_t>(layout, source.sixteen, file, cuts[tile], cuts[tile + 1], *streams.back());
+            writeColumns<std::uint16_t>(layout, source.sixteen, file, cuts[tile], cuts[tile + 1], stream);
         else
-            writeColumns<std::uint8_t>(layout, source.eight, file, cuts[tile], cuts[tile + 1], *streams.back());
+            writeColumns<std::uint8_t>(layout, source.eight, file, cuts[tile], cuts[tile + 1], stream);
+        parts.push_back(stream.takePart());
     }
-    for (const auto& stream : streams) stream->publish();
-    if (!file.json.empty())
-        for (const std::filesystem::path& path : paths) render::atomicWrite(path.string() + ".json", file.json);
+    if (!file.json.empty()) {
+        for (const std::filesystem::path& path : paths)
+            parts.push_back(render::stagedFile(path.string() + ".json", file.json));
+        if (!file.report.empty()) parts.push_back(render::stagedFile(file.report, file.json));
+    }
+    render::publishAll(parts);
     return paths;
 }
 

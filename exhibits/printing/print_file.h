@@ -19,6 +19,7 @@ struct PrintFile {
     double tileWidth = 0;   ///< In millimeters: cut into files of about this width at cusps; 0: one file.
     std::string profile{};  ///< ICC profile of the views.
     std::string json{};
+    std::filesystem::path report{};  ///< Another place for the same JSON; empty: none.
     int threads = 1;  ///< That interlace, and as many more that deflate a PNG; the file is the same for any number.
     std::function<bool(double)> progress{};  ///< Told the part that is done, 0 to 1; false stops.
 };
@@ -34,8 +35,8 @@ struct RasterSource {
 
 /// Writes the raster in strips, the next one made while one is written, so that memory grows with its width
 /// only. With `tileWidth` the files are "name-1.tif", "name-2.tif", ..., from the left; all are put in place
-/// together at the end. Beside each lies "<file>.json". Returns the picture files.
-/// Throws Failure naming file and cause; then none is put in place.
+/// together at the end, with "<file>.json" beside each, which is the description inside it, and the report. Returns
+/// the picture files. Throws Failure naming file and cause; then none is put in place.
 std::vector<std::filesystem::path> writeRaster(const PrintLayout&, const RasterSource&, const PrintFile&);
 
 /// The same for the views' print.

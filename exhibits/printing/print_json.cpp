@@ -232,10 +232,12 @@ SavedSettings savedSettings(const std::string& text, const std::string& fileName
     return settings;
 }
 
-std::string settingsIn(const std::filesystem::path& path)
+std::string settingsIn(const std::filesystem::path& path, std::vector<std::string>* doubts)
 {
     if (render::lowerExtension(path) == ".json") return render::readFile(path, mostJsonBytes);
-    return printDescription(path).text();
+    PrintDescription description = printDescription(path);
+    if (doubts && !description.doubt.empty()) doubts->push_back(std::move(description.doubt));
+    return description.document.text();
 }
 
 }  // namespace vitrine::printing

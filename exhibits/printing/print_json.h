@@ -35,7 +35,8 @@ struct SavedSettings {
 };
 /// Reads a JSON that a print or `settingsText` wrote. Throws Failure naming file, line and key.
 [[nodiscard]] SavedSettings savedSettings(const std::string& text, const std::string& fileName);
-/// The JSON beside or inside a print, or of a file of settings. Throws Failure when there is none.
-[[nodiscard]] std::string settingsIn(const std::filesystem::path&);
+/// The JSON inside or beside a print, or of a file of settings. `doubts` takes `PrintDescription::doubt`. Throws
+/// Failure when there is none.
+[[nodiscard]] std::string settingsIn(const std::filesystem::path&, std::vector<std::string>* doubts = nullptr);
 
 }  // namespace vitrine::printing

@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <array>
-#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <memory>
@@ -131,7 +130,20 @@ int syncedFolder(const fs::path& folder, FileOps& ops)
 
 }  // namespace
 
-PartFile::PartFile(const fs::path& target, FileOps& ops) : target_(realTarget(target)), ops_(ops)
+namespace {
+
+/// Beside the target, hidden.
+fs::path partOf(const fs::path& target)
+{
+    const std::string suffix = partSuffix();
+    // File names end at 255 bytes; the target's own length is the system's to judge.
+    return folderOf(target) / ("." + target.filename().string().substr(0, 253 - suffix.size()) + suffix);
+}
+
+}  // namespace
+
+PartFile::PartFile(const fs::path& target, FileOps& ops)
+    : target_(realTarget(target)), part_(partOf(target_)), ops_(ops), unfinished_(part_)
 {
     struct stat status {};
     if (::stat(target_.c_str(), &status) == 0) {
@@ -141,10 +153,7 @@ PartFile::PartFile(const fs::path& target, FileOps& ops) : target_(realTarget(ta
     }
     const std::string name = target_.filename().string();
     if (name.empty() || name == "." || name == "..") refuse(target, "it names no file; choose a file name.");
-    // File names end at 255 bytes; the target's own length is the system's to judge.
-    static std::atomic<unsigned> counter{0};  // Two threads may write the same file.
-    const std::string suffix = ".part-" + std::to_string(::getpid()) + "-" + std::to_string(++counter);
-    part_ = folderOf(target_) / ("." + name.substr(0, 254 - suffix.size()) + suffix);
+    clearLeftBehind(folderOf(target_));
 }
 
 PartFile::~PartFile()
@@ -250,21 +259,18 @@ private:
 
 }  // namespace
 
-void atomicWriteAll(const std::vector<NamedBytes>& files, FileOps& ops)
+std::unique_ptr<PartFile> stagedFile(const fs::path& path, std::string_view bytes, FileOps& ops)
 {
-    std::vector<std::unique_ptr<PartFile>> parts;
-    unsigned long long all = 0;
-    for (const NamedBytes& file : files) {
-        parts.push_back(std::make_unique<PartFile>(file.path, ops));
-        all += file.bytes.size();
-    }
-    if (parts.empty()) return;
-    requireSpace(files.front().path, all, ops);
-    for (std::size_t i = 0; i < files.size(); ++i) {
-        writeAll(*parts[i], ops, files[i].bytes);
-        compareAll(*parts[i], ops, files[i].bytes);
-        parts[i]->prepare();
-    }
+    auto part = std::make_unique<PartFile>(path, ops);
+    writeAll(*part, ops, bytes);
+    compareAll(*part, ops, bytes);
+    return part;
+}
+
+void publishAll(std::span<const std::unique_ptr<PartFile>> parts, FileOps& ops)
+{
+    for (const auto& part : parts) part->prepare();
+    const auto lock = unfinishedLock();  // Who is stopped now is stopped before or after all of it.
     OldFiles old(ops);
     for (const auto& part : parts) old.keep(*part);
     std::size_t done = 0;
@@ -275,6 +281,17 @@ void atomicWriteAll(const std::vector<NamedBytes>& files, FileOps& ops)
         throw;
     }
     for (const auto& part : parts) part->syncFolder();
+}
+
+void atomicWriteAll(const std::vector<NamedBytes>& files, FileOps& ops)
+{
+    if (files.empty()) return;
+    unsigned long long all = 0;
+    for (const NamedBytes& file : files) all += file.bytes.size();
+    requireSpace(files.front().path, all, ops);
+    std::vector<std::unique_ptr<PartFile>> parts;
+    for (const NamedBytes& file : files) parts.push_back(stagedFile(file.path, file.bytes, ops));
+    publishAll(parts, ops);
 }
 
 void atomicWriteMakingFolder(const fs::path& path, std::string_view bytes, FileOps& ops)

@@ -1,8 +1,11 @@
 #pragma once
 
 #include "render/files/file_ops.h"
+#include "render/files/unfinished.h"
 
 #include <filesystem>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,8 +14,9 @@ namespace vitrine::render {
 
 /// Replaces the content of `path` by `bytes`, or leaves it as it was: afterwards the file holds either all
 /// of the old content or all of the new. Keeps the mode of an existing file; of a symbolic link it replaces
-/// the file that the link names. Writes `.<name>.part-<pid>-<n>` beside it, reads that back and compares,
-/// renames it, and asks the disk to keep both (fsync of file and folder).
+/// the file that the link names. Writes `.<name>.part-<mark>-<pid>-<n>` beside it (`partSuffix`), reads that back and
+/// compares, renames it, and asks the disk to keep both (fsync of file and folder). Part files that processes of this
+/// machine left there when they were killed are removed.
 ///
 /// Throws Failure naming file and cause when any of that fails, after removing the part file. The old
 /// content then stands, except when only the last step, the fsync of the folder, failed: the message says so.
@@ -32,6 +36,15 @@ struct NamedBytes {
 /// after another; where one cannot be renamed, those before it get their old content back, by a hard link that was kept
 /// (not on file systems without such links). Throws Failure naming the file and the cause.
 void atomicWriteAll(const std::vector<NamedBytes>&, FileOps& = systemFileOps());
+
+class PartFile;
+
+/// A file beside `path` that holds these bytes, read back and compared, to be published. Throws as `atomicWrite`.
+[[nodiscard]] std::unique_ptr<PartFile> stagedFile(const std::filesystem::path& path, std::string_view bytes,
+                                                   FileOps& = systemFileOps());
+
+/// Publishes files that were written, as `atomicWriteAll` does: after a failure all hold their old content.
+void publishAll(std::span<const std::unique_ptr<PartFile>>, FileOps& = systemFileOps());
 
 /// Throws Failure unless the folder of `target` has 1.1 times `bytes` free.
 void requireSpace(const std::filesystem::path& target, unsigned long long bytes, FileOps& = systemFileOps());
@@ -65,6 +78,7 @@ private:
     std::filesystem::path part_;
     FileOps& ops_;
     bool published_ = false;
+    Unfinished unfinished_;
 };
 
 }  // namespace vitrine::render

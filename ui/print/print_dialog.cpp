@@ -9,6 +9,7 @@
 #include "ui/kit/replace_question.h"
 #include "ui/kit/scroll_room.h"
 #include "ui/kit/type_size.h"
+#include "ui/kit/window_place.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/print/eyes_preview.h"
 #include "ui/print/print_export_bar.h"
@@ -39,6 +40,18 @@ constexpr int panelWidth = 376;
 QString placesPath()
 {
     return QString::fromStdString((stateFolder() / "print.ini").string());
+}
+
+/// Cause of the problems of an export: they leave with the next one.
+QString printExportCause()
+{
+    return QStringLiteral("export");
+}
+
+/// Cause of the problems of reading or rendering views.
+QString printViewsCause()
+{
+    return QStringLiteral("views");
 }
 
 QStringList localFiles(const QMimeData& data)
@@ -121,16 +134,17 @@ QWidget* PrintDialog::buildRight()
 
 void PrintDialog::build(bool canShow)
 {
-    messages_ = new MessageStrip(this);
     auto* sides = new QHBoxLayout;
     sides->setContentsMargins(0, 0, 0, 0);
     sides->setSpacing(8);
     sides->addWidget(buildLeft(canShow));
-    sides->addWidget(buildRight(), 1);
+    QWidget* right = buildRight();
+    sides->addWidget(right, 1);
+    messages_ = new MessageStrip(this);
+    messages_->lieOver(right);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(messages_);
     layout->addLayout(sides, 1);
     resize(1200, 680);  // With a title bar it fits 1280 x 720.
 }
@@ -156,7 +170,8 @@ void PrintDialog::connectSetup()
         setup_.change(tr("Change where the views come from"), state);
     });
     connect(source_, &SourceBar::filesChosen, this, &PrintDialog::open);
-    connect(sheets_, &SheetBar::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    connect(sheets_, &SheetBar::failed, this,
+            [this](const QString& why) { messages_->setProblems(QStringLiteral("sheets"), {why}); });
     connect(numbers_, &PrintNumbersView::fitAsked, this, [this](double strength) {
         ParameterValues values = this->values();
         values.set(printing::printTable().baselineScale, strength);
@@ -168,17 +183,21 @@ void PrintDialog::connectViews()
 {
     connect(source_, &SourceBar::renderAsked, this, [this] { loader_.load(setup_.state()); });
     connect(&loader_, &ViewLoader::said, source_, &SourceBar::say);
-    connect(&loader_, &ViewLoader::changed, this, &PrintDialog::refresh);
+    connect(&loader_, &ViewLoader::changed, this, [this] {
+        messages_->setProblems(printViewsCause(), {});
+        refresh();
+    });
     connect(&loader_, &ViewLoader::progressed, this,
             [this](double part, double secondsLeft) { export_->showProgress(part, secondsLeft); });
     connect(&loader_, &ViewLoader::readyForPrint, this, [this] { write(loader_.views()); });
     connect(&loader_, &ViewLoader::failed, this, [this](const QString& why) {
-        say(MessageStrip::Mood::problem, why);
+        messages_->setProblems(printViewsCause(), {why});
         if (exporting_) endExport(tr("Nothing was written."));
         refresh();
     });
     for (NewestJob* job : {&preview_, &count_})
-        connect(job, &NewestJob::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+        connect(job, &NewestJob::failed, this,
+                [this](const QString& why) { messages_->setProblems(QStringLiteral("preview"), {why}); });
 }
 
 void PrintDialog::connectExport()
@@ -192,14 +211,14 @@ void PrintDialog::connectExport()
     connect(&write_, &ProgressJob::stopped, this, [this] { endExport(tr("Canceled; no file was written.")); });
     connect(&write_, &ProgressJob::failed, this, [this](const QString& why) {
         endExport(tr("Nothing was written."));
-        say(MessageStrip::Mood::problem, why);
+        messages_->setProblems(printExportCause(), {why});
     });
 }
 
 void PrintDialog::recall()
 {
     const QSettings places(placesPath(), QSettings::IniFormat);
-    restoreGeometry(places.value(QStringLiteral("geometry")).toByteArray());
+    restorePlace(*this, places.value(QStringLiteral("geometry")).toByteArray());
     QString folder = places.value(QStringLiteral("folder")).toString();
     if (folder.isEmpty() || !QDir(folder).exists())
         folder = QStandardPaths::writableLocation(QStandardPaths::PicturesLocation);
@@ -226,9 +245,10 @@ bool PrintDialog::trySaying(const std::function<void()>& work)
 {
     try {
         work();
+        messages_->setProblems(QStringLiteral("settings"), {});
         return true;
     } catch (const std::exception& failure) {
-        say(MessageStrip::Mood::problem, said(failure.what()));
+        messages_->setProblems(QStringLiteral("settings"), {said(failure.what())});
         return false;
     }
 }
@@ -340,10 +360,15 @@ void PrintDialog::showButtons()
 
 void PrintDialog::loadSettings(const QString& path)
 {
-    trySaying([&] {
-        for (const QString& note : setup_.load(printing::settingsIn(path.toStdString()), path.toStdString()))
-            say(MessageStrip::Mood::notice, note);
-    });
+    trySaying([&] { loadPrint(path.toStdString()); });
+}
+
+void PrintDialog::loadPrint(const std::string& path)
+{
+    std::vector<std::string> doubts;
+    for (const QString& note : setup_.load(printing::settingsIn(path, &doubts), path))
+        say(MessageStrip::Mood::notice, note);
+    for (const std::string& doubt : doubts) say(MessageStrip::Mood::problem, said(doubt));
 }
 
 void PrintDialog::saveSettings(const QString& path)
@@ -363,9 +388,7 @@ void PrintDialog::open(const QStringList& paths)
             return;
         }
         try {
-            const std::string path = paths.front().toStdString();
-            for (const QString& note : setup_.load(printing::settingsIn(path), path))
-                say(MessageStrip::Mood::notice, note);
+            loadPrint(paths.front().toStdString());
             return;
         } catch (const std::exception&) {  // No print: a picture like any other.
         }
@@ -400,6 +423,7 @@ void PrintDialog::begin(const QString&)
 {
     if (exporting_) return;
     exporting_ = true;
+    messages_->setProblems(printExportCause(), {});
     export_->showStatus(tr("Starting"));
     showButtons();
     if (chart_)

@@ -65,6 +65,8 @@ protected:
     void dropEvent(QDropEvent*) override;
 
 private:
+    /// Takes the settings of a print, or of a file of settings. Throws Failure.
+    void loadPrint(const std::string& path);
     void build(bool canShow);
     [[nodiscard]] QWidget* buildLeft(bool canShow);
     [[nodiscard]] QWidget* buildRight();

@@ -256,6 +256,28 @@ TEST(PrintRaster, GivesTheRowsOfATiffAPngAndOfTilesInAnyOrder)
     EXPECT_FAILURE(readPrint(folder / "none.tif"), "none.tif");
 }
 
+TEST(PrintRaster, ADescriptionBesideItOfAnotherPrintIsNoticedAndNotUsed)
+{
+    const TemporaryFolder folder;
+    const ViewSet views = noisyViews(3, 40, 30);
+    const PrintLayout layout(settingsFor(60, 600, 3, 300, 200));
+    const PrintLayout older(settingsFor(40, 600, 3, 300, 200));
+    for (const char* name : {"a.tif", "a.png"}) {
+        const std::string beside = (folder / name).string() + ".json";
+        (void)writePrint(layout, views, {.path = folder / name, .json = test::descriptionOf(layout)});
+        EXPECT_EQ(readPrint(folder / name).doubt(), "");
+        // A kill between two renames: the print is the new one, the file beside it the old one.
+        vitrine::test::writeBytes(beside, test::descriptionOf(older));
+        const PrintRaster print = readPrint(folder / name);
+        EXPECT_EQ(print.layout().lensesPerPixelX(), layout.lensesPerPixelX()) << name;
+        EXPECT_NE(print.doubt().find(beside), std::string::npos) << print.doubt();
+        // What is no description at all does not hide the one inside.
+        vitrine::test::writeBytes(beside, "{ half a descrip");
+        EXPECT_EQ(readPrint(folder / name).layout().lensesPerPixelX(), layout.lensesPerPixelX()) << name;
+        EXPECT_NE(readPrint(folder / name).doubt(), "");
+    }
+}
+
 TEST(PrintRaster, AProofOfTheFileIsTheProofOfTheRasterInMemory)
 {
     const TemporaryFolder folder;
