@@ -8,6 +8,7 @@
 #include "app/serve/params.h"
 #include "app/serve/service.h"
 #include "app/study/study_options.h"
+#include "exhibits/museum/picture_settings.h"
 #include "exhibits/study/study.h"
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
@@ -96,7 +97,8 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
     PictureMaker maker(museum_, renderer_, job.sceneState, job.request);
     do watch(maker.progress(), "drawing");
     while (maker.step());
-    const render::PictureMetadata metadata{.preset = presetOf(museum_, job.subject, job.sceneState, "Picture")};
+    const render::PictureMetadata metadata{
+        .preset = pictureSettings(museum_, job.subject, job.sceneState, job.request, "Picture")};
     Json answer{{"exhibit", picture.subject}, {"size", sizeJson(job)}};
     if (inAnswer) {
         answer["png"] = pictureInBase64(job, maker, format, metadata);

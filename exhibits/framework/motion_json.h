@@ -24,9 +24,13 @@ namespace vitrine {
                                                    std::vector<std::string>& notes);
 
 /// "sine:0.1:0.9:period=4:phase=0.25": a kind, both ends as they are typed, then what else `Motion` has by the names of
-/// files, in SI. Throws Failure (Blame::usage) that begins with `option` and says what to give. `parse` reads a typed
-/// value; nothing where it is none.
+/// files, in SI; "heldAt=2" where it is held. Throws Failure (Blame::usage) that begins with `option` and says what to
+/// give. `parse` reads a typed value; nothing where it is none.
 [[nodiscard]] Motion typedMotion(const ParameterInfo&, const std::string& option, const std::string& text,
                                  const std::function<std::optional<Value>(const std::string&)>& parse);
+
+/// The text that `typedMotion` reads back as the same motion, to the bit, where `format` writes a value as its `parse`
+/// reads it.
+[[nodiscard]] std::string motionText(const Motion&, const std::function<std::string(const Value&)>& format);
 
 }  // namespace vitrine

@@ -17,8 +17,13 @@ using render::JsonDocument;
 
 constexpr std::string_view presetFormat = "vitrine-preset";
 constexpr std::string_view exhibitionFormat = "vitrine-exhibition";
-constexpr std::array<std::string_view, 9> knownKeys = {"format", "version", "app",     "exhibit", "name",
+constexpr std::array<std::string_view, 9> keysOfAll = {"format", "version", "app",     "exhibit", "name",
                                                        "tags",   "values",  "motions", "camera"};
+
+bool isKnownKey(std::string_view key, bool inExhibition)
+{
+    return std::find(keysOfAll.begin(), keysOfAll.end(), key) != keysOfAll.end() || (inExhibition && key == "picture");
+}
 
 std::string textAt(const JsonDocument& document, const Json& root, const char* key, bool required)
 {
@@ -55,9 +60,7 @@ Opened open(const JsonDocument& document)
         if (!into->is_object()) throw file.place(key).failure("this must be an object; correct it there.");
     }
     for (const auto& [key, value] : file.root.items()) {
-        if (std::find(knownKeys.begin(), knownKeys.end(), key) == knownKeys.end()) {
-            file.notes.push_back(key + " is not known here; it is kept");
-        }
+        if (!isKnownKey(key, file.header.isExhibition)) file.notes.push_back(key + " is not known here; it is kept");
     }
     return file;
 }
@@ -189,7 +192,8 @@ Json objectOf(const std::map<std::string, Json>& entries)
 
 std::string writeFile(std::string_view format, const std::string& exhibit, const std::string& name,
                       const PresetTags& tags, const std::map<std::string, Json>& values,
-                      const std::map<std::string, Json>& motions, const std::optional<Json>& camera, const Json& kept)
+                      const std::map<std::string, Json>& motions, const std::optional<Json>& camera,
+                      const std::optional<PictureRecord>& picture, const Json& kept)
 {
     Json root = Json::object();
     root["format"] = format;
@@ -201,8 +205,9 @@ std::string writeFile(std::string_view format, const std::string& exhibit, const
     root["values"] = objectOf(values);
     if (!motions.empty()) root["motions"] = objectOf(motions);
     if (camera) root["camera"] = *camera;
+    if (picture) root["picture"] = jsonFromPictureRecord(*picture);
     for (const auto& [key, value] : kept.items()) {
-        if (std::find(knownKeys.begin(), knownKeys.end(), key) == knownKeys.end()) root[key] = value;
+        if (!isKnownKey(key, format == exhibitionFormat)) root[key] = value;
     }
     return render::writeJson(root);
 }
@@ -266,7 +271,8 @@ std::string presetText(const Preset& preset)
     writeMotions(preset.values, {}, motions);
     std::optional<Json> camera;
     if (preset.camera) camera = jsonFromCamera(*preset.camera, keptCamera(preset.kept));
-    return writeFile(presetFormat, preset.exhibit, preset.name, preset.tags, values, motions, camera, preset.kept);
+    return writeFile(presetFormat, preset.exhibit, preset.name, preset.tags, values, motions, camera, std::nullopt,
+                     preset.kept);
 }
 
 Exhibition parseExhibition(std::string text, std::string fileName, const NamedValues& initial)
@@ -287,6 +293,8 @@ Exhibition parseExhibition(std::string text, std::string fileName, const NamedVa
     noteUnknown(file, "motions.", leftMotions);
     if (file.root.contains("camera"))
         exhibition.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
+    if (file.root.contains("picture"))
+        exhibition.picture = pictureRecordFromJson(file.root["picture"], file.place("picture"), file.notes);
     exhibition.kept = std::move(file.root);
     exhibition.notes = std::move(file.notes);
     return exhibition;
@@ -301,7 +309,27 @@ std::string exhibitionText(const Exhibition& exhibition)
         writeMotions(ofExhibit, name + ".", motions);
     }
     return writeFile(exhibitionFormat, exhibition.chosen, exhibition.name, exhibition.tags, values, motions,
-                     jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.kept);
+                     jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.picture,
+                     exhibition.kept);
+}
+
+Preset presetInExhibition(std::string text, std::string fileName, std::string_view exhibit, const Parameters& table)
+{
+    const JsonDocument document = render::parseJson(std::move(text), std::move(fileName), presetLimits);
+    Opened file = open(document);
+    if (!file.header.isExhibition) throw document.failure("format", "this is a preset of one exhibit; open it there.");
+    std::map<std::string, const Json*> left = entries(file.values), leftMotions = entries(file.motions);
+    const std::string name(exhibit);
+    Preset preset{name, file.header.name, readRows(file, table, name + '.', left), std::nullopt};
+    readMotions(file, preset.values, name + '.', leftMotions);
+    if (file.header.exhibit != exhibit && preset.values == table.initial())
+        throw document.failure("exhibit", "this holds settings of " + file.header.exhibit + " and none of " + name +
+                                              "; choose another.");
+    if (file.root.contains("camera"))
+        preset.camera = cameraFromJson(file.root["camera"], file.place("camera"), file.notes);
+    preset.notes = std::move(file.notes);
+    preset.tags = file.header.tags;
+    return preset;
 }
 
 std::string renamedPreset(const JsonDocument& document, std::string_view name)

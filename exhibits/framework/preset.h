@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "exhibits/framework/picture_record.h"
 #include "exhibits/framework/preset_tags.h"
 #include "exhibits/framework/subject.h"
 #include "render/files/strict_json.h"
@@ -68,7 +69,7 @@ using NamedValues = std::vector<std::pair<std::string, ParameterValues>>;
 [[nodiscard]] NamedValues namedValues(Subjects, std::span<const ParameterValues>);
 
 /// Settings of everything: "format" is "vitrine-exhibition", "exhibit" is the one that was chosen, and the keys of
-/// `values` are "sdf_morph.morph", "hall.exposure", ...
+/// `values` are "sdf_morph.morph", "hall.exposure", ... Inside a picture, "picture" says how it was taken.
 struct Exhibition {
     std::string name;
     NamedValues values;
@@ -78,6 +79,7 @@ struct Exhibition {
     std::vector<std::string> notes;
     std::string chosen = {};  ///< The exhibit whose parameters were on show; empty: not known.
     PresetTags tags = {};
+    std::optional<PictureRecord> picture = std::nullopt;
 };
 
 /// As `parsePreset`. `initial` names the exhibits and gives their tables; values not in the file get their
@@ -85,6 +87,11 @@ struct Exhibition {
 [[nodiscard]] Exhibition parseExhibition(std::string text, std::string fileName, const NamedValues& initial);
 
 [[nodiscard]] std::string exhibitionText(const Exhibition&);
+
+/// The part of an exhibition that is one exhibit's, as a preset: its values, name, tags and the camera. Throws Failure
+/// as `parseExhibition`, and where it was made of another exhibit and changes nothing of this one.
+[[nodiscard]] Preset presetInExhibition(std::string text, std::string fileName, std::string_view exhibit,
+                                        const Parameters&);
 
 /// What kind of file a text is, without reading its values. Throws Failure when it is no preset at all.
 struct PresetHeader {

@@ -4,7 +4,8 @@
 #include "exhibits/framework/state_folder.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
-#include "render/image/image_io.h"
+#include "render/image/image_limits.h"
+#include "render/video/carried_settings.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -107,11 +108,6 @@ bool standsFor(std::string_view stem, std::string_view slug)
     stem.remove_prefix(slug.size());
     return stem.empty() ||
            (stem.size() > 1 && stem[0] == '-' && stem.find_first_not_of("0123456789", 1) == std::string_view::npos);
-}
-
-bool isPicture(const fs::path& path)
-{
-    return path.extension() == ".png" || path.extension() == ".exr";
 }
 
 }  // namespace
@@ -229,8 +225,8 @@ fs::path PresetStore::restore(const RemovedPreset& removed) const
 fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit, const Parameters& table) const
 {
     std::string text;
-    if (isPicture(path)) {
-        std::optional<std::string> embedded = render::embeddedPreset(path);
+    if (render::mayCarrySettings(path)) {
+        std::optional<std::string> embedded = render::carriedSettings(path);
         if (!embedded)
             throw Failure(Blame::file,
                           "Cannot import " + path.string() + ": there is no preset in this picture; choose another.");
@@ -238,7 +234,10 @@ fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit,
     } else {
         text = readText(path);
     }
-    const Preset preset = parsePreset(text, path.string(), exhibit, table);  // Only to know that it is good.
+    const bool ofEverything = presetHeader(render::parseJson(text, path.string(), presetLimits)).isExhibition;
+    const Preset preset = ofEverything ? presetInExhibition(text, path.string(), exhibit, table)
+                                       : parsePreset(text, path.string(), exhibit, table);  // Only to know it is good.
+    if (ofEverything) text = presetText(preset);
     const std::string name = preset.name.empty() ? path.stem().string() : preset.name;
     const fs::path to = freePath(folders_.user / exhibit, slugFor(name));
     render::atomicWriteMakingFolder(to, text);

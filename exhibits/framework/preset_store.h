@@ -87,8 +87,8 @@ public:
     /// Puts them back, under another file name where theirs is taken by now; returns the path.
     std::filesystem::path restore(const RemovedPreset&) const;
 
-    /// Copies a preset file, or the preset inside a PNG or OpenEXR picture, into the user's folder after
-    /// reading all of it; returns its path.
+    /// Copies a preset file, or the preset that a picture or recording carries, into the user's folder after reading
+    /// all of it; of an exhibition, the part of this exhibit. Returns its path.
     std::filesystem::path importFile(const std::filesystem::path&, std::string_view exhibit, const Parameters&) const;
     /// Copies a preset file byte for byte to a place of the user's choice.
     void exportFile(const std::filesystem::path&, const std::filesystem::path& target) const;

@@ -180,9 +180,10 @@ Json jsonFromCamera(const render::Camera& camera, const Json& kept)
     json["eye"] = three(camera.eye);
     json["target"] = three(camera.target);
     json["fov"] = camera.fovY;
+    if (camera.lensShift != glm::dvec2(0)) json["lensShift"] = Json::array({camera.lensShift.x, camera.lensShift.y});
     if (kept.is_object()) {
         for (const auto& [key, value] : kept.items()) {
-            if (!json.contains(key)) json[key] = value;
+            if (key != "lensShift" && !json.contains(key)) json[key] = value;
         }
     }
     return json;
@@ -212,6 +213,12 @@ render::Camera cameraFromJson(const Json& json, const JsonPlace& place, std::vec
             ((note += " -> ") += shortestNumber(camera.fovY)) += " (allowed 1 to 175 degrees, in radians)";
             notes.push_back(note);
         }
+    }
+    if (json.contains("lensShift")) {
+        const Json& shift = json["lensShift"];
+        if (!shift.is_array() || shift.size() != 2 || !shift[0].is_number() || !shift[1].is_number())
+            wrongType(place.inside("lensShift"), "an array of two numbers", shift);
+        camera.lensShift = {shift[0].get<double>(), shift[1].get<double>()};
     }
     return camera;
 }

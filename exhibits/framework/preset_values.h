@@ -36,7 +36,7 @@ struct JsonPlace {
 [[nodiscard]] std::optional<Value> valueFromText(const ParameterInfo&, const std::string& json,
                                                  std::vector<std::string>& notes);
 
-/// {"eye": [x, y, z], "target": [x, y, z], "fov": radians}. Keys of `kept` that are none of these stay.
+/// {"eye": [x, y, z], "target": [x, y, z], "fov": radians, "lensShift": [right, up]}. Other keys of `kept` stay.
 [[nodiscard]] render::Json jsonFromCamera(const render::Camera&, const render::Json& kept);
 
 /// Throws Failure as `valueFromJson` does; a missing key keeps the camera's own value.

@@ -1,5 +1,6 @@
 #include "exhibits/museum/render_command.h"
 
+#include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/value_text.h"
 #include "render/files/number_text.h"
 #include "render/files/shell_word.h"
@@ -46,10 +47,13 @@ std::string renderCommand(const Museum& museum, const SceneState& sceneState, co
     for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
         const ParameterValues& values = sceneState.values[i];
         for (std::size_t row = 0; row < values.rows().size(); ++row) {
-            if (values.isInitial(row)) continue;
             const ParameterInfo& info = values.rows()[row];
-            line += " --set " + render::shellWord(std::string(museum.subject(i).name()) + '.' + std::string(info.name) +
-                                                  '=' + settingOf(info, values.row(row)));
+            const std::string name = std::string(museum.subject(i).name()) + '.' + std::string(info.name) + '=';
+            if (!values.isInitial(row)) line += " --set " + render::shellWord(name + settingOf(info, values.row(row)));
+            if (const Motion* motion = values.motion(row))
+                line += " --animate " + render::shellWord(name + motionText(*motion, [&](const Value& end) {
+                                                              return settingOf(info, end);
+                                                          }));
         }
     }
     return line + " --out " + render::shellWord(out);

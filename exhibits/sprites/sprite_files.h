@@ -22,6 +22,9 @@ namespace vitrine {
 /// The files of a sheet that is written to `out` ("hero.png": also "hero_normal.png", "hero_depth.png", "hero.json").
 [[nodiscard]] std::vector<std::filesystem::path> sheetFiles(const ParameterValues&, const std::filesystem::path& out);
 
+/// The preset of the look in which a sheet was drawn (values of `spriteLookName`), for `SpriteSheet::settings`.
+[[nodiscard]] std::string lookPreset(const ParameterValues& look);
+
 /// Writes them all, or leaves all as they were. Throws Failure naming file and cause.
 void writeSheet(const SpriteSheet&, const ParameterValues&, const std::filesystem::path& out,
                 render::FileOps& = render::systemFileOps());

@@ -19,6 +19,8 @@ namespace {
     throw Failure(Blame::file, "Cannot write " + path.string() + ": " + why + ".");
 }
 
+constexpr std::size_t mostJpegComment = 65532;  ///< Bytes: a marker's length less the final zero.
+
 bool isExr(PictureFormat format)
 {
     return format == PictureFormat::exr || format == PictureFormat::exrHalf;
@@ -148,11 +150,16 @@ std::string encodedPicture(const std::filesystem::path& path, const Image& image
 void writePicture(const std::filesystem::path& path, const Image& image, PictureFormat format,
                   const PictureMetadata& metadata, FileOps& ops)
 {
+    stagedPicture(path, image, format, metadata, ops)->publish();
+}
+
+std::unique_ptr<PartFile> stagedPicture(const std::filesystem::path& path, const Image& image, PictureFormat format,
+                                        const PictureMetadata& metadata, FileOps& ops)
+{
     if (storedAs(format) == ImageFormat::png) {
         const std::string bytes = encodedPicture(path, image, format, metadata);
         requireSpace(path, bytes.size(), ops);
-        atomicWrite(path, bytes, ops);
-        return;
+        return stagedFile(path, bytes, ops);
     }
 
     check(path, image, format);
@@ -164,20 +171,24 @@ void writePicture(const std::filesystem::path& path, const Image& image, Picture
     if (isExr(format)) {
         if (!metadata.preset.empty()) target.texts.emplace_back("vitrine:preset", metadata.preset);
         if (!metadata.description.empty()) target.texts.emplace_back("ImageDescription", metadata.description);
-    } else if (!metadata.preset.empty() && format != PictureFormat::jpeg) {
-        target.texts.emplace_back("ImageDescription", asciiJson(metadata.preset));  // TIFF text is ASCII.
+    } else if (!metadata.preset.empty()) {
+        std::string text = asciiJson(metadata.preset);  // TIFF text is ASCII.
+        if (format == PictureFormat::jpeg && text.size() > mostJpegComment)
+            refuse(path, "its settings are " + std::to_string(text.size()) + " bytes and a JPEG holds " +
+                             std::to_string(mostJpegComment) + "; choose PNG");
+        target.texts.emplace_back("ImageDescription", std::move(text));
     } else if (!metadata.description.empty()) {
         target.texts.emplace_back("ImageDescription", metadata.description);
     }
 
     const std::size_t sampleBytes = isExr(format) ? 4 : format == PictureFormat::tiff16 ? 2 : 1;
     requireSpace(path, picture.sampleCount() * sampleBytes, ops);
-    PartFile part(path, ops);
-    target.path = part.path().string();
+    auto part = std::make_unique<PartFile>(path, ops);
+    target.path = part->path().string();
     if (const std::string why = oiioCodec().write(picture, target); !why.empty()) {
         refuse(path, why + "; the old content is untouched; free some space or choose another disk");
     }
-    part.publish();
+    return part;
 }
 
 }  // namespace vitrine::render

@@ -48,6 +48,9 @@ public:
     /// `path` is where `output` writes, so that it can be read again; `output` must outlive the result.
     [[nodiscard]] virtual std::string open(const VideoSpec&, const std::string& path, VideoOutput& output,
                                            std::unique_ptr<VideoFrames>& out) noexcept = 0;
+    /// The comment of an .mp4 or .webm; empty where there is none. Reads no frames. Returns a half sentence on what
+    /// went wrong, empty when nothing did.
+    [[nodiscard]] virtual std::string readComment(const std::string& path, VideoFormat, std::string& out) noexcept = 0;
     /// "59.37.100", of the libavcodec that runs.
     [[nodiscard]] virtual const char* libraryVersion() const noexcept = 0;
 };
@@ -58,5 +61,5 @@ public:
 }  // namespace vitrine::render
 
 /// The one symbol of the module. `version` must be `vitrineVideoVersion`; otherwise the answer is null.
-inline constexpr int vitrineVideoVersion = 1;
+inline constexpr int vitrineVideoVersion = 2;
 extern "C" vitrine::render::VideoCodec* vitrineVideo(int version);

@@ -3,7 +3,7 @@
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
-#include "render/image/image_io.h"
+#include "render/video/carried_settings.h"
 #include "ui/kit/language.h"
 #include "ui/kit/name_dialog.h"
 #include "ui/kit/picture_file.h"
@@ -47,12 +47,14 @@ const Parameters& PresetShelf::table() const
     return window_.museum().subject(window_.shown()).parameters();
 }
 
-void PresetShelf::trySafely(const std::function<void()>& work)
+void PresetShelf::trySafely(const std::function<void()>& work, const QString& cause)
 {
     try {
         work();
+        window_.setProblems(cause, {});
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, said(failure.what()));
+        window_.setProblems(cause, {});
+        window_.setProblems(cause, {said(failure.what())});
     }
 }
 
@@ -66,18 +68,20 @@ void PresetShelf::tell(const QString& origin, const std::vector<std::string>& no
 
 void PresetShelf::refresh()
 {
-    trySafely([this] {
-        std::vector<PresetLine> lines;
-        for (const PresetEntry& entry : store_.list(exhibitName())) {
-            PresetLine line{idOf(entry.path), words(entry.name), entry.shipped, words(entry.problem), {}, {}};
-            for (const std::string& tag : entry.tags) line.tags << words(tag);
-            if (entry.thumbnail) line.thumbnail.load(idOf(*entry.thumbnail));
-            lines.push_back(std::move(line));
-        }
-        // The visitor's own first: these are looked for.
-        std::stable_partition(lines.begin(), lines.end(), [](const PresetLine& line) { return !line.shipped; });
-        list_.fill(lines);
-    });
+    trySafely(
+        [this] {
+            std::vector<PresetLine> lines;
+            for (const PresetEntry& entry : store_.list(exhibitName())) {
+                PresetLine line{idOf(entry.path), words(entry.name), entry.shipped, words(entry.problem), {}, {}};
+                for (const std::string& tag : entry.tags) line.tags << words(tag);
+                if (entry.thumbnail) line.thumbnail.load(idOf(*entry.thumbnail));
+                lines.push_back(std::move(line));
+            }
+            // The visitor's own first: these are looked for.
+            std::stable_partition(lines.begin(), lines.end(), [](const PresetLine& line) { return !line.shipped; });
+            list_.fill(lines);
+        },
+        QStringLiteral("list of presets"));
     mark();
 }
 
@@ -331,8 +335,10 @@ void PresetShelf::remove()
 
 void PresetShelf::importFile()
 {
-    QFileDialog* dialog = fileDialog(list_.window(), tr("Import preset"), QFileDialog::AcceptOpen,
-                                     tr("Presets, and pictures with one inside (*.json *.png *.exr)"));
+    QFileDialog* dialog =
+        fileDialog(list_.window(), tr("Import preset"), QFileDialog::AcceptOpen,
+                   tr("Presets, and pictures with one inside (%1)")
+                       .arg(QStringLiteral("*.json *.png *.exr *.tif *.jpg *.mp4 *.webm *.gif *.webp *.apng")));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         trySafely([&] {
             std::filesystem::path copy = store_.importFile(path.toStdString(), exhibitName(), table());
@@ -420,7 +426,7 @@ std::optional<ReadSettings> PresetShelf::settingsIn(const QString& path)
     std::optional<ReadSettings> result;
     trySafely([&] {
         const bool picture = QFileInfo(path).suffix().compare(QLatin1String("json"), Qt::CaseInsensitive) != 0;
-        std::optional<std::string> text = picture ? render::embeddedPreset(path.toStdString())
+        std::optional<std::string> text = picture ? render::carriedSettings(path.toStdString())
                                                   : render::readFile(path.toStdString(), presetLimits.bytes);
         if (!text)
             throw Failure(Blame::file, path.toStdString() + ": this picture carries no preset; choose a preset file, "
@@ -451,17 +457,19 @@ QString PresetShelf::selected() const
 
 void PresetShelf::loadFile(const QString& path)
 {
-    trySafely([&] { loadText(render::readFile(path.toStdString(), presetLimits.bytes), path); });
+    trySafely([&] { loadText(render::readFile(path.toStdString(), presetLimits.bytes), path); }, openingOf(path));
 }
 
 bool PresetShelf::loadFromPicture(const QString& path)
 {
     bool done = true;
-    trySafely([&] {
-        const std::optional<std::string> text = render::embeddedPreset(path.toStdString());
-        done = text.has_value();
-        if (text) loadText(*text, path);
-    });
+    trySafely(
+        [&] {
+            const std::optional<std::string> text = render::carriedSettings(path.toStdString());
+            done = text.has_value();
+            if (text) loadText(*text, path);
+        },
+        openingOf(path));
     return done;
 }
 

@@ -1,12 +1,12 @@
 #include "ui/window/picture_export.h"
 
+#include "exhibits/museum/picture_settings.h"
 #include "render/failure.h"
 #include "render/measure/memory.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/time_left.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
-#include "ui/presets/scene_text.h"
 #include "ui/viewport/viewport.h"
 
 #include <QDateTime>
@@ -42,7 +42,9 @@ std::filesystem::path freeScreenshotPath(const QObject& window, const QString& e
 
 PictureExport::PictureExport(Workbench& window, ExportWish wish, QObject* parent)
     : QObject(parent), window_(window), wish_(std::move(wish)),
-      preset_(textOf(window.museum(), window.history().sceneState(), window.chosen(), "Picture"))
+      preset_(pictureSettings(window.museum(), window.chosen(), window.history().sceneState(), request(), "Picture",
+                              &window.history().sceneState().camera)),
+      sceneState_(window.history().sceneState()), request_(request())
 {
 }
 
@@ -98,9 +100,8 @@ void PictureExport::start()
         QElapsedTimer told;
     };
     auto work = std::make_shared<Work>();
-    auto step = [this, work, &renderers = window_.renderers(), stage = stage_,
-                 sceneState = window_.history().sceneState(), request = request(), wish = wish_,
-                 preset = preset_](const RenderThread::Tell& tell) {
+    auto step = [this, work, &renderers = window_.renderers(), stage = stage_, sceneState = sceneState_,
+                 request = request_, wish = wish_, preset = preset_](const RenderThread::Tell& tell) {
         if (!work->job.maker) work->job = renderers.makePicture(sceneState, request);
         if (!work->job.maker) throw Failure(Blame::openGl, "No picture can be made: there is no graphics context.");
         PictureMaker& maker = *work->job.maker;

@@ -329,6 +329,21 @@ public:
     {
         return Writer::guarded([&] { out = std::make_unique<Writer>(spec, path, output); });
     }
+    std::string readComment(const std::string& path, VideoFormat format, std::string& out) noexcept override
+    {
+        return Writer::guarded([&] {
+            const char* name = format == VideoFormat::webm ? "matroska" : "mov";
+            const AVInputFormat* demuxer = av_find_input_format(name);
+            if (!demuxer) throw Problem{"this machine's FFmpeg cannot read the format"};
+            // Nothing but this file is opened, whatever it names.
+            Dictionary options(Options{{"protocol_whitelist", "file"}});
+            AVFormatContext* opened = nullptr;
+            checked("opening it", avformat_open_input(&opened, ("file:" + path).c_str(), demuxer, options.get()));
+            const AVDictionaryEntry* comment = av_dict_get(opened->metadata, "comment", nullptr, 0);
+            if (comment) out = comment->value;
+            avformat_close_input(&opened);
+        });
+    }
     [[nodiscard]] const char* libraryVersion() const noexcept override { return version_.c_str(); }
 
 private:

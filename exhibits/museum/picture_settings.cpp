@@ -1,0 +1,39 @@
+#include "exhibits/museum/picture_settings.h"
+
+#include "render/text/translation.h"
+
+namespace vitrine {
+
+PictureRecord pictureRecord(const PictureRequest& request, const render::Camera& ofExhibition)
+{
+    const FrameRequest& frame = request.frame;
+    PictureRecord record;
+    record.size = frame.raster.size;
+    record.samples = request.samples;
+    record.time = frame.time;
+    record.seed = frame.seed;
+    record.alone = frame.alone.has_value();
+    record.transparent = frame.transparent;
+    record.depth = request.depth;
+    record.channels = frame.channels;
+    record.exhibitTransform = frame.exhibitTransform;
+    if (!(frame.camera == ofExhibition)) record.camera = frame.camera;
+    record.language = language();
+    return record;
+}
+
+std::string pictureSettings(const Museum& museum, std::size_t subject, const SceneState& sceneState,
+                            const PictureRequest& request, const std::string& name, const render::Camera* view)
+{
+    const FrameRequest& frame = request.frame;
+    Exhibition exhibition{name, namedValues(museum.subjects(), sceneState.values), frame.camera};
+    if (view)
+        exhibition.camera = *view;
+    else if (frame.alone)
+        exhibition.camera = frame.camera.transformed(museum.worldFromExhibit(*frame.alone));
+    exhibition.chosen = std::string(museum.subject(subject).name());
+    exhibition.picture = pictureRecord(request, exhibition.camera);
+    return exhibitionText(exhibition);
+}
+
+}  // namespace vitrine
