@@ -21,7 +21,7 @@ struct AbandonedSession {
 /// The journal of one session: the whole state, so that a crash loses seconds and not work. Files are
 /// <folder>/<pid>-<start of the process>.json: a new process that got the same number is told apart.
 ///
-/// When to write is the caller's business (after 2 s of quiet, at most every 10 s).
+/// When to write is the caller's business.
 class RecoveryJournal {
 public:
     /// Creates nothing yet. `folder` is usually `stateFolder()`/recovery.

@@ -156,6 +156,7 @@ void Preferences::read()
     }
     QStringList wrong;
     values_ = readFrom(path, wrong);
+    wrong_ = wrong;
     if (wrong.isEmpty()) return;
     constexpr int mostNamed = 5;
     const QString names = wrong.mid(0, mostNamed).join(QStringLiteral(", ")) +
@@ -177,38 +178,46 @@ void Preferences::set(PreferenceValues values)
     values = within(std::move(values));
     if (values == values_) return;
     const PreferenceValues before = std::exchange(values_, std::move(values));
-    write();
+    write(before);
     emit changed(before);
     if (!failure_.isEmpty()) emit notWritten(failure_);
 }
 
-void Preferences::write()
+void Preferences::write(const PreferenceValues& before)
 {
     const QString path = filePath();
     QDir().mkpath(QFileInfo(path).path());
     QSettings settings(path, QSettings::IniFormat);
     // What is initial is not written, so that a later version may have better initial values.
     const PreferenceValues initial;
-    const auto keep = [&](const QString& key, const QVariant& value, bool differs) {
+    // Qt's settings take the file as it is now, under a lock, and put these keys into it.
+    const auto keep = [&](const QString& key, const QVariant& value, bool changes, bool differs) {
+        if (!changes && !wrong_.contains(key)) return;
         if (differs)
             settings.setValue(key, value);
         else
             settings.remove(key);
     };
     keep(QStringLiteral("theme"), QLatin1String(themeNames[static_cast<std::size_t>(values_.theme)]),
-         values_.theme != initial.theme);
+         values_.theme != before.theme, values_.theme != initial.theme);
     keep(QStringLiteral("motion"), QLatin1String(motionNames[static_cast<std::size_t>(values_.motion)]),
-         values_.motion != initial.motion);
+         values_.motion != before.motion, values_.motion != initial.motion);
     for (const NumberKey& key : numberKeys)
-        keep(QLatin1String(key.name), values_.*key.value, values_.*key.value != initial.*key.value);
-    keep(QStringLiteral("invertedLook"), values_.invertedLook, values_.invertedLook);
-    settings.remove(QStringLiteral("keys"));
-    settings.beginGroup(QStringLiteral("keys"));
+        keep(QLatin1String(key.name), values_.*key.value, values_.*key.value != before.*key.value,
+             values_.*key.value != initial.*key.value);
+    keep(QStringLiteral("invertedLook"), values_.invertedLook, values_.invertedLook != before.invertedLook,
+         values_.invertedLook);
+    const QString group = QStringLiteral("keys/");
+    for (const QString& wrong : std::as_const(wrong_))
+        if (wrong.startsWith(group)) settings.remove(wrong);
+    for (auto key = before.keys.begin(); key != before.keys.end(); ++key)
+        if (!values_.keys.contains(key.key())) settings.remove(group + key.key());
     for (auto key = values_.keys.begin(); key != values_.keys.end(); ++key)
-        // An empty list would be written as one of Qt's objects.
-        settings.setValue(key.key(), key.value().isEmpty() ? QVariant(QString()) : QVariant(key.value()));
-    settings.endGroup();
+        if (!before.keys.contains(key.key()) || before.keys.value(key.key()) != key.value())
+            // An empty list would be written as one of Qt's objects.
+            settings.setValue(group + key.key(), key.value().isEmpty() ? QVariant(QString()) : QVariant(key.value()));
     settings.sync();
+    wrong_.clear();
     failure_ = settings.status() == QSettings::NoError
                    ? QString()
                    : tr("The preferences could not be written to %1. They hold until the program ends.").arg(path);

@@ -50,7 +50,7 @@ public:
     explicit Preferences(QObject* parent = nullptr);
 
     [[nodiscard]] const PreferenceValues& values() const { return values_; }
-    /// Keeps them, each within its range, and writes what differs from the initial values.
+    /// Keeps them, each within its range, and writes those that change; none that is initial stays in the file.
     void set(PreferenceValues);
     /// One sentence or two about what was wrong with the file; empty when nothing was.
     [[nodiscard]] const QString& complaint() const { return complaint_; }
@@ -67,9 +67,11 @@ signals:
 
 private:
     void read();
-    void write();
+    /// Writes what differs from `before`, and nothing else: another window may have changed the rest.
+    void write(const PreferenceValues& before);
 
     PreferenceValues values_;
+    QStringList wrong_;  ///< Keys in the file whose values are not valid.
     QString complaint_, failure_;
 };
 

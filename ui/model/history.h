@@ -40,8 +40,13 @@ public:
     /// The same where the look becomes `after` as well, once `redo` was called; `undo` is called before it goes back.
     void record(const QString& text, const SceneState& after, std::function<void()> redo, std::function<void()> undo,
                 Camera = Camera::stays);
-    /// The visitor moved: no step, no signal.
-    void setCamera(const render::Camera& camera) { sceneState_.camera = camera; }
+    /// The visitor moved: no step, and no signal but `walked`.
+    void setCamera(const render::Camera& camera)
+    {
+        if (sceneState_.camera == camera) return;
+        sceneState_.camera = camera;
+        emit walked();
+    }
     /// Exchanges the tables of exhibits that name the same files as in `tabled`, which has read them. No step of its
     /// own: undo takes it back with the step that stands last, which is the one that named the files.
     void exchangeTables(const SceneState& tabled);
@@ -62,6 +67,8 @@ signals:
     void replaced();
     /// ... and the camera is to go to `look().camera`.
     void cameraMoved();
+    /// The visitor took the camera somewhere else; many times a second while he walks.
+    void walked();
 
 private:
     friend class SceneStateStep;

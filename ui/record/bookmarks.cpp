@@ -10,6 +10,8 @@
 #include "ui/model/workbench.h"
 #include "ui/viewport/viewport.h"
 
+#include <QLockFile>
+
 namespace vitrine::ui {
 
 Bookmarks::Bookmarks(Workbench& window, QObject* parent)
@@ -20,13 +22,19 @@ Bookmarks::Bookmarks(Workbench& window, QObject* parent)
 
 void Bookmarks::read()
 {
+    if (broken_) return;
     std::error_code ignored;
-    if (!std::filesystem::exists(file_, ignored)) return;
+    if (!std::filesystem::exists(file_, ignored)) {
+        places_.fill(std::nullopt);
+        return;
+    }
     try {
+        const Tour kept = parseTour(render::readFile(file_, presetLimits.bytes), file_.string());
+        places_.fill(std::nullopt);
         // A name begins with its number.
-        for (Bookmark& bookmark : parseTour(render::readFile(file_, presetLimits.bytes), file_.string()).bookmarks) {
+        for (const Bookmark& bookmark : kept.bookmarks) {
             const int number = bookmark.name.empty() ? 0 : bookmark.name.front() - '0';
-            if (number >= 1 && number <= most) place(number) = std::move(bookmark);
+            if (number >= 1 && number <= most) place(number) = bookmark;
         }
     } catch (const std::exception& failure) {
         broken_ = true;
@@ -35,9 +43,21 @@ void Bookmarks::read()
     }
 }
 
+void Bookmarks::change(const std::function<void()>& edit)
+{
+    constexpr int longestWait = 5000;  // Milliseconds. Whoever holds it so long is not writing nine bookmarks.
+    std::error_code ignored;
+    std::filesystem::create_directories(file_.parent_path(), ignored);
+    QLockFile lock(QString::fromStdString(file_.string() + ".lock"));
+    lock.tryLock(longestWait);
+    read();
+    edit();
+    write();
+    emit changed();
+}
+
 void Bookmarks::write()
 {
-    emit changed();
     if (broken_) return;
     try {
         std::error_code ignored;
@@ -45,16 +65,16 @@ void Bookmarks::write()
             std::filesystem::remove(file_, ignored);
         else
             render::atomicWriteMakingFolder(file_, tourText(all));
+        window_.setProblems(QStringLiteral("bookmarks"), {});
     } catch (const std::exception& failure) {
-        window_.say(MessageStrip::Mood::problem, messageOf(failure));
+        window_.setProblems(QStringLiteral("bookmarks"), {messageOf(failure)});
     }
 }
 
 void Bookmarks::set(int number)
 {
     const std::string title(window_.museum().subject(window_.chosen()).title());
-    place(number) = {std::to_string(number) + ' ' + title, window_.history().sceneState().camera};
-    write();
+    change([&] { place(number) = {std::to_string(number) + ' ' + title, window_.history().sceneState().camera}; });
     window_.say(MessageStrip::Mood::notice, tr("Bookmark %1 is where you are now.").arg(number));
 }
 
@@ -70,8 +90,7 @@ void Bookmarks::go(int number)
 
 void Bookmarks::forgetAll()
 {
-    places_.fill(std::nullopt);
-    write();
+    change([&] { places_.fill(std::nullopt); });
 }
 
 QString Bookmarks::name(int number) const

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 
 namespace vitrine::ui {
@@ -40,6 +41,8 @@ signals:
 
 private:
     void read();
+    /// Changes the bookmarks as they are in the file now, which another window may have written, under a lock.
+    void change(const std::function<void()>& edit);
     void write();
     [[nodiscard]] std::optional<Bookmark>& place(int number)
     {

@@ -6,20 +6,25 @@
 #include "render/files/read_file.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
+#include "ui/kit/window_place.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/presets/scene_text.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/main_window.h"
 
+#include <QDir>
 #include <QDockWidget>
 #include <QEvent>
+#include <QFile>
 #include <QSettings>
+
+#include <algorithm>
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
 
-constexpr int quietBeforeWriting = 2000;  // Milliseconds.
-constexpr int longestWait = 10000;
+constexpr int oldestUnwritten = 2000;  // Milliseconds.
 constexpr int settledAfter = 60000;
 constexpr int mostTimesRestored = 3;
 constexpr int layoutVersion = 1;
@@ -34,9 +39,10 @@ QString settingsPath(const std::filesystem::path& folder)
 SessionKeeper::SessionKeeper(MainWindow& window)
     : QObject(&window), window_(window), folder_(stateFolder()), journal_(folder_ / "recovery")
 {
-    quiet_.setSingleShot(true);
-    quiet_.setInterval(quietBeforeWriting);
-    connect(&quiet_, &QTimer::timeout, this, &SessionKeeper::write);
+    due_.setSingleShot(true);
+    due_.setInterval(oldestUnwritten);
+    due_.setTimerType(Qt::PreciseTimer);
+    connect(&due_, &QTimer::timeout, this, &SessionKeeper::write);
     settled_.setSingleShot(true);
     settled_.setInterval(settledAfter);
     connect(&settled_, &QTimer::timeout, this, [this] { setTimesRestored(0); });
@@ -48,18 +54,23 @@ void SessionKeeper::noteChange()
     noteLayout();
 }
 
+void SessionKeeper::noteWalk()
+{
+    if (!closed_ && !due_.isActive()) due_.start();
+}
+
 void SessionKeeper::noteLayout()
 {
-    if (closed_) return;
-    // Restarts the quiet time, unless that would put it off for too long.
-    if (!quiet_.isActive()) sinceWritten_.start();
-    if (!quiet_.isActive() || sinceWritten_.elapsed() < longestWait - quietBeforeWriting) quiet_.start();
+    layoutChanged_ = true;
+    noteWalk();
 }
 
 void SessionKeeper::watch()
 {
     connect(&window_.history(), &History::changed, this, &SessionKeeper::noteChange);
     connect(&window_.history(), &History::replaced, this, &SessionKeeper::noteChange);
+    connect(&window_.history(), &History::cameraMoved, this, &SessionKeeper::noteWalk);
+    connect(&window_.history(), &History::walked, this, &SessionKeeper::noteWalk);
     window_.installEventFilter(this);
     for (const QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
         connect(dock, &QDockWidget::visibilityChanged, this, &SessionKeeper::noteLayout);
@@ -77,15 +88,37 @@ bool SessionKeeper::eventFilter(QObject* watched, QEvent* event)
 
 void SessionKeeper::write()
 {
-    if (!writeJournal()) return;
-    saveLayout();
+    writeJournalLater();
+    if (std::exchange(layoutChanged_, false)) saveLayout();
     if (changed_) setTimesRestored(0);
+}
+
+void SessionKeeper::writeJournalLater()
+{
+    if (writing_.valid()) writing_.get();
+    // Without a thread of its own, a slow disk would halt who walks.
+    writing_ = std::async(std::launch::async, [this, text = journalText()] {
+        try {
+            journal_.write(text);
+        } catch (const std::exception& failure) {
+            QMetaObject::invokeMethod(
+                this,
+                [this, why = std::string(failure.what())] { window_.say(MessageStrip::Mood::problem, said(why)); },
+                Qt::QueuedConnection);
+        }
+    });
+}
+
+std::string SessionKeeper::journalText() const
+{
+    return textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Journal");
 }
 
 bool SessionKeeper::writeJournal()
 {
+    if (writing_.valid()) writing_.get();
     try {
-        journal_.write(textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Journal"));
+        journal_.write(journalText());
         return true;
     } catch (const std::exception& failure) {
         window_.say(MessageStrip::Mood::problem, said(failure.what()));
@@ -93,18 +126,37 @@ bool SessionKeeper::writeJournal()
     }
 }
 
-bool SessionKeeper::restoreSceneState(const std::string& text, const std::string& fileName)
+std::optional<std::vector<std::string>> SessionKeeper::restoreSceneState(const std::string& text,
+                                                                         const std::string& fileName)
 {
     try {
         std::vector<std::string> notes;
         std::size_t chosen = 0;
         window_.history().restart(lookFrom(window_.museum(), text, fileName, notes, &chosen));
         window_.choose(chosen);
-        return true;
+        return notes;
     } catch (const std::exception& failure) {
         window_.say(MessageStrip::Mood::problem, said(failure.what()));
-        return false;
+        return std::nullopt;
     }
+}
+
+QString SessionKeeper::changesText(const std::vector<std::string>& notes)
+{
+    constexpr std::size_t mostNamed = 8;
+    QStringList lines;
+    for (std::size_t i = 0; i < std::min(notes.size(), mostNamed); ++i) lines << said(notes[i]);
+    if (notes.size() > mostNamed) lines << tr("and %1 more").arg(notes.size() - mostNamed);
+    return lines.join(QStringLiteral("\n    "));
+}
+
+QString SessionKeeper::putSessionAside() const
+{
+    const QDir folder(QString::fromStdString(folder_.string()));
+    QString name = QStringLiteral("aside-session.json");
+    for (int i = 2; folder.exists(name); ++i) name = QStringLiteral("aside-session-%1.json").arg(i);
+    return QFile::copy(folder.filePath(QStringLiteral("session.json")), folder.filePath(name)) ? folder.filePath(name)
+                                                                                               : QString();
 }
 
 bool SessionKeeper::restoreCrash()
@@ -112,12 +164,20 @@ bool SessionKeeper::restoreCrash()
     for (const AbandonedSession& session : journal_.abandoned()) {
         const int before = timesRestored();
         const bool again = before < mostTimesRestored;
-        if (again && restoreSceneState(session.text, session.path.string())) {
+        const auto notes = again ? restoreSceneState(session.text, session.path.string()) : std::nullopt;
+        if (notes) {
             setTimesRestored(before + 1);
             settled_.start();
-            if (writeJournal()) journal_.discard(session);  // Before that, it is all there is.
-            window_.say(MessageStrip::Mood::notice,
-                        tr("Vitrine crashed or was stopped; your last state was restored."));
+            QString message = tr("Vitrine crashed or was stopped; your last state was restored.");
+            if (!notes->empty()) {
+                const QString kept = QString::fromStdString(journal_.putAside(session).string());
+                (message += ' ') += tr("Not all of it is known here; it was kept as %1:").arg(kept);
+                (message += QStringLiteral("\n    ")) += changesText(*notes);
+                writeJournal();
+            } else if (writeJournal()) {
+                journal_.discard(session);  // Before that, it is all there is.
+            }
+            window_.say(MessageStrip::Mood::notice, message);
             return true;
         }
         const QString kept = QString::fromStdString(journal_.putAside(session).string());
@@ -139,19 +199,30 @@ bool SessionKeeper::restore()
     const std::filesystem::path file = folder_ / "session.json";
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored)) return false;
+    std::optional<std::vector<std::string>> notes;
     try {
-        return restoreSceneState(render::readFile(file, presetLimits.bytes), file.string());
+        notes = restoreSceneState(render::readFile(file, presetLimits.bytes), file.string());
     } catch (const std::exception& failure) {
         window_.say(MessageStrip::Mood::problem, said(failure.what()));
-        return false;
     }
+    if (notes && notes->empty()) return true;
+    const QString kept = putSessionAside();
+    if (notes)
+        window_.say(MessageStrip::Mood::notice, tr("Your last session was restored.") + QLatin1Char(' ') +
+                                                    tr("Not all of it is known here; it was kept as %1:").arg(kept) +
+                                                    QStringLiteral("\n    ") + changesText(*notes));
+    else if (!kept.isEmpty())
+        window_.say(MessageStrip::Mood::problem,
+                    tr("Your last session could not be restored and was kept as %1.").arg(kept));
+    return notes.has_value();
 }
 
 void SessionKeeper::close()
 {
     closed_ = true;
-    quiet_.stop();
+    due_.stop();
     settled_.stop();
+    if (writing_.valid()) writing_.get();
     try {
         render::atomicWriteMakingFolder(
             folder_ / "session.json",
@@ -179,7 +250,7 @@ void SessionKeeper::saveLayout() const
 void SessionKeeper::restoreLayout()
 {
     QSettings settings(settingsPath(folder_), QSettings::IniFormat);
-    window_.restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+    restorePlace(window_, settings.value(QStringLiteral("geometry")).toByteArray());
     window_.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
     window_.panel().setLockedRows(settings.value(QStringLiteral("locked")).toStringList());
     window_.panel().setFoldedGroups(settings.value(QStringLiteral("folded")).toStringList());

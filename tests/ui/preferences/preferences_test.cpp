@@ -58,6 +58,29 @@ class PreferencesTest : public QObject {
     }
 
 private slots:
+    void twoWindowsKeepEachOthersChanges()
+    {
+        Preferences a, b;
+        PreferenceValues inA = a.values(), inB = b.values();
+        inA.theme = ThemeChoice::light;
+        inA.keys = {{"screenshot", {"F9"}}};
+        a.set(inA);
+        inB.motion = MotionChoice::reduced;
+        inB.keys = {{"quit", {"Ctrl+W"}}};
+        b.set(inB);
+        PreferenceValues both = Preferences::saved();
+        QCOMPARE(both.theme, ThemeChoice::light);
+        QCOMPARE(both.motion, MotionChoice::reduced);
+        QCOMPARE(both.keys, (QMap<QString, QStringList>{{"quit", {"Ctrl+W"}}, {"screenshot", {"F9"}}}));
+        inA.keys.clear();
+        inA.theme = ThemeChoice::desktop;
+        a.set(inA);
+        both = Preferences::saved();
+        QCOMPARE(both.theme, ThemeChoice::desktop);
+        QCOMPARE(both.motion, MotionChoice::reduced);
+        QCOMPARE(both.keys, (QMap<QString, QStringList>{{"quit", {"Ctrl+W"}}}));
+    }
+
     void init()
     {
         home_ = std::make_unique<QTemporaryDir>();

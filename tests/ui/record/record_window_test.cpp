@@ -62,6 +62,21 @@ private slots:
     void init() { start(); }
     void cleanup() { finish(); }
 
+    void twoWindowsKeepEachOthersBookmarks()
+    {
+        Bookmarks a(*window_, window_.get()), b(*window_, window_.get());
+        a.set(1);
+        b.set(2);
+        a.set(3);
+        const Bookmarks read(*window_, window_.get());
+        for (const int number : {1, 2, 3}) QVERIFY2(!read.name(number).isEmpty(), qPrintable(QString::number(number)));
+        QVERIFY2(!a.name(2).isEmpty(), "it knows what it has read");
+        b.forgetAll();
+        a.set(4);
+        QVERIFY(a.name(1).isEmpty());
+        QVERIFY(!a.name(4).isEmpty());
+    }
+
     void aBookmarkBringsBackWhereItWasSetAlsoInTheNextSession()
     {
         stand(0.5);

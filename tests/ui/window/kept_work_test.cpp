@@ -2,6 +2,7 @@
 #include "tests/ui/ui_main.h"
 
 #include "render/failure.h"
+#include "render/files/strict_json.h"
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/number_field.h"
@@ -82,6 +83,11 @@ class KeptWorkTest : public QObject {
         const QStringList files =
             recovery().entryList({QString::number(QCoreApplication::applicationPid()) + "-*.json"}, QDir::Files);
         return files.isEmpty() ? QString() : files.front();
+    }
+    static render::Json journal()
+    {
+        QFile file(recovery().filePath(own()));
+        return file.open(QIODevice::ReadOnly) ? render::Json::parse(file.readAll().toStdString()) : render::Json();
     }
     [[nodiscard]] QStringList said() { return window_->findChild<MessageStrip*>()->texts(); }
     [[nodiscard]] double roughness() { return window_->history().sceneState().values[1][gallery_->table().roughness]; }
@@ -185,6 +191,66 @@ private slots:
         openWindow();
         QCOMPARE(roughness(), 0.61);
         QVERIFY(said().contains("Vitrine crashed or was stopped; your last state was restored."));
+    }
+
+    void whereTheVisitorWalkedIsInTheJournal()
+    {
+        render::Camera there;
+        there.eye = {0.625, 1.5, 3.25};
+        window_->viewport().jumpTo(there);
+        QTRY_VERIFY(!own().isEmpty());
+        QTRY_COMPARE(journal()["camera"]["eye"], (render::Json{0.625, 1.5, 3.25}));
+    }
+
+    void theJournalWaitsForNoPauseBetweenEdits()
+    {
+        // Each edit comes sooner than the journal would be written after it.
+        int edits = 0;
+        for (; own().isEmpty() && edits < 8; ++edits) {
+            setRoughness(0.3 + 0.01 * edits);
+            QTest::qWait(500);
+        }
+        QVERIFY2(edits < 8, "two seconds after the first one it is due");
+    }
+
+    void aSessionThatCannotBeReadIsKept()
+    {
+        const QByteArray newer = R"({"format": "vitrine-exhibition", "version": 99, "name": "Last session"})";
+        for (const QByteArray& text : {newer, QByteArray("{ half a sess")}) {
+            closeWindow();
+            QFile session(state("session.json"));
+            QVERIFY(session.open(QIODevice::WriteOnly | QIODevice::Truncate));
+            session.write(text);
+            session.close();
+            QFile::remove(state("aside-session.json"));
+            openWindow();
+            QVERIFY2(said().join(' ').contains("aside-session.json"), qPrintable(said().join(' ')));
+            closeWindow();
+            QFile kept(state("aside-session.json"));
+            QVERIFY(kept.open(QIODevice::ReadOnly));
+            QCOMPARE(kept.readAll(), text);
+            openWindow();  // The session that was written since.
+            QVERIFY2(!said().join(' ').contains("aside"), qPrintable(said().join(' ')));
+        }
+    }
+
+    void whatASessionSaysOfUnknownThingsIsNamedAndKept()
+    {
+        closeWindow();
+        QFile session(state("session.json"));
+        QVERIFY(session.open(QIODevice::ReadWrite));
+        render::Json text = render::Json::parse(session.readAll().toStdString());
+        text["values"]["hall.velvetRope"] = 3;
+        text["values"]["tapestry.threads"] = 400;
+        session.resize(0);
+        session.seek(0);
+        session.write(QByteArray::fromStdString(render::writeJson(text)));
+        session.close();
+        openWindow();
+        const QString all = said().join(' ');
+        for (const char* name : {"hall.velvetRope", "tapestry.threads", "aside-session.json"})
+            QVERIFY2(all.contains(name), qPrintable(all));
+        QVERIFY(QFile::exists(state("aside-session.json")));
     }
 
     void aStateThatCrashesAgainAndAgainIsPutAsideAndNotLost()
