@@ -4,6 +4,7 @@
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
 
+#include <QLabel>
 #include <QPainter>
 #include <QStyleFactory>
 #include <QStyleOption>
@@ -39,13 +40,20 @@ void drawField(QPainter* painter, const QRect& rect, QStyle::State state, bool a
     painter->restore();
 }
 
-void drawChevron(QPainter* painter, const QPointF& middle, bool enabled, bool up = false)
+/// Share by which marks are larger beside the type of a widget than beside type of the usual size.
+double growthOf(const QWidget* widget)
+{
+    return widget ? grown(100, *widget) / 100.0 : 1;
+}
+
+void drawChevron(QPainter* painter, const QPointF& middle, bool enabled, double growth, bool up = false)
 {
     painter->save();
     painter->setRenderHint(QPainter::Antialiasing);
-    painter->setPen(QPen(enabled ? theme().dim : veil(0.2F), 1.4, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    const double tip = up ? -1.5 : 1.5;
-    const QPointF points[3] = {middle + QPointF(-3, -tip), middle + QPointF(0, tip), middle + QPointF(3, -tip)};
+    painter->setPen(QPen(enabled ? theme().dim : veil(0.2F), 1.4 * growth, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    const double tip = (up ? -1.5 : 1.5) * growth;
+    const double side = 3 * growth;
+    const QPointF points[3] = {middle + QPointF(-side, -tip), middle + QPointF(0, tip), middle + QPointF(side, -tip)};
     painter->drawPolyline(points, 3);
     painter->restore();
 }
@@ -76,6 +84,14 @@ void drawCheckBox(QPainter* painter, const QStyleOption& option)
 
 QuietStyle::QuietStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fusion"))) {}
 
+void QuietStyle::polish(QWidget* widget)
+{
+    QProxyStyle::polish(widget);
+    // A tooltip is polished before it gets its text, and shows all later texts in the same label.
+    if (auto* label = qobject_cast<QLabel*>(widget); label && label->textFormat() == Qt::AutoText)
+        label->setTextFormat(Qt::PlainText);
+}
+
 void QuietStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
                                const QWidget* widget) const
 {
@@ -102,7 +118,7 @@ void QuietStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         painter->restore();
         return;
     case PE_IndicatorArrowDown:
-        drawChevron(painter, QRectF(option->rect).center(), option->state & State_Enabled);
+        drawChevron(painter, QRectF(option->rect).center(), option->state & State_Enabled, growthOf(widget));
         return;
     default: QProxyStyle::drawPrimitive(element, option, painter, widget);
     }
@@ -168,16 +184,17 @@ void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
         drawField(painter, option->rect, option->state);
     if (control == CC_ComboBox) {
         drawField(painter, option->rect, option->state & ~(State_Sunken | State_On));
-        drawChevron(painter, QPointF(option->rect.right() - 10, QRectF(option->rect).center().y()),
-                    option->state & State_Enabled);
+        const double growth = growthOf(widget);
+        drawChevron(painter, QPointF(option->rect.right() - 10 * growth, QRectF(option->rect).center().y()),
+                    option->state & State_Enabled, growth);
         return;
     }
     if (control == CC_SpinBox) {
         drawField(painter, option->rect, option->state & ~(State_Sunken | State_On));
         const QRectF up = subControlRect(CC_SpinBox, option, SC_SpinBoxUp, widget);
         const QRectF down = subControlRect(CC_SpinBox, option, SC_SpinBoxDown, widget);
-        drawChevron(painter, up.center(), option->state & State_Enabled, true);
-        drawChevron(painter, down.center(), option->state & State_Enabled);
+        drawChevron(painter, up.center(), option->state & State_Enabled, growthOf(widget), true);
+        drawChevron(painter, down.center(), option->state & State_Enabled, growthOf(widget));
         return;
     }
     if (control == CC_ScrollBar) {
@@ -215,6 +232,7 @@ int QuietStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
                           QStyleHintReturn* returned) const
 {
     if (hint == SH_FocusFrame_AboveWidget) return 1;
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;  // Of the desktop's icons, black ones are lost on dark.
     if (hint == SH_Widget_Animation_Duration && reducedMotion()) return 0;
     return QProxyStyle::styleHint(hint, option, widget, returned);
 }

@@ -15,6 +15,11 @@ public:
 
     QuietStyle();
 
+    /// Makes every label that was not told otherwise plain text, tooltips among them: names, titles and paths of files
+    /// stand in them, and Qt would read files that their HTML names.
+    void polish(QWidget*) override;
+    using QProxyStyle::polish;
+
     void drawPrimitive(PrimitiveElement, const QStyleOption*, QPainter*, const QWidget*) const override;
     void drawControl(ControlElement, const QStyleOption*, QPainter*, const QWidget*) const override;
     void drawComplexControl(ComplexControl, const QStyleOptionComplex*, QPainter*, const QWidget*) const override;

@@ -20,7 +20,7 @@ public:
     {
         const auto& label = *static_cast<const QLabel*>(object());
         if (which != QAccessible::Name) return QAccessibleWidget::text(which);
-        const QString shown = plainText(label.text());
+        const QString shown = plainText(label);
         const QString name = label.accessibleName();
         if (name.isEmpty() || name == shown) return shown;
         return shown.isEmpty() ? name : QStringLiteral("%1: %2").arg(name, shown);

@@ -1,5 +1,6 @@
 #include "ui/kit/spoken_widget.h"
 
+#include <QLabel>
 #include <QTextDocumentFragment>
 
 #include <algorithm>
@@ -7,9 +8,10 @@
 
 namespace vitrine::ui {
 
-QString plainText(const QString& text)
+QString plainText(const QLabel& label)
 {
-    return Qt::mightBeRichText(text) ? QTextDocumentFragment::fromHtml(text).toPlainText() : text;
+    return label.textFormat() == Qt::RichText ? QTextDocumentFragment::fromHtml(label.text()).toPlainText()
+                                              : label.text();
 }
 
 QAccessible::Role SpokenWidget::role() const
@@ -27,7 +29,7 @@ QString SpokenWidget::text(QAccessible::Text which) const
     for (const QString& part : {widget()->accessibleDescription(), one->spokenText()})
         if (!part.isEmpty()) all << part;
     // The tooltip has the range and how to change it.
-    return all.isEmpty() ? plainText(widget()->toolTip()) : all.join(QLatin1Char(' '));
+    return all.isEmpty() ? widget()->toolTip() : all.join(QLatin1Char(' '));
 }
 
 void* SpokenWidget::interface_cast(QAccessible::InterfaceType type)

@@ -4,10 +4,12 @@
 
 #include <QAccessibleWidget>
 
+class QLabel;
+
 namespace vitrine::ui {
 
-/// Text without the marks of rich text.
-[[nodiscard]] QString plainText(const QString&);
+/// Text of a label, without the marks of rich text where it shows such.
+[[nodiscard]] QString plainText(const QLabel&);
 
 /// The accessible interface of a widget that is spoken.
 class SpokenWidget : public QAccessibleWidget, public QAccessibleValueInterface {

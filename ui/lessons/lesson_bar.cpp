@@ -107,7 +107,7 @@ void LessonBar::tell()
 {
     QStringList page;
     for (const QLabel* each : {count_, title_, text_})
-        if (!each->text().isEmpty()) page << plainText(each->text());
+        if (!each->text().isEmpty()) page << plainText(*each);
     const QString words = page.join(QLatin1Char('\n'));
     if (isHidden() || std::exchange(told_, words) == words) return;
     setAccessibleName(words);
