@@ -245,7 +245,7 @@ ParameterValues ParameterValues::under(std::shared_ptr<const Parameters> table, 
         const ParameterInfo& row = result.rows()[i];
         if (const auto here = table_->find(row.name)) {
             if (rows()[*here].kind != row.kind) continue;
-            result.setRow(i, values_[*here]);
+            if (!isInitial(*here)) result.setRow(i, values_[*here]);
             if (const Motion* moves = motion(*here)) result.setMotion(i, *moves);
         } else if (const auto written = pending_.find(std::string(row.name)); written != pending_.end()) {
             if (const auto value = valueFromText(row, written->second, notes)) result.setRow(i, *value);

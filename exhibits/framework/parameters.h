@@ -459,9 +459,9 @@ public:
     [[nodiscard]] const PendingRows& pendingMotions() const { return pendingMotions_; }
     void setPendingMotions(PendingRows pending) { pendingMotions_ = std::move(pending); }
 
-    /// These values under another table: rows of the same name and kind keep theirs, as near as is legal there; a row
-    /// that is new takes its pending value; others are initial. Motions go with their rows. What is wrong with a
-    /// pending value is added to `notes`, one sentence each.
+    /// These values under another table: rows of the same name and kind keep what is not initial, as near as is legal;
+    /// new rows take pending values; others are initial, so that what nobody changed follows the file that gives it.
+    /// Motions go with their rows. What is wrong with a pending value is added to `notes`, one sentence each.
     [[nodiscard]] ParameterValues under(std::shared_ptr<const Parameters>, std::vector<std::string>& notes) const;
     /// The same under the table of other values where these name the same files for it: else these, as they are.
     [[nodiscard]] ParameterValues asShownBy(const ParameterValues& other) const;

@@ -40,7 +40,8 @@ void SceneStateChange::set(ParameterValues& values, const Row& change, const Val
     // A file was read again since: the row is where its name is.
     const ParameterInfo& info = change.table->rows()[change.row];
     const std::optional<std::size_t> row = values.table().find(info.name);
-    if (row && values.rows()[*row].kind == info.kind) values.setRow(*row, value);
+    if (!row || values.rows()[*row].kind != info.kind) return;
+    values.setRow(*row, value == info.initial ? values.rows()[*row].initial : value);
 }
 
 void SceneStateChange::apply(SceneState& sceneState) const

@@ -110,8 +110,11 @@ void ParameterPanel::showAll()
     // While only changed rows are shown, a row that was just reset stays until the next look.
     if (!sameTable) applyFilter();
     if (!onlyRows) return;
-    scroll_->verticalScrollBar()->setValue(scrolled);
+    // The new rows have no place yet, and the bar no range.
+    content_->layout()->activate();
+    content_->resize(scroll_->viewport()->width(), content_->sizeHint().height());
     focusRow(focused);
+    scroll_->verticalScrollBar()->setValue(scrolled);
 }
 
 void ParameterPanel::showRow(std::size_t exhibit, std::size_t row)
@@ -202,6 +205,7 @@ void ParameterPanel::addRow(std::size_t i)
     rows_.push_back(row);
     sectionOf_.push_back(sections_.back());
     connect(row, &ParameterRow::accuracyAsked, this, [this, i] { emit accuracyAsked(i); });
+    connect(row, &ParameterRow::wayAsked, this, [this, i](const QPoint& at) { openWay(i, at); });
     row->installEventFilter(this);
     for (QWidget* child : row->findChildren<QWidget*>()) child->installEventFilter(this);
 }
@@ -213,13 +217,17 @@ void ParameterPanel::orderTabs()
     setTabOrder(filter_, onlyChanged_);
     setTabOrder(onlyChanged_, elsewhere_);
     QList<QWidget*> stops;
-    qsizetype firstOfRow = 0;
+    qsizetype firstOfRow = 0, marks = 0;
     for (QWidget* child : content_->findChildren<QWidget*>()) {
-        if (qobject_cast<ParameterRow*>(child)) firstOfRow = stops.size();
+        if (qobject_cast<ParameterRow*>(child)) {
+            firstOfRow = stops.size();
+            marks = 0;
+        }
         if (child->focusPolicy() == Qt::NoFocus || child->window() != window())
             continue;  // Choices have windows of their own.
-        // The gauge stands before the controls.
-        stops.insert(qobject_cast<GaugeMark*>(child) ? firstOfRow : stops.size(), child);
+        // The marks stand before the controls.
+        const bool mark = qobject_cast<GaugeMark*>(child) || qobject_cast<IdleMark*>(child);
+        stops.insert(mark ? firstOfRow + marks++ : stops.size(), child);
     }
     for (QWidget* stop : std::as_const(stops)) {
         setTabOrder(before, stop);

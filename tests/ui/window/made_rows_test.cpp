@@ -7,6 +7,9 @@
 #include "ui/study/study_dock.h"
 
 #include <QComboBox>
+#include <QFile>
+#include <QScrollArea>
+#include <QScrollBar>
 
 #include <semaphore>
 
@@ -109,6 +112,58 @@ private slots:
         test::writeBalls(path("two.json"), {{"blue", 2}, {"white", 1}});
         QTRY_VERIFY_WITH_TIMEOUT(window_->panel().row("whiteRadius"), vitrine::test::patience);
         QCOMPARE(rowOf(values(), "blueRadius").value(), Value(4.5));
+    }
+
+    void aRowThatNobodyTouchedFollowsItsFile()
+    {
+        name(path("two.json"));
+        QTRY_VERIFY(window_->panel().row("redRadius"));
+        window_->history().set(balls, *values().table().find("blueRadius"), 4.5, newGesture());
+        test::writeBalls(path("two.json"), {{"red", 0.75}, {"blue", 3}});
+        QTRY_COMPARE_WITH_TIMEOUT(rowOf(values(), "redRadius").value(), Value(0.75), vitrine::test::patience);
+        QVERIFY(values().isInitial(*values().table().find("redRadius")));
+        QVERIFY(!window_->panel().row("redRadius")->differs());
+        // The picture has it, and what the visitor set stays.
+        QTRY_COMPARE(rowOf(gallery_->drawn().values[balls], "redRadius").value_or(Value(0.0)), Value(0.75));
+        QCOMPARE(rowOf(values(), "blueRadius").value(), Value(4.5));
+        // What undo brings back is what the file says now.
+        undo();
+        QTRY_COMPARE(rowOf(values(), "blueRadius").value(), Value(3.0));
+        QTRY_COMPARE(rowOf(values(), "redRadius").value(), Value(0.75));
+    }
+
+    void theMessageAboutAFileLeavesOnceItIsMended()
+    {
+        auto* strip = window_->findChild<MessageStrip*>();
+        name(path("two.json"));
+        QTRY_VERIFY(window_->panel().row("redRadius"));
+        QFile broken(home_->filePath("two.json"));
+        QVERIFY(broken.open(QIODevice::WriteOnly));
+        broken.write("{\"balls\": [");
+        broken.close();
+        QTRY_COMPARE_WITH_TIMEOUT(strip->texts().size(), 1, vitrine::test::patience);
+        QVERIFY2(strip->texts().front().contains("two.json"), qPrintable(strip->texts().front()));
+        window_->choose(1);  // Whatever is on show meanwhile.
+        test::writeBalls(path("two.json"), {{"red", 0.25}});
+        QTRY_VERIFY2_WITH_TIMEOUT(strip->texts().isEmpty(), qPrintable(strip->texts().join(' ')),
+                                  vitrine::test::patience);
+    }
+
+    void aReloadLeavesThePanelWhereItWas()
+    {
+        std::vector<test::Ball> many;
+        for (char c = 'a'; c <= 'z'; ++c) many.push_back({std::string("ball") + c, 1});
+        test::writeBalls(path("many.json"), many);
+        name(path("many.json"));
+        QTRY_VERIFY(window_->panel().row("ballzRadius"));
+        QScrollBar* bar = window_->panel().findChild<QScrollArea*>()->verticalScrollBar();
+        QTRY_VERIFY(bar->maximum() > 400);
+        bar->setValue(300);
+        many.front().radius = 2;
+        test::writeBalls(path("many.json"), many);
+        QTRY_COMPARE_WITH_TIMEOUT(rowOf(values(), "ballaRadius").value(), Value(2.0), vitrine::test::patience);
+        QTest::qWait(50);
+        QCOMPARE(bar->value(), 300);
     }
 
     void presetsAndSessionsBringTheRowsBack()
