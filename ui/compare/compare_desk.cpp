@@ -20,6 +20,12 @@ namespace {
 
 constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
 
+/// Cause of the problems of drawing B.
+QString drawingOfB()
+{
+    return QStringLiteral("drawing of B");
+}
+
 }  // namespace
 
 CompareDesk::CompareDesk(Workbench& workbench, PresetShelf& shelf, QWidget* parent)
@@ -33,10 +39,13 @@ CompareDesk::CompareDesk(Workbench& workbench, PresetShelf& shelf, QWidget* pare
     connect(overlay_, &CompareOverlay::needsChanged, this, &CompareDesk::refresh);
     connect(&workbench.history(), &History::changed, bar_, &CompareBar::refresh);
     connect(&workbench.history(), &History::replaced, bar_, &CompareBar::refresh);
-    connect(picture_, &OtherPicture::drawn, this, &CompareDesk::tellLedger);
+    connect(picture_, &OtherPicture::drawn, this, [this] {
+        workbench_.setProblems(drawingOfB(), {});
+        tellLedger();
+    });
     connect(picture_, &OtherPicture::gone, this, &CompareDesk::tellLedger);
     connect(picture_, &OtherPicture::failed, this,
-            [this](const QString& why) { workbench_.say(MessageStrip::Mood::problem, tr("B: %1").arg(why)); });
+            [this](const QString& why) { workbench_.setProblems(drawingOfB(), {tr("B: %1").arg(why)}); });
     fileWatch_.setInterval(lookAtFilesEvery);
     connect(&fileWatch_, &QTimer::timeout, this, &CompareDesk::lookAtFiles);
     bar_->refresh();
@@ -91,8 +100,9 @@ void CompareDesk::hold(const SceneState& sceneState, const QString& name)
             const TabledSceneState read = museum.readTables(sceneState);
             return [this, read, name, number] {
                 if (number != holds_) return;
-                for (const std::string& why : read.unreadable)
-                    workbench_.say(MessageStrip::Mood::problem, tr("B: %1").arg(said(why)));
+                QStringList unreadable;
+                for (const std::string& why : read.unreadable) unreadable << tr("B: %1").arg(said(why));
+                workbench_.setProblems(QStringLiteral("files of B"), unreadable);
                 if (name.isNull())
                     other_->readAgain(read.sceneState);
                 else

@@ -1,6 +1,7 @@
 #include "ui/explore/pad_corners.h"
 
 #include "exhibits/framework/preset_store.h"
+#include "ui/kit/language.h"
 #include "ui/kit/tile_delegate.h"
 #include "ui/model/workbench.h"
 #include "ui/presets/preset_shelf.h"
@@ -57,8 +58,9 @@ void PadCorners::takePreset(std::size_t corner, const QString& id)
         const TabledSceneState read = museum.readTables(sceneState);
         return [this, read, exhibit, corner, number] {
             if (number != readings_.at(corner)) return;
-            for (const std::string& why : read.unreadable)
-                workbench_.say(MessageStrip::Mood::problem, QString::fromStdString(why));
+            QStringList unreadable;
+            for (const std::string& why : read.unreadable) unreadable << said(why);
+            workbench_.setProblems(QStringLiteral("files of corner %1").arg(corner), unreadable);
             corners_.at(corner).values = read.sceneState.values[exhibit];
             emit changed();
         };

@@ -15,6 +15,7 @@
 #include <QPainter>
 #include <QPropertyAnimation>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTimer>
 #include <QToolButton>
 
@@ -23,7 +24,8 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int highest = 132;  // Pixels: a few messages; more of them scroll.
+constexpr int highest = 132;    // Pixels: a few messages; more of them scroll.
+constexpr int narrowest = 200;  // Pixels: less wide, messages are not fitted.
 
 class Line final : public QWidget, public Spoken {
 public:
@@ -124,7 +126,8 @@ private:
 }  // namespace
 
 MessageStrip::MessageStrip(QWidget* parent)
-    : QWidget(parent), scroll_(new QScrollArea(this)), content_(new QWidget), list_(new QVBoxLayout(content_))
+    : QWidget(parent), scroll_(new QScrollArea(this)), content_(new QWidget), list_(new QVBoxLayout(content_)),
+      closeAll_(new QToolButton(this))
 {
     list_->setContentsMargins(0, 0, 0, 0);
     list_->setSpacing(1);
@@ -135,7 +138,15 @@ MessageStrip::MessageStrip(QWidget* parent)
     scroll_->setFocusPolicy(Qt::NoFocus);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
     layout->addWidget(scroll_);
+    layout->addWidget(closeAll_, 0, Qt::AlignRight);
+    closeAll_->setText(tr("Close all"));
+    closeAll_->setAccessibleName(tr("Close all"));
+    closeAll_->setToolTip(tr("Dismisses all messages."));
+    closeAll_->setAutoRaise(true);
+    closeAll_->setFocusPolicy(Qt::StrongFocus);
+    connect(closeAll_, &QToolButton::clicked, this, &MessageStrip::dismissAll);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     hide();
 }
@@ -151,17 +162,25 @@ void MessageStrip::lieOver(QWidget* under)
 void MessageStrip::say(Mood mood, const QString& text, const QString& several, const QString& what, const QString& file)
 {
     emit said(text);
-    if (texts().contains(text)) return;
-    Line* line = nullptr;
-    for (int i = 0; i < list_->count() && !several.isEmpty(); ++i)
-        if (auto* other = dynamic_cast<Line*>(list_->itemAt(i)->widget()); other && other->kind() == several)
-            line = other;
+    Line *line = nullptr, *same = nullptr;
+    for (int i = 0; i < list_->count(); ++i) {
+        auto* other = dynamic_cast<Line*>(list_->itemAt(i)->widget());
+        if (!other) continue;
+        if (other->text() == text) same = other;
+        if (!several.isEmpty() && other->kind() == several) line = other;
+    }
+    if (same) line = same;
     if (line) {
-        line->repeat(several, what);
+        if (!same) line->repeat(several, what);
+        list_->removeWidget(line);
+        list_->insertWidget(0, line);
+        scroll_->verticalScrollBar()->setValue(0);
+        if (same) return;
     } else {
         line = new Line(mood, text, content_);
         line->setKind(several);
-        list_->addWidget(line);
+        list_->insertWidget(0, line);
+        scroll_->verticalScrollBar()->setValue(0);
         connect(line, &QObject::destroyed, this, [this] { QTimer::singleShot(0, this, &MessageStrip::fit); });
         if (mood == Mood::notice) line->goAfter(noticeTime_);
     }
@@ -197,6 +216,19 @@ QStringList MessageStrip::texts() const
     return all;
 }
 
+void MessageStrip::setProblems(const QString& cause, const QStringList& texts)
+{
+    const QStringList before = problems_.value(cause);
+    if (texts.isEmpty())
+        problems_.remove(cause);
+    else
+        problems_.insert(cause, texts);
+    for (const QString& text : before)
+        if (!texts.contains(text)) takeBack(text);
+    for (const QString& text : texts)
+        if (!before.contains(text)) say(Mood::problem, text);
+}
+
 void MessageStrip::takeBack(const QString& text)
 {
     for (int i = list_->count() - 1; i >= 0; --i)
@@ -212,10 +244,12 @@ void MessageStrip::dismissAll()
 void MessageStrip::fit()
 {
     setVisible(list_->count() > 0 && !banned_);
+    closeAll_->setVisible(list_->count() > 1);
     const int wide = under_ ? under_->width() : width();
     const int wanted =
-        list_->hasHeightForWidth() ? list_->heightForWidth(std::max(200, wide)) : list_->sizeHint().height();
-    setFixedHeight(std::min(grown(highest, *this), wanted));
+        list_->hasHeightForWidth() ? list_->heightForWidth(std::max(narrowest, wide)) : list_->sizeHint().height();
+    const int below = list_->count() > 1 ? closeAll_->sizeHint().height() : 0;
+    setFixedHeight(std::min(grown(highest, *this), wanted) + below);
     if (!under_) return;
     setGeometry(under_->x(), under_->y(), wide, height());
     raise();

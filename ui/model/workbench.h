@@ -14,6 +14,12 @@ class History;
 class Renderers;
 class Viewport;
 
+/// Cause of the problems of opening a file: opening it again takes them back.
+[[nodiscard]] inline QString openingOf(const QString& path)
+{
+    return QStringLiteral("opening ") + path;
+}
+
 /// What the window offers to those who work for it: controllers, exports, dialogs.
 class Workbench {
 public:
@@ -33,6 +39,8 @@ public:
     /// As `MessageStrip::say`.
     virtual void say(MessageStrip::Mood, const QString& text, const QString& several = {}, const QString& what = {},
                      const QString& file = {}) = 0;
+    /// As `MessageStrip::setProblems`.
+    virtual void setProblems(const QString& cause, const QStringList& texts) = 0;
 };
 
 }  // namespace vitrine::ui

@@ -84,7 +84,7 @@ private:
     void show(const Preset&, std::size_t exhibit, const QString& step);
     void tell(const QString& origin, const std::vector<std::string>& notes);
     void keepThumbnail(const std::filesystem::path& preset);
-    void trySafely(const std::function<void()>& work);
+    void trySafely(const std::function<void()>& work, const QString& cause = QStringLiteral("presets"));
     void renameTo(const QString& id, const QString& name);
     void setTags(const QString& id, const PresetTags&, std::size_t exhibit);
     void showFacts(const QString& id);

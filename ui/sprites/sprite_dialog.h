@@ -70,7 +70,6 @@ private:
     QTimer soon_;  ///< Not at every step of a slider.
     std::shared_ptr<const SpriteSubject> subject_;
     std::string model_ = "?";  ///< That was read last; no file has this name at first.
-    QString complaint_;        ///< About the object, in the strip.
     bool exporting_ = false;
     bool remembered_ = false;
 

@@ -7,7 +7,18 @@
 #include "ui/kit/text.h"
 #include "ui/model/workbench.h"
 
+#include <utility>
+
 namespace vitrine::ui {
+namespace {
+
+/// Cause of the problems of editing the tree: they leave with the next edit that is done.
+QString treeEditCause()
+{
+    return QStringLiteral("editing of the tree");
+}
+
+}  // namespace
 
 TreeEditor::TreeEditor(Workbench& window, QObject* parent) : QObject(parent), window_(window)
 {
@@ -30,6 +41,7 @@ void TreeEditor::setSubject(std::size_t exhibit)
     table_.reset();
     tree_ = {};
     selected_.clear();
+    selectedBefore_.clear();
     refresh();
     emit treeChanged();
     emit selectionChanged();
@@ -45,7 +57,8 @@ void TreeEditor::refresh()
         tree_ = std::move(now);
         if (another) emit treeChanged();
     }
-    if (!selected_.empty() && tree_.find(selected_) == TreeNode::none) select({});
+    // A node that an undo took away leaves the one that was selected before it.
+    if (!selected_.empty() && tree_.find(selected_) == TreeNode::none) select(std::exchange(selectedBefore_, {}));
     emit valuesChanged();
 }
 
@@ -53,7 +66,7 @@ void TreeEditor::select(const std::string& node)
 {
     const std::string wanted = tree_.find(node) == TreeNode::none ? std::string() : node;
     if (wanted == selected_) return;
-    selected_ = wanted;
+    selectedBefore_ = std::exchange(selected_, wanted);
     emit selectionChanged();
 }
 
@@ -85,12 +98,14 @@ bool TreeEditor::apply(const TreeEdit& edit, const QString& text)
     try {
         render::AssetStore assets = window_.museum().assets();
         EditedTree made = source_->edited(values(), edit, assets);
+        window_.setProblems(treeEditCause(), {});
         beginDocument();
         change(made.values, 0, text);
         select(made.node);
         return true;
     } catch (const Failure& failure) {
-        window_.say(MessageStrip::Mood::problem, said(failure.what()));
+        window_.setProblems(treeEditCause(), {});
+        window_.setProblems(treeEditCause(), {said(failure.what())});
         return false;
     }
 }
@@ -101,10 +116,12 @@ void TreeEditor::setRow(std::size_t row, const Value& value, Gesture gesture, co
     try {
         render::AssetStore assets = window_.museum().assets();
         const ParameterValues next = source_->withRow(values(), selected_, row, value, assets);
+        window_.setProblems(treeEditCause(), {});
         beginDocument();
         change(next, gesture, text);
     } catch (const Failure& failure) {
-        window_.say(MessageStrip::Mood::problem, said(failure.what()));
+        window_.setProblems(treeEditCause(), {});
+        window_.setProblems(treeEditCause(), {said(failure.what())});
         emit valuesChanged();
     }
 }
@@ -115,10 +132,12 @@ void TreeEditor::setPlace(const TreePlace& from, const TreePlace& to, Gesture ge
     try {
         render::AssetStore assets = window_.museum().assets();
         const ParameterValues next = source_->withPlace(values(), selected_, from, to, assets);
+        window_.setProblems(treeEditCause(), {});
         beginDocument();
         change(next, gesture, text);
     } catch (const Failure& failure) {
-        window_.say(MessageStrip::Mood::problem, said(failure.what()));
+        window_.setProblems(treeEditCause(), {});
+        window_.setProblems(treeEditCause(), {said(failure.what())});
     }
 }
 

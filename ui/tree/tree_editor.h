@@ -64,6 +64,7 @@ private:
     Tree tree_;
     std::shared_ptr<const Parameters> table_;  ///< That the tree was made of.
     std::string selected_;
+    std::string selectedBefore_;
 };
 
 }  // namespace vitrine::ui

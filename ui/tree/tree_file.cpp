@@ -123,8 +123,10 @@ bool TreeFile::saveTo(const QString& path)
     const std::string text = source->documentText(editor_.values());
     try {
         render::atomicWrite(file, text);
+        window_.setProblems(QStringLiteral("saving of the tree"), {});
     } catch (const Failure& failure) {
-        window_.say(MessageStrip::Mood::problem, said(failure.what()));
+        window_.setProblems(QStringLiteral("saving of the tree"), {});
+        window_.setProblems(QStringLiteral("saving of the tree"), {said(failure.what())});
         return false;
     }
     SceneState after = window_.history().sceneState();

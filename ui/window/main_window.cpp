@@ -39,8 +39,10 @@
 #include "ui/window/exhibit_list.h"
 #include "ui/window/export_again.h"
 #include "ui/window/file_opener.h"
+#include "ui/window/heap_trimmer.h"
 #include "ui/window/ledger_dock.h"
 #include "ui/window/log_view.h"
+#include "ui/window/palette_entries.h"
 #include "ui/window/parameter_tabs.h"
 #include "ui/window/picture_export.h"
 #include "ui/window/recent_files.h"
@@ -62,6 +64,7 @@
 #include <QScreen>
 #include <QStandardPaths>
 #include <QStatusBar>
+#include <QStatusTipEvent>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -194,7 +197,9 @@ void MainWindow::connectParts()
     guard_->setUnsaved([this] { return docks_->treeFile().unsaved(); }, [this] { return docks_->treeFile().save(); });
     connect(files_, &FileOpener::printFound, this, &MainWindow::openPrintDialog);
     connect(&docks_->exhibits(), &ExhibitList::chosen, this, &MainWindow::visit);
-    connect(&study(), &StudyDock::failed, this, [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    connect(&study(), &StudyDock::failed, this,
+            [this](const QString& why) { setProblems(QStringLiteral("study"), {why}); });
+    connect(&study(), &StudyDock::finished, this, [this] { setProblems(QStringLiteral("study"), {}); });
     panel().setOther(&comparison_->other());
     connect(comparison_, &CompareDesk::ledgerChanged, &docks_->ledger(), &LedgerDock::noteOther);
     connect(messages_, &MessageStrip::said, &docks_->log(), &LogView::add);
@@ -210,8 +215,14 @@ void MainWindow::connectViewport()
             history_.change(tr("Press the button of %1").arg(said(subject.title())), next);
     });
     connect(viewport_, &Viewport::failed, this,
-            [this](const QString& message) { say(MessageStrip::Mood::problem, message); });
-    connect(viewport_, &Viewport::drawn, this, &MainWindow::noteFrame);
+            [this](const QString& message) { setProblems(QStringLiteral("drawing"), {message}); });
+    connect(&viewport_->renderThread(), &RenderThread::failed, this,
+            [this](const QString& why) { say(MessageStrip::Mood::problem, why); });
+    connect(viewport_, &Viewport::drawn, this, [this](const render::FrameReport& report, const QSize& pixels) {
+        setProblems(QStringLiteral("drawing"), {});
+        noteFrame(report, pixels);
+    });
+    new HeapTrimmer(*viewport_, this);
 }
 
 void MainWindow::noteFrame(const render::FrameReport& report, const QSize& pixels)
@@ -225,26 +236,23 @@ void MainWindow::noteFrame(const render::FrameReport& report, const QSize& pixel
 
 void MainWindow::showComplaints(const std::vector<render::CulledPass>& skipped)
 {
-    for (const render::CulledPass& complaint : complaints_.begun(skipped)) {
-        const QString line = said(lineOf(complaint));
-        if (complaint.unreadable.empty())
-            docks_->log().add(line);
-        else
-            say(MessageStrip::Mood::problem, line);  // What the strip says goes into the log, too.
-    }
-    // A file that is there again is no problem any more.
-    QStringList now;
+    for (const render::CulledPass& complaint : complaints_.begun(skipped))
+        if (complaint.unreadable.empty()) docks_->log().add(said(lineOf(complaint)));
+    QStringList unreadable;  // What the strip lists goes into the log, too.
     for (const render::CulledPass& complaint : skipped)
-        if (complaint.complaint && !complaint.unreadable.empty()) now << said(lineOf(complaint));
-    for (const QString& line : std::as_const(unreadable_))
-        if (!now.contains(line)) messages_->takeBack(line);
-    unreadable_ = now;
+        if (complaint.complaint && !complaint.unreadable.empty()) unreadable << said(lineOf(complaint));
+    setProblems(QStringLiteral("files that are drawn"), unreadable);
 }
 
 void MainWindow::say(MessageStrip::Mood mood, const QString& words, const QString& several, const QString& what,
                      const QString& file)
 {
     messages_->say(mood, words, several, what, file);
+}
+
+void MainWindow::setProblems(const QString& cause, const QStringList& texts)
+{
+    messages_->setProblems(cause, texts);
 }
 
 void MainWindow::choose(std::size_t exhibit)
@@ -296,7 +304,7 @@ void MainWindow::showTitle()
     const QString use = shelf_->titleOfUse();
     QStringList parts{said(museum_.subject(shown()).title())};
     if (!use.isEmpty()) parts << use;
-    setWindowTitle(tr("%1 – Vitrine").arg(parts.join(QStringLiteral(": "))));
+    setWindowTitle(tr("%1 — Vitrine").arg(parts.join(QStringLiteral(": "))));
 }
 
 void MainWindow::resetEverything()
@@ -367,6 +375,14 @@ void MainWindow::showRow(const QString& name)
 void MainWindow::setFullScreen(bool on)
 {
     setWindowState(on ? windowState() | Qt::WindowFullScreen : windowState() & ~Qt::WindowFullScreen);
+}
+
+bool MainWindow::event(QEvent* event)
+{
+    if (event->type() != QEvent::StatusTip) return QMainWindow::event(event);
+    // In place of the first words of the status line only: its numbers stay.
+    status_->showHelp(static_cast<QStatusTipEvent*>(event)->tip());
+    return true;
 }
 
 void MainWindow::closeEvent(QCloseEvent* event)
@@ -448,7 +464,10 @@ void MainWindow::saveTour()
 
 void MainWindow::openPalette()
 {
-    (new CommandPalette(actions_->all, this))->show();
+    auto* owner = new QObject(this);
+    auto* palette = new CommandPalette(paletteEntries(*this, actions_->all, *owner), this);
+    connect(palette, &QObject::destroyed, owner, &QObject::deleteLater);
+    palette->show();
 }
 
 void MainWindow::openAbout()

@@ -47,6 +47,7 @@ public:
     void choose(std::size_t exhibit) override;
     void say(MessageStrip::Mood, const QString& text, const QString& several = {}, const QString& what = {},
              const QString& file = {}) override;
+    void setProblems(const QString& cause, const QStringList& texts) override;
 
     /// Chooses an exhibit and goes there.
     void visit(std::size_t exhibit);
@@ -85,6 +86,7 @@ public:
     void openPage(std::size_t subject);
 
 protected:
+    bool event(QEvent*) override;
     void closeEvent(QCloseEvent*) override;
     void dragEnterEvent(QDragEnterEvent*) override;
     void dropEvent(QDropEvent*) override;
@@ -120,7 +122,6 @@ private:
     ExportAgain* again_ = nullptr;
     WindowPreferences* preferences_;
     render::Diagnostics complaints_;  // Those that are in the log already.
-    QStringList unreadable_;          // What the strip says about files that cannot be read.
     std::unique_ptr<WindowActions> actions_;
     bool bare_ = false;  // Panels, menu and status line are hidden.
     std::size_t chosen_ = hallIndex;

@@ -35,7 +35,10 @@ void TableReader::read()
 void TableReader::readAgain()
 {
     asked_ = named();
-    if (asked_.empty()) return;
+    if (asked_.empty()) {
+        window_.setProblems(QStringLiteral("files that give parameters"), {});
+        return;
+    }
     window_.viewport().renderThread().post(
         [this, &museum = window_.museum(), sceneState = window_.history().sceneState()]() -> std::function<void()> {
             auto tabled = std::make_shared<const TabledSceneState>(museum.readTables(sceneState));
@@ -45,7 +48,9 @@ void TableReader::readAgain()
 
 void TableReader::take(const TabledSceneState& tabled)
 {
-    for (const std::string& why : tabled.unreadable) window_.say(MessageStrip::Mood::problem, said(why));
+    QStringList unreadable;
+    for (const std::string& why : tabled.unreadable) unreadable << said(why);
+    window_.setProblems(QStringLiteral("files that give parameters"), unreadable);
     for (const std::string& note : tabled.notes) window_.say(MessageStrip::Mood::notice, said(note));
     taking_ = true;
     window_.history().exchangeTables(tabled.sceneState);

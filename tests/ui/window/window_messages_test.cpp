@@ -3,8 +3,12 @@
 
 #include "ui/kit/message_strip.h"
 #include "ui/kit/theme.h"
+#include "ui/presets/preset_shelf.h"
+#include "ui/window/file_opener.h"
 #include "ui/window/frame_graph.h"
 #include "ui/window/log_view.h"
+
+#include <QToolButton>
 
 #include <algorithm>
 #include <limits>
@@ -55,13 +59,63 @@ private slots:
             window_->say(MessageStrip::Mood::notice, QString("Screenshot saved to %1.png.").arg(i),
                          "%1 screenshots saved, the last one to %2.", QString("%1.png").arg(i));
         window_->say(MessageStrip::Mood::problem, "The disk is full.");
-        QCOMPARE(strip->texts(), (QStringList{"4 screenshots saved, the last one to 4.png.", "The disk is full."}));
+        QCOMPARE(strip->texts(), (QStringList{"The disk is full.", "4 screenshots saved, the last one to 4.png."}));
         QTRY_VERIFY(strip->isVisible());
         QTest::qWait(100);
         QCOMPARE(window_->viewport().size(), before);
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The same picture: nothing to refine again.
         QCOMPARE(strip->mapToGlobal(QPoint(0, 0)), window_->viewport().mapToGlobal(QPoint(0, 0)));
         QCOMPARE(strip->width(), window_->viewport().width());
+    }
+
+    void theNewestMessageIsInSightAndAllCanBeClosedAtOnce()
+    {
+        auto* strip = window_->findChild<MessageStrip*>();
+        const auto lineOf = [&](const QString& text) -> QWidget* {
+            for (QLabel* label : strip->findChildren<QLabel*>())
+                if (label->text() == text) return label;
+            return nullptr;
+        };
+        for (int i = 1; i <= 7; ++i) {
+            const QString text = QString("File %1 is bad.").arg(i);
+            window_->say(MessageStrip::Mood::problem, text);
+            QCOMPARE(strip->texts().front(), text);
+            QTRY_VERIFY(!lineOf(text)->visibleRegion().isEmpty());
+        }
+        window_->say(MessageStrip::Mood::problem, "File 2 is bad.");  // Again.
+        QCOMPARE(strip->texts().front(), QString("File 2 is bad."));
+        QCOMPARE(strip->texts().size(), 7);
+        QToolButton* all = nullptr;
+        for (QToolButton* button : strip->findChildren<QToolButton*>())
+            if (button->text() == "Close all") all = button;
+        QVERIFY(all && all->isVisible());
+        QTest::mouseClick(all, Qt::LeftButton);
+        QTRY_VERIFY(strip->texts().isEmpty() && !strip->isVisible());
+    }
+
+    void problemsLeaveWithTheirCause()
+    {
+        auto* strip = window_->findChild<MessageStrip*>();
+        window_->setProblems("a", {"One.", "Two."});
+        window_->setProblems("b", {"Three."});
+        QCOMPARE(strip->texts(), (QStringList{"Three.", "Two.", "One."}));
+        window_->setProblems("a", {"Two.", "Four."});
+        QCOMPARE(strip->texts(), (QStringList{"Four.", "Three.", "Two."}));
+        window_->setProblems("b", {});
+        window_->setProblems("a", {});
+        QVERIFY(strip->texts().isEmpty());
+        // A bad file that is opened again, now good.
+        const QString path = home_->filePath("some.json");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{") == 1);
+        file.close();
+        window_->files().open(path);
+        QTRY_COMPARE(strip->texts().size(), 1);
+        window_->shelf().saveUnder("Mended");
+        QVERIFY(QFile::remove(path));
+        QVERIFY(QFile::copy(rowsNamed("Mended").front()->data(Qt::UserRole).toString(), path));
+        window_->files().open(path);
+        QTRY_VERIFY2(strip->texts().isEmpty(), qPrintable(strip->texts().join(' ')));
     }
 
     void noticesGoByThemselvesAndProblemsStay()
