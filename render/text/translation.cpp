@@ -22,6 +22,7 @@ namespace {
 
 constexpr int deepest = 6;                 ///< Sentences within sentences.
 constexpr std::size_t mostKept = 4096;     ///< Answers that are remembered.
+constexpr std::size_t fewLetters = 4;      ///< Fewer of its own make an entry fit nearly any text.
 constexpr std::size_t longestText = 8192;  ///< Bytes: what is longer is no text of the program.
 
 /// "{1}" at `at`, or nothing.
@@ -83,11 +84,42 @@ struct Said {
     std::size_t letters = 0;
 };
 
+/// Whether a text that is in no entry may stand in a sentence of another language: a name, a number, a value with its
+/// unit, words in quotes. Words of English with blanks between them may not.
+bool isNeutral(std::string_view text)
+{
+    if (text.find(' ') == std::string_view::npos) return true;
+    const auto quoted = [&](std::string_view open, std::string_view close) {
+        return text.size() > open.size() + close.size() && text.starts_with(open) && text.ends_with(close) &&
+               text.find(close, open.size()) == text.size() - close.size();
+    };
+    if (quoted("\"", "\"") || quoted("“", "”") || (text.starts_with('/') && text.find(": ") == std::string_view::npos))
+        return true;
+    // Numbers with units, lists of numbers or of names: of the words, none but units and names.
+    std::size_t from = 0;
+    bool first = true;
+    while (from < text.size()) {
+        const std::size_t end = std::min(text.find(' ', from), text.size());
+        const std::string_view word = text.substr(from, end - from);
+        // The last of a list of names has no comma of its own.
+        const bool ends = from >= 2 && text[from - 2] == ',' && end == text.size();
+        const bool named = ends || word.ends_with(',') || std::any_of(word.begin(), word.end(), [](unsigned char c) {
+                               return std::isalpha(c) == 0 && c != '.' && c != ';' && c != ':' && c != '-';
+                           });
+        const bool unit = !first && lettersOf(word) <= 3 && end == text.size();
+        if (!named && !unit && lettersOf(word) > 0) return false;
+        first = false;
+        from = end + 1;
+    }
+    return true;
+}
+
 }  // namespace
 
 struct Catalog::Texts {
     std::unordered_map<std::string, std::string> whole;
-    std::vector<SentencePattern> patterns;  ///< Those that ask for most letters first.
+    std::unordered_map<std::string, std::string> sentences;  ///< With places, by the English one.
+    std::vector<SentencePattern> patterns;                   ///< Those that ask for most letters first.
     mutable std::mutex mutex;
     mutable std::unordered_map<std::string, std::string> kept;
 };
@@ -109,10 +141,11 @@ private:
     [[nodiscard]] std::optional<Said> by(const SentencePattern&, std::string_view english, int depth);
     [[nodiscard]] std::optional<Said> inParts(std::string_view english, std::string_view between,
                                               std::size_t keptBefore, int depth);
-    /// As it is, where it is not known.
-    [[nodiscard]] Said saidOrKept(std::string_view english, int depth)
+    /// As it is, where it is not known and need not be.
+    [[nodiscard]] std::optional<Said> saidOrNeutral(std::string_view english, int depth)
     {
-        return of(english, depth).value_or(Said{std::string(english), 0});
+        std::optional<Said> said = of(english, depth);
+        return said || !isNeutral(english) ? said : std::optional(Said{std::string(english), 0});
     }
 
     const std::unordered_map<std::string, std::string>& whole_;
@@ -135,10 +168,17 @@ std::optional<Said> Reading::by(const SentencePattern& pattern, std::string_view
             made.text += into[i];
             continue;
         }
-        const bool translate = !asIs && depth < deepest && lettersOf(here->second) > 0;
-        const Said inner = translate ? saidOrKept(here->second, depth + 1) : Said{std::string(here->second), 0};
-        made.text += inner.text;
-        made.letters += inner.letters;
+        if (asIs && pattern.letters < fewLetters && here->second.find(' ') != std::string_view::npos)
+            return std::nullopt;
+        if (asIs || lettersOf(here->second) == 0) {
+            made.text += here->second;
+        } else {
+            const std::optional<Said> inner =
+                depth < deepest ? saidOrNeutral(here->second, depth + 1) : std::optional<Said>();
+            if (!inner) return std::nullopt;
+            made.text += inner->text;
+            made.letters += inner->letters;
+        }
         i += asIs ? 3 : 2;
     }
     return made;
@@ -161,7 +201,7 @@ std::optional<Said> Reading::wholeOf(std::string_view english, int depth)
     return best;
 }
 
-/// As two texts with `between` between them, of which at least the first is known.
+/// As two texts with `between` between them.
 std::optional<Said> Reading::inParts(std::string_view english, std::string_view between, std::size_t keptBefore,
                                      int depth)
 {
@@ -169,9 +209,10 @@ std::optional<Said> Reading::inParts(std::string_view english, std::string_view 
         const std::string_view rest = english.substr(at + between.size());
         const auto first = wholeOf(english.substr(0, at + keptBefore), depth);
         if (!first || rest.empty()) continue;
-        const Said second = saidOrKept(rest, depth);
-        return Said{first->text + std::string(between.substr(keptBefore)) + second.text,
-                    first->letters + second.letters};
+        const auto second = saidOrNeutral(rest, depth);
+        if (!second) continue;
+        return Said{first->text + std::string(between.substr(keptBefore)) + second->text,
+                    first->letters + second->letters};
     }
     return std::nullopt;
 }
@@ -180,9 +221,10 @@ std::optional<Said> Reading::of(std::string_view english, int depth)
 {
     if (english.find('\n') != std::string_view::npos) {
         const std::size_t line = english.find('\n');
-        const Said first = saidOrKept(english.substr(0, line), depth);
-        const Said rest = saidOrKept(english.substr(line + 1), depth);
-        return Said{first.text + '\n' + rest.text, first.letters + rest.letters};
+        const auto first = saidOrNeutral(english.substr(0, line), depth);
+        const auto rest = first ? saidOrNeutral(english.substr(line + 1), depth) : first;
+        if (!rest) return std::nullopt;
+        return Said{first->text + '\n' + rest->text, first->letters + rest->letters};
     }
     if (const auto entry = whole_.find(std::string(english)); entry != whole_.end())
         return Said{entry->second, lettersOf(english)};
@@ -198,17 +240,49 @@ Catalog::Catalog(Entries entries)
     auto texts = std::make_unique<Texts>();
     for (auto& [english, translation] : entries) {
         if (translation.empty()) continue;
+        if (english.find("{1}") != std::string::npos) texts->sentences.emplace(english, translation);
         if (auto pattern = patternOf(english, translation))
             texts->patterns.push_back(std::move(*pattern));
         else
             texts->whole.emplace(std::move(english), std::move(translation));
     }
+    const auto size = [](const SentencePattern& pattern) {
+        std::size_t sum = 0;
+        for (const std::string& piece : pattern.pieces) sum += piece.size();
+        return std::pair(pattern.letters, sum);
+    };
     std::stable_sort(texts->patterns.begin(), texts->patterns.end(),
-                     [](const SentencePattern& a, const SentencePattern& b) { return a.letters > b.letters; });
+                     [&](const SentencePattern& a, const SentencePattern& b) { return size(a) > size(b); });
     texts_ = std::move(texts);
 }
 
 Catalog::~Catalog() = default;
+
+namespace {
+
+std::string withPlaces(std::string_view sentence, std::span<const std::string> places)
+{
+    std::string made;
+    for (std::size_t i = 0; i < sentence.size(); ++i) {
+        const bool asIs = sentence.substr(i).starts_with("{=");
+        const auto place = asIs ? placeAt("{" + std::string(sentence.substr(i + 2, 2)), 0) : placeAt(sentence, i);
+        if (!place || static_cast<std::size_t>(*place) > places.size()) {
+            made += sentence[i];
+            continue;
+        }
+        made += places[static_cast<std::size_t>(*place) - 1];
+        i += asIs ? 3 : 2;
+    }
+    return made;
+}
+
+}  // namespace
+
+std::string Catalog::filled(std::string_view sentence, std::span<const std::string> places) const
+{
+    const auto known = texts_->sentences.find(std::string(sentence));
+    return withPlaces(known == texts_->sentences.end() ? sentence : std::string_view(known->second), places);
+}
 
 std::string Catalog::translated(std::string_view english) const
 {
@@ -240,6 +314,13 @@ Language& chosenLanguage()
     return chosen;
 }
 
+std::shared_ptr<const Catalog> chosenTexts()
+{
+    Language& chosen = chosenLanguage();
+    const std::lock_guard lock(chosen.mutex);
+    return chosen.texts;
+}
+
 }  // namespace
 
 void setLanguage(std::string code, std::shared_ptr<const Catalog> texts)
@@ -259,13 +340,15 @@ std::string language()
 
 std::string translated(std::string_view english)
 {
-    std::shared_ptr<const Catalog> texts;
-    {
-        Language& chosen = chosenLanguage();
-        const std::lock_guard lock(chosen.mutex);
-        texts = chosen.texts;
-    }
+    const std::shared_ptr<const Catalog> texts = chosenTexts();
     return texts ? texts->translated(english) : std::string(english);
+}
+
+std::string translated(std::string_view sentence, std::initializer_list<std::string> places)
+{
+    const std::shared_ptr<const Catalog> texts = chosenTexts();
+    const std::span<const std::string> all(places.begin(), places.size());
+    return texts ? texts->filled(sentence, all) : withPlaces(sentence, all);
 }
 
 }  // namespace vitrine

@@ -1,12 +1,12 @@
 #include "ui/explore/morph_pad.h"
 
+#include "ui/kit/numbers.h"
 #include "ui/kit/theme.h"
 #include "ui/parameters/number_drag.h"
 
 #include <QAccessible>
 #include <QAccessibleWidget>
 #include <QKeyEvent>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -102,7 +102,7 @@ QString MorphPad::valueText() const
     for (std::size_t i = 0; i < PadCorners::count; ++i)
         if (weights.at(i) > 0.0005)
             parts << tr("%1 % %2", "share of a setting, and its name")
-                         .arg(QLocale::c().toString(100 * weights.at(i), 'f', 0), nameOf(corners_.at(i)));
+                         .arg(numberLocale().toString(100 * weights.at(i), 'f', 0), nameOf(corners_.at(i)));
     return parts.join(QStringLiteral(", "));
 }
 

@@ -8,6 +8,7 @@
 #include <QCoreApplication>
 #include <QFile>
 #include <QLibraryInfo>
+#include <QLocale>
 #include <QMenu>
 #include <QSettings>
 #include <QTranslator>
@@ -33,8 +34,7 @@ public:
     [[nodiscard]] QString translate(const char* /*asked*/, const char* source, const char* disambiguation,
                                     int n) const override
     {
-        const QString plain = QTranslator::translate(context, source, nullptr, n);
-        return plain.isEmpty() && disambiguation ? QTranslator::translate(context, source, disambiguation, n) : plain;
+        return QTranslator::translate(context, source, disambiguation, n);  // Without one where it has no entry.
     }
 };
 
@@ -150,6 +150,7 @@ void speak(const QString& code)
     now.ours = translatorFor(code);
     now.code = now.ours ? code : QStringLiteral("en");
     setLanguage(now.code.toStdString(), now.ours ? catalogOf(code, *now.ours) : nullptr);
+    QLocale::setDefault(now.ours ? QLocale(code) : QLocale::system());  // Numbers in boxes, dates.
     if (!now.ours || !QCoreApplication::instance()) return;
     auto qts = std::make_unique<QTranslator>();
     if (qts->load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {

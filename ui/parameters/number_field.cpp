@@ -79,7 +79,7 @@ void NumberField::beginEdit()
     wrong_ = false;
     setReadOnly(false);
     setCursor(Qt::IBeamCursor);
-    setText(exactText(row_, value_));
+    setText(editedText(row_, value_));
     selectAll();
     update();
 }
@@ -97,7 +97,7 @@ void NumberField::endEdit()
 
 bool NumberField::commit()
 {
-    if (!editing_ || text() == exactText(row_, value_)) {
+    if (!editing_ || text() == editedText(row_, value_)) {
         endEdit();
         return true;
     }

@@ -5,12 +5,12 @@
 #include "render/failure.h"
 
 #include "ui/kit/language.h"
+#include "ui/kit/numbers.h"
 #include "ui/kit/text.h"
 #include "ui/parameters/color_editor.h"
 
 #include <QColor>
 #include <QCoreApplication>
-#include <QLocale>
 #include <QStringList>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ QString shortNumber(double x, int digits)
         while (shown.endsWith(QLatin1Char('0'))) shown.chop(1);
         if (shown.endsWith(QLatin1Char('.'))) shown.chop(1);
     }
-    return shown;
+    return withDecimalSign(shown);
 }
 
 QString number(double stored, Unit unit)
@@ -63,19 +63,26 @@ QString clockText(double hours)
     return QStringLiteral("%1:%2").arg(minutes / 60).arg(minutes % 60, 2, 10, QLatin1Char('0'));
 }
 
-/// With a point for the decimal comma of the visitor's language: a number has no other comma.
-QString withPoint(const QString& typed)
+/// Three numbers, with the separator between them that the language has beside its decimal sign.
+QString listSeparator()
 {
-    if (QLocale().decimalPoint() != QLatin1String(",") || typed.contains(QLatin1Char('.'))) return typed;
-    QString meant = typed;
-    return meant.replace(QLatin1Char(','), QLatin1Char('.'));
+    return numberLocale().decimalPoint() == QLatin1String(",") ? QStringLiteral("; ") : QStringLiteral(", ");
+}
+
+/// A number, or three of them, as files have it.
+QString asInFiles(const ParameterInfo& row, const QString& typed)
+{
+    if (row.isNumeric()) return withPoint(typed);
+    if ((row.kind != Kind::color && row.kind != Kind::direction) || !typed.contains(QLatin1Char(';'))) return typed;
+    QStringList parts;
+    for (const QString& part : typed.split(QLatin1Char(';'))) parts << withPoint(part.trimmed());
+    return parts.join(QLatin1Char(','));
 }
 
 /// A value as it was typed: also as its language writes numbers, and colors by their names.
 std::optional<Value> meantBy(const ParameterInfo& row, const QString& typed)
 {
-    if (std::optional<Value> value = parseValue(row, (row.isNumeric() ? withPoint(typed) : typed).toStdString()))
-        return value;
+    if (std::optional<Value> value = parseValue(row, asInFiles(row, typed).toStdString())) return value;
     if (row.kind != Kind::color || typed.startsWith(QLatin1Char('#')) || !QColor::isValidColorName(typed))
         return std::nullopt;
     return linear(QColor(typed));
@@ -103,7 +110,7 @@ QString whatItTakes(const ParameterInfo& row)
 
 QString three(const glm::dvec3& v)
 {
-    return QStringLiteral("%1, %2, %3").arg(shortNumber(v.x, 3), shortNumber(v.y, 3), shortNumber(v.z, 3));
+    return QStringList{shortNumber(v.x, 3), shortNumber(v.y, 3), shortNumber(v.z, 3)}.join(listSeparator());
 }
 
 }  // namespace
@@ -147,7 +154,7 @@ QString tooltipText(const ParameterInfo& row)
                     .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
     }
     if (row.word)
-        lines << tr("%1 reads “%2”, and may be typed so.").arg(exactText(row, row.word->value), said(row.word->text));
+        lines << tr("%1 reads “%2”, and may be typed so.").arg(editedText(row, row.word->value), said(row.word->text));
     lines << tr("Initial value: %1").arg(shownText(row, row.initial));
     lines << tr("In presets: %1").arg(text(row.name));
     if (row.isNumeric())
@@ -160,6 +167,11 @@ QString tooltipText(const ParameterInfo& row)
 QString exactText(const ParameterInfo& row, const Value& value)
 {
     return QString::fromStdString(formatValue(row, value));
+}
+
+QString editedText(const ParameterInfo& row, const Value& value)
+{
+    return row.isNumeric() ? withDecimalSign(exactText(row, value)) : exactText(row, value);
 }
 
 std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, QString* problem)

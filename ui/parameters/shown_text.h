@@ -10,8 +10,10 @@ namespace vitrine::ui {
 
 /// For a field that is not being edited: five digits and the unit, "0.35" or "12.5 mm".
 [[nodiscard]] QString shownText(const ParameterInfo&, const Value&);
-/// For editing, copying and presets: every digit, in the unit shown, without it.
+/// For copying and presets: every digit, in the unit shown, without it.
 [[nodiscard]] QString exactText(const ParameterInfo&, const Value&);
+/// The same for editing: with the decimal sign of the window's language.
+[[nodiscard]] QString editedText(const ParameterInfo&, const Value&);
 /// What was typed: arithmetic, units; brought to the nearest legal value. On nothing, `problem` says why.
 [[nodiscard]] std::optional<Value> typedValue(const ParameterInfo&, const QString&, QString* problem = nullptr);
 

@@ -69,7 +69,7 @@ void PreferencesDialog::addWindowPage()
         lines, tr("Theme"),
         tr("Colors of panels and dialogs. As the desktop also takes its wish for more contrast; high contrast is light "
            "or dark as the desktop is."),
-        {{0, tr("As the desktop")}, {1, tr("Light")}, {2, tr("Dark")}, {3, tr("High contrast")}},
+        {{0, tr("As the desktop")}, {1, tr("Light", "theme")}, {2, tr("Dark")}, {3, tr("High contrast")}},
         [](const PreferenceValues& values) { return static_cast<int>(values.theme); },
         [](PreferenceValues& values, int choice) { values.theme = static_cast<ThemeChoice>(choice); });
     addLanguage(lines);

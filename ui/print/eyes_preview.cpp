@@ -1,5 +1,6 @@
 #include "ui/print/eyes_preview.h"
 
+#include "ui/kit/numbers.h"
 #include "ui/kit/theme.h"
 #include "ui/print/strip_preview.h"
 
@@ -94,10 +95,11 @@ void EyesPreview::fetch(bool coarse)
 QString EyesPreview::standpoint() const
 {
     const auto side = [](double angle, const QString& positive, const QString& negative) {
-        const QString size = QString::number(std::abs(angle / degree), 'f', 1) + QChar(0xb0);
+        const QString size = numberLocale().toString(std::abs(angle / degree), 'f', 1) + QChar(0xb0);
         return std::abs(angle) < 0.05 * degree ? size : size + QLatin1Char(' ') + (angle > 0 ? positive : negative);
     };
-    const QString from = std::isinf(distance_) ? tr("far away") : tr("%1 cm").arg(distance_ / 10, 0, 'g', 4);
+    const QString from =
+        std::isinf(distance_) ? tr("far away") : tr("%1 cm").arg(numberLocale().toString(distance_ / 10, 'g', 4));
     return tr("%1, %2, from %3")
         .arg(side(angle_, tr("right"), tr("left")), side(angleAlong_, tr("above"), tr("below")), from);
 }

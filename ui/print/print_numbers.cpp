@@ -1,12 +1,12 @@
 #include "ui/print/print_numbers.h"
 
 #include "ui/kit/language.h"
+#include "ui/kit/numbers.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
 
 #include <QGridLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
@@ -19,13 +19,13 @@ namespace {
 
 QString millimeters(double length)
 {
-    return QString::number(length, 'f', length < 10 ? 2 : 1) + QStringLiteral(" mm");
+    return numberLocale().toString(length, 'f', length < 10 ? 2 : 1) + QStringLiteral(" mm");
 }
 
 QString reach(const printing::DepthRange& range)
 {
     const auto meters = [](double m) {
-        return std::isinf(m) ? QString(QChar(0x221e)) : QString::number(m, 'f', m < 10 ? 1 : 0);
+        return std::isinf(m) ? QString(QChar(0x221e)) : numberLocale().toString(m, 'f', m < 10 ? 1 : 0);
     };
     return meters(range.nearest) + QChar(0x2013) + meters(range.farthest) + QStringLiteral(" m");
 }
@@ -38,7 +38,7 @@ QString bytesText(double bytes)
         bytes /= 1000;
         ++unit;
     }
-    return QString::number(bytes, 'f', unit == 0 || bytes >= 100 ? 0 : 1) + QLatin1Char(' ') +
+    return numberLocale().toString(bytes, 'f', unit == 0 || bytes >= 100 ? 0 : 1) + QLatin1Char(' ') +
            QLatin1String(units[unit]);
 }
 
@@ -200,10 +200,10 @@ void PrintNumbersView::showNumbers(const printing::PrintPlan& plan, const std::o
         return;
     }
     const printing::PrintNumbers& numbers = plan.numbers;
-    perLens_->setText(QString::number(numbers.pixelsPerLens, 'f', 4));
-    lpi_->setText(QString::number(numbers.effectiveLpi, 'f', 4));
+    perLens_->setText(numberLocale().toString(numbers.pixelsPerLens, 'f', 4));
+    lpi_->setText(numberLocale().toString(numbers.effectiveLpi, 'f', 4));
     views_->setText(tr("%1 of %2").arg(std::lround(numbers.effectiveViews)).arg(numbers.ownShare.size()));
-    zone_->setText(QString::number(numbers.zoneDegrees, 'f', 1) + QChar(0xb0));
+    zone_->setText(numberLocale().toString(numbers.zoneDegrees, 'f', 1) + QChar(0xb0));
     depth_->setText(millimeters(numbers.depthBudget));
     scene_->setText(depth ? tr("%1 (%2)").arg(reach(depth->scene), reach(depth->held)) : QStringLiteral("–"));
     size_->setText(tr("%1 × %2 px").arg(plan.layout->width()).arg(plan.layout->height()));

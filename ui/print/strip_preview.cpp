@@ -1,5 +1,6 @@
 #include "ui/print/strip_preview.h"
 
+#include "ui/kit/numbers.h"
 #include "ui/kit/theme.h"
 
 #include <QKeyEvent>
@@ -63,7 +64,8 @@ void StripPreview::setZoom(double zoom)
 
 QString StripPreview::scaleText() const
 {
-    return zoom_ >= 1 ? tr("1 dot : %1 px").arg(zoom_, 0, 'g', 3) : tr("%1 dots : 1 px").arg(1 / zoom_, 0, 'g', 3);
+    return zoom_ >= 1 ? tr("1 dot : %1 px").arg(numberLocale().toString(zoom_, 'g', 3))
+                      : tr("%1 dots : 1 px").arg(numberLocale().toString(1 / zoom_, 'g', 3));
 }
 
 QString StripPreview::spokenText() const

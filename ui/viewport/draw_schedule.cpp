@@ -1,7 +1,8 @@
 #include "ui/viewport/draw_schedule.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -152,27 +153,21 @@ void DrawSchedule::adapt(const DrawOrder& order, double seconds)
     }
 }
 
-std::string DrawSchedule::limit() const
+QString DrawSchedule::limit() const
 {
     if (!limited()) return {};
-    return "; the hall says " + std::to_string(wantedSamples_) + ", the preferences no more than " +
-           std::to_string(samples_);
+    return QCoreApplication::translate("DrawSchedule", "; the hall asks for %1 samples, the preferences allow %2")
+        .arg(wantedSamples_)
+        .arg(samples_);
 }
 
-std::string DrawSchedule::reason() const
+QString DrawSchedule::reason() const
 {
-    char text[96];
-    if (moving_ || dirty_ || refined_ == 0) {
-        std::snprintf(text, sizeof text, "moving: %d%% of full resolution", static_cast<int>(drawnScale_ * 100 + 0.5));
-        return text;
-    }
-    if (refined_ < samples_) {
-        std::snprintf(text, sizeof text, "still: refining %d of %d", refined_, samples_);
-        return text + limit();
-    }
-    std::snprintf(text, sizeof text, "still: refined %d of %d, nothing to draw, because nothing changes", refined_,
-                  samples_);
-    return text + limit();
+    const auto tr = [](const char* words) { return QCoreApplication::translate("DrawSchedule", words); };
+    if (moving_ || dirty_ || refined_ == 0)
+        return tr("Moving: drawn at %1 % of full resolution").arg(static_cast<int>(drawnScale_ * 100 + 0.5));
+    if (refined_ < samples_) return tr("Refining: %1 of %2 samples").arg(refined_).arg(samples_) + limit();
+    return tr("Done (%1 of %2 samples); nothing changes").arg(refined_).arg(samples_) + limit();
 }
 
 }  // namespace vitrine::ui

@@ -1,9 +1,10 @@
 #pragma once
 
+#include <QString>
+
 #include <array>
 #include <limits>
 #include <optional>
-#include <string>
 
 namespace vitrine::ui {
 
@@ -76,9 +77,9 @@ public:
     [[nodiscard]] bool current() const { return !moving_ && !dirty_; }
     [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples_; }
     /// For the status line: what the last picture was drawn as, and why.
-    [[nodiscard]] std::string reason() const;
+    [[nodiscard]] QString reason() const;
     /// For the same line: that the preferences allow fewer supersamples than are asked for; empty when they do not.
-    [[nodiscard]] std::string limit() const;
+    [[nodiscard]] QString limit() const;
 
 private:
     void open(double seconds);

@@ -1,9 +1,9 @@
 #include "ui/window/frame_graph.h"
 
+#include "ui/kit/numbers.h"
 #include "ui/kit/theme.h"
 
 #include <QHelpEvent>
-#include <QLocale>
 #include <QPainter>
 #include <QToolTip>
 
@@ -38,7 +38,7 @@ QString FrameGraph::summary() const
     if (milliseconds_.empty()) return tr("No frame has been drawn yet.");
     std::vector<double> sorted(milliseconds_.begin(), milliseconds_.end());
     std::sort(sorted.begin(), sorted.end());
-    const auto number = [](double value) { return QLocale::c().toString(value, 'f', 1); };
+    const auto number = [](double value) { return numberLocale().toString(value, 'f', 1); };
     if (sorted.size() == 1) return tr("1 frame: %1 ms").arg(number(sorted.front()));
     return tr("%1 frames: %2 to %3 ms, half of them up to %4 ms")
         .arg(sorted.size())

@@ -1,12 +1,12 @@
 #include "ui/window/ledger_dock.h"
 
 #include "ui/kit/language.h"
+#include "ui/kit/numbers.h"
 #include "ui/window/ledger_view.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QVBoxLayout>
 
 namespace vitrine::ui {
@@ -57,10 +57,10 @@ void LedgerDock::note(const render::FrameReport& report)
 void LedgerDock::noteOther(const render::FrameReport* report, const QString& why)
 {
     view_->noteOther(report ? std::optional(*report) : std::nullopt);
-    other_ =
-        report
-            ? tr("B: %1 steps, %2 ms").arg(report->ran.size()).arg(QLocale::c().toString(report->milliseconds, 'f', 2))
-            : why;
+    other_ = report ? tr("B: %1 steps, %2 ms")
+                          .arg(report->ran.size())
+                          .arg(numberLocale().toString(report->milliseconds, 'f', 2))
+                    : why;
     if (!timer_.isActive()) timer_.start();
 }
 
@@ -73,9 +73,9 @@ void LedgerDock::renew()
 {
     reasonText_ = askReason_();
     reason_->setText(reason_->fontMetrics().elidedText(reasonText_, Qt::ElideRight, reason_->width()));
-    sumsText_ = tr("%1 steps, %2 ms").arg(ran_).arg(QLocale::c().toString(milliseconds_, 'f', 2));
+    sumsText_ = tr("%1 steps, %2 ms").arg(ran_).arg(numberLocale().toString(milliseconds_, 'f', 2));
     if (!other_.isEmpty()) sumsText_ = tr("A: %1 · %2").arg(sumsText_, other_);
-    sumsText_ += tr("; skipping saves %1 ms").arg(QLocale::c().toString(saved_, 'f', 2));
+    sumsText_ += tr("; skipping saves %1 ms").arg(numberLocale().toString(saved_, 'f', 2));
     sums_->setText(sums_->fontMetrics().elidedText(sumsText_, Qt::ElideRight, sums_->width()));
     sums_->setToolTip(tr("%1.\nTimes by: %2.").arg(sumsText_, clock_));
     reason_->setToolTip(reasonText_);

@@ -2,10 +2,10 @@
 
 #include "exhibits/compare/pass_costs.h"
 #include "ui/kit/language.h"
+#include "ui/kit/numbers.h"
 #include "ui/kit/theme.h"
 
 #include <QHeaderView>
-#include <QLocale>
 
 #include <algorithm>
 
@@ -16,7 +16,7 @@ enum Column { step, work, time, saved, reason, other };
 
 QString millisecondsText(double ms)
 {
-    return ms < 0 ? QStringLiteral("–") : QLocale::c().toString(ms, 'f', 2);
+    return ms < 0 ? QStringLiteral("–") : numberLocale().toString(ms, 'f', 2);
 }
 
 }  // namespace
@@ -136,7 +136,7 @@ void LedgerView::addOther(std::vector<Line>& all) const
             found->other = textOf(cost.b);
     }
     const auto count = [](const std::optional<std::int64_t>& n) {
-        return n ? QLocale::c().toString(static_cast<qlonglong>(*n)) : QStringLiteral("–");
+        return n ? numberLocale().toString(static_cast<qlonglong>(*n)) : QStringLiteral("–");
     };
     for (const CounterCost& cost : counterCosts(report_, *other_))
         all.push_back({cost.name,

@@ -52,8 +52,7 @@ TEST(Translation, PrefersTheSentenceThatSaysMore)
 {
     EXPECT_EQ(german().translated("Cannot read a: b; choose another picture."),
               "a kann nicht gelesen werden: b; wählen Sie ein anderes Bild.");
-    EXPECT_EQ(german().translated("Cannot read a: b; choose another."),
-              "a kann nicht gelesen werden: b; choose another.");
+    EXPECT_EQ(german().translated("Cannot read a: b; choose another."), "Cannot read a: b; choose another.");
 }
 
 TEST(Translation, PrefersTheSentenceThatLeavesLeastInEnglish)
@@ -67,9 +66,26 @@ TEST(Translation, PrefersTheSentenceThatLeavesLeastInEnglish)
 
 TEST(Translation, TakesSentencesAndLinesOneByOne)
 {
-    EXPECT_EQ(german().translated("Cannot read a: it is empty. It is left out until it can be read."),
-              "a kann nicht gelesen werden: it is empty. Sie bleibt weg, bis sie lesbar ist.");
+    EXPECT_EQ(german().translated("a.json, line 1, column 2: it is empty. It is left out until it can be read."),
+              "a.json, Zeile 1, Spalte 2: es ist leer. Sie bleibt weg, bis sie lesbar ist.");
     EXPECT_EQ(german().translated("Roughness\nx\nRoughness"), "Rauheit\nx\nRauheit");
+}
+
+TEST(Translation, IsOfTheWholeTextOrNone)
+{
+    for (const char* text : {
+             "moving: 50% of full resolution",                      // "{1} of {2}" is no sentence of it.
+             "Cannot read a.png: the light went out",               // An unknown cause.
+             "a.json, line 1: it was eaten; correct it there.",     //
+             "It is left out until it can be read. Nobody knows.",  // An unknown second sentence,
+             "Roughness\nis a word\nRoughness",                     // or line.
+         })
+        EXPECT_EQ(german().translated(text), text);
+    // Names, numbers and what is in quotes are of no language.
+    EXPECT_EQ(german().translated("Cannot read a.png: \"no such thing\""),
+              "a.png kann nicht gelesen werden: \"no such thing\"");
+    EXPECT_EQ(german().translated("Cannot read a.png: 0.5, 1, 2 mm"), "a.png kann nicht gelesen werden: 0.5, 1, 2 mm");
+    EXPECT_EQ(german().translated("50% of Roughness"), "Rauheit: 50%");
 }
 
 TEST(Translation, OfAHostileTextEndsSoon)

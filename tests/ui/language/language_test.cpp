@@ -3,8 +3,12 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/kit/language.h"
+#include "ui/kit/numbers.h"
+#include "ui/parameters/shown_text.h"
+#include "ui/viewport/draw_schedule.h"
 
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/value_text.h"
 #include "exhibits/museum/museum.h"
 #include "render/text/translation.h"
 #include "tests/ui/patience.h"
@@ -80,6 +84,16 @@ std::set<std::string> textsOf(const Parameters& table)
     return texts;
 }
 
+/// Whether one of the small words of English, of which German has none, stands in a text.
+bool englishIn(const QString& text)
+{
+    static const QRegularExpression small(
+        QStringLiteral(
+            "\\b(the|of|is|are|give|with|from|and|for|this|that|it|its|between|which|by|no|or|when|not|has)\\b"),
+        QRegularExpression::CaseInsensitiveOption);
+    return text.contains(small);
+}
+
 std::set<std::string> knownTexts()
 {
     std::set<std::string> known;
@@ -150,6 +164,107 @@ private slots:
         QString all;
         for (const std::string& reason : english) all += QString::fromStdString(reason) + QLatin1Char('\n');
         QVERIFY2(english.empty(), qPrintable(all));
+    }
+
+    void aSentenceWithPlacesIsTranslatedAsAWhole()
+    {
+        ui::speak(QStringLiteral("de"));
+        static const QRegularExpression place(QStringLiteral("\\{=?(\\d)\\}"));
+        const auto filled = [](QString text) { return text.replace(place, QStringLiteral("x\\1")); };
+        int sentences = 0;
+        for (const Message& message : messagesOfTheFile()) {
+            if (!message.source.contains(place) || message.translations.size() != 1) continue;
+            ++sentences;
+            QCOMPARE(ui::said(filled(message.source).toStdString()), filled(message.translations.front()));
+        }
+        QVERIFY(sentences > 300);
+    }
+
+    void aTextWithAnUnknownPartStaysEnglish()
+    {
+        ui::speak(QStringLiteral("de"));
+        for (const char* text :
+             {"moving: 50% of full resolution", "\"0,3\" is no value for it; give a number from 0 to 1.",
+              "study nope: sdf_morph has no such parameter; give one of bounces, hitTolerance."}) {
+            const QString shown = ui::said(text);
+            QVERIFY2(shown == QString::fromUtf8(text) || !englishIn(shown), qPrintable(shown));
+        }
+    }
+
+    void whatTheWindowPutsTogetherIsGermanAsAWhole()
+    {
+        ui::speak(QStringLiteral("de"));
+        const Museum museum{allExhibits()};
+        QStringList halves;
+        const auto check = [&halves](const QString& text) {
+            if (englishIn(text)) halves << text;
+        };
+        for (const Subject* subject : museum.subjects()) {
+            const ParameterValues values = subject->parameters().initial();
+            for (std::size_t i = 0; i < values.rows().size(); ++i) {
+                const ParameterInfo& row = values.rows()[i];
+                check(ui::tooltipText(row));
+                check(QString::fromStdString(actsWhen(values, i)));
+                if (row.isWritten()) continue;
+                for (const char* typed : {"banana", "1 2", "", "1e99", "-1e99"}) {
+                    QString problem;
+                    static_cast<void>(ui::typedValue(row, QString::fromUtf8(typed), &problem));
+                    check(problem);
+                }
+                check(ui::said(whyUnmoved(row)));
+                if (!whyUnmoved(row).empty()) continue;
+                Motion motion;
+                motion.from = motion.to = row.initial;
+                for (const MotionKind kind :
+                     {MotionKind::sine, MotionKind::ease, MotionKind::noise, MotionKind::distance}) {
+                    motion.kind = kind;
+                    check(ui::said(describe(row, motion)));
+                }
+            }
+        }
+        ui::DrawSchedule schedule;
+        for (double now = 0; now < 10; now += 0.1) {
+            check(schedule.reason());
+            if (const auto order = schedule.next(now)) {
+                schedule.begun(*order);
+                schedule.drawn(*order, 0.01);
+            }
+        }
+        QVERIFY(schedule.still());
+        schedule.setLimits(1, 1);
+        check(schedule.reason());
+        QVERIFY2(halves.isEmpty(), qPrintable(halves.join(QLatin1Char('\n'))));
+    }
+
+    void theLightThemeIsBrightAndNoLamp()
+    {
+        ui::speak(QStringLiteral("de"));
+        QCOMPARE(QObject::tr("Light", "theme"), QStringLiteral("Hell"));
+        QCOMPARE(QObject::tr("Light"), QStringLiteral("Licht"));
+    }
+
+    void numbersHaveTheDecimalSignOfTheLanguage()
+    {
+        const Museum museum{allExhibits()};
+        const ParameterValues hall = museum.initialSceneState().hall();
+        for (const char* code : {"en", "de"}) {
+            ui::speak(QString::fromLatin1(code));
+            const bool german = ui::spokenLanguage() == QLatin1String("de");
+            const QString half = german ? QStringLiteral("0,5") : QStringLiteral("0.5");
+            QCOMPARE(ui::numberLocale().toString(0.5, 'f', 1), half);
+            for (std::size_t i = 0; i < hall.rows().size(); ++i) {
+                const ParameterInfo& row = hall.rows()[i];
+                if (row.kind != Kind::real) continue;
+                // What is shown for editing is read back, with either sign.
+                const QString shown = ui::editedText(row, row.initial);
+                QVERIFY2(!german || !shown.contains(QLatin1Char('.')), qPrintable(shown));
+                for (QString typed : {shown, QString(shown).replace(QLatin1Char(','), QLatin1Char('.'))}) {
+                    const auto read = ui::typedValue(row, typed);
+                    QVERIFY2(read && *read == row.initial, qPrintable(typed));
+                }
+                QCOMPARE(ui::exactText(row, row.initial), QString::fromStdString(formatValue(row, row.initial)));
+            }
+        }
     }
 
     void theLocaleChoosesUnlessTheVisitorDid()

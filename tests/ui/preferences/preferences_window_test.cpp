@@ -156,8 +156,8 @@ private slots:
         QVERIFY(!gallery_->requests().empty());
         for (const FrameRequest& request : gallery_->requests()) QVERIFY(request.samples <= 2);
         const QString reason = window_->viewport().reason();
-        QVERIFY2(reason.startsWith("still: refined 2 of 2") && reason.contains("the hall says 8") &&
-                     reason.contains("no more than 2"),
+        QVERIFY2(reason.startsWith("Done (2 of 2 samples)") && reason.contains("the hall asks for 8") &&
+                     reason.contains("allow 2"),
                  qPrintable(reason));
         action("Ledger")->trigger();
         window_->viewport().sceneStateChanged();

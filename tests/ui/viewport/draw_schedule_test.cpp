@@ -94,8 +94,7 @@ private slots:
         QVERIFY(schedule.still());
         QVERIFY(!schedule.next(now + 1000));
         QVERIFY(std::isinf(schedule.wait(now)));
-        QCOMPARE(QString::fromStdString(schedule.reason()),
-                 QStringLiteral("still: refined 16 of 16, nothing to draw, because nothing changes"));
+        QCOMPARE(schedule.reason(), QStringLiteral("Done (16 of 16 samples); nothing changes"));
     }
 
     void whatChangesWhileAPictureIsDrawnIsDrawnAfterIt()
@@ -260,10 +259,10 @@ private slots:
         schedule.setMoving(true, 0);
         schedule.drawn(*schedule.next(0), 1.0);  // Far too slow: the next ones will be coarser.
         QVERIFY(schedule.scaleWhileMoving() < 1);
-        QCOMPARE(QString::fromStdString(schedule.reason()), QString("moving: 100% of full resolution"));
+        QCOMPARE(schedule.reason(), QString("Moving: drawn at 100 % of full resolution"));
         schedule.drawn(*schedule.next(1), 0.05);
-        QCOMPARE(QString::fromStdString(schedule.reason()),
-                 QString("moving: %1% of full resolution").arg(schedule.scaleWhileMoving() * 100));
+        QCOMPARE(schedule.reason(),
+                 QString("Moving: drawn at %1 % of full resolution").arg(schedule.scaleWhileMoving() * 100));
     }
 };
 
