@@ -5,6 +5,7 @@
 #include "ui/kit/progress_job.h"
 #include "ui/kit/theme.h"
 #include "ui/model/other_settings.h"
+#include "ui/viewport/picture_place.h"
 #include "ui/viewport/viewport.h"
 
 #include <QCoreApplication>
@@ -177,7 +178,7 @@ void CompareOverlay::paintWipe(QPainter& painter)
     const QRect right(line, 0, width() - line, height()), left(0, 0, line, height());
     painter.save();
     painter.setClipRect(right);
-    painter.drawImage(rect(), picture_.image());
+    painter.drawImage(pictureIn(picture_.image().size(), QRectF(rect())), picture_.image());
     painter.restore();
     painter.fillRect(QRect(line - 2, 0, 4, height()), QColor(0, 0, 0, 110));
     painter.fillRect(QRect(line - 1, 0, 2, height()), theme().accent);
@@ -194,7 +195,11 @@ void CompareOverlay::paintSideBySide(QPainter& painter)
     painter.fillRect(rect(), veil);
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     for (const bool other : {false, true}) {
-        painter.drawImage(pictureOf(other), other ? picture_.image() : viewport_.shown());
+        const QImage& image = other ? picture_.image() : viewport_.shown();
+        painter.save();
+        painter.setClipRect(pictureOf(other));
+        painter.drawImage(pictureIn(image.size(), QRectF(pictureOf(other))), image);
+        painter.restore();
         label(painter, pictureOf(other), Qt::AlignLeft, other ? otherText() : tr("A"));
     }
 }
@@ -203,7 +208,7 @@ void CompareOverlay::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     if (otherAlone()) {
-        painter.drawImage(rect(), picture_.image());
+        painter.drawImage(pictureIn(picture_.image().size(), QRectF(rect())), picture_.image());
         label(painter, rect(), Qt::AlignLeft, otherText());
         return;
     }
@@ -216,7 +221,7 @@ void CompareOverlay::paintEvent(QPaintEvent*)
     case CompareMode::signedDifference: break;
     }
     if (difference_.isNull()) return;
-    painter.drawImage(rect(), difference_);
+    painter.drawImage(pictureIn(difference_.size(), QRectF(rect())), difference_);
     label(painter, rect(), Qt::AlignLeft,
           mode_ == CompareMode::flip ? tr("FLIP of A and B × %1").arg(gain()) : tr("(B − A) × %1").arg(gain()));
 }

@@ -141,11 +141,10 @@ render::Camera Glide::camera() const
 
 render::Camera widened(const render::Camera& camera, double aspect)
 {
-    constexpr double kept = 1.5;
     constexpr double widest = 2.6;  // Radians: beyond it, straight lines are all that is left of a picture.
-    if (!(aspect > 0) || aspect >= kept) return camera;
+    if (!(aspect > 0) || aspect >= keptAspect) return camera;
     render::Camera wide = camera;
-    wide.fovY = std::max(camera.fovY, std::min(2 * std::atan(std::tan(camera.fovY / 2) * kept / aspect), widest));
+    wide.fovY = std::max(camera.fovY, std::min(2 * std::atan(std::tan(camera.fovY / 2) * keptAspect / aspect), widest));
     return wide;
 }
 

@@ -99,6 +99,9 @@ private:
     double elapsed_ = duration;
 };
 
+/// Aspect ratio (width / height) for which the best views are made.
+inline constexpr double keptAspect = 1.5;
+
 /// `camera` for a picture of this aspect ratio (width / height): in one narrower than 3:2 the field of view grows, so
 /// that it shows as much from left to right as one of 3:2 does, for which the best views are made.
 [[nodiscard]] render::Camera widened(const render::Camera& camera, double aspect);

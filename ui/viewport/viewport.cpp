@@ -5,6 +5,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
 #include "ui/viewport/overlay.h"
+#include "ui/viewport/picture_place.h"
 #include "ui/viewport/reading_notice.h"
 #include "ui/viewport/shader_problems_text.h"
 #include "ui/viewport/viewport_format.h"
@@ -20,6 +21,7 @@
 namespace vitrine::ui {
 namespace {
 
+constexpr QColor emptyRoom(0x26, 0x23, 0x20);  // Where there is no picture.
 constexpr double longestTick = 0.5;
 constexpr int lookAtFilesEvery = 1000;   // Milliseconds.
 constexpr int restsAfter = 2000;         // Milliseconds without a changed value.
@@ -85,7 +87,6 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     connect(&history, &History::cameraMoved, this, [this] { jumpTo(history_.sceneState().camera); });
     thread_ = std::make_unique<RenderThread>(renderers_);
     connect(thread_.get(), &RenderThread::drawn, this, &Viewport::take);
-    connect(thread_.get(), &RenderThread::failed, this, &Viewport::failed);
 #ifndef NDEBUG
     connect(&shaderPoll_, &QTimer::timeout, this, &Viewport::reloadShaders);
     shaderPoll_.start(500);
@@ -108,12 +109,6 @@ FrameRequest Viewport::request(double time) const
     return wanted;
 }
 
-render::View Viewport::view() const
-{
-    const FrameRequest now = request(time_);
-    return render::makeView(now.camera, now.raster);
-}
-
 QSize Viewport::devicePixels() const
 {
     return (QSizeF(size()) * devicePixelRatioF()).toSize().expandedTo({1, 1});
@@ -123,19 +118,20 @@ void Viewport::paintGL()
 {
     QPainter painter(this);
     painter.setCompositionMode(QPainter::CompositionMode_Source);
-    // While the viewport has a new size and the picture not yet, it is stretched.
-    painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_.size() != devicePixels());
+    // While the viewport has a new size and the picture not yet, it lies where the next one will show the same.
+    const bool old = shown_.size() != devicePixels();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, old);
+    if (old) painter.fillRect(rect(), emptyRoom);
     if (shown_.isNull())
         paintOpening(painter);
     else
-        painter.drawImage(rect(), shown_);
+        painter.drawImage(old ? pictureIn(shown_.size(), QRectF(rect())) : QRectF(rect()), shown_);
     if (!drawing_ && !timer_.isActive()) timer_.start(0);  // Who was hidden may have something to draw.
 }
 
 void Viewport::paintOpening(QPainter& painter)
 {
     // Files are read and shaders are compiled: a moment, or half a minute the first time on a slow machine.
-    painter.fillRect(rect(), QColor(0x26, 0x23, 0x20));
     painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
     painter.setPen(QColor(0xc9, 0xc2, 0xb8));
     painter.drawText(rect(), Qt::AlignCenter, tr("Opening the hall …"));
@@ -416,12 +412,12 @@ void Viewport::cameraChanged()
 QString Viewport::reason() const
 {
     if (region_ && schedule_.still())
-        return tr("still: refined %1 of %1; what moves is drawn by itself, %2 × %3 pixels")
+        return tr("Done (%1 of %1 samples); only what moves is drawn again, %2 × %3 pixels")
                    .arg(schedule_.samples())
                    .arg(region_->size.x)
                    .arg(region_->size.y) +
-               said(schedule_.limit());
-    return said(schedule_.reason());
+               schedule_.limit();
+    return schedule_.reason();
 }
 
 bool Viewport::pictureFinished() const

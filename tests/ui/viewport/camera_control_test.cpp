@@ -1,6 +1,7 @@
 #include "tests/ui/ui_main.h"
 
 #include "ui/viewport/camera_control.h"
+#include "ui/viewport/picture_place.h"
 
 #include <QTest>
 
@@ -44,6 +45,28 @@ class CameraControlTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aPictureOfAnotherSizeLiesWhereTheNextOneWillShowTheSame()
+    {
+        // Where a direction is seen, by the pinhole's own formula.
+        const auto place = [](const glm::dvec2& tangent, const QSizeF& size) {
+            const double focal = size.height() / 2 / std::tan(widened({}, size.width() / size.height()).fovY / 2);
+            return QPointF(size.width() / 2 + tangent.x * focal, size.height() / 2 - tangent.y * focal);
+        };
+        const QList<QSize> sizes{{1200, 800}, {1200, 400}, {700, 800}, {300, 900}, {1920, 300}};
+        for (const QSize& before : sizes)
+            for (const QSize& now : sizes) {
+                const QRectF lies = pictureIn(before, QRectF(QPointF(0, 0), QSizeF(now)));
+                QVERIFY(std::abs(lies.width() / lies.height() - double(before.width()) / before.height()) < 1e-9);
+                for (const glm::dvec2& tangent : {glm::dvec2(0, 0), glm::dvec2(0.2, -0.1), glm::dvec2(-0.3, 0.25)}) {
+                    const QPointF old = place(tangent, before);
+                    const QPointF shown(lies.x() + old.x() * lies.width() / before.width(),
+                                        lies.y() + old.y() * lies.height() / before.height());
+                    const QPointF off = shown - place(tangent, now);
+                    QVERIFY2(std::hypot(off.x(), off.y()) < 1e-6 * now.height(), qPrintable(QString::number(off.x())));
+                }
+            }
+    }
+
     void aHeadingGoesThereAndBack()
     {
         std::mt19937 random(7);

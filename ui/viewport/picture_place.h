@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ui/viewport/camera_control.h"
+
+#include <QRectF>
+#include <QSize>
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::ui {
+
+/// Place of a picture of another size in `room`, in the middle and with its own aspect: as large as the next picture,
+/// of the size of the room, will show the same things (`widened`). Sides beyond the room are to be cut off; sides that
+/// are missing stay empty.
+[[nodiscard]] inline QRectF pictureIn(const QSize& picture, const QRectF& room)
+{
+    if (picture.isEmpty() || room.isEmpty()) return room;
+    const auto viewHeight = [](double aspect) { return std::max(1.0, keptAspect / aspect); };
+    const double aspect = static_cast<double>(picture.width()) / picture.height();
+    const double high = room.height() * viewHeight(aspect) / viewHeight(room.width() / room.height());
+    const double wide = high * aspect;
+    if (std::abs(wide - room.width()) < 1 && std::abs(high - room.height()) < 1) return room;
+    return {room.center().x() - wide / 2, room.center().y() - high / 2, wide, high};
+}
+
+}  // namespace vitrine::ui
