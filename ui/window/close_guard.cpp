@@ -16,7 +16,7 @@ QStringList unfinished(const QWidget& window)
 {
     QStringList files;
     for (const PictureExport* work : window.findChildren<PictureExport*>())
-        if (work->running()) files << QString::fromStdString(work->path().filename().string());
+        if (work->running() && !work->replaces()) files << QString::fromStdString(work->path().filename().string());
     for (const PrintDialog* dialog : window.findChildren<PrintDialog*>())
         if (dialog->exporting()) files << QFileInfo(dialog->path()).fileName();
     for (const RecordDialog* dialog : window.findChildren<RecordDialog*>())
@@ -53,7 +53,7 @@ void CloseGuard::askToSave(const QStringList& names)
     }
     const QString words = tr("Not saved: %1. Without saving, your changes stay in this session and come back with it.")
                               .arg(names.join(QStringLiteral(", ")));
-    question_ = new QMessageBox(QMessageBox::Question, tr("Close Vitrine?"), words, QMessageBox::Cancel, &window_);
+    question_ = new QMessageBox(QMessageBox::Question, tr("Close the window?"), words, QMessageBox::Cancel, &window_);
     question_->setTextFormat(Qt::PlainText);
     question_->setAttribute(Qt::WA_DeleteOnClose);
     auto* save = question_->addButton(tr("Save and close"), QMessageBox::AcceptRole);
@@ -79,7 +79,7 @@ void CloseGuard::ask()
         return;
     }
     const QString words = tr("Still being written: %1.").arg(unfinished(window_).join(QStringLiteral(", ")));
-    question_ = new QMessageBox(QMessageBox::Question, tr("Close Vitrine?"), words, QMessageBox::Cancel, &window_);
+    question_ = new QMessageBox(QMessageBox::Question, tr("Close the window?"), words, QMessageBox::Cancel, &window_);
     question_->setTextFormat(Qt::PlainText);
     question_->setAttribute(Qt::WA_DeleteOnClose);
     auto* wait = question_->addButton(tr("Close when it is done"), QMessageBox::AcceptRole);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "exhibits/museum/scene_state.h"
 #include "render/image/image_io.h"
 #include "ui/viewport/render_thread.h"
+#include "ui/viewport/renderers.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -23,9 +25,11 @@ struct ExportWish {
     int samples = 16;
     bool transparent = false;  ///< Only the chosen exhibit, cut out of the hall.
     bool asShown = false;      ///< The viewport's finished picture as it is; size, samples and the rest do not count.
+    bool replaces = false;     ///< The file is there already and good; this one is only finer.
 };
 
-/// Makes one picture step by step on the render thread, then writes it with the look inside.
+/// Export of one picture: draws what is shown when it is made, step by step on the render thread, then writes it with
+/// the scene state inside.
 class PictureExport final : public QObject {
     Q_OBJECT
 
@@ -40,6 +44,10 @@ public:
     /// Until it is finished, failed or canceled.
     [[nodiscard]] bool running() const { return running_; }
     [[nodiscard]] const std::filesystem::path& path() const { return wish_.path; }
+    /// Whether the file is there already, less fine.
+    [[nodiscard]] bool replaces() const { return wish_.replaces; }
+    /// The preset that the file carries.
+    [[nodiscard]] const std::string& preset() const { return preset_; }
 
 signals:
     /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
@@ -61,6 +69,8 @@ private:
     Workbench& window_;
     ExportWish wish_;
     std::string preset_;
+    SceneState sceneState_;
+    PictureRequest request_;
     std::shared_ptr<std::atomic<Stage>> stage_ = std::make_shared<std::atomic<Stage>>(Stage::drawing);
     RenderThread::Task task_;
     QElapsedTimer elapsed_;

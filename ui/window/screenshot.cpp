@@ -1,14 +1,73 @@
 #include "ui/window/screenshot.h"
 
+#include "render/image/image_io.h"
+#include "render/image/srgb.h"
+#include "ui/kit/progress_job.h"
 #include "ui/kit/text.h"
 #include "ui/model/workbench.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/picture_export.h"
 
+#include <QImage>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace vitrine::ui {
+namespace {
+
+/// Cause of the problems of writing screenshots.
+QString screenshotCause()
+{
+    return QStringLiteral("screenshot");
+}
+
+/// A picture of the screen as linear light; `writePicture` gives each pixel its code back.
+render::Image linearPicture(const QImage& shown)
+{
+    std::array<float, 256> light{};
+    for (std::size_t code = 0; code < light.size(); ++code)
+        light[code] = static_cast<float>(render::linearFromSrgb(static_cast<double>(code) / 255));
+    const QImage codes = shown.convertToFormat(QImage::Format_RGB888);
+    render::Image picture(codes.width(), codes.height(), 3);
+    float* to = picture.pixels.data();
+    for (int y = 0; y < codes.height(); ++y) {
+        const uchar* from = codes.constScanLine(y);
+        for (int i = 0; i < 3 * codes.width(); ++i) *to++ = light[from[i]];
+    }
+    return picture;
+}
+
+void saySaved(Workbench& window, const QString& path)
+{
+    window.setProblems(screenshotCause(), {});
+    window.say(MessageStrip::Mood::notice, QObject::tr("Screenshot saved to %1.").arg(path),
+               QObject::tr("%1 screenshots saved, the last one to %2."), path, path);
+}
+
+/// Writes what is on the screen beside the window, then lets `refined` replace it.
+void writeAtOnce(Workbench& window, QObject& parent, PictureExport& refined)
+{
+    auto* job = new ProgressJob(&parent);
+    QObject::connect(job, &ProgressJob::failed, &parent, [&window, job, &refined](const QString& why) {
+        window.setProblems(screenshotCause(), {});
+        window.setProblems(screenshotCause(), {why});
+        refined.cancel();
+        job->deleteLater();
+    });
+    job->start([&window, job, &refined, path = refined.path(), preset = refined.preset(),
+                shown = window.viewport().shown()](const ProgressJob::Progress&) {
+        render::writePicture(path, linearPicture(shown), render::PictureFormat::png8, {preset, {}, 0});
+        return [&window, job, &refined, path] {
+            saySaved(window, QString::fromStdString(path.string()));
+            refined.start();
+            job->deleteLater();
+        };
+    });
+}
+
+}  // namespace
 
 void saveScreenshot(Workbench& window, QObject& parent)
 {
@@ -21,22 +80,18 @@ void saveScreenshot(Workbench& window, QObject& parent)
                  std::max(1, static_cast<int>(std::lround(viewport.height() * ratio)))};
     wish.samples = viewport.schedule().samples();
     wish.asShown = viewport.pictureFinished();
+    wish.replaces = !wish.asShown && !viewport.shown().isNull();
     auto* work = new PictureExport(window, wish, &parent);
-    QObject::connect(work, &PictureExport::finished, &parent, [&window](const QString& path) {
-        window.say(MessageStrip::Mood::notice, QObject::tr("Screenshot saved to %1.").arg(path),
-                   QObject::tr("%1 screenshots saved, the last one to %2."), path, path);
+    QObject::connect(work, &PictureExport::failed, &parent, [&window](const QString& why) {
+        window.setProblems(screenshotCause(), {});
+        window.setProblems(screenshotCause(), {why});
     });
-    QObject::connect(work, &PictureExport::failed, &parent,
-                     [&window](const QString& why) { window.say(MessageStrip::Mood::problem, why); });
-    const auto waitsFor = [&viewport](double part) {
-        viewport.showHint(QObject::tr("The picture is not finished yet: drawing it for the screenshot, %1 %")
-                              .arg(std::floor(part * 100)));
-    };
-    if (!wish.asShown) {
-        QObject::connect(work, &PictureExport::progressed, &viewport, waitsFor);
-        QObject::connect(work, &QObject::destroyed, &viewport, [&viewport] { viewport.showHint({}); });
-        waitsFor(0);
+    if (wish.replaces) {
+        writeAtOnce(window, parent, *work);
+        return;
     }
+    QObject::connect(work, &PictureExport::finished, &parent,
+                     [&window](const QString& path) { saySaved(window, path); });
     work->start();
 }
 

@@ -6,9 +6,9 @@ namespace vitrine::ui {
 
 class Workbench;
 
-/// Saves what the window shows as PNG in the pictures folder: at once where the picture is finished, otherwise as soon
-/// as it is drawn once more, whole; how far that is stands in the picture meanwhile.
-/// `parent` is the window itself: whose children exports are.
+/// Saves the picture on the screen at once, as PNG in the pictures folder. Where that picture is not finished yet, it
+/// is drawn once more, with all samples, and replaces the file. `parent` is the window itself: the parent of all
+/// exports.
 void saveScreenshot(Workbench&, QObject& parent);
 
 }  // namespace vitrine::ui

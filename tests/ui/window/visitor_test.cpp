@@ -2,6 +2,7 @@
 #include "tests/ui/point_at.h"
 #include "tests/ui/ui_main.h"
 
+#include "render/image/image_io.h"
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/number_field.h"
 #include "ui/presets/preset_shelf.h"
@@ -10,6 +11,7 @@
 #include "ui/window/about_dialog.h"
 #include "ui/window/exhibit_list.h"
 #include "ui/window/file_opener.h"
+#include "ui/window/picture_export.h"
 #include "ui/window/status_line.h"
 
 #include <QDir>
@@ -332,12 +334,28 @@ private slots:
         QTRY_COMPARE(folder.entryList({"*.png"}, QDir::Files).size(), 2);
         const QImage picture(folder.filePath(folder.entryList({"*.png"}, QDir::Files).first()));
         QCOMPARE(picture.width(), window_->viewport().width());
-        // While it is still being refined it is drawn apart, and the visitor is told.
+    }
+
+    void aPictureThatIsNotFinishedIsSavedAtOnce()
+    {
+        settle();
+        const QDir folder(QStandardPaths::writableLocation(QStandardPaths::PicturesLocation));
+        const QSize onTheScreen = window_->viewport().shown().size();
         window_->viewport().sceneStateChanged();
         QVERIFY(!window_->viewport().pictureFinished());
         action("Screenshot")->trigger();
-        settle();
-        QCOMPARE(gallery_->pictureReads, reads + 2);
+        const auto* refined = window_->findChild<PictureExport*>();
+        QVERIFY(refined);
+        const QString path = QString::fromStdString(refined->path().string());
+        QTRY_VERIFY(QFile::exists(path));
+        const QImage saved = QImage(path).convertToFormat(QImage::Format_RGB32);
+        QCOMPARE(saved.size(), onTheScreen);
+        QVERIFY(render::embeddedPreset(path.toStdString()).has_value());
+        QTRY_VERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains(QFileInfo(path).fileName()));
+        // This gallery can draw no finer one: what was saved stays, and the window says why.
+        QTRY_VERIFY(!window_->findChild<PictureExport*>());
+        QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), saved);
+        QCOMPARE(folder.entryList({"*.png"}, QDir::Files).size(), 1);
     }
 
     void theFilterSearchesTheOtherTabAndEndsWithTheVisit()
@@ -438,11 +456,11 @@ private slots:
     {
         QVERIFY(!window_->windowIcon().isNull());
         window_->choose(1);
-        QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug – Vitrine"));
+        QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug — Vitrine"));
         window_->shelf().saveUnder("Dull");
-        QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull – Vitrine"));
+        QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull — Vitrine"));
         dragRoughness(60);
-        QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull * – Vitrine"));
+        QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull * — Vitrine"));
     }
 
     void fileDialogsOfferWhatCanBeRead()
