@@ -10,6 +10,7 @@
 #include "ui/parameters/motion_dialog.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/shown_text.h"
+#include "ui/parameters/way_to_act.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -34,6 +35,7 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
     QAction* reset =
         menu->addAction(tr("Reset to %1").arg(shownText(info, info.initial)), rows_[row], &ParameterRow::reset);
     reset->setEnabled(!values().isInitial(row) || values().motion(row));
+    addWayTo(*menu, row);
     menu->addSeparator();
     if (gauges_ && info.qualityReference)
         menu->addAction(tr("What does accuracy cost?"), this, [this, row] { emit accuracyAsked(row); });
@@ -45,6 +47,32 @@ void ParameterPanel::openMenu(std::size_t row, const QPoint& at)
     addOtherTo(*menu, row);
     addLocksTo(*menu, row);
     menu->popup(at);
+}
+
+void ParameterPanel::openWay(std::size_t row, const QPoint& at)
+{
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(menuText(rows_[row]->whyIdle()))->setEnabled(false);
+    addWayTo(*menu, row);
+    menu->popup(at);
+}
+
+void ParameterPanel::addWayTo(QMenu& menu, std::size_t row)
+{
+    const std::optional<RowChanges> changes = changesToAct(values(), row);
+    if (!changes || changes->empty()) return;
+    QStringList parts;
+    for (const auto& [other, value] : *changes) {
+        const ParameterInfo& info = values().rows()[other];
+        parts << tr("“%1”: %2").arg(rowLabel(info), shownText(info, value));
+    }
+    const QString words = tr("Set %1").arg(parts.join(QStringLiteral("; ")));
+    menu.addAction(menuText(words), this, [this, words, changes = *changes] {
+        SceneState next = history_.sceneState();
+        for (const auto& [other, value] : changes) next.values[exhibit_].setRow(other, value);
+        history_.change(words, next);
+    });
 }
 
 void ParameterPanel::addMotionTo(QMenu& menu, std::size_t row)

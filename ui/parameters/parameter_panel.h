@@ -109,6 +109,10 @@ private:
     [[nodiscard]] std::string focusedRow() const;
     void focusRow(std::string_view name);
     void openMenu(std::size_t row, const QPoint& at);
+    /// Menu of a row that does nothing: why, and what would change that.
+    void openWay(std::size_t row, const QPoint& at);
+    /// Entry that makes the row act, where other rows can.
+    void addWayTo(QMenu&, std::size_t row);
     void openGroupMenu(ParameterSection*, const QPoint& at);
     /// Entries of a group that is one of several of its kind.
     void addArrayTo(QMenu&, const ParameterInfo& first);

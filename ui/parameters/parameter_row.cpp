@@ -125,7 +125,10 @@ void ResetDot::paintEvent(QPaintEvent*)
     if (!isEnabled()) return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QPointF center = QRectF(rect()).center();
+    // Drawn as beside type of the usual size.
+    painter.translate(QRectF(rect()).center());
+    painter.scale(grown(100, *this) / 100.0, grown(100, *this) / 100.0);
+    const QPointF center;
     const QColor amber = theme().accent;
     if (!underMouse() && !hasFocus()) {
         painter.setPen(Qt::NoPen);
@@ -160,10 +163,34 @@ void GaugeMark::paintEvent(QPaintEvent*)
 {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const QPointF center(width() / 2.0, height() / 2.0 + 2);
+    painter.translate(QRectF(rect()).center());
+    painter.scale(grown(100, *this) / 100.0, grown(100, *this) / 100.0);
+    const QPointF center(0, 2);
     painter.setPen(QPen(underMouse() || hasFocus() ? theme().accent : theme().dim, 1.3, Qt::SolidLine, Qt::RoundCap));
     painter.drawArc(QRectF(center.x() - 5, center.y() - 5, 10, 10), -20 * 16, 220 * 16);
     painter.drawLine(center, center + QPointF(2.6, -2.6));
+}
+
+IdleMark::IdleMark(QWidget* parent) : QAbstractButton(parent)
+{
+    growSize(*this, 16, 22);
+    setFocusPolicy(Qt::StrongFocus);
+    setCursor(Qt::PointingHandCursor);
+    setAttribute(Qt::WA_Hover);
+}
+
+void IdleMark::paintEvent(QPaintEvent*)
+{
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double radius = width() * 0.44;
+    const QPointF center = QRectF(rect()).center();
+    painter.setPen(QPen(underMouse() || hasFocus() ? theme().accent : theme().dim, 1.2));
+    painter.drawEllipse(center, radius, radius);
+    QFont small = painter.font();
+    small.setPixelSize(static_cast<int>(1.5 * radius));
+    painter.setFont(small);
+    painter.drawText(rect(), Qt::AlignCenter, QStringLiteral("?"));
 }
 
 ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
@@ -196,6 +223,13 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
     naming->setContentsMargins(0, 0, 0, 0);
     naming->setSpacing(4);
     naming->addWidget(label_, 1);
+    why_ = new IdleMark(this);
+    why_->setAccessibleName(tr("%1: why does it do nothing?").arg(name));
+    why_->setToolTip(tr("Why does it do nothing?"));
+    why_->hide();
+    connect(why_, &QAbstractButton::clicked, this,
+            [this] { emit wayAsked(why_->mapToGlobal(QPoint(0, why_->height()))); });
+    naming->addWidget(why_);
     if (gauge_) naming->addWidget(gauge_);
     naming_->setLayout(naming);
     followType(*this, [this] { alignEditors(); });
@@ -224,6 +258,7 @@ void ParameterRow::setIdle(const QString& when)
     if (when == idleUntil_) return;
     idleUntil_ = when;
     label_->setDim(idle());
+    why_->setVisible(idle());
     QGraphicsOpacityEffect* gray = nullptr;
     if (idle()) {
         gray = new QGraphicsOpacityEffect(editor_);
@@ -231,6 +266,11 @@ void ParameterRow::setIdle(const QString& when)
     }
     editor_->setGraphicsEffect(gray);
     describe();
+}
+
+QString ParameterRow::whyIdle() const
+{
+    return idle() ? tr("Does nothing now: acts when %1. It keeps its value.").arg(idleUntil_) : QString();
 }
 
 void ParameterRow::setMotion(const QString& how)
@@ -244,7 +284,7 @@ void ParameterRow::setMotion(const QString& how)
 void ParameterRow::describe()
 {
     QStringList now;
-    if (idle()) now << tr("Does nothing now: acts when %1. It keeps its value.").arg(idleUntil_);
+    if (idle()) now << whyIdle();
     if (!motion_.isEmpty()) now << tr("Moves: %1. Setting it by hand stops it.").arg(motion_);
     setAccessibleDescription(now.join(QLatin1Char(' ')));
     now << tooltipText(info());

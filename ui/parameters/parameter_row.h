@@ -59,6 +59,17 @@ protected:
     void paintEvent(QPaintEvent*) override;
 };
 
+/// Mark of a row that does nothing now: a click says why, and offers what would change that.
+class IdleMark final : public QAbstractButton {
+    Q_OBJECT
+
+public:
+    explicit IdleMark(QWidget* parent);
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+};
+
 /// One row of the panel: label, editor, reset dot.
 class ParameterRow final : public QWidget {
     Q_OBJECT
@@ -81,10 +92,12 @@ public:
     /// A row that means nothing at the moment is not shown, whatever is searched for.
     void setWanted(bool wanted) { wanted_ = wanted; }
     [[nodiscard]] bool wanted() const { return wanted_; }
-    /// Grays the row while it does not act and says in its tooltip when it does: `when` is empty while it acts. It can
-    /// be edited all the same, and acts with that value as soon as it does.
+    /// Grays the row while it does not act, with a mark that asks why: `when` is empty while it acts. It can be edited
+    /// all the same, and acts with that value as soon as it does.
     void setIdle(const QString& when);
     [[nodiscard]] bool idle() const { return !idleUntil_.isEmpty(); }
+    /// Why it does nothing, as a sentence; empty while it acts.
+    [[nodiscard]] QString whyIdle() const;
     /// Marks a row that keeps its value when others are varied.
     void setLocked(bool locked) { label_->setLocked(locked); }
     /// Marks a row that moves, and says how in its tooltip; empty: it keeps its value.
@@ -95,6 +108,8 @@ public:
 
 signals:
     void accuracyAsked();
+    /// Why does it do nothing, and what would change that? At this place on the screen.
+    void wayAsked(const QPoint& at);
 
 protected:
     void resizeEvent(QResizeEvent*) override;
@@ -110,6 +125,7 @@ private:
 
     QString idleUntil_, motion_;
     GaugeMark* gauge_ = nullptr;
+    IdleMark* why_;
     bool differs_ = false;
     bool wanted_ = true;
 };

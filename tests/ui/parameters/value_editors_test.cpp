@@ -3,6 +3,9 @@
 
 #include "ui/parameters/color_editor.h"
 #include "ui/parameters/color_picker.h"
+#include "ui/parameters/way_to_act.h"
+
+#include "exhibits/exhibits.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -19,6 +22,31 @@ class ValueEditorsTest : public test::OpenPanel {
 private slots:
     void initTestCase() { prepare(); }
     void init() { open(); }
+
+    void everyRowThatDoesNothingHasAWayToActUnlessItNeedsAFile()
+    {
+        int ways = 0;
+        for (const auto& exhibit : allExhibits()) {
+            const ParameterValues values = exhibit->parameters().initial();
+            for (std::size_t row = 0; row < values.rows().size(); ++row) {
+                const std::string name = std::string(exhibit->name()) + '.' + std::string(values.rows()[row].name);
+                const std::optional<RowChanges> changes = changesToAct(values, row);
+                if (acts(values, row)) {
+                    QVERIFY2(changes && changes->empty(), name.c_str());
+                    continue;
+                }
+                if (!changes) {
+                    QVERIFY2(actsWhen(values, row).find("names a file") != std::string::npos, name.c_str());
+                    continue;
+                }
+                ParameterValues changed = values;
+                for (const auto& [other, value] : *changes) changed.setRow(other, value);
+                QVERIFY2(acts(changed, row), name.c_str());
+                ++ways;
+            }
+        }
+        QVERIFY(ways > 100);
+    }
 
     void theWheelOverAFieldWithFocusSteps()
     {
