@@ -29,6 +29,16 @@ constexpr int ownLine = TileDelegate::mark + 1;  // The second line of a preset 
 constexpr int tagsRole = ownLine + 1;
 constexpr int mostChips = 12;  // The others are found by words.
 
+void showTiles(QListWidget& list)
+{
+    list.setFrameShape(QFrame::NoFrame);
+    list.setItemDelegate(new TileDelegate(&list));
+    list.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list.setEditTriggers(QAbstractItemView::NoEditTriggers);
+    list.setContextMenuPolicy(Qt::CustomContextMenu);
+    list.setMouseTracking(true);
+}
+
 }  // namespace
 
 PresetList::PresetList(QWidget* parent)
@@ -59,12 +69,13 @@ PresetList::PresetList(QWidget* parent)
     nothing_->hide();
     connect(words_, &QLineEdit::textChanged, this, &PresetList::filter);
     list_->setAccessibleName(tr("Presets"));
-    list_->setFrameShape(QFrame::NoFrame);
-    list_->setItemDelegate(new TileDelegate(list_));
-    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    list_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    list_->setContextMenuPolicy(Qt::CustomContextMenu);
-    list_->setMouseTracking(true);
+    showTiles(*list_);
+    // One preset is always seen whole, however large the type.
+    followType(*list_, [this] {
+        QStyleOptionViewItem option;
+        option.font = list_->font();
+        list_->setMinimumHeight(list_->itemDelegate()->sizeHint(option, {}).height());
+    });
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

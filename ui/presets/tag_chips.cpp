@@ -2,6 +2,7 @@
 
 #include "ui/kit/flow_layout.h"
 #include "ui/kit/menu_text.h"
+#include "ui/kit/type_size.h"
 
 #include <QMap>
 #include <QSignalBlocker>
@@ -20,6 +21,17 @@ TagChips::TagChips(QWidget* parent) : QWidget(parent)
 {
     setAccessibleName(tr("Tags"));
     new FlowLayout(this);
+    // A font of their own keeps its size when the application gets another.
+    followType(*this, [this] {
+        for (QToolButton* chip : findChildren<QToolButton*>()) chip->setFont(chipFont());
+    });
+}
+
+QFont TagChips::chipFont() const
+{
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.9);
+    return small;
 }
 
 void TagChips::addChip(const QString& tag, int uses, bool pressed)
@@ -32,9 +44,7 @@ void TagChips::addChip(const QString& tag, int uses, bool pressed)
     chip->setFocusPolicy(Qt::StrongFocus);
     chip->setAccessibleName(tr("Tag %1").arg(tag));
     chip->setToolTip(tr("%n preset(s) with this tag", nullptr, uses));
-    QFont small = chip->font();
-    small.setPointSizeF(small.pointSizeF() * 0.9);
-    chip->setFont(small);
+    chip->setFont(chipFont());
     connect(chip, &QToolButton::toggled, this, &TagChips::changed);
     layout()->addWidget(chip);
 }

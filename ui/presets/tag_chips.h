@@ -23,6 +23,7 @@ signals:
     void changed();
 
 private:
+    [[nodiscard]] QFont chipFont() const;
     void addChip(const QString& tag, int uses, bool pressed);
 };
 

@@ -5,6 +5,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/tab_order.h"
 #include "ui/kit/text.h"
+#include "ui/kit/type_size.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/parameters/parameter_panel.h"
@@ -28,8 +29,11 @@
 #include <QMainWindow>
 #include <QScrollArea>
 #include <QTabBar>
+#include <QTimer>
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace vitrine::ui {
 
@@ -47,6 +51,25 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
     addLedgerAndLog();
     window_.resizeDocks({docks_[0], docks_[1]}, {400, 300}, Qt::Vertical);
     window_.resizeDocks({docks_[0], parametersDock_}, {240, 360}, Qt::Horizontal);
+    followType(window_, [this] { followSmallerType(); });
+}
+
+void WindowDocks::followSmallerType()
+{
+    // Larger type makes panels wider by itself; they keep that width when it becomes smaller again.
+    const int before = std::exchange(typeHeight_, window_.fontMetrics().height());
+    if (before <= typeHeight_) return;
+    QTimer::singleShot(0, this, [this, part = static_cast<double>(typeHeight_) / before] {
+        QList<QDockWidget*> besides;
+        QList<int> widths;
+        for (QDockWidget* dock : docks_) {
+            const Qt::DockWidgetArea area = window_.dockWidgetArea(dock);
+            if (area != Qt::LeftDockWidgetArea && area != Qt::RightDockWidgetArea) continue;
+            besides << dock;
+            widths << static_cast<int>(std::lround(dock->width() * part));
+        }
+        window_.resizeDocks(besides, widths, Qt::Horizontal);
+    });
 }
 
 QDockWidget* WindowDocks::add(const QString& title, const char* name, QWidget* content, Qt::DockWidgetArea area)

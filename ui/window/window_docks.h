@@ -64,10 +64,12 @@ private:
     void addLedgerAndLog();
     void addTree();
     void nameStacks();
+    void followSmallerType();
 
     QMainWindow& window_;
     Workbench& workbench_;
     QList<QDockWidget*> docks_, hidden_;
+    int typeHeight_ = 0;  // Of the window's type, pixels.
     QDockWidget* parametersDock_ = nullptr;
     QDockWidget* studyDock_ = nullptr;
     ExhibitList* exhibits_ = nullptr;
