@@ -88,6 +88,7 @@ void PageDialog::noteSource()
     const QString name = QFileInfo(browser_->source().path()).baseName();
     lesson_->setEnabled(
         QFileInfo::exists(pageFolder() + QStringLiteral("/../lessons/") + name + QStringLiteral(".md")));
+    lesson_->setToolTip(lesson_->isEnabled() ? QString() : tr("There is no lesson about this."));
     const QString title = browser_->documentTitle();
     setWindowTitle(title.isEmpty() ? tr("How this works") : title);
 }

@@ -2,6 +2,7 @@
 #include "ui/viewport/viewport.h"
 
 #include "exhibits/framework/tree.h"
+#include "ui/kit/numbers.h"
 #include "ui/kit/text.h"
 #include "ui/viewport/overlay.h"
 #include "ui/viewport/viewport_input.h"
@@ -134,8 +135,16 @@ void Viewport::act()
     const bool orbits = control_.mode() == CameraControl::Mode::orbit;
     if (orbits ? !capability<HasTree>(museum_.subject(subject_)) : lookedAt_.has_value())
         press();
-    else
+    else if (orbits || pointedAt(QPointF(rect().center())))
         click(QPointF(rect().center()));
+    else
+        showHint(tr("Nothing to visit is in the middle of the picture."));
+}
+
+render::View Viewport::view() const
+{
+    const FrameRequest now = request(time_);
+    return render::makeView(now.camera, now.raster);
 }
 
 QString Viewport::spokenText() const
@@ -144,7 +153,7 @@ QString Viewport::spokenText() const
     if (there.mode == CameraControl::Mode::orbit)
         return tr("You look at %1, from %2 m away.")
             .arg(text(museum_.subject(subject_).title()))
-            .arg(glm::distance(there.camera.eye, there.camera.target), 0, 'f', 1);
+            .arg(numberLocale().toString(glm::distance(there.camera.eye, there.camera.target), 'f', 1));
     if (lookedAt_) return tr("You walk through the hall. Before you: %1.").arg(QString::fromStdString(lookedAt_->text));
     const std::optional<Pointed> ahead = shown_.isNull() ? std::nullopt : pointedAt(QPointF(rect().center()));
     return ahead ? tr("You walk through the hall and look at %1.").arg(QString::fromStdString(ahead->name))

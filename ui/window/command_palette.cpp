@@ -10,6 +10,8 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace vitrine::ui {
 namespace {
 
@@ -69,13 +71,18 @@ void CommandPalette::fill()
         item->setData(Qt::UserRole, i);
         item->setToolTip(action->toolTip());
     }
+    if (list_->count() == 0) {
+        auto* nothing = new QListWidgetItem(tr("Nothing is called so."), list_);
+        nothing->setFlags(Qt::NoItemFlags);
+        return;
+    }
     list_->setCurrentRow(0);
 }
 
 void CommandPalette::run()
 {
     const QListWidgetItem* item = list_->currentItem();
-    QAction* action = item ? actions_[item->data(Qt::UserRole).toInt()] : nullptr;
+    QAction* action = item && item->data(Qt::UserRole).isValid() ? actions_[item->data(Qt::UserRole).toInt()] : nullptr;
     close();
     if (action) action->trigger();
 }
@@ -182,7 +189,12 @@ ShortcutSheet::ShortcutSheet(const QList<QAction*>& actions, QWidget* window) : 
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->addWidget(tree);
-    resize(QSize(grown(560, *this), grown(560, *this)).boundedTo(screen()->availableSize() - QSize(32, 96)));
+    int named = 0;
+    for (int i = 0; i < tree->topLevelItemCount(); ++i)
+        named = std::max(named, tree->sizeHintForIndex(tree->model()->index(i, 1)).width());
+    const int whole = tree->header()->sectionSize(0) + named + grown(64, *this);
+    resize(QSize(std::max(grown(560, *this), whole), grown(560, *this))
+               .boundedTo(screen()->availableSize() - QSize(32, 96)));
 }
 
 }  // namespace vitrine::ui

@@ -1,12 +1,12 @@
 #include "ui/window/status_line.h"
 
 #include "ui/kit/language.h"
+#include "ui/kit/numbers.h"
 #include "ui/kit/type_size.h"
 #include "ui/window/frame_graph.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLocale>
 
 namespace vitrine::ui {
 
@@ -49,12 +49,24 @@ void StatusLine::note(const render::FrameReport& report, const QSize& pixels, co
 void StatusLine::renew()
 {
     shownReason_ = reason_;
-    labels_[0]->setText(labels_[0]->fontMetrics().elidedText(reason_, Qt::ElideRight, labels_[0]->width()));
-    labels_[0]->setToolTip(reason_);
+    showWords();
     labels_[1]->setText(tr("%1 × %2").arg(pixels_.width()).arg(pixels_.height()));
-    labels_[2]->setText(tr("%1 ms").arg(QLocale::c().toString(milliseconds_, 'f', 1)));
+    labels_[2]->setText(tr("%1 ms").arg(numberLocale().toString(milliseconds_, 'f', 1)));
     labels_[2]->setToolTip(tr("Time of the frame, by %1").arg(clock_));
     labels_[3]->setText(tr("%1 passes ran, %2 skipped").arg(ran_).arg(skipped_));
+}
+
+void StatusLine::showHelp(const QString& help)
+{
+    help_ = help;
+    showWords();
+}
+
+void StatusLine::showWords()
+{
+    const QString& words = help_.isEmpty() ? shownReason_ : help_;
+    labels_[0]->setText(labels_[0]->fontMetrics().elidedText(words, Qt::ElideRight, labels_[0]->width()));
+    labels_[0]->setToolTip(words);
 }
 
 QString StatusLine::text() const

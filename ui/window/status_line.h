@@ -24,6 +24,8 @@ public:
 
     /// All of one picture; `reason`: DrawSchedule::reason after it was drawn.
     void note(const render::FrameReport&, const QSize& pixels, const QString& reason);
+    /// Help about what is under the pointer, in place of the reason; empty: the reason again.
+    void showHelp(const QString&);
     [[nodiscard]] QString text() const;
 
 private:
@@ -31,6 +33,9 @@ private:
 
     std::array<QLabel*, 4> labels_{};
     FrameGraph* graph_;
+    void showWords();
+
+    QString help_;
     QString reason_, shownReason_;
     QTimer timer_;
     QSize pixels_;
