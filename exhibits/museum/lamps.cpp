@@ -1,5 +1,6 @@
 #include "exhibits/museum/lamps.h"
 
+#include "exhibits/framework/capabilities.h"
 #include "exhibits/framework/exhibit.h"
 #include "render/hash.h"
 #include "render/plan/elsewhere.h"
@@ -38,6 +39,18 @@ void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, 
 }
 
 }  // namespace
+
+void takeLamps(const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject, bool steadyOnly,
+               std::vector<render::LocalLight>& lamps)
+{
+    const auto* carrier = capability<HasLocalLights>(subject);
+    if (!carrier || (steadyOnly && carrier->lightsChange(state))) return;
+    for (render::LocalLight lamp : carrier->localLights(state)) {
+        lamp.position = glm::dvec3(worldFromSubject * glm::dvec4(lamp.position, 1));
+        if (lamp.axis != glm::dvec3(0)) lamp.axis = glm::normalize(glm::dmat3(worldFromSubject) * lamp.axis);
+        lamps.push_back(lamp);
+    }
+}
 
 bool throwShadows(std::span<const render::LocalLight> lights)
 {

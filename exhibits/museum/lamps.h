@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/subject.h"
 #include "render/plan/frame_plan.h"
 #include "render/plan/local_lights.h"
 
@@ -7,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace vitrine {
 
@@ -19,6 +21,10 @@ struct Lamps {
     /// All surfaces for another view of the frame, unpruned, in the images that exhibits share.
     std::function<render::FramePlan(const render::View&)> seenFrom;
 };
+
+/// Adds the lamps that an exhibit carries, in world space; with `steadyOnly` none whose light changes by itself.
+void takeLamps(const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject, bool steadyOnly,
+               std::vector<render::LocalLight>& lamps);
 
 /// Whether any of them asks for shadows.
 [[nodiscard]] bool throwShadows(std::span<const render::LocalLight>);

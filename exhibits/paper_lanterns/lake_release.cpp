@@ -15,10 +15,10 @@
 namespace vitrine {
 namespace {
 
-constexpr double ownSpeed = 0.55;    ///< Meters a second of one that drifts away.
-constexpr double stepTime = 0.1;     ///< Seconds between places on its way.
-constexpr double beginsToTurn = 1;   ///< Meters before another one.
-constexpr double renewsAfter = 0.5;  ///< Meters that it goes before those near it are looked for again.
+constexpr double ownSpeed = 0.55;             ///< Meters a second of one that drifts away.
+constexpr double secondsBetweenPlaces = 0.1;  ///< Seconds between places on its way.
+constexpr double beginsToTurn = 1;            ///< Meters before another one.
+constexpr double renewsAfter = 0.5;           ///< Meters that it goes before those near it are looked for again.
 
 /// A lantern on the water, in the frame of reference that drifts with the lattice.
 struct Floating {
@@ -215,8 +215,8 @@ glm::dvec2 placeAfter(Waterway& way, const Floating& free, bool rises, const glm
     glm::dvec2 place = free.place;
     const double clearOver = way.lake.lake.high - way.lake.lake.low;
     Company company(way);
-    for (double time = 0; time < press.since; time += stepTime) {
-        const double step = std::min(stepTime, press.since - time);
+    for (double time = 0; time < press.since; time += secondsBetweenPlaces) {
+        const double step = std::min(secondsBetweenPlaces, press.since - time);
         const glm::dvec2 wanted = rises ? 0.036 * time * wind : ownSpeed * straightAhead();
         if (rises && heightOver(time) > clearOver) {
             place += step * wanted;
@@ -226,7 +226,7 @@ glm::dvec2 placeAfter(Waterway& way, const Floating& free, bool rises, const glm
         const glm::dvec2 velocity = steered(way, near, place, free.turn, wanted);
         const glm::dvec2 next = keptClear(way, near, place, place + step * velocity, free.turn);
         // Between others that leave no room it has come to rest.
-        if (!rises && step == stepTime && next == place) break;
+        if (!rises && step == secondsBetweenPlaces && next == place) break;
         place = next;
     }
     return place;

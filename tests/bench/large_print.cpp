@@ -1,7 +1,7 @@
 // A print of 40,000 x 36,000 pixels, 1.7 x 1.5 m at 600 dpi, by `vitrine print` from files: its time and its peak of
 // memory, which is held to 300 MB, though the print has 4.3 GB and the views alone 390 MB. Needs 5 GB below TMPDIR,
 // /tmp by default. Prints a table; passes or fails nothing.
-//   bench_large_print [--scale 1] [--compression none]    a scale of 0.1 is a tenth of the size; or deflate, or zstd
+//   bench_large_print [--scale 1] [--compression none]    a scale of 0.1 is a tenth of the size; or deflate
 
 #include "render/image/image_io.h"
 #include "tests/bench/child.h"
