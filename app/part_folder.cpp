@@ -55,8 +55,8 @@ void dissolve(const fs::path& old, const fs::path& target)
         fs::remove_all(old, error);
 }
 
-/// What killed processes left beside the target: unfinished folders go. A whole one is the content that the target is
-/// to have, where it has none, and else its old content.
+/// Clears what killed processes left beside the target: unfinished folders go. A whole one is the content that the
+/// target is to have, where it has none, and else its old content.
 void clearBeside(const fs::path& target)
 {
     const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");

@@ -372,7 +372,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
 
 namespace {
 
-/// Where the preset was seen from, in the space of the picture, or else the best view of the subject.
+/// Camera that the preset was seen from, in the space of the picture, or else the best view of the subject.
 render::Camera chosenCamera(const Museum& museum, const RequestedPicture& job, bool alone)
 {
     if (job.taken && job.taken->camera && job.taken->alone == alone) return *job.taken->camera;

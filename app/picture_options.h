@@ -14,10 +14,10 @@ class App;
 
 namespace vitrine::app {
 
-/// What a picture has where neither an option nor the picture that --preset names says it.
+/// Size of a picture if neither an option nor the picture that --preset names says it.
 inline constexpr const char* usualPictureSize = "640x360";
 
-/// What `render` and its relatives can be told about the picture, as typed. What is not given is as in the picture that
+/// Options of `render` and its relatives about the picture, as typed. Options not given are as in the picture that
 /// `preset` names, where it names one.
 struct PictureOptions {
     std::string subject;  ///< An exhibit's name, or "hall".

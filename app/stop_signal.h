@@ -19,7 +19,7 @@ public:
     [[nodiscard]] static bool stopped();
     /// Readable once `stopped()`, for poll; while a StopSignal lives.
     [[nodiscard]] static int descriptor();
-    /// What a shell expects of a program that was stopped.
+    /// Exit status that a shell expects of a program that was stopped.
     static constexpr int exitCode = 130;
 };
 

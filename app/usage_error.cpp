@@ -97,7 +97,7 @@ const CLI::Option* namedIn(const CLI::App& command, const std::string& message, 
 std::string usageError(const CLI::App& parser, const CLI::ParseError& error)
 {
     const CLI::App& command = typedCommand(parser);
-    // Whoever mistyped an option has often left out another one by that: what is unknown comes first, as typed.
+    // A mistyped option is often also missing under its right name: the unknown word is named first, as typed.
     for (const CLI::App* app = &parser;; app = app->get_subcommands().front()) {
         for (const std::string& word : app->remaining())
             if (word != "--") return unexpected(*app, word);

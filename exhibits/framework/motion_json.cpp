@@ -159,7 +159,7 @@ std::optional<Motion> motionFromText(const ParameterInfo& row, const std::string
 
 namespace {
 
-/// What stands between the colons.
+/// Splits the text at its colons.
 std::vector<std::string> betweenColons(const std::string& text)
 {
     std::vector<std::string> parts(1);

@@ -48,7 +48,8 @@ public:
     StudiedRows(const StudiedRows&) = delete;
     StudiedRows& operator=(const StudiedRows&) = delete;
 
-    /// What the table declares of the row of that name; a StudiedRow with nothing but the name where it says nothing.
+    /// Returns what the table declares of the row of that name; a StudiedRow with nothing but the name where it says
+    /// nothing.
     [[nodiscard]] static StudiedRow of(const Parameters&, std::string_view row);
     /// Everything that the table declares.
     [[nodiscard]] static std::vector<StudiedRow> allOf(const Parameters&);

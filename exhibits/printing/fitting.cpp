@@ -40,7 +40,7 @@ render::Image fitted(render::Image image, double aspect, Fitting fitting)
     if (fitting == Fitting::stretch || image.width < 1 || image.height < 1) return image;
     const auto pixels = [](double x) { return static_cast<int>(std::clamp(std::round(x), 1.0, double{most})); };
     const bool wide = shapeOf(image) > aspect;
-    // Of a wide picture, cropping changes the width and margins the height; of a high one the other way round.
+    // Cropping changes the width of a wide picture, margins change its height; for a high one the other way round.
     const bool width = wide == (fitting == Fitting::crop);
     const int newWidth = width ? pixels(image.height * aspect) : image.width;
     const int newHeight = width ? image.height : pixels(image.width / aspect);

@@ -46,7 +46,7 @@ private:
     std::string doubt_;
 };
 
-/// What describes a print.
+/// Description of a print, and what speaks against it.
 struct PrintDescription {
     render::JsonDocument document;
     /// A full sentence or two where the file beside the print describes another one; empty where it does not.

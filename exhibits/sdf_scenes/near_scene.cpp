@@ -174,7 +174,7 @@ std::shared_ptr<const NearScene> nearScene(const SceneProgram& program, const Sc
             const double cell = 1.1 * longest / cells;
             const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(2.0 * box.halfSize() / cell - 1e-9)), glm::ivec3(1));
             near->cells = pruneCells(program, words, rest.steps, box, count, Pruner::asShaders, budget);
-            // Where hardly anything is left out of a part, larger ones leave out less.
+            // If hardly anything is left out of a part, larger parts leave out less.
             const bool holdsAll = near->cells.evaluations > near->cells.looks * shapes / 4;
             if (near->cells.whole || holdsAll || cells < 2 * fewestCells) break;
         }

@@ -44,7 +44,7 @@ struct NearScene {
 /// Cells along the longest side that serve a scene of so many shapes well.
 [[nodiscard]] int cellsAcross(std::size_t shapes);
 
-/// What its cells may take at most: a thousand shapes take 20 MB and 6 million evaluations; beyond this, a picture
+/// Budget of its cells: a thousand shapes take 20 MB and 6 million evaluations; beyond this, a picture
 /// waits for seconds.
 inline constexpr PruneBudget cellBudget{128U << 20U, 60'000'000};
 

@@ -25,7 +25,7 @@ struct StudySituation {
 /// of this very scene state (over three parameters or more, or within a limit).
 [[nodiscard]] bool keepsSettings(const StudyRequest&);
 
-/// What the table declares of an axis's parameter.
+/// Returns what the table declares of an axis's parameter.
 [[nodiscard]] StudiedRow declaredOf(const SceneState&, const StudyAxis&);
 
 /// How sentences name parameters.
