@@ -115,7 +115,10 @@ struct CrepuscularRaysTable final : Parameters {
         choice("resolution", RayResolution::half, {"full", "half", "quarter"},
                "Of the beams, before they are brought up to the picture's with regard to its depth.",
                exactAt(RayResolution::full), anyBeams);
-    StudiedRows studied{*this, {{.name = "jitter", .exactInReference = {"volumeSteps", "samples"}}}};
+    StudiedRows studied{
+        *this,
+        {{.name = "samples", .settles = "The polar grid has at most 4096 cells a side: four for each of 1024 samples."},
+         {.name = "jitter", .exactInReference = {"volumeSteps", "samples"}}}};
 
     Group hangings = group("Hangings");
     Toggle animate = toggle("animate", false, "Let the draft turn the mobile and carry the dust.");

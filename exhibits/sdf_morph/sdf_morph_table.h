@@ -32,11 +32,12 @@ struct TorusMugRows : virtual Parameters {
 /// Everything that can be set about it.
 struct SdfMorphTable final : TorusMugRows, SdfMaterialRows, SdfRows {
     // Bare metal shows no shadow of its own, and a small sun hardly any half-shadow.
-    StudiedRows studied{*this,
-                        {{.name = "shadowMethod", .with = {{"metalness", 0}}},
-                         {.name = "shadowRays",
-                          .with = {{"metalness", 0}, {"sunWidth", degrees(10)}},
-                          .views = {"best view", "into the mug, along its wall"}}}};
+    StudiedRows studied{
+        *this,
+        {{.name = "shadowMethod", .with = {{"metalness", 0}}, .views = {"best view", "into the mug, along its wall"}},
+         {.name = "shadowRays",
+          .with = {{"metalness", 0}, {"sunWidth", degrees(10)}},
+          .views = {"best view", "into the mug, along its wall"}}}};
 };
 
 }  // namespace vitrine

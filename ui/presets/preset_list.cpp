@@ -104,8 +104,9 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
 {
     menu_ = menu;
     auto* row = static_cast<QHBoxLayout*>(buttons_->layout());
+    QToolButton* last = nullptr;
     for (QAction* action : {save, saveAs}) {
-        auto* button = new QToolButton(buttons_);
+        auto* button = last = new QToolButton(buttons_);
         button->setDefaultAction(action);
         button->setAccessibleName(action->text().remove(QLatin1Char('&')));
         button->setFocusPolicy(Qt::StrongFocus);
@@ -122,15 +123,15 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
     growSize(*more, 28, 26);
     more->setProperty(QuietStyle::hidesMenuArrow, true);
     auto* drop = new QMenu(more);
+    drop->addAction(saveAs);
     drop->addActions(menu);
     more->setMenu(drop);
     row->addWidget(more);
     tabAsLaidOut(*this);
-    // Side by side, large words would leave the picture little room.
-    followType(*buttons_, [this, row] {
-        const bool large = grown(100, *buttons_) > sideBySideUpTo;
-        row->setDirection(large ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
-    });
+    // Large words would take the width of the picture side by side, and the height of the list one above the other: the
+    // menu has the second command, too.
+    followType(*buttons_,
+               [this, saveAsButton = last] { saveAsButton->setVisible(grown(100, *buttons_) <= sideBySideUpTo); });
 }
 
 void PresetList::fill(const std::vector<PresetLine>& entries)

@@ -24,7 +24,19 @@ TagChips::TagChips(QWidget* parent) : QWidget(parent)
     // A font of their own keeps its size when the application gets another.
     followType(*this, [this] {
         for (QToolButton* chip : findChildren<QToolButton*>()) chip->setFont(chipFont());
+        keepRoom();
     });
+}
+
+void TagChips::keepRoom()
+{
+    // Layouts around this one ask for the least size alone, and not for that of a certain width.
+    setMinimumHeight(layout()->heightForWidth(width()));
+}
+
+void TagChips::resizeEvent(QResizeEvent*)
+{
+    keepRoom();
 }
 
 QFont TagChips::chipFont() const
@@ -65,7 +77,7 @@ void TagChips::setTags(const QStringList& uses, int most)
     for (int i = 0; i < sorted.size(); ++i)
         if (i < most || before.contains(sorted[i])) addChip(sorted[i], counts[sorted[i]], before.contains(sorted[i]));
     setVisible(layout()->count() > 0);
-    updateGeometry();
+    keepRoom();
 }
 
 QStringList TagChips::shown() const

@@ -22,8 +22,12 @@ public:
 signals:
     void changed();
 
+protected:
+    void resizeEvent(QResizeEvent*) override;
+
 private:
     [[nodiscard]] QFont chipFont() const;
+    void keepRoom();
     void addChip(const QString& tag, int uses, bool pressed);
 };
 
