@@ -123,6 +123,7 @@ private:
     StudiedRows studiedMarch_{*this,
                               {{.name = "hitTolerance", .lifted = {"stepLimit"}},
                                {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."},
+                               {.name = "normalStep", .settles = "A quarter of a pixel is wider, and is used instead."},
                                {.name = "bounces", .settles = "No ray meets the object so often."}}};
     GoneRows gone_{*this, {{"compareMesh", "Compare with “The rasterized mesh”, in the Compare menu."}, {"wipe"}}};
 
