@@ -142,7 +142,7 @@ struct PaperLanternsTable final : Parameters {
     Count rippleCount = count("rippleCount", 16, {0, 23}, "Ripples that are summed, from the longest on.", quality(23),
                               rippled&& whenAbove(ripples, 0));
     Count lightCells =
-        count("lightCells", 4, {0, 9}, "Cells around a place whose flames light it.", quality(9), ours&& lit&& afloat);
+        count("lightCells", 4, {0, 9}, "Cells around a place whose flames light it.", quality(9), ours&& lit);
     Count rows = count("rows", 80, {1, 256, logarithmic},
                        "Rows of cells in which a ray looks for lanterns; those beyond are reckoned as their mean.",
                        quality(256), afloat);

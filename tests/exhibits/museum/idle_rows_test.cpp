@@ -102,7 +102,7 @@ protected:
             }
             if (idle.empty()) continue;
             const Picture before = take(exhibit, state.values);
-            EXPECT_GT(contrast(before), 0.05) << state.name << ": an empty picture proves nothing";
+            EXPECT_GT(contrast(before), 0.01) << state.name << ": an empty picture proves nothing";
             if (largestDifference(before.image, take(exhibit, moved).image) == 0) {
                 proven.insert(idle.begin(), idle.end());
                 continue;
