@@ -15,26 +15,19 @@ tests=build/release/tests
 study="build/release/vitrine study"
 
 # One line each: the file's name, whether it is drawn ("gl", and the file's name says with what) or only computed ("cpu"), and
-# the command. A study's numbers and chart lie beside its text under the same name.
+# the command.
 entries() {
     cat <<END
 sdf_evaluations cpu $tests/bench_sdf_evaluations
-scene_evaluations cpu $tests/bench_scene_evaluations
-ice_cream_solids cpu $tests/bench_ice_cream_solids
 interlacing cpu $tests/bench_interlacing
 large_print cpu $tests/bench_large_print
-print_png cpu $tests/bench_print_png
 window_start gl xvfb-run -a $tests/bench_window_start
 window_latency gl xvfb-run -a -s -screen\ 0\ 1600x1000x24 $tests/bench_window_latency
 fur_costs gl $tests/bench_fur_costs
-lenticular_card gl $tests/bench_lenticular_card
 shadow_filters gl $tests/bench_shadow_filters
 sunbeams gl $tests/bench_sunbeams
 noise_costs gl $tests/bench_noise_costs
-lantern_costs gl $tests/bench_lantern_costs
-lantern_paper cpu $tests/bench_lantern_paper
 scene_speed gl $tests/bench_scene_speed
-compositions gl $tests/bench_compositions
 pixel_normals gl $tests/bench_pixel_normals --model assets/models/teddy.glb
 hall_costs gl $tests/bench_hall_costs
 motion gl $tests/bench_motion
@@ -100,14 +93,10 @@ measure() {
     [ "$kind" = cpu ] || file=$name-$(slug "$(field renderer)")
     if [ -n "$missing" ] && [ -z "$(changes)" ] && grep -qs "^| commit | $commit |$" "$results/$file.md"; then return 0; fi
     echo "$name: $command" >&2
-    beside=""
     format=markdown
-    case $name in study_* | sdf_evaluations | ice_cream_solids | stability_suite) format=text ;; esac
+    case $name in study_* | sdf_evaluations | stability_suite) format=text ;; esac
     case $name in
-    study_*)
-        set -- --out "build/studies/$name"
-        beside="$file.csv $file.svg"
-        ;;
+    study_*) set -- --out "build/studies/$name" ;;
     *) set -- ;;
     esac
     started=$(date +%s)
@@ -129,12 +118,6 @@ measure() {
         row "load before" "$(field load)"
         row memcpy "$(field memcpy) GB/s before, $($tests/bench_machine memcpy | cut -f 2) GB/s after"
         row took "$took s"
-        for other in $beside; do
-            from=build/studies/$name/study.csv
-            [ "$other" = "$file.csv" ] || from=build/studies/$name/chart.svg
-            cp "$from" "$results/$other"
-            row beside "\`$other\`, cksum $(cksum <"$results/$other")"
-        done
         row output "cksum $(cksum <"$part/out")"
         echo
         echo "---"

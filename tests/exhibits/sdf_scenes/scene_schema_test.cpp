@@ -5,6 +5,7 @@
 
 #include "render/files/read_file.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -90,10 +91,24 @@ bool readerTakes(const std::string& text)
     return test::readText(text).scene != nullptr;
 }
 
+/// The schema with a line for each thing that it describes, not for each word.
+std::string written(const Json& value, std::size_t depth = 0)
+{
+    std::string flat = value.dump();
+    const bool hasParts =
+        std::any_of(value.begin(), value.end(), [](const Json& part) { return part.is_object() && !part.empty(); });
+    if (!value.is_object() || !hasParts || flat.size() <= 110) return flat;
+    std::string text;
+    for (const auto& [key, part] : value.items())
+        text += (text.empty() ? "{\n" : ",\n") + std::string(2 * depth + 2, ' ') + Json(key).dump() + ": " +
+                written(part, depth + 1);
+    return text + '\n' + std::string(2 * depth, ' ') + '}';
+}
+
 TEST(SceneSchema, IsTheFileThatEditorsUse)
 {
     const std::filesystem::path path = std::filesystem::path(VITRINE_SOURCE_DIR) / "assets/scenes/scene.schema.json";
-    const std::string made = render::writeJson(scenes::sceneSchema());
+    const std::string made = written(scenes::sceneSchema()) + '\n';
     const std::string there = std::filesystem::exists(path) ? render::readFile(path, 4U << 20U) : std::string();
     if (made == there) return;
     const std::filesystem::path beside = std::filesystem::temp_directory_path() / "scene.schema.json";
