@@ -1743,6 +1743,10 @@ Zeiten nach: %2.</translation>
         <translation>Eine Pyramide mit quadratischer Grundfläche auf y = 0.</translation>
     </message>
     <message>
+        <source>A quarter of a pixel is wider, and is used instead.</source>
+        <translation>Ein Viertel eines Pixels ist breiter und gilt stattdessen.</translation>
+    </message>
+    <message>
         <source>A quilt of {1} x {2} pixels does not hold {3} x {4} views; give fewer columns and rows.</source>
         <translation>Ein Quilt von {1} x {2} Pixeln fasst keine {3} x {4} Ansichten; geben Sie weniger Spalten und Zeilen an.</translation>
     </message>
@@ -3811,6 +3815,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Cannot read {1}: there is not enough memory for it; choose a smaller one.</source>
         <translation>{=1} kann nicht gelesen werden: Der Speicher reicht dafür nicht; wählen Sie etwas Kleineres.</translation>
+    </message>
+    <message>
+        <source>Cannot read {1}: this is not a glTF file; choose another file.</source>
+        <translation>{=1} kann nicht gelesen werden: dies ist keine glTF-Datei; wählen Sie eine andere Datei.</translation>
     </message>
     <message>
         <source>Cannot read {1}: {2}</source>
@@ -13678,6 +13686,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Punkt, den die Beschreibung nennt: der Ursprung des Objekts, die Mitte des Frames, oder die Mitte seines unteren Rands.</translation>
     </message>
     <message>
+        <source>The polar grid has at most 4096 cells a side: four for each of 1024 samples.</source>
+        <translation>Das polare Gitter hat höchstens 4096 Zellen je Seite: vier für jede von 1024 Proben.</translation>
+    </message>
+    <message>
         <source>The preferences could not be written to %1. They hold until the program ends.</source>
         <translation>Die Programmeinstellungen konnten nicht in %1 geschrieben werden. Sie gelten, bis das Programm endet.</translation>
     </message>
@@ -14539,6 +14551,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>this is a preset of one exhibit; open it there.</source>
         <translation>das ist ein Preset eines einzelnen Exponats; öffnen Sie es dort.</translation>
+    </message>
+    <message>
+        <source>this is binary data and not JSON; choose another file</source>
+        <translation>dies sind binäre Daten und kein JSON; wählen Sie eine andere Datei</translation>
     </message>
     <message>
         <source>this is glTF {1}, and version 2 is read; export it as glTF 2.0.</source>

@@ -300,6 +300,20 @@ void JsonReader::comparePath()
     wantedLine_ = positionIn(source_).line;
 }
 
+/// Whether bytes were never meant to be JSON: no object or array begins them, and control characters are near.
+bool isBinary(std::string_view bytes)
+{
+    constexpr std::string_view white = " \t\r\n";
+    constexpr std::size_t examined = 512;
+    const std::size_t first = bytes.find_first_not_of(white);
+    if (first == std::string_view::npos || bytes[first] == '{' || bytes[first] == '[') return false;
+    const std::string_view head = bytes.substr(0, examined);
+    const auto isControl = [&](char c) {
+        return static_cast<unsigned char>(c) < 0x20 && white.find(c) == std::string_view::npos;
+    };
+    return std::count_if(head.begin(), head.end(), isControl) > 1;  // A single one is named with its place.
+}
+
 Json JsonReader::read(const std::string& name)
 {
     const std::string_view text = source_.text;
@@ -312,6 +326,7 @@ Json JsonReader::read(const std::string& name)
     if (text.starts_with("\xEF\xBB\xBF")) refuseWhole("the file starts with two byte order marks; delete one");
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         refuseWhole("the file is UTF-16; save it as UTF-8");
+    if (isBinary(text)) refuseWhole("this is binary data and not JSON; choose another file");
     // The library takes a zero byte for the end of the text and would leave all behind it unread.
     if (const auto zero = zeroByteIn(text))
         throw JsonFailure(name, zero->line, zero->column, "", std::string(zeroByteProblem));

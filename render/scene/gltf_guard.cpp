@@ -203,6 +203,16 @@ void checkStrings(const JsonDocument& document, const Json& json, const std::str
     }
 }
 
+/// Whether this can be a container or JSON, in whatever encoding; an array is refused with its own reason.
+bool beginsAsGltf(const std::string& bytes)
+{
+    if (bytes.starts_with("glTF") || bytes.starts_with("\xEF\xBB\xBF") || bytes.starts_with("\xFF\xFE") ||
+        bytes.starts_with("\xFE\xFF"))
+        return true;
+    const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+    return first == std::string::npos || bytes[first] == '{' || bytes[first] == '[';
+}
+
 }  // namespace
 
 bool isGlb(const std::string& bytes)
@@ -223,6 +233,8 @@ JsonDocument guardGltf(const std::string& bytes, const std::string& name, const 
     JsonLimits json;
     json.bytes = limits.jsonBytes;
     json.stringBytes = limits.jsonBytes;
+    if (!beginsAsGltf(bytes))
+        throw Failure(Blame::file, "Cannot read " + name + ": this is not a glTF file; choose another file.");
     JsonDocument document = parseJson(isGlb(bytes) ? jsonOf(bytes, name) : bytes, name, json);
     if (!document.root().is_object()) fail(name, "its JSON is not an object");
     checkStrings(document, document.root(), {}, limits.stringBytes);

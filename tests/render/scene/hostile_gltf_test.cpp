@@ -82,6 +82,8 @@ TEST(HostileGltf, WithBrokenJsonIsRefusedWithItsLine)
     EXPECT_FAILURE(parseGltf("{", "a.gltf"), "not valid JSON");
     EXPECT_FAILURE(parseGltf("[]", "a.gltf"), "not an object");
     EXPECT_FAILURE(parseGltf("", "a.gltf"), "empty");
+    EXPECT_FAILURE(parseGltf("\x9F\x01\x7F{}", "a.glb"), "Cannot read a.glb: this is not a glTF file");
+    EXPECT_FAILURE(parseGltf(std::string("\x12\0\x03", 3), "a.gltf"), "Cannot read a.gltf: this is not a glTF file");
     EXPECT_FAILURE(parseGltf("{}", "a.gltf"), "a.gltf, line 1, asset: this is required and missing");
     EXPECT_FAILURE(parseGltf(R"({"asset":{"version":"1.0"}})", "a.gltf"), "asset.version: this is glTF 1.0");
     std::string deep;
