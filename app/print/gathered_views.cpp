@@ -71,21 +71,13 @@ GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
     return result;
 }
 
-/// "8x6", "8X6" or "8×6". Throws Failure (Blame::usage).
+/// Throws Failure (Blame::usage).
 glm::ivec2 gridOf(const std::string& text)
 {
-    std::string plain = text;
-    if (const std::size_t sign = plain.find("×"); sign != std::string::npos) plain.replace(sign, 2, "x");
-    std::replace(plain.begin(), plain.end(), 'X', 'x');
-    const std::size_t cross = plain.find('x');
-    const auto columns = render::parseNumber(plain.substr(0, cross));
-    const auto rows = cross == std::string::npos ? std::nullopt : render::parseNumber(plain.substr(cross + 1));
-    const auto fits = [](const std::optional<double>& n) { return n && *n >= 1 && *n <= 1000 && *n == std::floor(*n); };
-    if (!fits(columns) || !fits(rows))
-        throw Failure(Blame::usage, "--quilt \"" + text +
-                                        "\": give columns x rows, each from 1 to 1000, and the picture, such as "
-                                        "--quilt 8x6 quilt.png.");
-    return {static_cast<int>(*columns), static_cast<int>(*rows)};
+    if (const std::optional<glm::ivec2> grid = printing::quiltGrid(text)) return *grid;
+    throw Failure(Blame::usage, "--quilt \"" + text +
+                                    "\": give columns x rows, each from 1 to 1000, and the picture, such as "
+                                    "--quilt 8x6 quilt.png.");
 }
 
 GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)

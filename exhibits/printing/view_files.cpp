@@ -3,16 +3,31 @@
 #include "exhibits/printing/print_layout.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
+#include "render/files/number_text.h"
 #include "render/image/image_limits.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vitrine::printing {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Compares names as people do: runs of digits by their value, capitals as small letters.
+/// "3 files of DIR are left out, because they are no PNG, ... pictures: a.bmp, b.gif, c.heic."
+std::string leftOutNote(const fs::path& folder, const std::vector<fs::path>& files)
+{
+    constexpr std::size_t mostNamed = 5;
+    std::string list;
+    for (std::size_t i = 0; i < std::min(files.size(), mostNamed); ++i)
+        list += (i == 0 ? "" : ", ") + files[i].filename().string();
+    if (files.size() > mostNamed) list += ", and " + std::to_string(files.size() - mostNamed) + " more";
+    return "Left out of the folder " + folder.string() + ", because these files are no " +
+           std::string(render::readFormats) + " pictures: " + list + ".";
+}
+
+}  // namespace
+
 bool beforeByNumber(const std::string& a, const std::string& b)
 {
     const auto digit = [](char c) { return c >= '0' && c <= '9'; };
@@ -40,20 +55,6 @@ bool beforeByNumber(const std::string& a, const std::string& b)
     if (a.size() - i != b.size() - j) return a.size() - i < b.size() - j;
     return a < b;
 }
-
-/// "3 files of DIR are left out, because they are no PNG, ... pictures: a.bmp, b.gif, c.heic."
-std::string leftOutNote(const fs::path& folder, const std::vector<fs::path>& files)
-{
-    constexpr std::size_t mostNamed = 5;
-    std::string list;
-    for (std::size_t i = 0; i < std::min(files.size(), mostNamed); ++i)
-        list += (i == 0 ? "" : ", ") + files[i].filename().string();
-    if (files.size() > mostNamed) list += ", and " + std::to_string(files.size() - mostNamed) + " more";
-    return "Left out of the folder " + folder.string() + ", because these files are no " +
-           std::string(render::readFormats) + " pictures: " + list + ".";
-}
-
-}  // namespace
 
 std::vector<fs::path> picturesIn(const fs::path& folder, std::vector<fs::path>* others)
 {
@@ -94,6 +95,21 @@ std::vector<fs::path> viewFiles(const std::vector<std::string>& names, std::vect
     }
     if (files.empty()) throw Failure(Blame::usage, "There are no views; give a folder or files with --views.");
     return files;
+}
+
+std::optional<glm::ivec2> quiltGrid(const std::string& text)
+{
+    constexpr double most = 1000;
+    std::string plain = text;
+    if (const std::size_t sign = plain.find("×"); sign != std::string::npos) plain.replace(sign, 2, "x");
+    std::replace(plain.begin(), plain.end(), 'X', 'x');
+    const std::size_t cross = plain.find('x');
+    if (cross == std::string::npos) return std::nullopt;
+    const std::optional<double> columns = render::parseNumber(plain.substr(0, cross));
+    const std::optional<double> rows = render::parseNumber(plain.substr(cross + 1));
+    const auto fits = [](const std::optional<double>& n) { return n && *n >= 1 && *n <= most && *n == std::floor(*n); };
+    if (!fits(columns) || !fits(rows)) return std::nullopt;
+    return glm::ivec2(static_cast<int>(*columns), static_cast<int>(*rows));
 }
 
 std::string quiltNote(const render::Image& image, int columns, int rows)

@@ -2,13 +2,20 @@
 
 #include "render/image/image.h"
 
+#include <glm/vec2.hpp>
+
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace vitrine::printing {
+
+/// Whether a name comes before another one as people sort them: runs of digits by their value, capitals as small
+/// letters. A strict weak order.
+[[nodiscard]] bool beforeByNumber(const std::string& a, const std::string& b);
 
 /// The pictures in a folder, hidden ones left out; numbers in their names count by value (view2 before VIEW10).
 /// `others` (may be null) takes the files that are no pictures by their names, without descriptions (.json). Throws
@@ -21,6 +28,9 @@ namespace vitrine::printing {
 /// when there is none.
 [[nodiscard]] std::vector<std::filesystem::path> viewFiles(const std::vector<std::string>& names,
                                                            std::vector<std::string>* notes = nullptr);
+
+/// Columns and rows of a quilt, each from 1 to 1000: "8x6", "8X6" or "8×6"; nothing for all else.
+[[nodiscard]] std::optional<glm::ivec2> quiltGrid(const std::string&);
 
 /// Where a quilt's first view is: rows upwards as Looking Glass has them, or downwards as one reads.
 enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };

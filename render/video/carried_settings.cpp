@@ -109,7 +109,12 @@ bool mayCarrySettings(const fs::path& path)
 std::optional<std::string> carriedSettings(const fs::path& path)
 {
     const std::optional<VideoFormat> video = videoFormatOf(path);
-    return video ? settingsInDescription(commentOf(path, *video)) : embeddedPreset(path);
+    return video ? carriedSettings(path, *video) : embeddedPreset(path);
+}
+
+std::optional<std::string> carriedSettings(const fs::path& path, VideoFormat format)
+{
+    return settingsInDescription(commentOf(path, format));
 }
 
 }  // namespace vitrine::render

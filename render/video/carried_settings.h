@@ -1,5 +1,7 @@
 #pragma once
 
+#include "render/video/video_codec.h"
+
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -14,5 +16,8 @@ namespace vitrine::render {
 /// nothing where it carries none. It is text from a file: parse it as untrusted. Throws Failure naming the file when it
 /// cannot be read.
 [[nodiscard]] std::optional<std::string> carriedSettings(const std::filesystem::path&);
+
+/// The same of a recording in this format, whatever its name.
+[[nodiscard]] std::optional<std::string> carriedSettings(const std::filesystem::path&, VideoFormat);
 
 }  // namespace vitrine::render

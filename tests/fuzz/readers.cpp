@@ -7,13 +7,14 @@ namespace vitrine::fuzz {
 std::span<const Reader> readers()
 {
     constexpr bool isText = true;
-    static constexpr std::array<Reader, 13> all{{
+    static constexpr std::array<Reader, 15> all{{
         {"description", readDescription, isText},
         {"exhibition", readExhibition, isText},
         {"exr", readImage},
         {"gltf", readGltf},
         {"image", readImage},
         {"lesson", readLesson, isText},
+        {"names", readNames},
         {"preset", readPreset, isText},
         {"print", readPrintFile},
         {"request", readRequest, isText},
@@ -21,6 +22,7 @@ std::span<const Reader> readers()
         {"study", readStudy, isText},
         {"tour", readTour, isText},
         {"typed", readTyped},
+        {"video", readVideo},
     }};
     return all;
 }

@@ -34,6 +34,12 @@ bool readRequest(std::string_view bytes);
 /// Text that somebody typed for a parameter, as its value or its motion; what is accepted is legal and can be written.
 bool readTyped(std::string_view bytes);
 
+/// Recording (GIF, WebP, MP4, WebM or APNG) with its settings inside; what is found is JSON.
+bool readVideo(std::string_view bytes);
+/// Names of views, one a line, each as the name of a file and as the grid of a quilt; the order of names is strict and
+/// weak, and an accepted grid has views.
+bool readNames(std::string_view bytes);
+
 /// One reader with the folder of tests/fuzz/corpus that it starts from.
 struct Reader {
     std::string_view corpus;
