@@ -107,9 +107,9 @@ std::string formatNumber(double value, Unit unit)
 {
     const double inUnit = shown(value, unit);
     for (int count = 1; std::isfinite(inUnit) && count <= 17; ++count) {
-        const std::string text = digits(inUnit, count);
-        if (evaluate(text, unit) == value)
-            return text.find('e') == std::string::npos ? text : render::shortestNumber(*render::parseNumber(text));
+        std::string text = digits(inUnit, count);
+        if (text.find('e') != std::string::npos) text = render::shortestNumber(*render::parseNumber(text));
+        if (evaluate(text, unit) == value) return text;
     }
     // Between two doubles of the shown unit.
     const long double exact = static_cast<long double>(value) * static_cast<long double>(info(unit).shownPerStored);

@@ -141,6 +141,21 @@ TEST(ValueText, ReadsBackBitForBitInEveryUnit)
     }
 }
 
+/// Digits with an exponent go another way: 1/3^11 in degrees came back as another number.
+TEST(ValueText, ReadsBackBitForBitHoweverSmall)
+{
+    for (const ParameterInfo& r : table.rows()) {
+        if (r.kind != Kind::real) continue;
+        for (const double base : {3.0, 7.0, 10.0})
+            for (int power = 1; power <= 40; ++power) {
+                const std::optional<Value> x = nearestLegal(r, std::pow(base, -power));
+                ASSERT_TRUE(x);
+                const std::string text = formatValue(r, *x);
+                EXPECT_EQ(parseValue(r, text), x) << r.name << ' ' << text;
+            }
+    }
+}
+
 TEST(ValueText, IsTheSameInAGermanLocale)
 {
     const test::GermanLocale german;
