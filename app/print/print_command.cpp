@@ -30,8 +30,8 @@ namespace {
 namespace fs = std::filesystem;
 using printing::PrintLayout;
 
-printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout,
-                              const std::vector<std::string>& sources, const render::Json& scene)
+/// Where and how the print is written, without its description.
+printing::PrintFile target(const PrintOptions& options)
 {
     printing::PrintFile file;
     file.path = options.out;
@@ -40,6 +40,13 @@ printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& la
     file.compression = streamCompression(options.compression);
     file.tileWidth = options.tileMm;
     file.threads = printing::interlacingThreads();
+    return file;
+}
+
+printing::PrintFile printFile(const PrintOptions& options, const PrintLayout& layout,
+                              const std::vector<std::string>& sources, const render::Json& scene)
+{
+    printing::PrintFile file = target(options);
     render::Json json = printing::printJson(layout, render::storedDpi(options.out, layout.settings().dpiX), sources);
     if (!scene.is_null()) json["scene"] = scene;
     file.json = render::writeJson(json);
@@ -62,14 +69,16 @@ void describe(const PrintLayout& layout, const PrintOptions& options, const std:
 }
 
 /// Rendering views takes minutes: a print that cannot be written is refused before.
-void checkTarget(const std::string& out)
+void checkTarget(const PrintOptions& options, const LayoutOf& layoutOf)
 {
+    const std::string& out = options.out;
     const std::string extension = render::lowerExtension(out);
     if (extension != ".tif" && extension != ".tiff" && extension != ".png")
         throw Failure(Blame::usage, "--out " + out + ": give a name that ends in .tif or .png.");
     const fs::path folder = render::PartFile(out).target().parent_path();
     if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
         throw Failure(Blame::file, "Cannot write " + out + ": " + std::strerror(errno) + "; choose another folder.");
+    printing::requireRoom(layoutOf(1), target(options));
 }
 
 int makeChart(const PrintOptions& options)
@@ -93,7 +102,7 @@ int makePart(const PrintOptions& options, const LayoutOf& layoutOf)
         throw Failure(Blame::usage,
                       "--shard " + options.part.shard +
                           ": only views that are rendered are made in parts; give an --exhibit and --out.");
-    checkTarget(options.out);
+    checkTarget(options, layoutOf);
     return runPart(options.out, parseShard(options.part.shard), [&](Parts& parts) -> std::optional<std::string> {
         ViewOptions views = options.views;
         views.makes = &parts;
@@ -110,7 +119,7 @@ int makePrint(const PrintOptions& options)
     const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
     if (!options.part.shard.empty()) return makePart(options, layoutOf);
     if (!options.chart.empty()) return makeChart(options);
-    if (!options.out.empty()) checkTarget(options.out);
+    if (!options.out.empty()) checkTarget(options, layoutOf);
     std::optional<Parts> parts;
     if (options.part.fromParts) parts.emplace(fs::path(options.out));
     ViewOptions views = options.views;

@@ -56,7 +56,22 @@ std::filesystem::path tilePath(const std::filesystem::path& path, std::size_t ti
     return name;
 }
 
+render::StreamSpec specOf(const PrintLayout& layout, const PrintFile& file, std::int64_t width)
+{
+    const PrintSettings& settings = layout.settings();
+    return {width,     layout.height(), file.bits,   settings.dpiX, settings.dpiY, file.compression, layout.vertical(),
+            file.json, file.profile,    file.threads};
+}
+
 }  // namespace
+
+void requireRoom(const PrintLayout& layout, const PrintFile& file)
+{
+    const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
+    for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile)
+        render::requireStreamSides(file.path, cuts[tile + 1] - cuts[tile], layout.height());
+    render::requireSpace(file.path, render::streamBytes(file.path, specOf(layout, file, layout.width())));
+}
 
 int interlacingThreads()
 {
@@ -90,15 +105,12 @@ std::vector<std::filesystem::path> writeRaster(const PrintLayout& layout, const 
                                                const PrintFile& file)
 {
     const std::vector<std::int64_t> cuts = tileCuts(layout, file.tileWidth);
-    const PrintSettings& settings = layout.settings();
+    requireRoom(layout, file);
     std::vector<std::filesystem::path> paths;
     std::vector<std::unique_ptr<render::PartFile>> parts;
     for (std::size_t tile = 0; tile + 1 < cuts.size(); ++tile) {
         paths.push_back(cuts.size() == 2 ? file.path : tilePath(file.path, tile));
-        const render::StreamSpec spec{
-            cuts[tile + 1] - cuts[tile], layout.height(), file.bits,    settings.dpiX, settings.dpiY, file.compression,
-            layout.vertical(),           file.json,       file.profile, file.threads};
-        render::PictureStream stream(paths.back(), spec);
+        render::PictureStream stream(paths.back(), specOf(layout, file, cuts[tile + 1] - cuts[tile]));
         if (file.bits == 16)
             writeColumns<std::uint16_t>(layout, source.sixteen, file, cuts[tile], cuts[tile + 1], stream);
         else

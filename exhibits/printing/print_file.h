@@ -24,6 +24,9 @@ struct PrintFile {
     std::function<bool(double)> progress{};  ///< Told the part that is done, 0 to 1; false stops.
 };
 
+/// Refuses a print whose files the format or the disk cannot hold, before anything is made. Throws Failure.
+void requireRoom(const PrintLayout&, const PrintFile&);
+
 /// How many threads a print of its own is given: one per processor, at most 16.
 [[nodiscard]] int interlacingThreads();
 

@@ -47,10 +47,10 @@ PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, bool
     PrintPlan plan;
     try {
         const PrintLayout layout = chart ? chartLayout(values) : layoutOf(values, views);
-        if (chart)
-            static_cast<void>(chartOf(values, layout));
-        else
-            static_cast<void>(tileCuts(layout, tileWidth(values)));
+        if (chart) static_cast<void>(chartOf(values, layout));
+        const std::vector<std::int64_t> cuts = tileCuts(layout, chart ? 0 : tileWidth(values));
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+            render::requireStreamSides(path, cuts[i + 1] - cuts[i], layout.height());
         plan.numbers = numbersOf(layout, render::storedDpi(path, layout.settings().dpiX));
         plan.warnings = warningsOf(layout);
         const bool upright = std::abs(values[printTable().direction]) < std::numbers::pi / 4;

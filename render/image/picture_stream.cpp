@@ -9,6 +9,7 @@
 #include "render/image/png_file.h"
 #include "render/image/webp_header.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vitrine::render {
@@ -38,6 +39,25 @@ const char* nameOf(StreamCompression compression)
 
 }  // namespace
 
+void requireStreamSides(const std::filesystem::path& path, std::int64_t width, std::int64_t height)
+{
+    const std::int64_t most = isPng(path) ? 2147483647 : tiffSide;
+    if (width > most || height > most) {
+        throw Failure(Blame::usage, "Cannot write " + path.string() + ": " + std::to_string(width) + " x " +
+                                        std::to_string(height) +
+                                        " pixels are too many for this format, which ends at " + std::to_string(most) +
+                                        " per side; print it in parts.");
+    }
+}
+
+std::uint64_t streamBytes(const std::filesystem::path& path, const StreamSpec& spec)
+{
+    constexpr double most = 1e19;  // The largest PNG of 16 bits has more bytes than 64 bits count.
+    const double bytes = static_cast<double>(spec.width) * static_cast<double>(spec.height) * 3 * (spec.bits / 8);
+    const bool packed = isPng(path) || spec.compression != StreamCompression::none;
+    return static_cast<std::uint64_t>(std::min(packed ? bytes / 4 : bytes, most));
+}
+
 PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec& spec, FileOps& ops)
     : path_(path), spec_(spec), part_(std::make_unique<PartFile>(path, ops))
 {
@@ -49,17 +69,8 @@ PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec
     if (!std::filesystem::is_directory(folder, error))
         throw Failure(Blame::file, "Cannot write " + path.string() + ": there is no folder " + folder.string() +
                                        "; create it first.");
-    const std::int64_t most = isPng(path) ? 2147483647 : tiffSide;
-    if (spec.width > most || spec.height > most) {
-        throw Failure(Blame::usage, "Cannot write " + path.string() + ": " + std::to_string(spec.width) + " x " +
-                                        std::to_string(spec.height) +
-                                        " pixels are too many for this format, which ends at " + std::to_string(most) +
-                                        " per side; print it in parts.");
-    }
-    const auto bytes = static_cast<unsigned long long>(spec.width) * static_cast<unsigned long long>(spec.height) *
-                       3ULL * static_cast<unsigned long long>(spec.bits / 8);
-    const bool packed = isPng(path) || spec.compression != StreamCompression::none;
-    requireSpace(path, packed ? bytes / 4 : bytes, ops);
+    requireStreamSides(path, spec.width, spec.height);
+    requireSpace(path, streamBytes(path, spec), ops);
     if (isPng(path)) {
         pngRows_ = std::make_unique<PngRows>(PngRowTarget{part_->path().string(), spec.width, spec.height, spec.bits,
                                                           spec.dpiX, spec.dpiY, spec.likeRowAbove, printKey, spec.json,

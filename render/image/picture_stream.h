@@ -31,6 +31,11 @@ struct StreamSpec {
     int threads = 1;           ///< That deflate a PNG; the file is the same for any number.
 };
 
+/// Refuses sides beyond the format that the name's ending means. Throws Failure (Blame::usage) with the limit.
+void requireStreamSides(const std::filesystem::path&, std::int64_t width, std::int64_t height);
+/// Bytes that must be free for such a file: all of an uncompressed TIFF, a quarter of what is packed.
+[[nodiscard]] std::uint64_t streamBytes(const std::filesystem::path&, const StreamSpec&);
+
 /// Writes a TIFF (BigTIFF by itself beyond 4000 MiB) or PNG row by row, beside its target; memory does not
 /// grow with the picture. Whatever fails, or when it is destroyed before `publish`, the old file stands and
 /// nothing is left behind. Every function throws Failure naming file and cause.

@@ -255,6 +255,31 @@ TEST(UsageOfNumbers, OfPrintsAreThoseOfTheWindow)
     expectOneSentence(quilt, {"--quilt 8x6 quilt.png"});
 }
 
+/// The views are not there: a size that is refused only after they are read would be told as a missing folder.
+TEST(UsageOfNumbers, TooLargeForAFileIsRefusedBeforeAnythingIsReadOrDrawn)
+{
+    const test::TemporaryFolder folder;
+    const auto expectRefused = [&](const char* name, const std::vector<std::string>& size, int code,
+                                   const std::string& sentence) {
+        std::vector<std::string> words{"print", "--views", folder / "none", "--out", folder / name, "--lpi", "60"};
+        words.insert(words.end(), size.begin(), size.end());
+        const Ended ended = test::vitrine(words);
+        EXPECT_EQ(ended.code, code) << ended.err;
+        expectOneSentence(ended, {sentence});
+    };
+    expectRefused("x.tif", {"--width-mm", "99999", "--height-mm", "30"}, 2, "which ends at 1048576 per side");
+    expectRefused(
+        "x.tif", {"--width-mm", "30", "--height-mm", "30", "--bleed-mm", "999", "--border-mm", "999", "--dpi", "99999"},
+        2, "which ends at 1048576 per side");
+    // 2362181 x 2362181 pixels of 3 bytes, of which a quarter is asked for, and a tenth more: 4.6e12 bytes.
+    expectRefused("x.png", {"--width-mm", "99999", "--height-mm", "99999"}, 5, "it needs 46034");
+    // 2362181 x 236197 pixels of 3 bytes, and a tenth more: 1.8412e12 bytes.
+    expectRefused("x.tif", {"--width-mm", "99999", "--height-mm", "9999", "--tile-mm", "30"}, 5, "it needs 18412");
+    const Ended sprite = test::vitrine({"sprite", "none.glb", "--size", "20000x20", "--out", folder / "s.png"});
+    EXPECT_EQ(sprite.code, 2);
+    expectOneSentence(sprite, {"--size 20000x20: a frame has at most 16384 pixels on a side."});
+}
+
 TEST(Usage, WhatWasMistypedIsNamedWithItsCommandAndWhatIsNear)
 {
     const std::vector<std::pair<std::vector<std::string>, std::string>> cases{

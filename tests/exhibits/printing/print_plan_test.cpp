@@ -47,6 +47,15 @@ TEST_F(PrintPlans, NumbersFollowTheClosedFormsWhenLpiDpiAndDistanceChange)
     }
 }
 
+TEST_F(PrintPlans, RefusesSidesBeyondTheFormatUnlessTheyAreCut)
+{
+    values_.set(table_.width, 50.0);  // 1,417,323 pixels at 720 dpi; a TIFF ends at 1,048,576.
+    EXPECT_NE(printPlan(values_, nullptr, false, "print.tif").refusal.find("1048576"), std::string::npos);
+    EXPECT_EQ(printPlan(values_, nullptr, false, "print.png").refusal, "");
+    values_.set(table_.tileWidth, 25.0);
+    EXPECT_EQ(printPlan(values_, nullptr, false, "print.tif").refusal, "");
+}
+
 TEST_F(PrintPlans, RefusesWhatCannotBeWithTheLimitAndKeepsWhatIsTyped)
 {
     values_.set(table_.lens, LensShape::given);
