@@ -1,6 +1,7 @@
 #include "app/command.h"
 #include "app/number_option.h"
 #include "app/stability_report.h"
+#include "app/useless_option.h"
 
 #include "render/failure.h"
 #include "render/files/assets.h"
@@ -111,8 +112,10 @@ void addDoctorCommand(CLI::App& parser, Action& chosen)
     addNumber(*command, "--first-seed", given->options.firstSeed, {0, 9007199254740992.0},
               "With --stability: the seed to begin with; a fault names its own")
         ->capture_default_str();
-    command->callback([&chosen, given] {
-        chosen = [given] {
+    command->callback([&chosen, given, command] {
+        chosen = [given, command] {
+            for (const char* option : {"--presets", "--first-seed"})
+                refuseWithout(*command, option, given->stability, "--stability");
             given->options.asJson = given->asJson;
             return given->stability ? stabilityReport(given->options) : doctor(given->asJson);
         };

@@ -2,6 +2,7 @@
 #include "app/picture_options.h"
 #include "app/say.h"
 #include "app/table_json.h"
+#include "app/useless_option.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall_table.h"
@@ -85,8 +86,12 @@ void addListCommand(CLI::App& parser, Action& chosen)
         ->allow_extra_args(true);
     auto name = std::make_shared<std::string>();
     command->add_option("--manual", *name, "The parameter table of one exhibit, as Markdown for its README");
-    command->callback([&chosen, asJson, sets, name] {
-        chosen = [asJson, sets, name] { return name->empty() ? list(*asJson, *sets) : manual(*name); };
+    command->callback([&chosen, asJson, sets, name, command] {
+        chosen = [asJson, sets, name, command] {
+            for (const char* option : {"--json", "--set"})
+                refuseOn(*command, option, !name->empty(), "the table of --manual");
+            return name->empty() ? list(*asJson, *sets) : manual(*name);
+        };
     });
 }
 

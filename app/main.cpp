@@ -10,8 +10,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <unistd.h>
-
 #include <clocale>
 #include <csignal>
 #include <cstdio>
@@ -19,7 +17,6 @@
 #include <exception>
 #include <new>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace {
@@ -110,16 +107,14 @@ int parseAndRun(int argc, char** argv)
 /// is missing: nothing here allocates.
 [[noreturn]] void endWithoutHandler()
 {
-    constexpr std::string_view words =
-        "vitrine: There was not enough memory for this; ask for a smaller size, or fewer samples or views.\n";
     if (!std::current_exception()) std::abort();
     try {
         throw;
     } catch (const std::bad_alloc&) {
-        if (::write(STDERR_FILENO, words.data(), words.size()) < 0) std::abort();
+        vitrine::app::sayInEnglish(vitrine::app::noMemory);
         std::_Exit(static_cast<int>(vitrine::Blame::usage));
     } catch (const std::exception& error) {
-        std::fprintf(stderr, "vitrine: %s\n", error.what());
+        vitrine::app::sayInEnglish(error.what());
         std::abort();
     } catch (...) {
         std::abort();
@@ -143,7 +138,7 @@ int main(int argc, char** argv)
         vitrine::app::say(failure.what());
         return failure.exitCode();
     } catch (const std::bad_alloc&) {
-        vitrine::app::say("There was not enough memory for this; ask for a smaller size, or fewer samples or views.");
+        vitrine::app::say(vitrine::app::noMemory);
         return static_cast<int>(vitrine::Blame::usage);
     } catch (const std::exception& error) {
         vitrine::app::say(error.what());

@@ -4,6 +4,7 @@
 #include "app/progress.h"
 #include "app/queue/parts.h"
 #include "app/say.h"
+#include "app/useless_option.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
@@ -74,6 +75,28 @@ bool isTourFile(const RecordOptions& options)
     return render::lowerExtension(options.subject) == ".json";
 }
 
+/// "turntable", "still" or "tour".
+std::string pathOf(const RecordOptions& options)
+{
+    if (!options.path.empty()) return options.path;
+    return isTourFile(options) || options.subject == "hall" ? "tour" : "turntable";
+}
+
+void refuseUselessOptions(const CLI::App& command, const RecordOptions& o)
+{
+    const std::string path = pathOf(o);
+    for (const char* option : {"--path", "--turn", "--eye", "--target", "--fov"})
+        refuseOn(command, option, isTourFile(o), "a tour's file, which says how the camera moves");
+    refuseWithout(command, "--turn", path == "turntable", "--path turntable");
+    for (const char* option : {"--eye", "--target", "--fov"})
+        refuseWithout(command, option, path != "tour", "--path still");
+    refuseOn(command, "--pace", path == "still", "a camera that stands still");
+    refuseWithout(command, "--shutter-samples", o.shutter > 0, "--shutter");
+    PictureOptions picture = o.picture;
+    picture.subject = isTourFile(o) ? "hall" : o.subject;
+    refuseUselessSceneOptions(command, picture);
+}
+
 RecordingRequest recordingRequest(const RecordOptions& options, const Museum& museum, RequestedPicture& job)
 {
     RecordingRequest request;
@@ -83,7 +106,7 @@ RecordingRequest recordingRequest(const RecordOptions& options, const Museum& mu
     request.shutter = options.shutter;
     request.shutterSamples = options.shutterSamples;
     const bool isHall = job.subject == hallIndex;
-    const std::string path = options.path.empty() ? isHall ? "tour" : "turntable" : options.path;
+    const std::string path = pathOf(options);
     if (isTourFile(options)) {
         Tour tour = parseTour(render::readFile(options.subject, presetLimits.bytes), options.subject);
         for (const std::string& note : tour.notes) job.notes.push_back(options.subject + ": " + note);
@@ -215,7 +238,12 @@ void addRecordCommand(CLI::App& parser, Action& chosen)
     addMotionOptions(*command, *options);
     addSceneOptions(*command, options->picture);
     addPartOptions(*command, options->part);
-    command->callback([&chosen, options] { chosen = [options] { return makeRecording(*options); }; });
+    command->callback([&chosen, options, command] {
+        chosen = [options, command] {
+            refuseUselessOptions(*command, *options);
+            return makeRecording(*options);
+        };
+    });
 }
 
 }  // namespace vitrine::app

@@ -3,6 +3,7 @@
 #include "app/picture_options.h"
 #include "app/report.h"
 #include "app/say.h"
+#include "app/useless_option.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/museum/picture_settings.h"
@@ -98,7 +99,12 @@ void addRenderCommand(CLI::App& parser, Action& chosen)
     command->add_option("--report", options->report,
                         "What ran, what was skipped and why, counters, times and memory by owner, as JSON");
     addPictureOptions(*command, options->picture);
-    command->callback([&chosen, options] { chosen = [options] { return renderPicture(*options); }; });
+    command->callback([&chosen, options, command] {
+        chosen = [options, command] {
+            refuseUselessSceneOptions(*command, options->picture);
+            return renderPicture(*options);
+        };
+    });
 }
 
 void addTourCommand(CLI::App& parser, Action& chosen)

@@ -2,13 +2,40 @@
 
 #include "ui/kit/language.h"
 
-#include <cstdio>
+#include <unistd.h>
+
+#include <exception>
+#include <string>
 
 namespace vitrine::app {
+namespace {
 
-void say(const std::string& sentence)
+/// Writes all of it, as far as standard error takes it; allocates nothing.
+void put(std::string_view text) noexcept
 {
-    std::fprintf(stderr, "vitrine: %s\n", ui::saidInLocale(sentence).c_str());
+    while (!text.empty()) {
+        const ssize_t written = ::write(STDERR_FILENO, text.data(), text.size());
+        if (written <= 0) return;
+        text.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+}  // namespace
+
+void say(std::string_view sentence) noexcept
+{
+    try {
+        put("vitrine: " + ui::saidInLocale(sentence) + '\n');
+    } catch (const std::exception&) {
+        sayInEnglish(sentence);
+    }
+}
+
+void sayInEnglish(std::string_view sentence) noexcept
+{
+    put("vitrine: ");
+    put(sentence);
+    put("\n");
 }
 
 }  // namespace vitrine::app

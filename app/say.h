@@ -1,10 +1,18 @@
 #pragma once
 
-#include <string>
+#include <string_view>
 
 namespace vitrine::app {
 
-/// Prints "vitrine: ..." to standard error, the sentence in the language of the locale.
-void say(const std::string& sentence);
+/// Prints "vitrine: ..." to standard error, the sentence in the language of the locale; in English where there is no
+/// memory left to translate it.
+void say(std::string_view sentence) noexcept;
+
+/// The same in English; allocates nothing.
+void sayInEnglish(std::string_view sentence) noexcept;
+
+/// What is said where memory is at its end.
+inline constexpr std::string_view noMemory =
+    "There was not enough memory for this; ask for a smaller size, or fewer samples or views.";
 
 }  // namespace vitrine::app

@@ -3,6 +3,7 @@
 #include "app/number_option.h"
 #include "app/picture_options.h"
 #include "app/progress.h"
+#include "app/useless_option.h"
 #include "exhibits/framework/expression.h"
 #include "exhibits/sdf_scenes/scene_mesh.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
@@ -133,12 +134,13 @@ scenes::MeshCheck checked(const scenes::SceneMesh& mesh)
     return check;
 }
 
-int mesh(const MeshOptions& options)
+int mesh(const CLI::App& command, const MeshOptions& options)
 {
     const auto format = scenes::meshFormat(options.out);
     if (!format) throw Failure(Blame::usage, "--out " + options.out + ": give a name that ends in .glb, .stl or .ply.");
     const scenes::MeshRequest request = meshRequest(options);
     const auto scene = readOrThrow(options.file);
+    refuseOn(command, "--time", !scene->animated(), "a scene in which nothing moves");
     const scenes::SceneField field(scene, options.time, parameterValues(*scene, options.sets));
     {
         const render::PartFile writable(options.out);
@@ -183,7 +185,8 @@ void addSceneMeshCommand(CLI::App& parser, Action& chosen)
     command->add_option("--high", options->high, "x,y,z: the opposite corner");
     addNumber(*command, "--memory-mb", options->memoryMb, {1, 1e9},
               "How much memory it may take; half of the machine's by default");
-    command->callback([&chosen, options] { chosen = [options] { return mesh(*options); }; });
+    command->callback(
+        [&chosen, options, command] { chosen = [options, command] { return mesh(*command, *options); }; });
 }
 
 }  // namespace vitrine::app

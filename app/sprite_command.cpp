@@ -2,15 +2,18 @@
 #include "app/number_option.h"
 #include "app/picture_options.h"
 #include "app/say.h"
+#include "app/useless_option.h"
 #include "exhibits/exhibits.h"
 #include "exhibits/museum/museum.h"
 #include "exhibits/sprites/sprite_files.h"
 #include "render/failure.h"
+#include "render/files/number_text.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -55,6 +58,10 @@ ParameterValues sheetValues(const SpriteOptions& options)
     const SpriteTable& t = spriteTable();
     ParameterValues values = t.initial();
     const glm::ivec2 size = parseSize("--size", options.size);
+    const double most = t.rows()[t.width.row].range.high;
+    if (std::max(size.x, size.y) > most)
+        throw Failure(Blame::usage, "--size " + options.size + ": a frame has at most " + render::shortestNumber(most) +
+                                        " pixels on a side.");
     if (options.subject != spriteLookName) values.set(t.model, options.subject);
     values.set(t.directions, options.directions);
     values.set(t.frames, options.frames);
@@ -130,7 +137,13 @@ void addSpriteCommand(CLI::App& parser, Action& chosen)
     command->add_option("--set", o->sets, "name=value of pixel_art");
     command->add_flag("--trim", o->trimmed, "Cut off empty rows and columns");
     command->add_flag("--no-maps", o->noMaps, "Neither normals nor depth");
-    command->callback([&chosen, o] { chosen = [o] { return makeSprite(*o); }; });
+    command->callback([&chosen, o, command] {
+        chosen = [o, command] {
+            refuseWithout(*command, "--colors", o->palette == "own", "--palette own");
+            refuseOn(*command, "--animation", o->subject == spriteLookName, "pixel_art, which has one animation");
+            return makeSprite(*o);
+        };
+    });
 }
 
 }  // namespace vitrine::app

@@ -5,6 +5,7 @@
 #include "app/progress.h"
 #include "app/report.h"
 #include "app/say.h"
+#include "app/useless_option.h"
 
 #include "exhibits/compare/offered_comparison.h"
 #include "exhibits/exhibits.h"
@@ -72,13 +73,14 @@ RequestedPicture requestedSide(const Museum& museum, const PictureOptions& pictu
 }
 
 /// Whose presets are meant, and what: an exhibit's name in place of A means its initial values.
-void readSubject(const Museum& museum, SettingsOptions& options)
+void readSubject(const Museum& museum, const CLI::App& command, SettingsOptions& options)
 {
     if (options.with.empty() == options.files[1].empty())
         throw Failure(Blame::usage, options.with.empty()
                                         ? "compare-settings: name a second setting, or what A is compared --with."
                                         : "compare-settings: give either a second setting or --with, not both.");
     if (!museum.find(options.files[0])) return;
+    refuseOn(command, "--exhibit", options.picture.subject != options.files[0], "an exhibit that is named as A");
     options.picture.subject = options.files[0];
     options.files[0] = initialSettings;
 }
@@ -102,10 +104,10 @@ void compareWith(const Museum& museum, SettingsOptions& options, std::array<Requ
     options.files[1] = offered.title;
 }
 
-ComparisonRequest comparisonRequest(const Museum& museum, SettingsOptions& options)
+ComparisonRequest comparisonRequest(const Museum& museum, const CLI::App& command, SettingsOptions& options)
 {
     std::array<RequestedPicture, 2> jobs;
-    readSubject(museum, options);
+    readSubject(museum, command, options);
     jobs[0] = requestedSide(museum, options.picture, options.files[0]);
     if (options.with.empty())
         jobs[1] = requestedSide(museum, options.picture, options.files[1]);
@@ -123,12 +125,12 @@ ComparisonRequest comparisonRequest(const Museum& museum, SettingsOptions& optio
     return request;
 }
 
-int compareSettings(SettingsOptions options)
+int compareSettings(const CLI::App& command, SettingsOptions options)
 {
     requireComparisonFolder(options.picture.out);
     const render::gl::HeadlessContext context;
     const Museum museum{allExhibits()};
-    ComparisonRequest request = comparisonRequest(museum, options);
+    ComparisonRequest request = comparisonRequest(museum, command, options);
     ComparisonText text;
     text.names = namesOf(options.files);
     const std::size_t subject = museum.find(options.picture.subject).value_or(hallIndex);
@@ -183,7 +185,8 @@ void addCompareSettingsCommand(CLI::App& parser, Action& chosen)
     addChoice(*command, "--gain", options->gain, gains, "Initial gain of the difference pictures")
         ->capture_default_str();
     addCameraOptions(*command, options->picture);
-    command->callback([&chosen, options] { chosen = [options] { return compareSettings(*options); }; });
+    command->callback(
+        [&chosen, options, command] { chosen = [options, command] { return compareSettings(*command, *options); }; });
 }
 
 }  // namespace vitrine::app

@@ -1,6 +1,7 @@
 #include "app/print/print_options.h"
 
 #include "app/number_option.h"
+#include "app/useless_option.h"
 #include "exhibits/printing/print_table.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
@@ -88,20 +89,16 @@ printing::PrintSettings printSettings(const PrintOptions& options, int views)
 
 void refuseUselessOptions(const CLI::App& command, const PrintOptions& o)
 {
-    const auto refuseWithout = [&](const std::string& option, bool acts, const std::string& other) {
-        if (!acts && command.count(option) > 0)
-            throw Failure(Blame::usage,
-                          option + " has no effect without " + other + "; leave it out, or give that too.");
-    };
-    refuseWithout("--guard", o.method == "guard", "--method guard");
-    refuseWithout("--chart-span", o.chart == "pitch", "--chart pitch");
-    refuseWithout("--view-format", !o.views.saveViews.empty(), "--save-views");
-    if (render::lowerExtension(o.out) == ".png" && command.count("--compression") > 0)
-        throw Failure(Blame::usage, "PNG is always compressed, and --compression has no effect on it; leave it out.");
-    for (const std::string option : {"--views", "--quilt", "--exhibit", "--crosstalk-compensation"})
-        if (!o.chart.empty() && command.count(option) > 0)
-            throw Failure(Blame::usage,
-                          option + " has no effect on a --chart, which has views of its own; leave it out.");
+    refuseWithout(command, "--guard", o.method == "guard", "--method guard");
+    refuseWithout(command, "--chart-span", o.chart == "pitch", "--chart pitch");
+    refuseWithout(command, "--view-format", !o.views.saveViews.empty(), "--save-views");
+    refuseOn(command, "--compression", render::lowerExtension(o.out) == ".png", "a PNG, which is always compressed");
+    for (const char* option :
+         {"--views", "--quilt", "--exhibit", "--crosstalk-compensation", "--fit", "--every", "--ping-pong"})
+        refuseOn(command, option, !o.chart.empty(), "a --chart, which has views of its own");
+    for (const char* option : {"--radius-um", "--thickness-um", "--index", "--conic"})
+        refuseOn(command, option, !o.sheet.empty(), "a --sheet, whose lenses are known");
+    refuseUselessSceneOptions(command, o.views.scene);
 }
 
 void addPrintOptions(CLI::App& command, PrintOptions& o)

@@ -4,6 +4,7 @@
 #include "app/say.h"
 #include "app/study/study_folder.h"
 #include "app/study/study_options.h"
+#include "app/useless_option.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
@@ -133,6 +134,14 @@ int makePart(const StudyOptions& options)
     });
 }
 
+void refuseUselessOptions(const CLI::App& command, const StudyOptions& o)
+{
+    const std::size_t named = o.parameters.size();
+    refuseOn(command, "--points", !o.values.empty(), "a study of --values");
+    refuseOn(command, "--settings", named == 1 || named == 2, "a study of one or two parameters");
+    refuseOn(command, "--alone", o.subject == "hall", "the hall as a whole");
+}
+
 int runStudy(const StudyOptions& options)
 {
     requireStudyFolder(options.out);
@@ -173,7 +182,12 @@ void addStudyCommand(CLI::App& parser, Action& chosen)
         "Costs in chart.svg and chart.png: ms (milliseconds of a picture) or work (counted); by default "
         "ms if the clock can be trusted. The page shows both");
     addPartOptions(*command, options->part);
-    command->callback([&chosen, options] { chosen = [options] { return runStudy(*options); }; });
+    command->callback([&chosen, options, command] {
+        chosen = [options, command] {
+            refuseUselessOptions(*command, *options);
+            return runStudy(*options);
+        };
+    });
 }
 
 }  // namespace vitrine::app

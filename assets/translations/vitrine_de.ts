@@ -887,6 +887,10 @@ Zeiten nach: %2.</translation>
         <translation>--channels: Nur OpenEXR trägt mehr als Farbe; geben Sie --out einen Namen, der auf .exr endet.</translation>
     </message>
     <message>
+        <source>--chart pitch</source>
+        <translation>--chart pitch</translation>
+    </message>
+    <message>
         <source>--cost &quot;{1}&quot; is no cost of a chart; give ms or work.</source>
         <translation>--cost „{=1}“ sind keine Kosten eines Diagramms; geben Sie ms oder work an.</translation>
     </message>
@@ -923,6 +927,10 @@ Zeiten nach: %2.</translation>
         <translation>--lpi fehlt: Geben Sie die Linsen pro Zoll der Folie an, oder ein --sheet.</translation>
     </message>
     <message>
+        <source>--method guard</source>
+        <translation>--method guard</translation>
+    </message>
+    <message>
         <source>--metric {1}: both pictures need the channel for it; make them with `vitrine render ... --channels color,depth,normal --out NAME.exr`.</source>
         <translation>--metric {=1}: Beide Bilder brauchen den Kanal dafür; erzeugen Sie sie mit `vitrine render ... --channels color,depth,normal --out NAME.exr`.</translation>
     </message>
@@ -955,8 +963,20 @@ Zeiten nach: %2.</translation>
         <translation>--out {=1}: Dies ist eine Datei; nennen Sie einen Ordner.</translation>
     </message>
     <message>
+        <source>--palette own</source>
+        <translation>--palette own</translation>
+    </message>
+    <message>
+        <source>--path still</source>
+        <translation>--path still</translation>
+    </message>
+    <message>
         <source>--path tour: the tour goes through the hall; record hall, or choose turntable or still.</source>
         <translation>--path tour: Der Rundgang führt durch die Halle; nehmen Sie hall auf, oder wählen Sie turntable oder still.</translation>
+    </message>
+    <message>
+        <source>--path turntable</source>
+        <translation>--path turntable</translation>
     </message>
     <message>
         <source>--quilt &quot;{1}&quot;: give columns x rows, each from 1 to 1000, and the picture, such as --quilt 8x6 quilt.png.</source>
@@ -1005,6 +1025,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>--shard {1}: only views that are rendered are made in parts; give an --exhibit and --out.</source>
         <translation>--shard {=1}: Nur gerenderte Ansichten entstehen in Teilen; geben Sie --exhibit und --out an.</translation>
+    </message>
+    <message>
+        <source>--size {1}: a frame has at most {2} pixels on a side.</source>
+        <translation>--size {1}: Ein Einzelbild hat höchstens {2} Pixel je Seite.</translation>
     </message>
     <message>
         <source>--socket {1}: a socket's path has 1 to {2} bytes, and this one has {3}; choose a shorter one.</source>
@@ -1372,6 +1396,14 @@ Zeiten nach: %2.</translation>
         <translation>A</translation>
     </message>
     <message>
+        <source>a --chart, which has views of its own</source>
+        <translation>einem --chart, das eigene Ansichten hat</translation>
+    </message>
+    <message>
+        <source>a --sheet, whose lenses are known</source>
+        <translation>einer --sheet, deren Linsen bekannt sind</translation>
+    </message>
+    <message>
         <source>A as it was</source>
         <translation>A, wie es war</translation>
     </message>
@@ -1406,6 +1438,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a button was pressed</source>
         <translation>ein Knopf wurde gedrückt</translation>
+    </message>
+    <message>
+        <source>a camera that stands still</source>
+        <translation>einer Kamera, die stillsteht</translation>
     </message>
     <message>
         <source>A camera that turns by {1} degrees round {2} runs into a wall or what stands in the hall; give a smaller --turn, or --alone.</source>
@@ -1715,6 +1751,10 @@ Zeiten nach: %2.</translation>
         <translation>ein Schild ist im Blick</translation>
     </message>
     <message>
+        <source>a PNG, which is always compressed</source>
+        <translation>einem PNG, das immer gepackt ist</translation>
+    </message>
+    <message>
         <source>A point that shines everywhere.</source>
         <translation>Ein Punkt, der überallhin scheint.</translation>
     </message>
@@ -1785,6 +1825,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A scene file of this folder or below it.</source>
         <translation>Eine Szenendatei dieses Ordners oder darunter.</translation>
+    </message>
+    <message>
+        <source>a scene in which nothing moves</source>
+        <translation>einer Szene, in der sich nichts bewegt</translation>
     </message>
     <message>
         <source>A scene of more than 1 MB is not edited here; change its file.</source>
@@ -1874,6 +1918,14 @@ Zeiten nach: %2.</translation>
         <translation>Eine Studie braucht einen Parameter, der als Qualität gekennzeichnet ist; `vitrine list --json` nennt sie.</translation>
     </message>
     <message>
+        <source>a study of --values</source>
+        <translation>einer Studie mit --values</translation>
+    </message>
+    <message>
+        <source>a study of one or two parameters</source>
+        <translation>einer Studie von einem oder zwei Parametern</translation>
+    </message>
+    <message>
         <source>A study over three parameters or more searches: which settings it measures depends on those before, so it cannot be split; study one or two parameters.</source>
         <translation>Eine Studie über drei Parameter oder mehr sucht: Welche Einstellungen sie misst, hängt von denen davor ab, daher lässt sie sich nicht teilen; untersuchen Sie einen oder zwei Parameter.</translation>
     </message>
@@ -1924,6 +1976,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a tour is a JSON object; choose a tour of Vitrine.</source>
         <translation>ein Rundgang ist ein JSON-Objekt; wählen Sie einen Rundgang von Vitrine.</translation>
+    </message>
+    <message>
+        <source>a tour's file, which says how the camera moves</source>
+        <translation>der Datei eines Rundgangs, die sagt, wie sich die Kamera bewegt</translation>
     </message>
     <message>
         <source>a transparent background is asked for</source>
@@ -2296,6 +2352,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>an exhibit stands in the sun</source>
         <translation>ein Exponat steht in der Sonne</translation>
+    </message>
+    <message>
+        <source>an exhibit that is named as A</source>
+        <translation>einem Exponat, das als A genannt ist</translation>
+    </message>
+    <message>
+        <source>an exhibit that is shown --alone</source>
+        <translation>einem Exponat, das mit --alone gezeigt wird</translation>
     </message>
     <message>
         <source>an object</source>
@@ -10554,6 +10618,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pixel-Samples</translation>
     </message>
     <message>
+        <source>pixel_art, which has one animation</source>
+        <translation>pixel_art, das nur eine Animation hat</translation>
+    </message>
+    <message>
         <source>Pixels</source>
         <extracomment>tables</extracomment>
         <translation>Pixel</translation>
@@ -10622,10 +10690,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>PNG (*.png)</source>
         <translation>PNG (*.png)</translation>
-    </message>
-    <message>
-        <source>PNG is always compressed, and --compression has no effect on it; leave it out.</source>
-        <translation>PNG ist immer gepackt, und --compression bewirkt dabei nichts; lassen Sie es weg.</translation>
     </message>
     <message>
         <source>PNG, JPEG, TIFF, OpenEXR, HDR or WebP</source>
@@ -13358,6 +13422,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Halle</translation>
     </message>
     <message>
+        <source>the hall as a whole</source>
+        <translation>der Halle als Ganzes</translation>
+    </message>
+    <message>
         <source>The hall cannot be turned; name an exhibit.</source>
         <translation>Die Halle lässt sich nicht drehen; nennen Sie ein Exponat.</translation>
     </message>
@@ -14001,6 +14069,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the sun's strength is 0</source>
         <translation>die Stärke der Sonne ist 0</translation>
+    </message>
+    <message>
+        <source>the table of --manual</source>
+        <translation>der Tabelle von --manual</translation>
     </message>
     <message>
         <source>the text below this heading has {1} bytes and the strip has room for {2}; shorten it, or make two steps of it.</source>
@@ -16604,8 +16676,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} von {2} bis {3} innerhalb von {4} s</translation>
     </message>
     <message>
-        <source>{1} has no effect on a --chart, which has views of its own; leave it out.</source>
-        <translation>{1} bewirkt nichts bei --chart, das eigene Ansichten hat; lassen Sie es weg.</translation>
+        <source>{1} has no effect on {2}; leave it out.</source>
+        <translation>{1} bewirkt nichts bei {2}; lassen Sie es weg.</translation>
     </message>
     <message>
         <source>{1} has no effect without {2}; leave it out, or give that too.</source>

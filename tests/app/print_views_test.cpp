@@ -317,7 +317,7 @@ TEST(PrintPictures, NamesWhatIsLeftOutAndRefusesWhatHasNoEffect)
         EXPECT_FALSE(std::filesystem::exists(folder / out));
     };
     refused("p.tif", views + Words{"--compression", "zstd"}, {"--compression", "zstd"});
-    refused("p.png", views + Words{"--compression", "deflate"}, {"--compression", "PNG is always compressed"});
+    refused("p.png", views + Words{"--compression", "deflate"}, {"--compression", "which is always compressed"});
     refused("p.tif", views + Words{"--guard", "0.3"}, {"--guard has no effect without --method guard"});
     refused("p.tif", views + Words{"--chart-span", "1"}, {"--chart-span has no effect without --chart pitch"});
     refused("p.tif", views + Words{"--chart", "pitch"}, {"--views has no effect on a --chart"});
