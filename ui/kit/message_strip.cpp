@@ -1,6 +1,7 @@
 #include "ui/kit/message_strip.h"
 
 #include "ui/kit/appearance.h"
+#include "ui/kit/home_path.h"
 #include "ui/kit/show_in_folder.h"
 #include "ui/kit/spoken.h"
 #include "ui/kit/theme.h"
@@ -16,6 +17,7 @@
 #include <QPropertyAnimation>
 #include <QScrollArea>
 #include <QScrollBar>
+#include <QTextDocument>
 #include <QTimer>
 #include <QToolButton>
 
@@ -34,13 +36,13 @@ public:
         return mood_ == MessageStrip::Mood::problem ? QAccessible::AlertMessage : QAccessible::Notification;
     }
     Line(MessageStrip::Mood mood, const QString& text, QWidget* parent)
-        : QWidget(parent), mood_(mood), words_(new QLabel(text, this))
+        : QWidget(parent), mood_(mood), words_(new QLabel(this))
     {
         words_->setTextFormat(Qt::PlainText);
         words_->setWordWrap(true);
         words_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
         words_->setAccessibleName(MessageStrip::tr("Message"));
-        setAccessibleName(text);
+        setText(text);
         auto* copy = button(MessageStrip::tr("Copy"), MessageStrip::tr("Copy this message"));
         folder_ = button(MessageStrip::tr("Show in folder"), MessageStrip::tr("Show the file in its folder"));
         auto* dismiss = button(QStringLiteral("✕"), MessageStrip::tr("Dismiss this message"));
@@ -53,18 +55,19 @@ public:
         folder_->hide();
         connect(folder_, &QToolButton::clicked, this, [this] { showInFolder(file_); });
         layout->addWidget(dismiss, 0, Qt::AlignTop);
-        connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(words_->text()); });
+        connect(copy, &QToolButton::clicked, this, [this] { QApplication::clipboard()->setText(text_); });
         life_.setSingleShot(true);
         connect(&life_, &QTimer::timeout, this, [this] { fade(); });
         connect(dismiss, &QToolButton::clicked, this, &QObject::deleteLater);
     }
-    [[nodiscard]] QString text() const { return words_->text(); }
+    /// With whole paths, as it is copied.
+    [[nodiscard]] const QString& text() const { return text_; }
+    [[nodiscard]] QString shownText() const { return words_->text(); }
 
     /// One more of the same kind: `several` with their number and what the newest is about.
     void repeat(const QString& several, const QString& what)
     {
-        words_->setText(several.arg(++count_).arg(what));
-        setAccessibleName(words_->text());
+        setText(several.arg(++count_).arg(what));
         goAfter(life_.interval());
     }
     [[nodiscard]] const QString& kind() const { return kind_; }
@@ -79,6 +82,13 @@ public:
     void goAfter(int milliseconds) { life_.start(milliseconds); }
 
 private:
+    void setText(const QString& text)
+    {
+        text_ = text;
+        words_->setText(withShortPaths(text));
+        words_->setToolTip(words_->text() == text ? QString() : Qt::convertFromPlainText(text));
+        setAccessibleName(words_->text());
+    }
     void fade()
     {
         if (underMouse()) {
@@ -118,7 +128,7 @@ private:
     MessageStrip::Mood mood_;
     QLabel* words_;
     QToolButton* folder_;
-    QString kind_, file_;
+    QString text_, kind_, file_;
     int count_ = 1;
     QTimer life_;
 };
@@ -186,7 +196,7 @@ void MessageStrip::say(Mood mood, const QString& text, const QString& several, c
     }
     line->setFile(file);
     fit();
-    announce(*line, line->text());
+    announce(*line, line->shownText());
     QTimer::singleShot(0, this, &MessageStrip::fit);  // Once the width is known, wrapped lines know their height.
 }
 
