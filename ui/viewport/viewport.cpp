@@ -37,8 +37,8 @@ constexpr double longestRegionTick = 5;  // After a longer pause (a machine that
 
 Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history, QWidget* parent)
     : QOpenGLWidget(parent), museum_(museum), renderers_(renderers), history_(history), prepared_(museum),
-      hint_(new Overlay(Overlay::Place::bottom, this)), label_(new Overlay(Overlay::Place::center, this)),
-      problems_(new Overlay(Overlay::Place::topLeft, this)),
+      hint_(new Overlay(Overlay::Place::bottom, this)), going_(new Overlay(Overlay::Place::top, this)),
+      label_(new Overlay(Overlay::Place::center, this)), problems_(new Overlay(Overlay::Place::topLeft, this)),
       reading_(std::make_unique<ReadingNotice>(this,
                                                [this] {
                                                    prepared_.lookAgain();
@@ -198,6 +198,7 @@ void Viewport::take(const DrawnPicture& picture)
     } else if (!picture.failure.isEmpty()) {
         // The last good picture stays; nothing is tried again until something changes.
         schedule_.drawn({1, schedule_.samples() - 1, schedule_.samples()}, 0);
+        going_->say({});
         fail(picture.failure);
     } else {
         showDrawn(picture);
@@ -205,6 +206,7 @@ void Viewport::take(const DrawnPicture& picture)
         schedule_.drawn(picture.order.order, picture.seconds);
         if (picture.report.unfinished) schedule_.changed(now());  // Work is left, or a program is still being built.
         const glm::ivec2 size = picture.order.request.raster.size;
+        noteArrival();
         emit drawn(picture.report, QSize(size.x, size.y));
         if (picture.order.order.sample == 0) emit looked();
         update();
@@ -267,7 +269,7 @@ void Viewport::resizeGL(int, int)
 {
     ++sceneStateNumber_;
     schedule_.changed(now());
-    for (Overlay* overlay : {hint_, label_, problems_}) overlay->place();
+    for (Overlay* overlay : {hint_, going_, label_, problems_}) overlay->place();
     reading_->place();
     emit looked();
 }

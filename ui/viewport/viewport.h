@@ -12,6 +12,7 @@
 #include <QOpenGLWidget>
 #include <QTimer>
 
+#include <cmath>
 #include <functional>
 
 class QPainter;
@@ -39,6 +40,8 @@ public:
     /// on show there. Nothing while there is no such place.
     void goBack();
     [[nodiscard]] bool canGoBack() const { return !former_.empty(); }
+    /// Whether `press` finds a button.
+    [[nodiscard]] bool canPress() const;
     /// Whose parameters are on show: what E presses while it is orbited.
     void setSubject(std::size_t exhibit) { subject_ = exhibit; }
     void jumpTo(const render::Camera&);
@@ -68,6 +71,8 @@ public:
     void setReducedMotion(bool on) { control_.setCutting(on); }
     void setPaused(bool);
     [[nodiscard]] bool paused() const { return paused_; }
+    /// Nothing that is shown will change by itself: the exhibits' clock waits for something that does.
+    [[nodiscard]] bool clockWaits() const { return !paused_ && !std::isfinite(changeAt_); }
     static constexpr double latestTime = 86400;  ///< Seconds.
     /// The exhibits' clock goes on from there, within 0 and `latestTime`; what was pressed later is not pressed yet.
     void setTime(double seconds);
@@ -146,6 +151,7 @@ protected:
     void resizeGL(int, int) override;
 
 private:
+    [[nodiscard]] bool orbitsButton() const;
     [[nodiscard]] double now() const { return static_cast<double>(steady_.nsecsElapsed()) * 1e-9; }
     /// Of the whole viewport at full resolution, at a moment of the exhibits' clock.
     [[nodiscard]] FrameRequest request(double time) const;
@@ -175,6 +181,8 @@ private:
     void cameraChanged();
     /// The same after a glide began, or a cut was made in its place.
     void leftFor();
+    /// Takes back where the visitor is going, once he is there.
+    void noteArrival();
     void showProblems(const std::vector<render::gl::ShaderProblem>&);
     void watchFiles();
     /// What rests is drawn faster from now on, once that can be.
@@ -241,6 +249,7 @@ private:
     std::size_t subject_ = hallIndex;
 
     Overlay* hint_;
+    Overlay* going_;  ///< Names where the visitor is going, until its picture is there.
     Overlay* label_;
     Overlay* problems_;
     std::vector<render::PendingAsset> awaited_;  // At the last tick.

@@ -2,6 +2,7 @@
 #include "ui/viewport/viewport.h"
 
 #include "exhibits/framework/tree.h"
+#include "ui/kit/language.h"
 #include "ui/kit/numbers.h"
 #include "ui/kit/text.h"
 #include "ui/viewport/overlay.h"
@@ -23,6 +24,7 @@ void Viewport::visit(std::size_t exhibit)
     control_.glideTo({museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
                       exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     leftFor();
+    going_->say(tr("Going to %1 …").arg(said(museum_.subject(exhibit).title())));
 }
 
 void Viewport::visit(const OwnObjectShown& object)
@@ -39,6 +41,11 @@ void Viewport::leftFor()
     cut_ = cut_ || control_.cuts();
     cameraChanged();
     tellText(*this);
+}
+
+void Viewport::noteArrival()
+{
+    if (!control_.moving() && drawnState_ == sceneStateNumber_) going_->say({});
 }
 
 void Viewport::remember()
@@ -107,9 +114,19 @@ std::optional<Pointed> Viewport::pointedAt(const QPointF& at) const
     return museum_.pick(prepared(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
 }
 
+bool Viewport::orbitsButton() const
+{
+    return control_.mode() == CameraControl::Mode::orbit && capability<HasButton>(museum_.subject(subject_));
+}
+
+bool Viewport::canPress() const
+{
+    return orbitsButton() || lookedAt_;
+}
+
 void Viewport::press()
 {
-    if (control_.mode() == CameraControl::Mode::orbit && capability<HasButton>(museum_.subject(subject_)))
+    if (orbitsButton())
         pressButton(subject_);
     else if (lookedAt_)
         pressButton(lookedAt_->exhibit);

@@ -42,14 +42,22 @@ ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
     button_->setFocusPolicy(Qt::TabFocus);
     button_->setAccessibleName(tr("Stop or start the clock"));
     connect(button_, &QToolButton::clicked, &pause_, &QAction::trigger);
-    connect(&pause_, &QAction::changed, this, &ClockBar::showState);
+    connect(&pause_, &QAction::changed, this, [this] {
+        showState();
+        timer_.start();  // Whether something moves is known a moment later.
+    });
+    connect(&viewport_, &Viewport::drawn, this, &ClockBar::showState);
+    connect(&viewport_, &Viewport::looked, this, &ClockBar::showState);
     growWidth(*time_, NumberField::usualWidth);
     time_->setAccessibleName(tr("Time of the clock"));
     time_->setToolTip(tooltipText(timeRow()));
     connect(time_, &NumberField::edited, &viewport_, &Viewport::setTime);
     timer_.setSingleShot(true);
     timer_.setInterval(renewedAfter);
-    connect(&timer_, &QTimer::timeout, this, &ClockBar::showTime);
+    connect(&timer_, &QTimer::timeout, this, [this] {
+        showTime();
+        showState();
+    });
     connect(&viewport_, &Viewport::timePassed, this, [this] {
         if (!timer_.isActive()) timer_.start();
     });
@@ -59,8 +67,11 @@ ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
 
 void ClockBar::showState()
 {
-    button_->setText(pause_.isChecked() ? tr("Play") : tr("Pause"));
-    button_->setToolTip(tipWithKey(pause_));
+    const bool waits = viewport_.clockWaits();
+    button_->setText(pause_.isChecked() ? tr("Play") : waits ? tr("Waits") : tr("Pause"));
+    button_->setToolTip(waits ? tr("The clock stands, since nothing that is shown moves, and goes on with what does.") +
+                                    QLatin1Char('\n') + tipWithKey(pause_)
+                              : tipWithKey(pause_));
 }
 
 void ClockBar::showTime()

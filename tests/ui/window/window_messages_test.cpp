@@ -8,10 +8,14 @@
 #include "ui/window/frame_graph.h"
 #include "ui/window/log_view.h"
 
+#include <QClipboard>
 #include <QToolButton>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <limits>
+#include <thread>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -145,6 +149,67 @@ private slots:
         QCOMPARE(offered(), 0);
         window_->say(MessageStrip::Mood::notice, "Saved to a.png.", {}, {}, "/tmp/a.png");
         QTRY_COMPARE(offered(), 1);
+    }
+
+    void whoGoesToAnExhibitReadsItWhileItsPictureIsDrawn()
+    {
+        std::atomic<bool> may = false;
+        gallery_->beforeDrawing = [&may](const FrameRequest&, const auto&) {
+            while (!may) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        };
+        const auto shown = [this] {
+            for (const QLabel* label : window_->viewport().findChildren<QLabel*>())
+                if (label->text() == QString::fromUtf8("Going to Torus to mug …")) return label->isVisible();
+            return false;
+        };
+        QVERIFY(!shown());
+        window_->visit(1);
+        const bool said = shown();
+        QTest::qWait(50);
+        const bool still = shown();
+        may = true;
+        settle();
+        gallery_->beforeDrawing = nullptr;
+        QVERIFY(said && still);
+        QTRY_VERIFY(!shown());
+    }
+
+    void aClockThatStandsSaysSo()
+    {
+        QAbstractButton* clock = nullptr;
+        for (auto* button : window_->findChildren<QAbstractButton*>())
+            if (button->accessibleName() == "Stop or start the clock") clock = button;
+        QVERIFY(clock);
+        settle();
+        QTRY_COMPARE(clock->text(), QString("Waits"));
+        QVERIFY(clock->toolTip().contains("nothing that is shown moves"));
+        gallery_->exhibit().moves = true;
+        window_->viewport().sceneStateChanged();
+        QTRY_COMPARE(clock->text(), QString("Pause"));
+        clock->click();
+        QCOMPARE(clock->text(), QString("Play"));
+        clock->click();
+        QTRY_COMPARE(clock->text(), QString("Pause"));
+        gallery_->exhibit().moves = false;
+        QTRY_COMPARE(clock->text(), QString("Waits"));
+    }
+
+    void pathsBelowTheHomeFolderAreShortAndCopiedWhole()
+    {
+        auto* strip = window_->findChild<MessageStrip*>();
+        const QString home = home_->path();
+        const QString text = QString("Saved %1/a.png, not /disk%1/a.png or %1nn/a.png.").arg(home);
+        window_->say(MessageStrip::Mood::notice, text);
+        const QString shortened = QString("Saved ~/a.png, not /disk%1/a.png or %1nn/a.png.").arg(home);
+        QLabel* shown = nullptr;
+        for (QLabel* label : strip->findChildren<QLabel*>())
+            if (label->text() == shortened) shown = label;
+        QVERIFY(shown);
+        QVERIFY(shown->toolTip().contains(home + "/a.png"));
+        for (QToolButton* button : shown->parentWidget()->findChildren<QToolButton*>())
+            if (button->text() == "Copy") QTest::mouseClick(button, Qt::LeftButton);
+        QCOMPARE(QApplication::clipboard()->text(), text);
+        QCOMPARE(strip->texts(), QStringList{text});
     }
 
     void theFrameGraphTellsTheShortestTheMedianAndTheLongest()
