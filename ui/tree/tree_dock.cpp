@@ -47,6 +47,7 @@ TreeDock::TreeDock(TreeEditor& editor, TreeOverlay& overlay, TreeFile& file, QWi
     connect(view_, &QWidget::customContextMenuRequested, this, &TreeDock::openMenu);
     connect(&editor_, &TreeEditor::selectionChanged, this, &TreeDock::enable);
     connect(&editor_, &TreeEditor::treeChanged, this, &TreeDock::enable);
+    connect(&editor_, &TreeEditor::valuesChanged, this, &TreeDock::enable);
     enable();
 }
 
@@ -99,8 +100,8 @@ QWidget* TreeDock::bar()
     auto* wraps = button(tr("Wrap"), tr("Puts the selected node into an operation."));
     wraps->setMenu(wraps_);
     wraps->setPopupMode(QToolButton::InstantPopup);
-    auto* save = button(tr("Save"), tr("Writes what you edited to the file that the exhibit was read from."));
-    connect(save, &QToolButton::clicked, this, [this] { file_.save(); });
+    save_ = button(tr("Save"), tr("Writes what you edited to the file that the exhibit was read from."));
+    connect(save_, &QToolButton::clicked, this, [this] { file_.save(); });
     layout->addStretch(1);
     auto* group = new QActionGroup(this);
     group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional);
@@ -206,6 +207,7 @@ void TreeDock::enable()
     for (QMenu* menu : {wraps_, kinds_}) menu->setEnabled(some);
     adds_->setEnabled(editor_.source() != nullptr);
     action(What::showAll)->setEnabled(editor_.source() != nullptr);
+    save_->setEnabled(file_.edited());
 }
 
 }  // namespace vitrine::ui

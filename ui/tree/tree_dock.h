@@ -7,6 +7,7 @@
 
 class QAction;
 class QMenu;
+class QToolButton;
 
 namespace vitrine::ui {
 
@@ -51,6 +52,7 @@ private:
     TreeRowsView* rows_;
     QHash<int, QAction*> actions_;
     QMenu *adds_, *wraps_, *kinds_;
+    QToolButton* save_ = nullptr;
 };
 
 }  // namespace vitrine::ui

@@ -90,6 +90,12 @@ QStringList TreeFile::unsaved() const
     return names;
 }
 
+bool TreeFile::edited() const
+{
+    const HasTree* source = editor_.source();
+    return source && !documentOf(editor_.values(), source->document(editor_.values())).empty();
+}
+
 bool TreeFile::save()
 {
     if (!editor_.source()) return false;

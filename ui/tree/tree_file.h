@@ -30,6 +30,8 @@ public:
     void saveAs();
     /// What was not touched keeps its text. Returns whether it is written; says why where it is not.
     bool saveTo(const QString& path);
+    /// Whether the visited exhibit has a tree that was edited since its file was read.
+    [[nodiscard]] bool edited() const;
     /// The names of files whose documents say something else than they.
     [[nodiscard]] QStringList unsaved() const;
 

@@ -7,12 +7,15 @@ namespace vitrine::ui {
 
 ExportAgain::ExportAgain(Workbench& window, QObject& parent) : QObject(&parent), window_(window) {}
 
+void ExportAgain::note(const ExportWish& wish)
+{
+    last_ = wish;
+    emit noted();
+}
+
 void ExportAgain::run()
 {
-    if (!last_) {
-        window_.say(MessageStrip::Mood::notice, tr("Nothing was exported yet: export a picture first."));
-        return;
-    }
+    if (!last_) return;
     // Also beside one that is still being written.
     QString path = nextFreePath(QString::fromStdString(last_->path.string()));
     const auto promised = [&] {

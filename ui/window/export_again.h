@@ -18,9 +18,15 @@ public:
     ExportAgain(Workbench&, QObject& parent);
 
     /// One was begun by the visitor.
-    void note(const ExportWish& wish) { last_ = wish; }
-    /// Begins it and says when it is done; says what to do first where there was none yet.
+    void note(const ExportWish&);
+    /// Whether there was one yet.
+    [[nodiscard]] bool possible() const { return last_.has_value(); }
+    /// Begins it and says when it is done. Does nothing where there was none yet.
     void run();
+
+signals:
+    /// One was begun by the visitor.
+    void noted();
 
 private:
     Workbench& window_;

@@ -172,6 +172,9 @@ void LedgerView::renew()
         for (int column = 0; column < columnCount(); ++column)
             item->setForeground(column, line.ran ? theme().text : theme().dim);
     }
+    // Words in place of a number are read whole.
+    for (const int column : {work, time, saved, other})
+        if (!isColumnHidden(column) && sizeHintForColumn(column) > columnWidth(column)) resizeColumnToContents(column);
 }
 
 }  // namespace vitrine::ui

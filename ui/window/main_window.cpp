@@ -416,11 +416,6 @@ void MainWindow::openScreenshotDialog()
     dialog->show();
 }
 
-void MainWindow::exportAgain()
-{
-    again_->run();
-}
-
 void MainWindow::openPrintDialog(const QString& print)
 {
     auto* dialog = findChild<PrintDialog*>();

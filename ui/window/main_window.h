@@ -57,6 +57,7 @@ public:
     [[nodiscard]] StudyDock& study() const;
     [[nodiscard]] PresetShelf& shelf() const { return *shelf_; }
     [[nodiscard]] FileOpener& files() const { return *files_; }
+    [[nodiscard]] ExportAgain& again() const { return *again_; }
     [[nodiscard]] WindowDocks& docks() const { return *docks_; }
     [[nodiscard]] CompareDesk& comparison() const { return *comparison_; }
     [[nodiscard]] Bookmarks& bookmarks() const { return *bookmarks_; }
@@ -73,7 +74,6 @@ public:
     void openAbout();
     void setFullScreen(bool);
     void openScreenshotDialog();
-    void exportAgain();
     void openPrintDialog(const QString& print = {});
     void openSpriteDialog();
     void openRecordDialog();

@@ -1,5 +1,8 @@
 #include "ui/window/window_actions.h"
 
+#include "exhibits/framework/capabilities.h"
+#include "exhibits/framework/measured_table.h"
+#include "exhibits/museum/museum.h"
 #include "exhibits/sprites/sprite_shots.h"
 #include "render/files/manual.h"
 #include "ui/compare/compare_actions.h"
@@ -9,13 +12,17 @@
 #include "ui/kit/text.h"
 #include "ui/lessons/lesson_desk.h"
 #include "ui/parameters/parameter_panel.h"
+#include "ui/presets/preset_list.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/record/bookmarks.h"
 #include "ui/study/table_export.h"
+#include "ui/tree/tree_dock.h"
+#include "ui/tree/tree_editor.h"
 #include "ui/tree/tree_file.h"
 #include "ui/viewport/viewport.h"
 #include "ui/window/about_dialog.h"
 #include "ui/window/copies.h"
+#include "ui/window/export_again.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/focus_areas.h"
 #include "ui/window/main_window.h"
@@ -33,6 +40,8 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QUrl>
+
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
@@ -65,7 +74,11 @@ class WindowActions::Maker {
 public:
     Maker(MainWindow& window, QList<QAction*>& all) : window_(window), all_(all) {}
 
-    void menu(const QString& title) { menu_ = window_.menuBar()->addMenu(title); }
+    void menu(const QString& title)
+    {
+        menu_ = window_.menuBar()->addMenu(title);
+        menu_->setToolTipsVisible(true);  // They say why an entry is gray.
+    }
     void separator() { menu_->addSeparator(); }
     void submenu(QMenu* menu) { menu_->addMenu(menu); }
     /// Its id, by which the visitor's own shortcuts are kept, is made of the English words; who changes those keeps the
@@ -146,6 +159,38 @@ WindowActions::WindowActions(MainWindow& window)
     addLessonMenu(make, window.lessons());
     addBookmarkMenu(make, window);
     addHelpMenu(make, window);
+    watch(window);
+}
+
+void WindowActions::enableOnly(QAction* action, std::function<bool()> possible, const QString& why)
+{
+    conditional_.push_back({action, std::move(possible), action->toolTip(), why});
+}
+
+void WindowActions::refresh() const
+{
+    for (const Conditional& each : conditional_) {
+        const bool possible = each.possible();
+        if (possible == each.action->isEnabled() && each.action->toolTip() == (possible ? each.tip : each.why))
+            continue;
+        each.action->setEnabled(possible);
+        each.action->setToolTip(possible ? each.tip : each.why);
+        each.action->setStatusTip(each.action->toolTip());
+    }
+}
+
+void WindowActions::watch(MainWindow& window) const
+{
+    const auto follow = [this] { refresh(); };
+    QObject::connect(&window.history(), &History::changed, &watching_, follow);
+    QObject::connect(&window.history(), &History::replaced, &watching_, follow);
+    QObject::connect(&window.viewport(), &Viewport::looked, &watching_, follow);
+    QObject::connect(&window.shelf(), &PresetShelf::marked, &watching_, follow);
+    QObject::connect(&window.docks().presets(), &PresetList::selectedChanged, &watching_, follow);
+    QObject::connect(&window.bookmarks(), &Bookmarks::changed, &watching_, follow);
+    QObject::connect(&window.docks().tree().editor(), &TreeEditor::treeChanged, &watching_, follow);
+    QObject::connect(&window.again(), &ExportAgain::noted, &watching_, follow);
+    refresh();
 }
 
 void WindowActions::addFileMenu(Maker& make, MainWindow& window)
@@ -155,11 +200,7 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
              tr("A preset, a picture with one inside, a scene of shapes, a model or a panorama."),
              [&window] { chooseFile(window); });
     make.submenu(recentMenu(&window, window.files()));
-    make.add(tr("Save &file"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)},
-             tr("Writes what you edited in the tree to the file that the exhibit was read from."),
-             [&window] { window.docks().treeFile().save(); });
-    make.add(tr("Save file &as…"), {}, tr("Writes the tree to another file."),
-             [&window] { window.docks().treeFile().saveAs(); });
+    addSaving(make, window);
     make.add(tr("Save e&xhibition…"), {},
              tr("Saves everything in one file: all exhibits, the hall and where you stand."),
              [&window] { window.shelf().saveExhibition(); });
@@ -175,9 +216,12 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
              tr("Saves the picture at any size, as PNG, JPEG, EXR or TIFF."),
              [&window] { window.openScreenshotDialog(); });
-    make.add(tr("Export picture a&gain"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_E)},
-             tr("What is seen now, as the last picture was exported, under the next free name."),
-             [&window] { window.exportAgain(); });
+    enableOnly(
+        make.add(tr("Export picture a&gain"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_E)},
+                 tr("What is seen now, as the last picture was exported, under the next free name."),
+                 [&window] { window.again().run(); }),
+        [&window] { return window.again().possible(); },
+        tr("No picture was exported yet: “Export picture…” comes first."));
     make.add(tr("Recor&d…"), {QKeySequence(Qt::SHIFT | Qt::Key_F12)},
              tr("A film along bookmarks, round what you look at, or past all exhibits: a video, or frames."),
              [&window] { window.openRecordDialog(); });
@@ -190,13 +234,31 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
                 "games."),
              [&window] { window.openSpriteDialog(); })
         ->setEnabled(window.museum().find(spriteLookName).has_value());
-    make.add(tr("Export &table…"), {},
-             tr("Measures what the visited exhibit has a table of, such as the pixel art's methods, and saves it as "
-                "CSV."),
-             [&window] { TableExport::ask(window, &window); });
+    enableOnly(
+        make.add(tr("Export &table…"), {},
+                 tr("Measures what the visited exhibit has a table of, such as the pixel art's methods, and "
+                    "saves it as CSV."),
+                 [&window] { TableExport::ask(window, &window); }),
+        [&window] { return capability<MeasuresTable>(window.museum().subject(window.chosen())) != nullptr; },
+        tr("The visited exhibit has no table of its own; the Study panel measures its parameters."));
     make.separator();
     make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)},
              tr("Closes the window; everything comes back next time."), [&window] { window.close(); });
+}
+
+void WindowActions::addSaving(Maker& make, MainWindow& window)
+{
+    enableOnly(
+        make.add(tr("Save &file"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)},
+                 tr("Writes what you edited in the tree to the file that the exhibit was read from."),
+                 [&window] { window.docks().treeFile().save(); }),
+        [&window] { return window.docks().treeFile().edited(); },
+        tr("Nothing was edited in the tree since its file was read."));
+    enableOnly(
+        make.add(tr("Save file &as…"), {}, tr("Writes the tree to another file."),
+                 [&window] { window.docks().treeFile().saveAs(); }),
+        [&window] { return window.docks().tree().editor().source() != nullptr; },
+        tr("The visited exhibit has no tree."));
 }
 
 void WindowActions::addEditMenu(Maker& make, MainWindow& window)
@@ -239,6 +301,7 @@ void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
         make.add(tr("Save preset &as…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S)},
                  tr("Saves the values that the panel shows under a new name."), [&shelf] { shelf.saveAs(); });
     make.separator();
+    const qsizetype first = presetMenu.size();
     presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)},
                            tr("Gives the selected preset another name."), [&shelf] { shelf.rename(); });
     presetMenu << make.add(tr("&Tags of preset…"), {}, tr("Gives the selected preset words by which it is found."),
@@ -248,10 +311,15 @@ void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
     presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."),
                            [&shelf] { shelf.remove(); });
     make.separator();
-    presetMenu << make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own."),
-                           [&shelf] { shelf.importFile(); });
+    QAction* importing =
+        make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own."), [&shelf] { shelf.importFile(); });
+    presetMenu << importing;
     presetMenu << make.add(tr("&Export preset…"), {}, tr("Writes the selected preset to a file."),
                            [&shelf] { shelf.exportFile(); });
+    for (QAction* action : presetMenu.mid(first))
+        if (action != importing)
+            enableOnly(
+                action, [&shelf] { return !shelf.selected().isEmpty(); }, tr("No preset is selected in the list."));
 }
 
 void WindowActions::addViewMenu(Maker& make, MainWindow& window)
@@ -317,12 +385,16 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
     make.menu(tr("E&xhibit"));
     make.add(tr("&Entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)}, tr("Back to where the visit begins."),
              [&window] { window.visit(hallIndex); });
-    make.add(tr("&Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)},
-             tr("To where you stood before; Backspace does the same while the picture has the focus."),
-             [&window] { window.viewport().goBack(); });
-    make.add(tr("&Press its button"), {},
-             tr("The red button of the exhibit that you look at; E does the same while the picture has the focus."),
-             [&window] { window.viewport().press(); });
+    enableOnly(
+        make.add(tr("&Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)},
+                 tr("To where you stood before; Backspace does the same while the picture has the focus."),
+                 [&window] { window.viewport().goBack(); }),
+        [&window] { return window.viewport().canGoBack(); }, tr("You have stood nowhere else yet."));
+    enableOnly(
+        make.add(tr("&Press its button"), {},
+                 tr("The red button of the exhibit that you look at; E does the same while the picture has the focus."),
+                 [&window] { window.viewport().press(); }),
+        [&window] { return window.viewport().canPress(); }, tr("No red button is in front of you."));
     make.submenu(ownObjectsMenu(window));
     make.separator();
     for (const auto& [i, exhibit] : window.museum().exhibits()) {
@@ -360,9 +432,15 @@ void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
                  tr("Keeps where you are, in place of what was kept there."),
                  [&bookmarks, number] { bookmarks.set(number); });
     make.separator();
-    make.add(tr("Save as a &tour…"), {}, tr("Writes the bookmarks to a file that `vitrine record` follows."),
-             [&window] { window.saveTour(); });
-    make.add(tr("&Forget all bookmarks"), {}, tr("Empties all nine."), [&bookmarks] { bookmarks.forgetAll(); });
+    QAction* save = make.add(tr("Save as a &tour…"), {},
+                             tr("Writes the bookmarks to a file that `vitrine record` "
+                                "follows."),
+                             [&window] { window.saveTour(); });
+    QAction* forget =
+        make.add(tr("&Forget all bookmarks"), {}, tr("Empties all nine."), [&bookmarks] { bookmarks.forgetAll(); });
+    for (QAction* action : {save, forget})
+        enableOnly(
+            action, [&bookmarks] { return !bookmarks.tour().bookmarks.empty(); }, tr("There are no bookmarks yet."));
 }
 
 void WindowActions::addLessonMenu(Maker& make, const LessonDesk& lessons)

@@ -17,6 +17,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QToolButton>
 
 #include <fstream>
 
@@ -108,6 +109,15 @@ private slots:
         auto* slider = dock().rows().row("radius")->findChild<ValueSlider*>();
         QVERIFY(slider);
         const render::Camera camera = window_->history().sceneState().camera;
+        QToolButton* save = nullptr;
+        for (QToolButton* button : dock().findChildren<QToolButton*>())
+            if (button->text() == "Save") save = button;
+        // Nothing to save, or something.
+        const auto savable = [&](bool is) {
+            return action("Save file")->isEnabled() == is && save->isEnabled() == is &&
+                   action("Save file as…")->isEnabled();
+        };
+        QVERIFY(save && savable(false));
         const int steps = stack().count();
         const QPoint from(12, slider->height() / 2);
         QTest::mousePress(slider, Qt::LeftButton, {}, from);
@@ -117,6 +127,7 @@ private slots:
         QCOMPARE(stack().undoText(), QString("Change radius of right"));
         const double dragged = number("radius");
         QVERIFY(dragged != 0.5);
+        QVERIFY(savable(true));
         QCOMPARE(onDisk(), twoBalls);
         QVERIFY(document().starts_with(twoBalls.substr(0, twoBalls.rfind("0.50"))));
         stack().undo();
@@ -124,6 +135,7 @@ private slots:
         QCOMPARE(document(), twoBalls);
         QVERIFY(window_->docks().treeFile().unsaved().isEmpty());
         QTRY_COMPARE(document(), std::string());  // Nothing is edited any more.
+        QVERIFY(savable(false));
         QCOMPARE(number("radius"), 0.5);
         stack().redo();
         QCOMPARE(number("radius"), dragged);

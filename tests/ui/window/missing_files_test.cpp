@@ -13,6 +13,7 @@
 #include "ui/viewport/gl_probe.h"
 #include "ui/viewport/museum_renderers.h"
 #include "ui/viewport/viewport.h"
+#include "ui/window/export_again.h"
 #include "ui/window/main_window.h"
 #include "ui/window/picture_export.h"
 #include "ui/window/screenshot_dialog.h"
@@ -387,7 +388,7 @@ private slots:
         QCOMPARE(contentOf(path("look.png")), first);
         QTRY_COMPARE(dialog->path(), path("look-3.png"));
         // Once more without the dialog, as the last one.
-        window_->exportAgain();
+        window_->again().run();
         QTRY_VERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains(path("look-3.png")));
         QCOMPARE(QImage(path("look-3.png")).size(), QSize(64, 36));
         dialog->findChild<QComboBox*>("format")->setCurrentIndex(6);

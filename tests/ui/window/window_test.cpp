@@ -8,6 +8,7 @@
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
 #include "ui/presets/preset_shelf.h"
+#include "ui/window/export_again.h"
 #include "ui/window/file_opener.h"
 #include "ui/window/ledger_view.h"
 
@@ -162,6 +163,19 @@ private slots:
         QCOMPARE(ledger.topLevelItem(1)->text(0), QString("tonemap"));
     }
 
+    void theLedgerShowsTheWordsOfItsNarrowColumnsWhole()
+    {
+        LedgerView ledger;
+        ledger.show();
+        render::FrameReport report;
+        report.ran = {{.name = "tonemap", .reason = "always", .effects = {{.name = "flare"}}}};
+        ledger.note(report);
+        QTRY_COMPARE(ledger.topLevelItemCount(), 2);
+        const QTreeWidgetItem* effect = ledger.topLevelItem(1);
+        QCOMPARE(effect->text(2), QString("in the step above"));
+        QVERIFY(ledger.fontMetrics().horizontalAdvance(effect->text(2)) < ledger.columnWidth(2));
+    }
+
     void aDeletedPresetComesBackByUndo()
     {
         window_->choose(1);
@@ -263,6 +277,34 @@ private slots:
              {"Ctrl+Z", "Ctrl+Shift+Z", "Ctrl+Y", "Ctrl+S", "Ctrl+Shift+S", "Ctrl+O", "Ctrl+F", "Ctrl+Shift+P", "Space",
               "Pause", "F12", "Ctrl+Shift+E", "Ctrl+B", "F11", "F1", "?", "Shift+F11"})
             QVERIFY2(keys.contains(key), key);
+    }
+
+    void actionsWithNothingToDoAreGrayAndSayWhy()
+    {
+        window_->choose(1);
+        for (const char* name : {"Save file", "Save file as…", "Export picture again", "Export table…", "Back",
+                                 "Save as a tour…", "Forget all bookmarks", "Rename preset", "Tags of preset…",
+                                 "Duplicate preset", "Delete preset", "Export preset…"}) {
+            QVERIFY2(!action(name)->isEnabled(), name);
+            QVERIFY2(!action(name)->toolTip().isEmpty(), name);
+        }
+        const QString gray = action("Export picture again")->toolTip();
+        QVERIFY2(gray.contains("No picture was exported yet"), qPrintable(gray));
+        window_->again().note({});
+        QVERIFY(action("Export picture again")->isEnabled());
+        QVERIFY(action("Export picture again")->toolTip() != gray);
+        action("Set bookmark 1")->trigger();
+        QVERIFY(action("Save as a tour…")->isEnabled() && action("Forget all bookmarks")->isEnabled());
+        action("Forget all bookmarks")->trigger();
+        QVERIFY(!action("Save as a tour…")->isEnabled() && !action("Forget all bookmarks")->isEnabled());
+        window_->visit(1);
+        QVERIFY(action("Back")->isEnabled());
+        QTRY_VERIFY(action("Press its button")->isEnabled());
+        action("Back")->trigger();
+        QVERIFY(!action("Back")->isEnabled());
+        presets()->setCurrentRow(0);
+        QVERIFY(action("Rename preset")->isEnabled() && action("Export preset…")->isEnabled());
+        QVERIFY(action("Import preset…")->isEnabled());
     }
 
     void theWindowFitsASmallScreenWithAnyDockOpen()
