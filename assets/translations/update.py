@@ -139,6 +139,15 @@ def table_texts(texts, known):
                 texts.add(spelled_out(text), name)
 
 
+def preset_texts(texts):
+    """Names and tags of the presets that come with the exhibits; their files are English."""
+    for name in sorted(glob.glob('assets/presets/**/*.json', recursive=True)):
+        with open(name, encoding='utf-8') as file:
+            preset = json.load(file)
+        for text in [preset.get('name', '')] + preset.get('tags', []):
+            texts.add(text, 'presets')
+
+
 def label_in_group(row):
     """Without the first word where the heading says it: as labelInGroup of exhibits/framework/parameters.cpp."""
     first, _, rest = row['label'].partition(' ')
@@ -232,6 +241,7 @@ def main(arguments):
     window_texts(texts)
     exhibit_texts(texts)
     table_texts(texts, where)
+    preset_texts(texts)
     engine_texts(texts)
     check = arguments == ['--check']
     read_translations([] if check else arguments, texts, known)

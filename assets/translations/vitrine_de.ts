@@ -237,6 +237,10 @@
         <translation>%1 cm</translation>
     </message>
     <message>
+        <source>%1 comes with the exhibit and cannot be renamed. Duplicate it, and rename the copy.</source>
+        <translation>%1 gehört zum Exponat und kann nicht umbenannt werden. Verdoppeln Sie es, und benennen Sie die Kopie um.</translation>
+    </message>
+    <message>
         <source>%1 comes with the exhibit. Duplicate it, and tag the copy.</source>
         <translation>%1 gehört zum Exponat. Duplizieren Sie es, und geben Sie der Kopie Tags.</translation>
     </message>
@@ -295,10 +299,6 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>%1 of %2 are drawn.</source>
-        <translation>%1 von %2 sind gezeichnet.</translation>
     </message>
     <message>
         <source>%1 of %2 settings are drawn.
@@ -1424,6 +1424,10 @@ Zeiten nach: %2.</translation>
         <translation>Eine Schale: die Wand um eine Kugel, über einer Ebene offen.</translation>
     </message>
     <message>
+        <source>A box too small</source>
+        <translation>Ein zu kleiner Kasten</translation>
+    </message>
+    <message>
         <source>A box with round edges and corners.</source>
         <translation>Ein Quader mit runden Kanten und Ecken.</translation>
     </message>
@@ -1745,6 +1749,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a picture without the channel depth.Z</source>
         <translation>ein Bild ohne den Kanal depth.Z</translation>
+    </message>
+    <message>
+        <source>A pitch one percent off</source>
+        <translation>Teilung um ein Prozent falsch</translation>
     </message>
     <message>
         <source>a plaque is in view</source>
@@ -2095,6 +2103,10 @@ Zeiten nach: %2.</translation>
         <translation>von oben</translation>
     </message>
     <message>
+        <source>Above the clouds</source>
+        <translation>Über den Wolken</translation>
+    </message>
+    <message>
         <source>Above, linear.</source>
         <translation>Oben, linear.</translation>
     </message>
@@ -2167,6 +2179,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Air</source>
         <extracomment>tables</extracomment>
+        <translation>Luft</translation>
+    </message>
+    <message>
+        <source>air</source>
         <translation>Luft</translation>
     </message>
     <message>
@@ -2411,6 +2427,10 @@ Zeiten nach: %2.</translation>
         <translation>Winkel</translation>
     </message>
     <message>
+        <source>animal</source>
+        <translation>Tier</translation>
+    </message>
+    <message>
         <source>Animate</source>
         <extracomment>tables</extracomment>
         <translation>Animieren</translation>
@@ -2537,6 +2557,10 @@ Zeiten nach: %2.</translation>
         <translation>wie die Schwerkraft sie macht</translation>
     </message>
     <message>
+        <source>As in the reference video</source>
+        <translation>Wie im Video der Vorlage</translation>
+    </message>
+    <message>
         <source>As in the source</source>
         <translation>Wie im Original</translation>
     </message>
@@ -2544,6 +2568,78 @@ Zeiten nach: %2.</translation>
         <source>as in the source</source>
         <extracomment>tables</extracomment>
         <translation>wie im Original</translation>
+    </message>
+    <message>
+        <source>As in the source: ambient occlusion</source>
+        <translation>Wie in der Vorlage: Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>As in the source: boxes</source>
+        <translation>Wie in der Vorlage: Quader</translation>
+    </message>
+    <message>
+        <source>As in the source: clouds</source>
+        <translation>Wie in der Vorlage: Wolken</translation>
+    </message>
+    <message>
+        <source>As in the source: environment mapping 1</source>
+        <translation>Wie in der Vorlage: Umgebungsspiegelung 1</translation>
+    </message>
+    <message>
+        <source>As in the source: environment mapping 2</source>
+        <translation>Wie in der Vorlage: Umgebungsspiegelung 2</translation>
+    </message>
+    <message>
+        <source>As in the source: field</source>
+        <translation>Wie in der Vorlage: Feld</translation>
+    </message>
+    <message>
+        <source>As in the source: fractal noise</source>
+        <translation>Wie in der Vorlage: fraktales Rauschen</translation>
+    </message>
+    <message>
+        <source>As in the source: fractal sum</source>
+        <translation>Wie in der Vorlage: fraktale Summe</translation>
+    </message>
+    <message>
+        <source>As in the source: intersections</source>
+        <translation>Wie in der Vorlage: Schnittmengen</translation>
+    </message>
+    <message>
+        <source>As in the source: noise</source>
+        <translation>Wie in der Vorlage: Rauschen</translation>
+    </message>
+    <message>
+        <source>As in the source: primitives</source>
+        <translation>Wie in der Vorlage: Grundformen</translation>
+    </message>
+    <message>
+        <source>As in the source: sea</source>
+        <translation>Wie in der Vorlage: Meer</translation>
+    </message>
+    <message>
+        <source>As in the source: shading</source>
+        <translation>Wie in der Vorlage: Schattierung</translation>
+    </message>
+    <message>
+        <source>As in the source: spheres, cylinders, capsules</source>
+        <translation>Wie in der Vorlage: Kugeln, Zylinder, Kapseln</translation>
+    </message>
+    <message>
+        <source>As in the source: subtractions</source>
+        <translation>Wie in der Vorlage: Differenzen</translation>
+    </message>
+    <message>
+        <source>As in the source: tori</source>
+        <translation>Wie in der Vorlage: Tori</translation>
+    </message>
+    <message>
+        <source>As in the source: unions</source>
+        <translation>Wie in der Vorlage: Vereinigungen</translation>
+    </message>
+    <message>
+        <source>As in the source: waves</source>
+        <translation>Wie in der Vorlage: Wellen</translation>
     </message>
     <message>
         <source>As in the window</source>
@@ -2582,6 +2678,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>asking every shape of so few is as fast</source>
         <translation>jede Form zu fragen, ist bei so wenigen ebenso schnell</translation>
+    </message>
+    <message>
+        <source>Asteroids</source>
+        <translation>Asteroiden</translation>
     </message>
     <message>
         <source>at rest</source>
@@ -2942,6 +3042,10 @@ Zeiten nach: %2.</translation>
         <translation>blaues Rauschen</translation>
     </message>
     <message>
+        <source>Blueprint</source>
+        <translation>Blaupause</translation>
+    </message>
+    <message>
         <source>Bob</source>
         <translation>Wippen</translation>
     </message>
@@ -3038,6 +3142,10 @@ Zeiten nach: %2.</translation>
         <translation>Quadergröße</translation>
     </message>
     <message>
+        <source>Boxes</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
         <source>Brightness</source>
         <extracomment>tables</extracomment>
         <translation>Helligkeit</translation>
@@ -3060,6 +3168,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Brings back what was open before the lesson.</source>
         <translation>Bringt zurück, was vor der Lektion offen war.</translation>
+    </message>
+    <message>
+        <source>Broken by the banner</source>
+        <translation>Vom Banner gebrochen</translation>
     </message>
     <message>
         <source>Buffer {1} names no data; it is zeros.</source>
@@ -3141,6 +3253,10 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>camera</source>
         <translation>Kamera</translation>
     </message>
     <message>
@@ -3962,6 +4078,14 @@ Zeiten nach: %2.</translation>
         <translation>Nimmt die Halle einmal als Spiegelbild für alles in ihr auf; ohne das spiegelt nichts.</translation>
     </message>
     <message>
+        <source>Carpet</source>
+        <translation>Teppich</translation>
+    </message>
+    <message>
+        <source>Cat</source>
+        <translation>Katze</translation>
+    </message>
+    <message>
         <source>Cells around a place whose flames light it.</source>
         <extracomment>tables</extracomment>
         <translation>Zellen um einen Ort, deren Flammen ihn beleuchten.</translation>
@@ -4101,6 +4225,10 @@ Zeiten nach: %2.</translation>
         <translation>das Prüfen der Größe</translation>
     </message>
     <message>
+        <source>Chocolate with sprinkles</source>
+        <translation>Schokolade mit Streuseln</translation>
+    </message>
+    <message>
         <source>Choose a color; the picture follows.</source>
         <translation>Farbe wählen; das Bild folgt.</translation>
     </message>
@@ -4165,6 +4293,10 @@ Zeiten nach: %2.</translation>
         <source>classic</source>
         <extracomment>tables</extracomment>
         <translation>klassisch</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>klar</translation>
     </message>
     <message>
         <source>Clear the list now</source>
@@ -4267,6 +4399,10 @@ Zeiten nach: %2.</translation>
         <translation>Büschelgröße</translation>
     </message>
     <message>
+        <source>Coarse, 20 lenses an inch</source>
+        <translation>Grob, 20 Linsen je Zoll</translation>
+    </message>
+    <message>
         <source>Coat of the ball</source>
         <extracomment>tables</extracomment>
         <translation>Fell des Balls</translation>
@@ -4365,6 +4501,14 @@ Zeiten nach: %2.</translation>
         <translation>Farben von Bedienfeldern und Dialogen. „Wie der Desktop“ übernimmt auch dessen Wunsch nach mehr Kontrast; hoher Kontrast ist hell oder dunkel, wie der Desktop es ist.</translation>
     </message>
     <message>
+        <source>Colors of the hall</source>
+        <translation>Farben der Halle</translation>
+    </message>
+    <message>
+        <source>Colors spread</source>
+        <translation>Farben gefächert</translation>
+    </message>
+    <message>
         <source>columns x rows of views</source>
         <translation>Spalten x Reihen von Ansichten</translation>
     </message>
@@ -4445,6 +4589,10 @@ Zeiten nach: %2.</translation>
         <translation>Vergleich</translation>
     </message>
     <message>
+        <source>comparison</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
         <source>Comparison of A and B</source>
         <translation>Vergleich von A und B</translation>
     </message>
@@ -4460,6 +4608,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Compensate cross-talk</source>
         <translation>Übersprechen ausgleichen</translation>
+    </message>
+    <message>
+        <source>composition</source>
+        <translation>Komposition</translation>
     </message>
     <message>
         <source>Compression</source>
@@ -4492,6 +4644,10 @@ Zeiten nach: %2.</translation>
         <source>Conic</source>
         <extracomment>tables</extracomment>
         <translation>Konische Konstante</translation>
+    </message>
+    <message>
+        <source>Console of 1983</source>
+        <translation>Konsole von 1983</translation>
     </message>
     <message>
         <source>constant buffers</source>
@@ -4623,6 +4779,10 @@ Zeiten nach: %2.</translation>
         <source>Corner</source>
         <extracomment>tables</extracomment>
         <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>cost</source>
+        <translation>Kosten</translation>
     </message>
     <message>
         <source>Costs</source>
@@ -4770,9 +4930,17 @@ Zeiten nach: %2.</translation>
         <translation>D&amp;unkel</translation>
     </message>
     <message>
+        <source>Dahlia</source>
+        <translation>Dahlie</translation>
+    </message>
+    <message>
         <source>Damping</source>
         <extracomment>tables</extracomment>
         <translation>Dämpfung</translation>
+    </message>
+    <message>
+        <source>Dandelion</source>
+        <translation>Pusteblume</translation>
     </message>
     <message>
         <source>Dark</source>
@@ -4787,6 +4955,10 @@ Zeiten nach: %2.</translation>
         <source>Darken what the object hides from the hall's light: five evaluations a pixel.</source>
         <extracomment>tables</extracomment>
         <translation>Dunkelt ab, was das Objekt dem Licht der Halle verbirgt: fünf Auswertungen pro Pixel.</translation>
+    </message>
+    <message>
+        <source>Dawn</source>
+        <translation>Morgengrauen</translation>
     </message>
     <message>
         <source>De&amp;lete preset</source>
@@ -5242,6 +5414,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         </translation>
     </message>
     <message>
+        <source>effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
         <source>EGA</source>
         <extracomment>tables</extracomment>
         <translation>EGA</translation>
@@ -5297,6 +5473,14 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Umgebung</translation>
     </message>
     <message>
+        <source>Environment mapping 1</source>
+        <translation>Umgebungsspiegelung 1</translation>
+    </message>
+    <message>
+        <source>Environment mapping 2</source>
+        <translation>Umgebungsspiegelung 2</translation>
+    </message>
+    <message>
         <source>Environment rotation</source>
         <translation>Drehung der Umgebung</translation>
     </message>
@@ -5333,6 +5517,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Fehler werden nicht verteilt</translation>
     </message>
     <message>
+        <source>Errors of bars 9 tap and vote</source>
+        <translation>Fehler der Balken: 9 Proben und Abstimmung</translation>
+    </message>
+    <message>
         <source>Errors over cost of several studies</source>
         <translation>Fehler über Kosten mehrerer Studien</translation>
     </message>
@@ -5350,6 +5538,18 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>evaluations</source>
         <extracomment>tables</extracomment>
         <translation>Auswertungen</translation>
+    </message>
+    <message>
+        <source>evening</source>
+        <translation>Abend</translation>
+    </message>
+    <message>
+        <source>Evening clouds</source>
+        <translation>Abendwolken</translation>
+    </message>
+    <message>
+        <source>Evening dust</source>
+        <translation>Abendlicher Staub</translation>
     </message>
     <message>
         <source>every frame stands alone</source>
@@ -5509,6 +5709,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Seiten</translation>
     </message>
     <message>
+        <source>Facets</source>
+        <translation>Facetten</translation>
+    </message>
+    <message>
         <source>facets are averaged</source>
         <translation>Facetten werden gemittelt</translation>
     </message>
@@ -5519,6 +5723,14 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>farthest={1} is before nearest={2}; give it a number from {3} to {4}</source>
         <translation>farthest={=1} liegt vor nearest={=2}; gültig ist eine Zahl von {=3} bis {=4}</translation>
+    </message>
+    <message>
+        <source>Festival</source>
+        <translation>Fest</translation>
+    </message>
+    <message>
+        <source>few</source>
+        <translation>wenige</translation>
     </message>
     <message>
         <source>Fewer shells where the coat is far away and small.</source>
@@ -5609,6 +5821,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Findet jeden Befehl nach seinem Namen und führt ihn aus.</translation>
     </message>
     <message>
+        <source>Fine, 75 lenses an inch</source>
+        <translation>Fein, 75 Linsen je Zoll</translation>
+    </message>
+    <message>
         <source>Finer noises that are added.</source>
         <translation>Feinere Rauschen, die addiert werden.</translation>
     </message>
@@ -5644,6 +5860,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Einpassen</translation>
     </message>
     <message>
+        <source>Five o’clock</source>
+        <translation>Fünf Uhr</translation>
+    </message>
+    <message>
         <source>Fix void</source>
         <extracomment>tables</extracomment>
         <translation>Leere mildern</translation>
@@ -5671,6 +5891,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Flattening</source>
         <extracomment>tables</extracomment>
         <translation>Abflachung</translation>
+    </message>
+    <message>
+        <source>flavor</source>
+        <translation>Sorte</translation>
     </message>
     <message>
         <source>FLI&amp;P</source>
@@ -5734,6 +5958,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Fold or unfold %1; a right click, or the dots at its end, offers more.</source>
         <translation>%1 auf- oder zuklappen; ein Rechtsklick, oder die Punkte am Ende, bieten mehr.</translation>
+    </message>
+    <message>
+        <source>Folded</source>
+        <translation>Gefaltet</translation>
     </message>
     <message>
         <source>Folder with views</source>
@@ -5851,6 +6079,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Fourth object</source>
         <extracomment>tables</extracomment>
         <translation>Viertes Objekt</translation>
+    </message>
+    <message>
+        <source>Fractal noise</source>
+        <translation>Fraktales Rauschen</translation>
     </message>
     <message>
         <source>fractal sum</source>
@@ -6030,6 +6262,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>voll</translation>
     </message>
     <message>
+        <source>Full moon</source>
+        <translation>Vollmond</translation>
+    </message>
+    <message>
         <source>Fur with Physics</source>
         <translation>Fell mit Physik</translation>
     </message>
@@ -6055,6 +6291,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>GGX</source>
         <extracomment>tables</extracomment>
         <translation>GGX</translation>
+    </message>
+    <message>
+        <source>Ghosts</source>
+        <translation>Geisterbilder</translation>
     </message>
     <message>
         <source>give a kind and two values, such as {1}:0.1:0.9, and what else it goes by.</source>
@@ -6097,6 +6337,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Gibt dem gewählten Preset Wörter, nach denen es zu finden ist.</translation>
     </message>
     <message>
+        <source>Glass</source>
+        <translation>Glas</translation>
+    </message>
+    <message>
         <source>glass</source>
         <extracomment>tables</extracomment>
         <translation>Glas</translation>
@@ -6117,6 +6361,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>glass stands in the sun</source>
         <translation>Glas steht in der Sonne</translation>
+    </message>
+    <message>
+        <source>Glazed in sea green</source>
+        <translation>Meergrün glasiert</translation>
     </message>
     <message>
         <source>Glide to that bookmark</source>
@@ -6153,6 +6401,18 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wechselt zum Reiter, der diese Parameter hat.</translation>
     </message>
     <message>
+        <source>Going to %1 …</source>
+        <translation>Auf dem Weg zu: %1 …</translation>
+    </message>
+    <message>
+        <source>Gold</source>
+        <translation>Gold</translation>
+    </message>
+    <message>
+        <source>Golden hour</source>
+        <translation>Goldene Stunde</translation>
+    </message>
+    <message>
         <source>golden hour</source>
         <extracomment>tables</extracomment>
         <translation>goldene Stunde</translation>
@@ -6174,6 +6434,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>gradient</source>
         <extracomment>tables</extracomment>
         <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>Grass</source>
+        <translation>Gras</translation>
     </message>
     <message>
         <source>Gravity</source>
@@ -6300,6 +6564,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Hand z</source>
         <extracomment>tables</extracomment>
         <translation>z von Hand</translation>
+    </message>
+    <message>
+        <source>Handheld of 1989</source>
+        <translation>Handkonsole von 1989</translation>
     </message>
     <message>
         <source>Handle radius</source>
@@ -6477,6 +6745,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Lochradius</translation>
     </message>
     <message>
+        <source>Home computer of 1982</source>
+        <translation>Heimcomputer von 1982</translation>
+    </message>
+    <message>
         <source>Horizon</source>
         <extracomment>tables</extracomment>
         <translation>Horizont</translation>
@@ -6490,6 +6762,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>horizontal</source>
         <extracomment>tables</extracomment>
         <translation>waagerecht</translation>
+    </message>
+    <message>
+        <source>hour</source>
+        <translation>Stunde</translation>
     </message>
     <message>
         <source>Hour of an equinox day, while the sun goes by it: the light comes through the window from three o'clock and sets at six.</source>
@@ -7125,8 +7401,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>In linearem Licht.</translation>
     </message>
     <message>
+        <source>In mid-air</source>
+        <translation>Mitten in der Luft</translation>
+    </message>
+    <message>
         <source>In number fields</source>
         <translation>In Zahlenfeldern</translation>
+    </message>
+    <message>
+        <source>In perspective</source>
+        <translation>In Perspektive</translation>
     </message>
     <message>
         <source>in perspective</source>
@@ -7198,6 +7482,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Ausgangswert: %1</translation>
     </message>
     <message>
+        <source>Ink</source>
+        <translation>Tinte</translation>
+    </message>
+    <message>
         <source>Ink spread</source>
         <extracomment>tables</extracomment>
         <translation>Tintenverlauf</translation>
@@ -7210,6 +7498,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Inradius</source>
         <translation>Inkreisradius</translation>
+    </message>
+    <message>
+        <source>inside view</source>
+        <translation>Innenansicht</translation>
     </message>
     <message>
         <source>instances and includes are more than {1} deep in one another; write some of them out</source>
@@ -7244,8 +7536,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Interpreter</translation>
     </message>
     <message>
+        <source>Intersections</source>
+        <translation>Schnittmengen</translation>
+    </message>
+    <message>
         <source>into the mug, along its wall</source>
         <translation>in die Tasse, an ihrer Wand entlang</translation>
+    </message>
+    <message>
+        <source>Into the window</source>
+        <translation>Ins Fenster hinein</translation>
     </message>
     <message>
         <source>into the window</source>
@@ -7625,6 +7925,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>eigene</translation>
     </message>
     <message>
+        <source>its own turn</source>
+        <translation>seine eigene Drehung</translation>
+    </message>
+    <message>
         <source>Its pictures were not kept.</source>
         <translation>Ihre Bilder wurden nicht aufbewahrt.</translation>
     </message>
@@ -7739,6 +8043,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Jump</source>
         <extracomment>tables</extracomment>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>jump</source>
         <translation>Sprung</translation>
     </message>
     <message>
@@ -7880,6 +8188,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Largest side of the visitor's object as it stands on the plinth.</source>
         <extracomment>tables</extracomment>
         <translation>Größte Seite des Objekts des Besuchers, wie es auf dem Sockel steht.</translation>
+    </message>
+    <message>
+        <source>Late sun</source>
+        <translation>Späte Sonne</translation>
     </message>
     <message>
         <source>later, from the side</source>
@@ -8117,6 +8429,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Hell</translation>
     </message>
     <message>
+        <source>light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
         <source>light alone</source>
         <extracomment>tables</extracomment>
         <translation>nur das Licht</translation>
@@ -8326,6 +8642,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Unterer Ring</translation>
     </message>
     <message>
+        <source>Low sun</source>
+        <translation>Tiefe Sonne</translation>
+    </message>
+    <message>
         <source>Lower blend</source>
         <extracomment>tables</extracomment>
         <translation>Untere Schicht: Übergang</translation>
@@ -8420,6 +8740,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>LPI-Wert, mit dem die Folie verkauft wird.</translation>
     </message>
     <message>
+        <source>machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
         <source>made unit length)</source>
         <translation>auf Länge eins gebracht)</translation>
     </message>
@@ -8440,6 +8764,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Makes the marked variation the look, and draws the next nine around it.</source>
         <translation>Macht die markierte Variation zum Aussehen und zeichnet die nächsten neun um sie herum.</translation>
+    </message>
+    <message>
+        <source>many</source>
+        <translation>viele</translation>
     </message>
     <message>
         <source>March</source>
@@ -8549,6 +8877,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Schmilzt von selbst hin und her, vom Morph darüber an.</translation>
     </message>
     <message>
+        <source>Melting</source>
+        <translation>Schmelzend</translation>
+    </message>
+    <message>
         <source>melting, from behind</source>
         <translation>schmelzend, von hinten</translation>
     </message>
@@ -8559,6 +8891,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Menu of %1</source>
         <translation>Menü von %1</translation>
+    </message>
+    <message>
+        <source>Mercury</source>
+        <translation>Quecksilber</translation>
     </message>
     <message>
         <source>mesh</source>
@@ -8703,6 +9039,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Stand des Modells</translation>
     </message>
     <message>
+        <source>Moire, without a filter</source>
+        <translation>Moiré, ohne Filter</translation>
+    </message>
+    <message>
         <source>Moment</source>
         <extracomment>tables</extracomment>
         <translation>Augenblick</translation>
@@ -8739,6 +9079,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>More for presets</source>
         <translation>Mehr zu Presets</translation>
+    </message>
+    <message>
+        <source>Morning</source>
+        <translation>Morgen</translation>
+    </message>
+    <message>
+        <source>morning</source>
+        <translation>Morgen</translation>
     </message>
     <message>
         <source>Morph</source>
@@ -8892,8 +9240,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Neues Tastenkürzel für „%1“; üblich ist keines.</translation>
     </message>
     <message>
+        <source>Newsprint</source>
+        <translation>Zeitungsdruck</translation>
+    </message>
+    <message>
         <source>Next ▸</source>
         <translation>Weiter ▸</translation>
+    </message>
+    <message>
+        <source>Night</source>
+        <translation>Nacht</translation>
+    </message>
+    <message>
+        <source>night</source>
+        <translation>Nacht</translation>
     </message>
     <message>
         <source>night, water</source>
@@ -9017,6 +9377,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Es kann kein Bild gemacht werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
+        <source>No picture was exported yet: “Export picture…” comes first.</source>
+        <translation>Es wurde noch kein Bild exportiert: zuerst kommt „Bild exportieren…“.</translation>
+    </message>
+    <message>
         <source>No pixel differs.</source>
         <translation>Kein Pixel unterscheidet sich.</translation>
     </message>
@@ -9037,6 +9401,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Kein Preset hat diese Wörter und Tags.</translation>
     </message>
     <message>
+        <source>No preset is selected in the list.</source>
+        <translation>In der Liste ist keine Voreinstellung gewählt.</translation>
+    </message>
+    <message>
         <source>No ray grazes a shell along so many cells.</source>
         <translation>Kein Strahl streift eine Schale über so viele Zellen.</translation>
     </message>
@@ -9047,6 +9415,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>No ray meets the object so often.</source>
         <translation>Kein Strahl trifft das Objekt so oft.</translation>
+    </message>
+    <message>
+        <source>No red button is in front of you.</source>
+        <translation>Vor Ihnen ist kein roter Knopf.</translation>
     </message>
     <message>
         <source>no row differs</source>
@@ -9154,12 +9526,32 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>keine</translation>
     </message>
     <message>
+        <source>none in this file</source>
+        <translation>keine in dieser Datei</translation>
+    </message>
+    <message>
         <source>None yet</source>
         <translation>Noch keine</translation>
     </message>
     <message>
         <source>None yet: drop a .glb or .gltf file on the window</source>
         <translation>Noch keine: eine .glb- oder .gltf-Datei auf dem Fenster ablegen</translation>
+    </message>
+    <message>
+        <source>Noon</source>
+        <translation>Mittag</translation>
+    </message>
+    <message>
+        <source>noon</source>
+        <translation>Mittag</translation>
+    </message>
+    <message>
+        <source>Noon clouds</source>
+        <translation>Mittagswolken</translation>
+    </message>
+    <message>
+        <source>Noon sea</source>
+        <translation>Meer am Mittag</translation>
     </message>
     <message>
         <source>Normal</source>
@@ -9189,6 +9581,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>normals</source>
         <extracomment>tables</extracomment>
         <translation>Normalen</translation>
+    </message>
+    <message>
+        <source>Normals against true ones</source>
+        <translation>Normalen gegen wahre</translation>
     </message>
     <message>
         <source>Normals as drawn, or from depth alone: by fixed neighbors (3, 4), the nearer ones (5), those on whose line a texel lies (9; 9 plus looks at fewer), with the slope of a parabola, or by a vote of the texels around, which thin things need.</source>
@@ -9329,8 +9725,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>davor wurde nichts gezeichnet</translation>
     </message>
     <message>
-        <source>Nothing was exported yet: export a picture first.</source>
-        <translation>Noch wurde nichts exportiert: Exportieren Sie zuerst ein Bild.</translation>
+        <source>Nothing was edited in the tree since its file was read.</source>
+        <translation>Im Baum wurde nichts bearbeitet, seit seine Datei gelesen wurde.</translation>
     </message>
     <message>
         <source>Nothing was exported: select a preset in the list first.</source>
@@ -9983,6 +10379,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>OK</translation>
     </message>
     <message>
+        <source>Old gold</source>
+        <translation>Altes Gold</translation>
+    </message>
+    <message>
         <source>on</source>
         <translation>ein</translation>
     </message>
@@ -10061,6 +10461,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>one for every texel</source>
         <translation>eine für jedes Texel</translation>
+    </message>
+    <message>
+        <source>One lantern</source>
+        <translation>Eine Laterne</translation>
     </message>
     <message>
         <source>One more glTF object (.glb or .gltf) of yours, on a plinth of its own.</source>
@@ -10224,6 +10628,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Öffnen…</translation>
     </message>
     <message>
+        <source>operators</source>
+        <translation>Operatoren</translation>
+    </message>
+    <message>
         <source>Orbit</source>
         <extracomment>tables</extracomment>
         <translation>Umlauf</translation>
@@ -10324,6 +10732,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Over which the mist thins out.</source>
         <extracomment>tables</extracomment>
         <translation>Über die der Nebel dünner wird.</translation>
+    </message>
+    <message>
+        <source>Overcast</source>
+        <translation>Bedeckt</translation>
     </message>
     <message>
         <source>own</source>
@@ -10657,6 +11069,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>einfache Summe</translation>
     </message>
     <message>
+        <source>plant</source>
+        <translation>Pflanze</translation>
+    </message>
+    <message>
         <source>plaque free</source>
         <translation>Schild frei</translation>
     </message>
@@ -10713,6 +11129,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>polar sum</source>
         <extracomment>tables</extracomment>
         <translation>Polarsumme</translation>
+    </message>
+    <message>
+        <source>Poodle</source>
+        <translation>Pudel</translation>
+    </message>
+    <message>
+        <source>Porcelain mug</source>
+        <translation>Porzellanbecher</translation>
     </message>
     <message>
         <source>Position</source>
@@ -10793,7 +11217,15 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Vorschau eines Presets</translation>
     </message>
     <message>
+        <source>Primitives</source>
+        <translation>Grundformen</translation>
+    </message>
+    <message>
         <source>Print</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>print</source>
         <translation>Druck</translation>
     </message>
     <message>
@@ -11486,6 +11918,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Drehmodell</translation>
     </message>
     <message>
+        <source>Rotunda</source>
+        <translation>Rotunde</translation>
+    </message>
+    <message>
         <source>rough glass shows what is behind it</source>
         <translation>raues Glas zeigt, was hinter ihm liegt</translation>
     </message>
@@ -11805,6 +12241,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Meerschritte</translation>
     </message>
     <message>
+        <source>Sea urchin</source>
+        <translation>Seeigel</translation>
+    </message>
+    <message>
         <source>Second model</source>
         <extracomment>tables</extracomment>
         <translation>Modell 2</translation>
@@ -11934,6 +12374,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schattenlicht</translation>
     </message>
     <message>
+        <source>Shading</source>
+        <translation>Schattierung</translation>
+    </message>
+    <message>
         <source>Shadow</source>
         <extracomment>tables</extracomment>
         <translation>Schatten</translation>
@@ -12035,6 +12479,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>Sheet</source>
+        <translation>Folie</translation>
+    </message>
+    <message>
+        <source>sheet</source>
         <translation>Folie</translation>
     </message>
     <message>
@@ -12243,8 +12691,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Sechs quadratische Bilder.</translation>
     </message>
     <message>
+        <source>Sixteen fantasy colors</source>
+        <translation>Sechzehn Fantasiefarben</translation>
+    </message>
+    <message>
         <source>Sixteen pictures in one print: the lenses choose, by where you stand.</source>
         <translation>Sechzehn Bilder in einem Druck: Die Linsen wählen, je nachdem, wo man steht.</translation>
+    </message>
+    <message>
+        <source>Sixteen views</source>
+        <translation>Sechzehn Ansichten</translation>
     </message>
     <message>
         <source>Size</source>
@@ -12389,6 +12845,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>auf „{1}“ folgt etwas, das kein Block ist</translation>
     </message>
     <message>
+        <source>source</source>
+        <translation>Vorlage</translation>
+    </message>
+    <message>
         <source>Source ambient</source>
         <extracomment>tables</extracomment>
         <translation>Umgebungslicht (Original)</translation>
@@ -12447,6 +12907,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Speed of the wheel</source>
         <translation>Tempo des Mausrads</translation>
+    </message>
+    <message>
+        <source>Spheres, cylinders, capsules</source>
+        <translation>Kugeln, Zylinder, Kapseln</translation>
     </message>
     <message>
         <source>Spin</source>
@@ -12672,12 +13136,20 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schritte, die ein Strahl machen darf; zu einem Licht hin höchstens 128.</translation>
     </message>
     <message>
+        <source>Stereo in red and cyan</source>
+        <translation>Stereo in Rot und Cyan</translation>
+    </message>
+    <message>
         <source>stiff fur in long steps</source>
         <translation>steifes Fell in langen Schritten</translation>
     </message>
     <message>
         <source>Still being written: %1.</source>
         <translation>Wird noch geschrieben: %1.</translation>
+    </message>
+    <message>
+        <source>Still life</source>
+        <translation>Stillleben</translation>
     </message>
     <message>
         <source>Stop %1</source>
@@ -12720,6 +13192,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Hält die Uhr der Exponate an und lässt sie weiterlaufen.</translation>
     </message>
     <message>
+        <source>Storm</source>
+        <translation>Sturm</translation>
+    </message>
+    <message>
         <source>Strand roundness</source>
         <extracomment>tables</extracomment>
         <translation>Haarrundung</translation>
@@ -12738,6 +13214,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Strands on a square meter.</source>
         <extracomment>tables</extracomment>
         <translation>Haare auf einem Quadratmeter.</translation>
+    </message>
+    <message>
+        <source>Strawberry</source>
+        <translation>Erdbeere</translation>
     </message>
     <message>
         <source>Streak</source>
@@ -12837,6 +13317,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>study {=1}: {=2} hat keinen solchen Parameter; geben Sie einen an von {=3}</translation>
     </message>
     <message>
+        <source>Subtractions</source>
+        <translation>Differenzen</translation>
+    </message>
+    <message>
         <source>Sum</source>
         <extracomment>tables</extracomment>
         <translation>Summe</translation>
@@ -12911,6 +13395,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Sunbeams: smeared across the picture, or marched through the dust.</source>
         <translation>Sonnenstrahlen: über das Bild verwischt oder durch den Staub abgeschritten.</translation>
+    </message>
+    <message>
+        <source>Sundae</source>
+        <translation>Eisbecher</translation>
     </message>
     <message>
         <source>Supersamples</source>
@@ -12998,6 +13486,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Technique</source>
         <extracomment>tables</extracomment>
         <translation>Technik</translation>
+    </message>
+    <message>
+        <source>Teddy</source>
+        <translation>Teddy</translation>
     </message>
     <message>
         <source>Temperature</source>
@@ -13199,6 +13691,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Uhr ist gesprungen</translation>
     </message>
     <message>
+        <source>The clock stands, since nothing that is shown moves, and goes on with what does.</source>
+        <translation>Die Uhr steht, weil sich nichts bewegt, was zu sehen ist, und geht weiter, sobald sich etwas bewegt.</translation>
+    </message>
+    <message>
         <source>the clouds look their noise up</source>
         <translation>die Wolken schlagen ihr Rauschen nach</translation>
     </message>
@@ -13327,6 +13823,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the file ends too early</source>
         <translation>die Datei endet zu früh</translation>
+    </message>
+    <message>
+        <source>The file has no animation: all frames of a direction are alike.</source>
+        <translation>Die Datei hat keine Animation: Alle Bilder einer Richtung sind gleich.</translation>
+    </message>
+    <message>
+        <source>The file has no other animation.</source>
+        <translation>Die Datei hat keine andere Animation.</translation>
     </message>
     <message>
         <source>the file has {1} bytes, more than the {2} allowed for JSON</source>
@@ -13550,6 +14054,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The marched field</source>
         <translation>Das abgeschrittene Feld</translation>
+    </message>
+    <message>
+        <source>The mask</source>
+        <translation>Die Maske</translation>
     </message>
     <message>
         <source>the mask is made of the occluders</source>
@@ -14103,6 +14611,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>dem Torus über seiner Säule</translation>
     </message>
     <message>
+        <source>The torus over its pillar always tumbles.</source>
+        <translation>Der Torus über seiner Säule taumelt immer.</translation>
+    </message>
+    <message>
         <source>the torus, nearly edge-on</source>
         <translation>der Torus, fast von der Kante</translation>
     </message>
@@ -14158,6 +14670,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>The views in the wrong order: the picture turns inside out.</source>
         <extracomment>tables</extracomment>
         <translation>Die Ansichten in falscher Reihenfolge: Das Bild kehrt sein Inneres nach außen.</translation>
+    </message>
+    <message>
+        <source>The visited exhibit has no table of its own; the Study panel measures its parameters.</source>
+        <translation>Das besuchte Exponat hat keine eigene Tabelle; das Feld „Studie“ misst seine Parameter.</translation>
+    </message>
+    <message>
+        <source>The visited exhibit has no tree.</source>
+        <translation>Das besuchte Exponat hat keinen Baum.</translation>
     </message>
     <message>
         <source>the visual LPI is {1}; give lenses per inch, or 0 to let the viewing distance decide</source>
@@ -14263,6 +14783,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>there are more than {1} vertices</source>
         <translation>es gibt mehr als {1} Ecken</translation>
+    </message>
+    <message>
+        <source>There are no bookmarks yet.</source>
+        <translation>Es gibt noch keine Lesezeichen.</translation>
     </message>
     <message>
         <source>There are no pictures in {1}; give a folder with the views as {2}.</source>
@@ -14531,6 +15055,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>thin bars</source>
         <extracomment>tables</extracomment>
         <translation>dünne Stäbe</translation>
+    </message>
+    <message>
+        <source>thing</source>
+        <translation>Ding</translation>
     </message>
     <message>
         <source>Third model</source>
@@ -15135,6 +15663,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Radius oben</translation>
     </message>
     <message>
+        <source>Tori</source>
+        <translation>Tori</translation>
+    </message>
+    <message>
         <source>Torus to Mug</source>
         <translation>Vom Torus zur Tasse</translation>
     </message>
@@ -15338,6 +15870,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>zwei Zeilen haben denselben Namen</translation>
     </message>
     <message>
+        <source>Two-picture flip</source>
+        <translation>Wechselbild aus zwei Bildern</translation>
+    </message>
+    <message>
         <source>type of shape</source>
         <translation>Art von Form</translation>
     </message>
@@ -15361,6 +15897,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Uniformity</source>
         <extracomment>tables</extracomment>
         <translation>Gleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>Unions</source>
+        <translation>Vereinigungen</translation>
     </message>
     <message>
         <source>unknown error</source>
@@ -15503,6 +16043,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>Variation %1 is on show.</source>
         <translation>Variation %1 wird gezeigt.</translation>
+    </message>
+    <message>
+        <source>Variation %1 of %2 is being drawn.</source>
+        <translation>Variante %1 von %2 wird gezeichnet.</translation>
     </message>
     <message>
         <source>Variation %1, seed %2</source>
@@ -15653,6 +16197,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Vitrine-Szene</translation>
     </message>
     <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
         <source>volume</source>
         <extracomment>tables</extracomment>
         <translation>Volumen</translation>
@@ -15698,6 +16246,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>waiting for the disk</source>
         <translation>das Warten auf den Datenträger</translation>
+    </message>
+    <message>
+        <source>Waits</source>
+        <translation>Wartet</translation>
     </message>
     <message>
         <source>Walk until the sun leaves the picture: these beams fade, because what is not seen cannot shine.</source>
@@ -15773,8 +16325,16 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wellen, die summiert werden, von der längsten an.</translation>
     </message>
     <message>
+        <source>Wax</source>
+        <translation>Wachs</translation>
+    </message>
+    <message>
         <source>Way that the animation carries the object from its first to its last moment: kept, so that the frames hold all of it, or taken out of the frames, so that it walks in place and the pivot moves. Automatic takes out what is longer than the object.</source>
         <translation>Weg, den die Animation das Objekt von ihrem ersten bis zu ihrem letzten Moment trägt: beibehalten, sodass die Frames ihn ganz enthalten, oder aus den Frames genommen, sodass es auf der Stelle läuft und der Drehpunkt wandert. Automatisch nimmt heraus, was länger als das Objekt ist.</translation>
+    </message>
+    <message>
+        <source>weather</source>
+        <translation>Wetter</translation>
     </message>
     <message>
         <source>Weight</source>
@@ -15795,6 +16355,10 @@ steht in assets/SOURCES.md.</translation>
         <source>What a meter of the thickest cloud takes out of a ray.</source>
         <extracomment>tables</extracomment>
         <translation>Was ein Meter der dicksten Wolke einem Strahl nimmt.</translation>
+    </message>
+    <message>
+        <source>What a ray costs</source>
+        <translation>Was ein Strahl kostet</translation>
     </message>
     <message>
         <source>what a server left there cannot be removed ({1}); choose another path.</source>
@@ -16488,6 +17052,10 @@ steht in assets/SOURCES.md.</translation>
         <source>Yaw</source>
         <extracomment>tables</extracomment>
         <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>You have stood nowhere else yet.</source>
+        <translation>Sie standen noch nirgendwo sonst.</translation>
     </message>
     <message>
         <source>You look at %1, from %2 m away.</source>

@@ -4,6 +4,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/text.h"
+#include "ui/presets/preset_files.h"
 
 #include <QDateTime>
 #include <QFileInfo>
@@ -33,12 +34,12 @@ PresetFacts presetFacts(const PresetStore& store, const std::filesystem::path& p
     try {
         const StoredPreset stored = store.load(path, exhibit, table);
         const Preset& preset = stored.preset;
-        if (!preset.name.empty()) facts.name = QString::fromStdString(preset.name);
+        if (!preset.name.empty()) facts.name = presetName(preset.name, stored.shipped);
         facts.origin = stored.shipped
                            ? PresetPreview::tr("Comes with the exhibit: can be duplicated, not changed.")
                            : PresetPreview::tr("Yours, saved on %1.")
                                  .arg(QLocale().toString(QFileInfo(file).lastModified(), QLocale::ShortFormat));
-        for (const std::string& tag : preset.tags) facts.tags << QString::fromStdString(tag);
+        facts.tags = presetTags(preset.tags, stored.shipped);
         const auto& rows = preset.values.rows();
         for (std::size_t i = 0; i < rows.size(); ++i) {
             if (preset.values.motion(i))

@@ -1,7 +1,11 @@
 #pragma once
 
+#include "exhibits/framework/preset_tags.h"
+#include "ui/kit/language.h"
+
 #include <QFileDialog>
 #include <QString>
+#include <QStringList>
 
 #include <filesystem>
 #include <string>
@@ -21,6 +25,21 @@ namespace vitrine::ui {
 [[nodiscard]] inline QString words(const std::string& s)
 {
     return QString::fromStdString(s);
+}
+
+/// The name of a preset as people read it. Presets that come with the exhibits are named in the window's language;
+/// their files stay English.
+[[nodiscard]] inline QString presetName(const std::string& name, bool shipped)
+{
+    return shipped ? said(name) : words(name);
+}
+
+/// The same for its tags.
+[[nodiscard]] inline QStringList presetTags(const PresetTags& tags, bool shipped)
+{
+    QStringList shown;
+    for (const std::string& tag : tags) shown << presetName(tag, shipped);
+    return shown;
 }
 
 [[nodiscard]] inline QFileDialog* fileDialog(QWidget* window, const QString& title, QFileDialog::AcceptMode mode,

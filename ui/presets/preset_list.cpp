@@ -18,6 +18,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <utility>
 
 namespace vitrine::ui {
 namespace {
@@ -43,7 +44,7 @@ void showTiles(QListWidget& list)
 
 PresetList::PresetList(QWidget* parent)
     : QWidget(parent), finder_(new QWidget(this)), words_(new QLineEdit(finder_)), chips_(new TagChips(finder_)),
-      list_(new QListWidget(this)), preview_(new PresetPreview(*list_, idRole)), nothing_(new QLabel(this)),
+      list_(new QListWidget(this)), preview_(new PresetPreview(*list_, idRole)), layout_(new QVBoxLayout(this)),
       buttons_(new QWidget(this))
 {
     words_->setPlaceholderText(tr("Find a preset"));
@@ -64,9 +65,6 @@ PresetList::PresetList(QWidget* parent)
     finder_->hide();
     connect(chips_, &TagChips::changed, this, &PresetList::filter);
     connect(preview_, &PresetPreview::asked, this, &PresetList::factsAsked);
-    nothing_->setText(tr("No preset has these words and tags."));
-    nothing_->setAlignment(Qt::AlignCenter);
-    nothing_->hide();
     connect(words_, &QLineEdit::textChanged, this, &PresetList::filter);
     list_->setAccessibleName(tr("Presets"));
     showTiles(*list_);
@@ -76,13 +74,11 @@ PresetList::PresetList(QWidget* parent)
         option.font = list_->font();
         list_->setMinimumHeight(list_->itemDelegate()->sizeHint(option, {}).height());
     });
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(finder_);
-    layout->addWidget(nothing_);
-    layout->addWidget(list_, 1);
-    layout->addWidget(buttons_);
+    layout_->setContentsMargins(0, 0, 0, 0);
+    layout_->setSpacing(0);
+    layout_->addWidget(finder_);
+    layout_->addWidget(list_, 1);
+    layout_->addWidget(buttons_);
     auto* row = new QHBoxLayout(buttons_);
     row->setContentsMargins(8, 8, 8, 8);
     row->setSpacing(8);
@@ -90,6 +86,7 @@ PresetList::PresetList(QWidget* parent)
             [this](QListWidgetItem* item) { emit loadAsked(item->data(idRole).toString()); });
     connect(list_, &QListWidget::itemClicked, this,
             [this](QListWidgetItem* item) { emit loadAsked(item->data(idRole).toString()); });
+    connect(list_, &QListWidget::currentItemChanged, this, &PresetList::selectedChanged);
     connect(list_, &QListWidget::itemChanged, this,
             [this](QListWidgetItem* item) { emit renamed(item->data(idRole).toString(), item->text()); });
     connect(list_, &QListWidget::customContextMenuRequested, this, [this](const QPoint& at) {
@@ -195,7 +192,19 @@ void PresetList::filter()
         item->setHidden(!has);
         any = any || has;
     }
-    nothing_->setVisible(!any);
+    showNothing(!any);
+}
+
+void PresetList::showNothing(bool on)
+{
+    // A hidden label would still be read to those who do not see it.
+    if (!on) {
+        delete std::exchange(nothing_, nullptr);
+    } else if (!nothing_) {
+        nothing_ = new QLabel(tr("No preset has these words and tags."), this);
+        nothing_->setAlignment(Qt::AlignCenter);
+        layout_->insertWidget(layout_->indexOf(list_), nothing_);
+    }
 }
 
 bool PresetList::eventFilter(QObject* object, QEvent* event)
@@ -247,9 +256,12 @@ QString PresetList::selected() const
     return item ? item->data(idRole).toString() : QString();
 }
 
-void PresetList::startRename(const QString& id)
+bool PresetList::startRename(const QString& id)
 {
-    if (QListWidgetItem* item = itemOf(id)) list_->editItem(item);
+    QListWidgetItem* item = itemOf(id);
+    if (!item || !(item->flags() & Qt::ItemIsEditable)) return false;
+    list_->editItem(item);
+    return true;
 }
 
 }  // namespace vitrine::ui

@@ -9,6 +9,7 @@
 class QAction;
 class QLabel;
 class QLineEdit;
+class QVBoxLayout;
 
 namespace vitrine::ui {
 
@@ -40,14 +41,16 @@ public:
     [[nodiscard]] QString selected() const;
     /// The actions that its buttons and menu offer, in this order; null is a separator.
     void setActions(QAction* save, QAction* saveAs, const QList<QAction*>& menu);
-    /// Lets the visitor type a new name in place.
-    void startRename(const QString& id);
+    /// Lets the visitor type a new name in place. Returns false where the preset is none of his own.
+    bool startRename(const QString& id);
     /// The answer to `factsAsked`.
     void showPreview(const PresetFacts&);
     /// One entry per use, of all presets in the list.
     [[nodiscard]] QStringList tagsInUse() const;
 
 signals:
+    /// `selected` is another one, by the visitor.
+    void selectedChanged();
     void loadAsked(const QString& id);
     void factsAsked(const QString& id);
     void renamed(const QString& id, const QString& name);
@@ -58,6 +61,7 @@ protected:
 private:
     /// Shows those that have all words that were typed, and all tags that are pressed.
     void filter();
+    void showNothing(bool);
     [[nodiscard]] QListWidgetItem* itemFor(const PresetLine&);
     [[nodiscard]] QListWidgetItem* itemOf(const QString& id) const;
 
@@ -66,7 +70,8 @@ private:
     TagChips* chips_;
     QListWidget* list_;
     PresetPreview* preview_;
-    QLabel* nothing_;
+    QVBoxLayout* layout_;
+    QLabel* nothing_ = nullptr;  ///< Says that nothing is found; null while something is.
     QWidget* buttons_;
     QList<QAction*> menu_;
 };

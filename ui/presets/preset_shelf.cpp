@@ -72,8 +72,12 @@ void PresetShelf::refresh()
         [this] {
             std::vector<PresetLine> lines;
             for (const PresetEntry& entry : store_.list(exhibitName())) {
-                PresetLine line{idOf(entry.path), words(entry.name), entry.shipped, words(entry.problem), {}, {}};
-                for (const std::string& tag : entry.tags) line.tags << words(tag);
+                PresetLine line{idOf(entry.path),
+                                presetName(entry.name, entry.shipped),
+                                entry.shipped,
+                                words(entry.problem),
+                                {},
+                                presetTags(entry.tags, entry.shipped)};
                 if (entry.thumbnail) line.thumbnail.load(idOf(*entry.thumbnail));
                 lines.push_back(std::move(line));
             }
@@ -113,7 +117,7 @@ QString PresetShelf::titleOfUse() const
 {
     const StoredPreset* used = inUse();
     if (!used) return {};
-    return words(used->preset.name) + (changedSince(*used) ? QStringLiteral(" *") : QString());
+    return presetName(used->preset.name, used->shipped) + (changedSince(*used) ? QStringLiteral(" *") : QString());
 }
 
 QString PresetShelf::freeName(const QString& wanted, const std::filesystem::path& exceptFor) const
@@ -121,7 +125,8 @@ QString PresetShelf::freeName(const QString& wanted, const std::filesystem::path
     const std::vector<PresetEntry> all = store_.list(exhibitName());
     const auto taken = [&](const QString& name) {
         return std::any_of(all.begin(), all.end(), [&](const PresetEntry& entry) {
-            return entry.path != exceptFor && words(entry.name).compare(name, Qt::CaseInsensitive) == 0;
+            return entry.path != exceptFor &&
+                   presetName(entry.name, entry.shipped).compare(name, Qt::CaseInsensitive) == 0;
         });
     };
     QString name = wanted;
@@ -142,8 +147,9 @@ void PresetShelf::load(const QString& id)
 {
     trySafely([&] {
         StoredPreset loaded = store_.load(pathOf(id), exhibitName(), table());
-        tell(words(loaded.preset.name), loaded.preset.notes);
-        show(loaded.preset, window_.shown(), tr("Load %1").arg(words(loaded.preset.name)));
+        const QString name = presetName(loaded.preset.name, loaded.shipped);
+        tell(name, loaded.preset.notes);
+        show(loaded.preset, window_.shown(), tr("Load %1").arg(name));
         use(std::move(loaded));
     });
     mark();  // Also where the click chose a preset that could not be loaded.
@@ -191,8 +197,8 @@ void PresetShelf::saveAs()
     const Subject& subject = window_.museum().subject(window_.shown());
     const QString title = said(subject.title());
     const StoredPreset* used = inUse();
-    auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(used ? words(used->preset.name) : title),
-                               list_.window());
+    const QString before = used ? presetName(used->preset.name, used->shipped) : title;
+    auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(before), list_.window());
     // Whatever is on show by then, it is this exhibit that was named.
     connect(ask, &NameDialog::named, this, [this, shown = window_.shown()](const QString& name) {
         if (window_.shown() != shown) window_.choose(shown);
@@ -241,7 +247,14 @@ void PresetShelf::keepMissingThumbnail()
 
 void PresetShelf::rename()
 {
-    list_.startRename(list_.selected());
+    const QString id = list_.selected();
+    if (id.isEmpty() || list_.startRename(id)) return;
+    trySafely([&] {
+        const StoredPreset stored = store_.load(pathOf(id), exhibitName(), table());
+        window_.say(MessageStrip::Mood::notice,
+                    tr("%1 comes with the exhibit and cannot be renamed. Duplicate it, and rename the copy.")
+                        .arg(presetName(stored.preset.name, stored.shipped)));
+    });
 }
 
 void PresetShelf::renameTo(const QString& id, const QString& name)
@@ -263,9 +276,8 @@ void PresetShelf::editTags()
     trySafely([&] {
         const StoredPreset stored = store_.load(pathOf(id), exhibitName(), table());
         if (stored.shipped) {
-            window_.say(
-                MessageStrip::Mood::notice,
-                tr("%1 comes with the exhibit. Duplicate it, and tag the copy.").arg(words(stored.preset.name)));
+            window_.say(MessageStrip::Mood::notice, tr("%1 comes with the exhibit. Duplicate it, and tag the copy.")
+                                                        .arg(presetName(stored.preset.name, stored.shipped)));
             return;
         }
         QStringList tags;
@@ -306,7 +318,13 @@ void PresetShelf::duplicate()
     if (id.isEmpty()) return;
     trySafely([&] {
         const StoredPreset original = store_.load(pathOf(id), exhibitName(), table());
-        store_.duplicate(pathOf(id), freeName(tr("%1 copy").arg(words(original.preset.name))).toStdString());
+        const QString name = presetName(original.preset.name, original.shipped);
+        const std::filesystem::path copy =
+            store_.duplicate(pathOf(id), freeName(tr("%1 copy").arg(name)).toStdString());
+        // The copy is the visitor's, and so are the words by which it is found.
+        PresetTags tags;
+        for (const QString& tag : presetTags(original.preset.tags, original.shipped)) tags.push_back(tag.toStdString());
+        if (tags != original.preset.tags) store_.setTags(copy, tags);
     });
     refresh();
 }
@@ -445,7 +463,7 @@ std::vector<std::pair<QString, QString>> PresetShelf::choices()
         std::vector<PresetEntry> entries = store_.list(exhibitName());
         std::stable_partition(entries.begin(), entries.end(), [](const PresetEntry& entry) { return !entry.shipped; });
         for (const PresetEntry& entry : entries)
-            if (entry.problem.empty()) all.emplace_back(words(entry.name), idOf(entry.path));
+            if (entry.problem.empty()) all.emplace_back(presetName(entry.name, entry.shipped), idOf(entry.path));
     });
     return all;
 }

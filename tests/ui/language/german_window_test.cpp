@@ -93,6 +93,29 @@ private slots:
         }
     }
 
+    void shippedPresetsHaveGermanNamesAndTags()
+    {
+        startIn(QStringLiteral("de"));
+        window_->choose(1);
+        QVERIFY(rowsNamed("Porcelain mug").isEmpty());
+        QCOMPARE(rowsNamed("Porzellanbecher").size(), 1);
+        QListWidgetItem* mug = rowsNamed("Porzellanbecher").front();
+        QStringList spoken;
+        for (int i = 0; i < presets()->count(); ++i)
+            spoken << presets()->item(i)->data(Qt::AccessibleTextRole).toString();
+        QVERIFY2(spoken.join(' ').contains(QStringLiteral("Material")) && !spoken.join(' ').contains("material"),
+                 qPrintable(spoken.join(' ')));
+        // A copy is the visitor's own: it keeps the words that he saw.
+        presets()->setCurrentItem(mug);
+        window_->shelf().duplicate();
+        const QList<QListWidgetItem*> copies =
+            presets()->findItems(QStringLiteral("Porzellanbecher"), Qt::MatchStartsWith);
+        QCOMPARE(copies.size(), 2);
+        // Of the visitor's own presets, words stay as they were typed.
+        window_->shelf().saveUnder(QStringLiteral("Night"));
+        QCOMPARE(rowsNamed("Night").size(), 1);
+    }
+
     void presetsAreTheSameBytesAsInEnglish()
     {
         const QByteArray german = savedPreset(QStringLiteral("de"));

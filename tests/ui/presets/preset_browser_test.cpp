@@ -1,6 +1,7 @@
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
 
+#include "ui/kit/message_strip.h"
 #include "ui/presets/preset_preview.h"
 #include "ui/presets/preset_shelf.h"
 #include "ui/presets/tag_chips.h"
@@ -13,6 +14,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QToolButton>
 
 using namespace vitrine;
@@ -85,6 +87,27 @@ private slots:
     void initTestCase() { prepare(); }
     void init() { start(); }
     void cleanup() { finish(); }
+
+    void aShippedPresetSaysWhyItKeepsItsName()
+    {
+        QTest::failOnWarning(QRegularExpression("edit"));
+        window_->choose(1);
+        QVERIFY(presets()->count() > 0);
+        presets()->setCurrentRow(0);
+        const QString name = presets()->currentItem()->text();
+        QApplication::setActiveWindow(window_.get());
+        presets()->setFocus();
+        QTest::keyClick(presets(), Qt::Key_F2);
+        QVERIFY(!presets()->findChild<QLineEdit*>());
+        QCOMPARE(
+            window_->findChild<MessageStrip*>()->texts(),
+            QStringList{name + " comes with the exhibit and cannot be renamed. Duplicate it, and rename the copy."});
+        // Control: one of the visitor's own is renamed in its line.
+        window_->shelf().saveUnder("Mine");
+        select("Mine");
+        QTest::keyClick(presets(), Qt::Key_F2);
+        QVERIFY(presets()->findChild<QLineEdit*>());
+    }
 
     void tagsAreGivenInADialogKeptInTheFileAndUndone()
     {
