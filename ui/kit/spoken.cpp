@@ -3,6 +3,8 @@
 #include "ui/kit/spoken_line.h"
 #include "ui/kit/spoken_widget.h"
 
+#include <QAbstractItemView>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSpinBox>
@@ -27,6 +29,57 @@ public:
     }
 };
 
+/// A box of choices says its name and what is chosen: of Qt's own, some desktops are told nothing but what is chosen.
+class SpokenChoices final : public QAccessibleWidget {
+public:
+    explicit SpokenChoices(QComboBox* box) : QAccessibleWidget(box, QAccessible::ComboBox) {}
+
+    [[nodiscard]] QString text(QAccessible::Text which) const override
+    {
+        const QString chosen = box().currentText();
+        if (which == QAccessible::Value) return chosen;
+        if (which != QAccessible::Name) return QAccessibleWidget::text(which);
+        const QString name = QAccessibleWidget::text(which);
+        return name.isEmpty() || chosen.isEmpty() ? name + chosen : QStringLiteral("%1: %2").arg(name, chosen);
+    }
+    [[nodiscard]] int childCount() const override { return box().isEditable() ? 2 : 1; }
+    [[nodiscard]] QAccessibleInterface* child(int index) const override
+    {
+        if (index == 0) return QAccessible::queryAccessibleInterface(box().view());
+        return index == 1 && box().isEditable() ? QAccessible::queryAccessibleInterface(box().lineEdit()) : nullptr;
+    }
+    [[nodiscard]] int indexOfChild(const QAccessibleInterface* part) const override
+    {
+        if (part->object() == box().view()) return 0;
+        return box().isEditable() && part->object() == box().lineEdit() ? 1 : -1;
+    }
+    [[nodiscard]] QAccessible::State state() const override
+    {
+        QAccessible::State now = QAccessibleWidget::state();
+        now.expandable = true;
+        now.expanded = box().view()->isVisible();
+        now.collapsed = !now.expanded;
+        now.editable = box().isEditable();
+        return now;
+    }
+    [[nodiscard]] QStringList actionNames() const override
+    {
+        return QStringList{showMenuAction(), pressAction()} + QAccessibleWidget::actionNames();
+    }
+    void doAction(const QString& name) override
+    {
+        if (name != showMenuAction() && name != pressAction()) return QAccessibleWidget::doAction(name);
+        if (!box().isEnabled()) return;
+        if (box().view()->isVisible())
+            box().hidePopup();
+        else
+            box().showPopup();
+    }
+
+private:
+    [[nodiscard]] QComboBox& box() const { return *static_cast<QComboBox*>(object()); }
+};
+
 QAccessibleInterface* makeSpoken(const QString&, QObject* object)
 {
     auto* widget = qobject_cast<QWidget*>(object);
@@ -39,6 +92,7 @@ QAccessibleInterface* makeSpoken(const QString&, QObject* object)
     if (qobject_cast<QSpinBox*>(widget) || qobject_cast<QDoubleSpinBox*>(widget))
         widget->setProperty("stepSize", widget->property("singleStep"));
     if (qobject_cast<QTabWidget*>(widget)) return new QAccessibleWidget(widget, QAccessible::Grouping);
+    if (auto* box = qobject_cast<QComboBox*>(widget)) return new SpokenChoices(box);
     auto* label = qobject_cast<QLabel*>(widget);
     return label && !label->buddy() && label->pixmap(Qt::ReturnByValue).isNull() ? new SpokenLabel(label) : nullptr;
 }

@@ -9,9 +9,12 @@
 #include "ui/parameters/number_field.h"
 #include "ui/parameters/parameter_row.h"
 #include "ui/parameters/parameter_section.h"
+#include "ui/presets/preset_shelf.h"
 #include "ui/window/status_line.h"
 
+#include <QAbstractItemView>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 
@@ -130,6 +133,44 @@ private slots:
             }
         }
         QFAIL("no heading was found");
+    }
+
+    void aBoxOfChoicesSaysItsNameAndWhatIsChosen()
+    {
+        window_->choose(1);
+        auto* box = in<QComboBox>("normalMethod");
+        QAccessibleInterface* spoken = of(box);
+        QCOMPARE(spoken->role(), QAccessible::ComboBox);
+        QCOMPARE(spoken->text(QAccessible::Name), QString("Normal method: central"));
+        QCOMPARE(spoken->text(QAccessible::Value), QString("central"));
+        QCOMPARE(spoken->childCount(), 1);
+        QCOMPARE(spoken->indexOfChild(spoken->child(0)), 0);
+        QCOMPARE(spoken->child(0)->role(), QAccessible::List);
+        spoken->actionInterface()->doAction(QAccessibleActionInterface::showMenuAction());
+        QTRY_VERIFY(box->view()->isVisible() && spoken->state().expanded);
+        spoken->actionInterface()->doAction(QAccessibleActionInterface::showMenuAction());
+        QTRY_VERIFY(!box->view()->isVisible() && spoken->state().collapsed);
+    }
+
+    void whatIsHiddenIsNotRead()
+    {
+        const auto read = [this] {
+            int count = 0;
+            for (const QLabel* label : window_->findChildren<QLabel*>())
+                count += label->text() == "No preset has these words and tags.";
+            return count;
+        };
+        window_->choose(1);
+        for (const char* name : {"A", "B", "C", "D", "E", "F"}) window_->shelf().saveUnder(name);
+        QCOMPARE(read(), 0);
+        QLineEdit* words = nullptr;
+        for (QLineEdit* line : window_->findChildren<QLineEdit*>())
+            if (line->accessibleName() == "Find a preset") words = line;
+        QVERIFY(words && words->isVisible());
+        words->setText("nothing is called so");
+        QCOMPARE(read(), 1);
+        words->clear();
+        QCOMPARE(read(), 0);
     }
 
     void aFieldThatIsTypedInGivesItsTextAndCaret()
