@@ -210,7 +210,7 @@ QString ExploreDock::stateOfVariations() const
     if (!variations_->made()) return {};
     if (variations_->stale()) return tr("These vary an older look, or under other locks. Draw anew varies this one.");
     if (variations_->finished() < Variations::count)
-        return tr("%1 of %2 are drawn.").arg(variations_->finished()).arg(Variations::count);
+        return tr("Variation %1 of %2 is being drawn.").arg(variations_->finished() + 1).arg(Variations::count);
     if (const std::optional<int> shown = variations_->onShow()) return tr("Variation %1 is on show.").arg(*shown + 1);
     return tr("A click makes one the look. Rows and groups that are locked in their menus stay as they are.");
 }

@@ -118,7 +118,6 @@ void SpriteDialog::build()
     panel_->showExhibit(0, QStringLiteral("sprites"));
     animation_ = new QComboBox(this);
     animation_->setAccessibleName(tr("Animation"));
-    animation_->setToolTip(tr("Of the file, by its name."));
     animation_->setFocusPolicy(Qt::StrongFocus);
     numbers_ = new QLabel(this);
     numbers_->setTextFormat(Qt::PlainText);
@@ -278,6 +277,13 @@ void SpriteDialog::showAnimations()
         for (const std::string& name : subject_->animations()) animation_->addItem(QString::fromStdString(name));
     animation_->setCurrentIndex(animation_->findText(QString::fromStdString(setup_.animation())));
     animation_->setEnabled(animation_->count() > 1 && !exporting_);
+    // What cannot be chosen says why.
+    const bool own = setup_.values()[spriteTable().model].empty();
+    animation_->setPlaceholderText(own ? tr("its own turn") : tr("none in this file"));
+    animation_->setToolTip(animation_->count() > 1    ? tr("Of the file, by its name.")
+                           : animation_->count() == 1 ? tr("The file has no other animation.")
+                           : own                      ? tr("The torus over its pillar always tumbles.")
+                                 : tr("The file has no animation: all frames of a direction are alike."));
 }
 
 std::string SpriteDialog::whyNot() const

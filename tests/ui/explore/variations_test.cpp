@@ -111,6 +111,9 @@ private slots:
         window_->choose(1);
         action("Explore")->trigger();
         QTRY_COMPARE(gallery_->smallDrawn.load(), 1);
+        QStringList shown;
+        for (const QLabel* label : window_->docks().explore().findChildren<QLabel*>()) shown << label->text();
+        QVERIFY2(shown.contains("Variation 1 of 9 is being drawn."), qPrintable(shown.join('|')));
         window_->history().set(1, gallery_->table().roughness.row, 0.75, newGesture());
         // The next of theirs may have begun before the visitor's picture was asked for; then that one is waited for.
         const auto drawnBetween = [this] { return std::abs(red() - 191) <= 1; };

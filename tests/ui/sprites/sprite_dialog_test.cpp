@@ -172,6 +172,24 @@ private slots:
                            {".png", ".json"});
     }
 
+    void whatHasNoAnimationSaysSo()
+    {
+        auto* choice = dialog_->findChild<QComboBox*>();
+        QTRY_VERIFY(dialog_->settled());
+        QVERIFY(!choice->isEnabled());
+        QVERIFY2(choice->toolTip().contains("always tumbles"), qPrintable(choice->toolTip()));
+        vitrine::test::GltfBuilder b;
+        b.node({{"mesh", b.triangle()}});
+        std::ofstream(at("still.glb").toStdString(), std::ios::binary) << b.glb();
+        set({{"model", at("still.glb").toStdString()}, {"directions", 2.0}, {"frames", 3.0}});
+        QTRY_VERIFY(dialog_->settled() && dialog_->preview().shown());
+        QVERIFY(!choice->isEnabled());
+        QCOMPARE(choice->placeholderText(), QString("none in this file"));
+        QVERIFY2(choice->toolTip().contains("no animation"), qPrintable(choice->toolTip()));
+        set({{"model", movedTriangle().toStdString()}});
+        QTRY_VERIFY(dialog_->settled() && choice->isEnabled());
+    }
+
     void thePreviewTurns()
     {
         set({{"directions", 3.0}, {"frames", 2.0}, {"width", 20.0}, {"height", 24.0}});
