@@ -56,5 +56,26 @@ TEST(WritersControl, OthersAreSeen)
     for (const auto& [file, why] : writers) EXPECT_NE(otherWriter(test::sourceText(file)), "") << file << ": " << why;
 }
 
+/// Where a text gives Qt a settings file that may be a pipe, on which reading waits for good; empty: nowhere.
+std::string uncheckedIni(const std::string& text)
+{
+    constexpr std::string_view format = ", QSettings::IniFormat";
+    for (std::size_t at = text.find(format); at != std::string::npos; at = text.find(format, at + 1)) {
+        const std::size_t line = text.rfind('\n', at) + 1;
+        const std::string before = text.substr(line, at - line);
+        if (before.find("iniPath(") == std::string::npos) return before;
+    }
+    return {};
+}
+
+TEST(Readers, AskWhatASettingsFileIsBeforeQtOpensIt)
+{
+    for (const char* folder : {"app", "ui"})
+        for (const std::string& file : test::sourceFiles(folder, test::cppExtensions))
+            EXPECT_EQ(uncheckedIni(test::withoutComments(test::sourceText(file))), "") << file << ": use iniPath";
+    EXPECT_NE(uncheckedIni("QSettings kept(path, QSettings::IniFormat);"), "");
+    EXPECT_EQ(uncheckedIni("QSettings kept(iniPath(path), QSettings::IniFormat);"), "");
+}
+
 }  // namespace
 }  // namespace vitrine

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/state_folder.h"
 #include "render/text/translation.h"
+#include "ui/kit/ini_file.h"
 #include "ui/kit/text.h"
 
 #include <QActionGroup>
@@ -52,7 +53,7 @@ CurrentLanguage& currentLanguage()
 
 QSettings languageSettings()
 {
-    return QSettings(QString::fromStdString((configFolder() / "window.ini").string()), QSettings::IniFormat);
+    return QSettings(iniPath(QString::fromStdString((configFolder() / "window.ini").string())), QSettings::IniFormat);
 }
 
 QString languageKey()

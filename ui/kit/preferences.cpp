@@ -1,5 +1,7 @@
 #include "ui/kit/preferences.h"
 
+#include "ui/kit/ini_file.h"
+
 #include "exhibits/framework/state_folder.h"
 
 #include <QDir>
@@ -54,7 +56,7 @@ QString damage(const QString& path)
     for (const char* maker : {"@Variant(", "@DateTime("})
         if (bytes.contains(maker)) return Preferences::tr("it holds what no preference is");
     if (bytes.contains('\0')) return Preferences::tr("it is no text");
-    const QSettings settings(path, QSettings::IniFormat);
+    const QSettings settings(iniPath(path), QSettings::IniFormat);
     (void)settings.allKeys();
     return settings.status() == QSettings::FormatError ? Preferences::tr("it is not written as settings are")
                                                        : QString();
@@ -113,7 +115,7 @@ void readKeys(QSettings& settings, PreferenceValues& values, QStringList& wrong)
 PreferenceValues readFrom(const QString& path, QStringList& wrong)
 {
     PreferenceValues values;
-    QSettings settings(path, QSettings::IniFormat);
+    QSettings settings(iniPath(path), QSettings::IniFormat);
     readChoice(settings, "theme", themeNames, values.theme, wrong);
     readChoice(settings, "motion", motionNames, values.motion, wrong);
     for (const NumberKey& key : numberKeys) readNumber(settings, key, values, wrong);
@@ -187,7 +189,7 @@ void Preferences::write(const PreferenceValues& before)
 {
     const QString path = filePath();
     QDir().mkpath(QFileInfo(path).path());
-    QSettings settings(path, QSettings::IniFormat);
+    QSettings settings(iniPath(path), QSettings::IniFormat);
     // What is initial is not written, so that a later version may have better initial values.
     const PreferenceValues initial;
     // Qt's settings take the file as it is now, under a lock, and put these keys into it.

@@ -5,6 +5,7 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/ini_file.h"
 #include "ui/kit/language.h"
 #include "ui/kit/replace_question.h"
 #include "ui/kit/scroll_room.h"
@@ -217,7 +218,7 @@ void PrintDialog::connectExport()
 
 void PrintDialog::recall()
 {
-    const QSettings places(placesPath(), QSettings::IniFormat);
+    const QSettings places(iniPath(placesPath()), QSettings::IniFormat);
     restorePlace(*this, places.value(QStringLiteral("geometry")).toByteArray());
     QString folder = places.value(QStringLiteral("folder")).toString();
     if (folder.isEmpty() || !QDir(folder).exists())
@@ -233,7 +234,7 @@ void PrintDialog::remember()
     remembered_ = true;
     try {
         setup_.remember();
-        QSettings places(placesPath(), QSettings::IniFormat);
+        QSettings places(iniPath(placesPath()), QSettings::IniFormat);
         places.setValue(QStringLiteral("geometry"), saveGeometry());
         places.setValue(QStringLiteral("folder"), QFileInfo(path()).absolutePath());
     } catch (const std::exception& failure) {

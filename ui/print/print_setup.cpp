@@ -4,6 +4,7 @@
 #include "exhibits/printing/print_json.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
+#include "ui/kit/ini_file.h"
 #include "ui/kit/language.h"
 
 #include <QSettings>
@@ -21,7 +22,7 @@ std::filesystem::path rememberedSettings()
 /// The sheet's name is no part of a print's settings: its numbers are.
 QSettings rememberedNames()
 {
-    return {QString::fromStdString((stateFolder() / "print.ini").string()), QSettings::IniFormat};
+    return {iniPath(QString::fromStdString((stateFolder() / "print.ini").string())), QSettings::IniFormat};
 }
 
 const QString sheetKey = QStringLiteral("sheet");

@@ -4,6 +4,7 @@
 #include "exhibits/recording/tour.h"
 #include "render/failure.h"
 #include "ui/kit/export_bar.h"
+#include "ui/kit/ini_file.h"
 #include "ui/kit/message_of.h"
 #include "ui/kit/replace_question.h"
 #include "ui/kit/scroll_room.h"
@@ -151,7 +152,7 @@ void RecordDialog::layOut()
 
 void RecordDialog::recall()
 {
-    const QSettings places(filmPlaces(), QSettings::IniFormat);
+    const QSettings places(iniPath(filmPlaces()), QSettings::IniFormat);
     QString folder = places.value(QStringLiteral("folder")).toString();
     if (folder.isEmpty() || !QDir(folder).exists())
         folder = QStandardPaths::writableLocation(QStandardPaths::MoviesLocation);
@@ -167,7 +168,7 @@ void RecordDialog::recall()
 
 void RecordDialog::remember() const
 {
-    QSettings places(filmPlaces(), QSettings::IniFormat);
+    QSettings places(iniPath(filmPlaces()), QSettings::IniFormat);
     places.setValue(QStringLiteral("folder"), QFileInfo(path()).absolutePath());
     for (const QDoubleSpinBox* box : keptNumbers(*this)) places.setValue(box->objectName(), box->value());
     places.setValue(QStringLiteral("width"), width_->value());

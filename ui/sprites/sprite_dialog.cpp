@@ -5,6 +5,7 @@
 #include "render/image/srgb.h"
 #include "ui/kit/export_bar.h"
 #include "ui/kit/idle_undo.h"
+#include "ui/kit/ini_file.h"
 #include "ui/kit/language.h"
 #include "ui/kit/replace_question.h"
 #include "ui/kit/scroll_room.h"
@@ -205,7 +206,7 @@ void SpriteDialog::connectParts()
 
 void SpriteDialog::recall()
 {
-    const QSettings places(spritePlaces(), QSettings::IniFormat);
+    const QSettings places(iniPath(spritePlaces()), QSettings::IniFormat);
     restorePlace(*this, places.value(QStringLiteral("geometry")).toByteArray());
     QString folder = places.value(QStringLiteral("folder")).toString();
     if (folder.isEmpty() || !QDir(folder).exists())
@@ -220,7 +221,7 @@ void SpriteDialog::remember()
     remembered_ = true;
     try {
         setup_.remember();
-        QSettings places(spritePlaces(), QSettings::IniFormat);
+        QSettings places(iniPath(spritePlaces()), QSettings::IniFormat);
         places.setValue(QStringLiteral("geometry"), saveGeometry());
         places.setValue(QStringLiteral("folder"), QFileInfo(path()).absolutePath());
     } catch (const std::exception& failure) {

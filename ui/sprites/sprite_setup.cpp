@@ -1,5 +1,7 @@
 #include "ui/sprites/sprite_setup.h"
 
+#include "ui/kit/ini_file.h"
+
 #include "exhibits/framework/preset_values.h"
 #include "exhibits/framework/state_folder.h"
 
@@ -10,7 +12,7 @@ namespace {
 
 QSettings rememberedSprites()
 {
-    return {QString::fromStdString((stateFolder() / "sprites.ini").string()), QSettings::IniFormat};
+    return {iniPath(QString::fromStdString((stateFolder() / "sprites.ini").string())), QSettings::IniFormat};
 }
 
 QString rowKey(const ParameterInfo& row)

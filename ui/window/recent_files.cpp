@@ -1,6 +1,7 @@
 #include "ui/window/recent_files.h"
 
 #include "exhibits/framework/state_folder.h"
+#include "ui/kit/ini_file.h"
 #include "ui/kit/menu_text.h"
 #include "ui/kit/preferences.h"
 #include "ui/window/file_opener.h"
@@ -15,7 +16,7 @@ namespace {
 
 QSettings settings()
 {
-    return QSettings(QString::fromStdString((stateFolder() / "window.ini").string()), QSettings::IniFormat);
+    return QSettings(iniPath(QString::fromStdString((stateFolder() / "window.ini").string())), QSettings::IniFormat);
 }
 
 const QString key = QStringLiteral("recentFiles");

@@ -4,6 +4,7 @@
 #include "exhibits/framework/state_folder.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
+#include "ui/kit/ini_file.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/window_place.h"
@@ -239,7 +240,7 @@ void SessionKeeper::close()
 
 void SessionKeeper::saveLayout() const
 {
-    QSettings settings(settingsPath(folder_), QSettings::IniFormat);
+    QSettings settings(iniPath(settingsPath(folder_)), QSettings::IniFormat);
     settings.setValue(QStringLiteral("geometry"), window_.saveGeometry());
     if (!window_.bare()) settings.setValue(QStringLiteral("docks"), window_.saveState(layoutVersion));
     settings.setValue(QStringLiteral("folded"), window_.panel().foldedGroups());
@@ -249,7 +250,7 @@ void SessionKeeper::saveLayout() const
 
 void SessionKeeper::restoreLayout()
 {
-    QSettings settings(settingsPath(folder_), QSettings::IniFormat);
+    QSettings settings(iniPath(settingsPath(folder_)), QSettings::IniFormat);
     restorePlace(window_, settings.value(QStringLiteral("geometry")).toByteArray());
     window_.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
     window_.panel().setLockedRows(settings.value(QStringLiteral("locked")).toStringList());
@@ -260,12 +261,14 @@ void SessionKeeper::restoreLayout()
 
 int SessionKeeper::timesRestored() const
 {
-    return QSettings(settingsPath(folder_), QSettings::IniFormat).value(QStringLiteral("timesRestored")).toInt();
+    return QSettings(iniPath(settingsPath(folder_)), QSettings::IniFormat)
+        .value(QStringLiteral("timesRestored"))
+        .toInt();
 }
 
 void SessionKeeper::setTimesRestored(int times) const
 {
-    QSettings(settingsPath(folder_), QSettings::IniFormat).setValue(QStringLiteral("timesRestored"), times);
+    QSettings(iniPath(settingsPath(folder_)), QSettings::IniFormat).setValue(QStringLiteral("timesRestored"), times);
 }
 
 }  // namespace vitrine::ui
