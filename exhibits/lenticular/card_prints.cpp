@@ -162,6 +162,7 @@ void readRaster(CardSource& source, const fs::path& file)
     printing::PrintRaster print = printing::readPrint(file);
     const printing::PrintLayout& layout = print.layout();
     source.print = layout.settings();
+    source.doubt = print.doubt();
     source.lying = layout.lensesPerPixelX() == 0;
     if (!source.lying && !layout.vertical())
         refuse(file, "its lenses are slanted, and the card's are upright or level; look at it with vitrine proof.");

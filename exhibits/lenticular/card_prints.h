@@ -37,6 +37,7 @@ struct CardSource {
     glm::ivec2 rasterSize{0};                         ///< Pixels across the lenses and along them.
     double lenses = 0;                                ///< Across the raster.
     bool lying = false;                               ///< The raster's lenses are horizontal.
+    std::string doubt{};                              ///< `PrintRaster::doubt`.
 };
 
 /// One of the card's two prints, as read from files.

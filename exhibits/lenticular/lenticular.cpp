@@ -56,7 +56,8 @@ struct PreparedCard final : PreparedPart {
         bool lying = false;  ///< Its lenses are horizontal.
     };
     std::array<Face, 2> faces{};  ///< By CardFace; without a texture: it does not lie there, or cannot be shown.
-    std::string sheetNote;        ///< How the sheet differs from what was asked for, where that cannot be.
+    std::vector<std::pair<std::string, std::string>> doubts;  ///< Step and sentence: a description that was not used.
+    std::string sheetNote;  ///< How the sheet differs from what was asked for, where that cannot be.
 
     [[nodiscard]] const Face& face(CardFace f) const { return faces[static_cast<std::size_t>(f)]; }
 };
@@ -162,9 +163,10 @@ std::shared_ptr<const PreparedPart> Lenticular::prepare(const PrepareContext& co
         const File row = front ? table_.frontPrint : table_.backPrint;
         const lenticular::CardPrint print =
             lenticular::cardPrint(context.assets, face, values[row], values[table_.views]);
+        const std::string step = front ? "lenticular/front print" : "lenticular/back print";
+        if (print.source && !print.source->doubt.empty()) made->doubts.emplace_back(step, print.source->doubt);
         if (!print.failure.empty())
-            made->unreadable.push_back({front ? "lenticular/front print" : "lenticular/back print",
-                                        unreadableFile(values.rows()[row.row], title(), print.failure),
+            made->unreadable.push_back({step, unreadableFile(values.rows()[row.row], title(), print.failure),
                                         print.source ? "Our own is shown in its place until it can be read."
                                                      : "The card is left out until it can be read."});
         if (!print.source) continue;
@@ -279,6 +281,7 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
         return;
     }
     if (pose.roll > 0) scene.reason += ", and one print rolls in after the other";
+    for (const auto& [step, doubt] : prepared.doubts) plan.warn(step, doubt);
     if (!prepared.sheetNote.empty()) scene.reason += "; the sheet cannot be: " + prepared.sheetNote;
     Pass card = cardPass(scene, pose, prepared, plan);
     Pass count = card;

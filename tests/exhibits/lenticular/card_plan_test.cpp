@@ -3,6 +3,9 @@
 #include "exhibits/lenticular/card_mesh.h"
 #include "exhibits/lenticular/card_sheet.h"
 #include "exhibits/lenticular/lenticular.h"
+#include "exhibits/printing/print_file.h"
+#include "exhibits/printing/print_json.h"
+#include "exhibits/printing/sheet.h"
 #include "shaders/lib/bindings.glsl"
 #include "tests/support/failures.h"
 #include "tests/support/museum_on_paper.h"
@@ -158,6 +161,42 @@ TEST(CardPlan, PrintsThatCannotBeReadAreNamed)
     }
     scene.values().set(scene.t.frontPrint, std::string());
     EXPECT_TRUE(scene.plan().find("lenticular/card"));
+}
+
+TEST(CardPlan, ADescriptionBesideAPrintThatIsNotItsOwnIsNamed)
+{
+    const test::TemporaryFolder folder;
+    const auto described = [](double lpi) {
+        printing::PrintSettings settings;
+        settings.sheet = printing::derivedSheet("derived", lpi, 30, 1.56);
+        settings.dpiX = settings.dpiY = 600;
+        settings.width = 8;
+        settings.height = 6;
+        settings.distance = 400;
+        settings.views = 2;
+        const printing::PrintLayout layout(settings);
+        return std::pair(layout, render::writeJson(printing::printJson(layout, 600, {"two views"})));
+    };
+    const auto [layout, own] = described(60);
+    printing::ViewSet views;
+    for (const float gray : {0.2F, 0.7F}) views.add(render::Image(12, 9, 3, gray));
+    const std::string print = folder / "a.tif";
+    (void)printing::writePrint(layout, views, {.path = print, .json = own});
+    CardScene scene;
+    scene.values().set(scene.t.frontPrint, print);
+    scene.request.needsFiles = true;
+    EXPECT_EQ(scene.plan().findSkipped("lenticular/front print"), nullptr);
+
+    // Of another print; a card of its own, because what was read is kept.
+    test::writeBytes(folder / "b.tif", test::bytesOf(print));
+    test::writeBytes(folder / "b.tif.json", described(40).second);
+    scene.values().set(scene.t.frontPrint, (folder / "b.tif").string());
+    const FramePlan plan = scene.plan();
+    ASSERT_TRUE(plan.find("lenticular/card")) << "it is shown all the same";
+    const render::CulledPass* said = plan.findSkipped("lenticular/front print");
+    ASSERT_TRUE(said);
+    EXPECT_TRUE(said->complaint);
+    EXPECT_NE(said->reason.find("b.tif.json does not describe"), std::string::npos) << said->reason;
 }
 
 TEST(CardScroll, RestsAtWholeNumbersAndRollsOn)
