@@ -12,6 +12,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -40,6 +42,20 @@ bool isFinite(const glm::dmat4& m)
 {
     const double* first = glm::value_ptr(m);
     return std::all_of(first, first + 16, [](double x) { return std::isfinite(x); });
+}
+
+/// Adds the names of the extensions that any part of a document uses; another program's extras are passed over.
+void addExtensions(const Json& json, std::set<std::string>& names)
+{
+    if (json.is_array())
+        for (const Json& each : json) addExtensions(each, names);
+    if (!json.is_object()) return;
+    for (const auto& [key, value] : json.items()) {
+        if (key == "extras") continue;
+        if (key == "extensions" && value.is_object())
+            for (const auto& [name, settings] : value.items()) names.insert(name);
+        addExtensions(value, names);
+    }
 }
 
 /// Triangles from strips and fans.
@@ -122,7 +138,10 @@ private:
         if (has("skins") && !pose_) warnings_.add("Skins are not supported; meshes keep their rest pose.");
         if (has("cameras")) warnings_.add("Cameras are not supported; their nodes become markers.");
         if (gltf_.scenes.size() > 1) warnings_.add("Only the default scene is shown.");
-        for (const std::string& name : gltf_.extensionsUsed) {
+        // Also those that the list leaves out, against the format: what they do is missing all the same.
+        std::set<std::string> extensions(gltf_.extensionsUsed.begin(), gltf_.extensionsUsed.end());
+        addExtensions(document_.root(), extensions);
+        for (const std::string& name : extensions) {
             if (name == "KHR_materials_emissive_strength" || name == "KHR_mesh_quantization") continue;
             warnings_.add("The extension " + name + " is not supported and was ignored.");
         }

@@ -131,6 +131,26 @@ TEST(Gltf, ReadsMaterials)
     EXPECT_TRUE(warnsOf(model, "KHR_materials_clearcoat"));
 }
 
+/// The format asks for a list of all extensions; exporters forget it.
+TEST(Gltf, NamesExtensionsThatItsListLeavesOut)
+{
+    GltfBuilder builder;
+    const int node = builder.node({{"mesh", builder.triangle()}});
+    builder.json["meshes"][0]["primitives"][0]["material"] = 0;
+    builder.json["materials"] = Json::parse(
+        R"([{"extensions": {"KHR_materials_unlit": {}}, "extras": {"extensions": {"EXT_of_others": {}}},
+             "emissiveTexture": {"index": 0, "extensions": {"KHR_texture_transform": {"scale": [2, 2]}}}}])");
+    builder.json["textures"] = Json::parse(R"([{"extensions": {"EXT_texture_webp": {"source": 0}}}])");
+    builder.json["nodes"][static_cast<std::size_t>(node)]["extensions"] =
+        Json{{"EXT_mesh_gpu_instancing", Json::object()}};
+    const Model model = modelOf(builder);
+    for (const char* name :
+         {"KHR_materials_unlit", "KHR_texture_transform", "EXT_texture_webp", "EXT_mesh_gpu_instancing"})
+        EXPECT_TRUE(warnsOf(model, "The extension " + std::string(name) + " is not supported and was ignored."))
+            << name;
+    EXPECT_FALSE(warnsOf(model, "EXT_of_others"));
+}
+
 TEST(Gltf, DecodesPicturesWithItsOwnReader)
 {
     GltfBuilder packed = textured({{"bufferView", 0}, {"mimeType", "image/png"}});
