@@ -91,7 +91,7 @@ void addCompareCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand("compare", "Say how far a picture is from its reference");
     auto options = std::make_shared<CompareOptions>();
     options->metric = "rmse";
-    command->add_option("reference", options->reference, "A picture: PNG, TIFF, OpenEXR, JPEG, HDR or WebP")
+    command->add_option("reference", options->reference, "A picture: PNG, TIFF, OpenEXR, JPEG, HDR, WebP, BMP or GIF")
         ->required();
     command->add_option("test", options->test, "Another of the same size")->required();
     command->add_option("--metric", options->metric, metricNames())->capture_default_str();

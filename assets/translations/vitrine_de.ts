@@ -225,8 +225,8 @@
         <translation>%1 gehört zu „%2“. Dort wegnehmen?</translation>
     </message>
     <message>
-        <source>%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp and its own recordings.</source>
-        <translation>%1 kann nicht geöffnet werden: Vitrine öffnet .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp und eigene Aufnahmen.</translation>
+        <source>%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp, .bmp and its own recordings.</source>
+        <translation>%1 kann nicht geöffnet werden: Vitrine öffnet .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp, .bmp und eigene Aufnahmen.</translation>
     </message>
     <message>
         <source>%1 carries no settings: choose a recording that Vitrine made.</source>
@@ -7654,6 +7654,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es ist eine Animation; speichern Sie ihre Bilder einzeln</translation>
     </message>
     <message>
+        <source>it is broken (its header tells another size)</source>
+        <translation>es ist beschädigt (sein Kopf nennt eine andere Größe)</translation>
+    </message>
+    <message>
         <source>it is broken ({1})</source>
         <translation>es ist beschädigt ({=1})</translation>
     </message>
@@ -7676,6 +7680,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>it is empty</source>
         <translation>ohne Inhalt</translation>
+    </message>
+    <message>
+        <source>it is larger than FFmpeg reads</source>
+        <translation>es ist größer, als FFmpeg liest</translation>
     </message>
     <message>
         <source>It is left out until it can be read.</source>
@@ -7931,6 +7939,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Its pictures were not kept.</source>
         <translation>Ihre Bilder wurden nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>its pixels are of a kind that is not read ({1})</source>
+        <translation>seine Pixel sind von einer Art, die nicht gelesen wird ({1})</translation>
     </message>
     <message>
         <source>its pixels are of an unknown kind</source>
@@ -10980,8 +10992,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp);;All files (*)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp);;Alle Dateien (*)</translation>
+        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp *.bmp *.gif);;All files (*)</source>
+        <translation>Bilder (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp *.bmp *.gif);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Pictures a second: few look drawn by hand, many run smoothly.</source>
@@ -11108,8 +11120,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>PNG (*.png)</translation>
     </message>
     <message>
-        <source>PNG, JPEG, TIFF, OpenEXR, HDR or WebP</source>
-        <translation>PNG, JPEG, TIFF, OpenEXR, HDR oder WebP</translation>
+        <source>PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP or GIF</source>
+        <translation>PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP oder GIF</translation>
     </message>
     <message>
         <source>Point</source>
@@ -11443,6 +11455,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Reading %1%2 … %3 s</source>
         <translation>Liest %1%2 … %3 s</translation>
+    </message>
+    <message>
+        <source>reading it</source>
+        <translation>das Lesen</translation>
     </message>
     <message>
         <source>reading it back</source>

@@ -107,7 +107,7 @@ struct HallTable final : Parameters {
                "Darken the floor around what stands on it: without it, feet and plinths seem to float.");
     File environment =
         file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.",
-             endings("hdr exr jpg jpeg png tif tiff webp"));
+             endings("hdr exr jpg jpeg png tif tiff webp bmp gif"));
     Real environmentRotation = real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
                                     "Turns the panorama around the vertical.", whenGiven(environment),
                                     formerly("environmentTurn"), called("Rotation"));

@@ -17,9 +17,9 @@ struct LenticularTable final : Parameters {
     File frontPrint = file(
         "frontPrint",
         "Views of the first print: a folder of pictures, or a print that vitrine print wrote. Empty: the turning mug.",
-        endings("tif tiff png jpg jpeg exr hdr webp"));
+        endings("tif tiff png jpg jpeg exr hdr webp bmp gif"));
     File backPrint = file("backPrint", "Views of the second print, in the same ways. Empty: the melting torus.",
-                          endings("tif tiff png jpg jpeg exr hdr webp"));
+                          endings("tif tiff png jpg jpeg exr hdr webp bmp gif"));
     Choice<CardFace> face =
         choice("face", CardFace::front, {"front", "back"}, "Which print rests in the card before it scrolls.");
     Count views =

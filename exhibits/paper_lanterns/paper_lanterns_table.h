@@ -117,7 +117,7 @@ struct PaperLanternsTable final : Parameters {
         real("moonSize", degrees(2.4), degree, Range{degrees(0.1), degrees(20)}.soft(degrees(0.5), degrees(6)),
              "Of its disk: the real one has half a degree.", ours&& moonlit);
     File panorama = file("panorama", "A picture of all directions, twice as wide as high, in place of the night sky.",
-                         endings("hdr exr jpg jpeg png tif tiff webp"));
+                         endings("hdr exr jpg jpeg png tif tiff webp bmp gif"));
     Real stars = real("stars", 0.7, none, Range{0, 10}.soft(0, 2), "How bright they are.", ours);
     Real dusk = real("dusk", 0.12, none, Range{0, 10}.soft(0, 2), "Light of the day that is left in the sky.", ours);
     Real afterglow = real("afterglow", 0.5, none, {0, 1}, "How warm its horizon is: of the sun that has set, or rises.",

@@ -161,7 +161,7 @@ struct PixelArtTable final : Parameters {
         finished);
     File palettePicture =
         file("palettePicture", "A picture whose main colors become the palette, in place of the other.",
-             endings("png jpg jpeg tif tiff exr hdr webp"));
+             endings("png jpg jpeg tif tiff exr hdr webp bmp gif"));
     const Condition ofPicture = when(palette, PaletteName::goldenHour) || whenGiven(palettePicture);
     const Condition limited = finished && (whenNot(palette, PaletteName::none) || whenGiven(palettePicture));
     Count paletteColors =

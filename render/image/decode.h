@@ -9,7 +9,8 @@
 
 namespace vitrine::render {
 
-/// Unpacks a picture with the one decoder for `format`: libpng for PNG, else OpenImageIO. Rows stay as stored:
+/// Unpacks a picture with the one decoder for `format`: libpng for PNG, FFmpeg for BMP and GIF, else
+/// OpenImageIO. Rows stay as stored:
 /// `orient` turns them as the file's `orientation` says. Throws Failure naming `name`.
 [[nodiscard]] StoredPicture decodePicture(std::string_view bytes, ImageFormat format, const std::string& name,
                                           const DecodeRequest&);

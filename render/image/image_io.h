@@ -24,14 +24,14 @@ struct ReadOptions {
     std::function<bool()> canceled{};  ///< Asked between rows, from the calling thread; true stops with a Failure.
 };
 
-/// Reads PNG, JPEG, TIFF, OpenEXR, Radiance HDR or WebP; the first bytes decide which, and must agree with the
-/// name's extension. 8-bit and 16-bit pictures are taken as sRGB-encoded and returned linear (alpha as it
-/// is); float pictures are linear already. What the file says about its colors (ICC profile, PNG's gAMA and cHRM,
-/// OpenEXR's chromaticities) and about how it is to be shown (orientation, order of rows, display window) is obeyed.
-/// 1 to 4 channels, for OpenEXR up to 16 with `channelNames`. Alpha is returned not premultiplied. In color channels
-/// NaN becomes 0 and infinities ±65504; in other channels NaN becomes 0; the count is one of the `warnings` (may be
-/// null), which are full sentences. Throws Failure naming the file when it is none of these, too large (before anything
-/// is allocated), broken, or canceled.
+/// Reads PNG, JPEG, TIFF, OpenEXR, Radiance HDR, WebP, BMP or GIF; the first bytes decide which, and must agree with
+/// the name's extension. 8-bit and 16-bit pictures are taken as sRGB-encoded and returned linear (alpha as it is);
+/// float pictures are linear already. What the file says about its colors (ICC profile, PNG's gAMA and cHRM, OpenEXR's
+/// chromaticities) and about how it is to be shown (orientation, order of rows, display window) is obeyed. 1 to 4
+/// channels, for OpenEXR up to 16 with `channelNames`. Alpha is returned not premultiplied. In color channels NaN
+/// becomes 0 and infinities ±65504; in other channels NaN becomes 0; the count is one of the `warnings` (may be null),
+/// which are full sentences. Throws Failure naming the file when it is none of these, too large (before anything is
+/// allocated), broken, or canceled.
 [[nodiscard]] Image readImage(const std::filesystem::path&, const ReadOptions& = {},
                               std::vector<std::string>* warnings = nullptr);
 

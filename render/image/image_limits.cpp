@@ -8,7 +8,7 @@ namespace vitrine::render {
 
 std::string_view toString(ImageFormat format)
 {
-    constexpr std::array<std::string_view, 6> names = {"PNG", "JPEG", "TIFF", "OpenEXR", "HDR", "WebP"};
+    constexpr std::array<std::string_view, 8> names = {"PNG", "JPEG", "TIFF", "OpenEXR", "HDR", "WebP", "BMP", "GIF"};
     return names.at(static_cast<std::size_t>(format));
 }
 
@@ -22,6 +22,8 @@ std::optional<ImageFormat> sniffImage(std::string_view bytes)
     if (bytes.starts_with("\x76\x2f\x31\x01"sv)) return ImageFormat::exr;
     if (bytes.starts_with("#?RADIANCE"sv) || bytes.starts_with("#?RGBE"sv)) return ImageFormat::hdr;
     if (bytes.size() >= 12 && bytes.starts_with("RIFF"sv) && bytes.substr(8, 4) == "WEBP"sv) return ImageFormat::webp;
+    if (bytes.starts_with("GIF87a"sv) || bytes.starts_with("GIF89a"sv)) return ImageFormat::gif;
+    if (bytes.starts_with("BM"sv)) return ImageFormat::bmp;
     return std::nullopt;
 }
 
@@ -48,6 +50,8 @@ bool extensionAllows(const std::filesystem::path& path, ImageFormat format)
     case ImageFormat::exr: return extension == ".exr";
     case ImageFormat::hdr: return extension == ".hdr" || extension == ".rgbe";
     case ImageFormat::webp: return extension == ".webp";
+    case ImageFormat::bmp: return extension == ".bmp";
+    case ImageFormat::gif: return extension == ".gif";
     }
     return false;
 }
@@ -56,7 +60,7 @@ bool hasPictureExtension(const std::filesystem::path& path)
 {
     if (path.extension().empty()) return false;
     for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg, ImageFormat::tiff, ImageFormat::exr,
-                                     ImageFormat::hdr, ImageFormat::webp})
+                                     ImageFormat::hdr, ImageFormat::webp, ImageFormat::bmp, ImageFormat::gif})
         if (extensionAllows(path, format)) return true;
     return false;
 }
@@ -82,7 +86,7 @@ std::string whyTooLarge(const DeclaredImage& image, ImageFormat format, std::uin
     if (__builtin_mul_overflow(pixels, image.channels * image.bytesPerSample, &bytes) || bytes > limits.decodedBytes) {
         return more(bytes, "bytes once unpacked", limits.decodedBytes);
     }
-    if (format == ImageFormat::webp) return {};
+    if (format == ImageFormat::webp || format == ImageFormat::bmp || format == ImageFormat::gif) return {};
     const std::uint64_t mostRatio = format == ImageFormat::png ? 1200 : 4000;
     // A few rows of slack, so that tiny pictures with large headers are not suspects.
     if (bytes / mostRatio > fileBytes + 64) {

@@ -19,11 +19,12 @@ struct ImageLimits {
 };
 
 /// The file formats that are read. Everything else is refused: the decoders of Debian's OpenImageIO for
-/// other formats (BMP, GIF, DPX, PSD, ...) are its own and known to be unsafe. WebP is libwebp's.
-enum class ImageFormat : std::uint8_t { png, jpeg, tiff, exr, hdr, webp };
+/// other formats (BMP, GIF, DPX, PSD, ...) are its own and known to be unsafe. WebP is libwebp's, BMP and GIF are
+/// FFmpeg's.
+enum class ImageFormat : std::uint8_t { png, jpeg, tiff, exr, hdr, webp, bmp, gif };
 
-/// The formats for people: "PNG, JPEG, TIFF, OpenEXR, HDR or WebP".
-inline constexpr std::string_view readFormats = "PNG, JPEG, TIFF, OpenEXR, HDR or WebP";
+/// The formats for people.
+inline constexpr std::string_view readFormats = "PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP or GIF";
 
 [[nodiscard]] std::string_view toString(ImageFormat);  ///< "PNG", ...
 
@@ -46,7 +47,7 @@ struct DeclaredImage {
 
 /// Why the declared picture is refused, as a half sentence ("it is 100000 pixels wide, more than 32768");
 /// empty when it may be decoded. Beyond `limits` it refuses pictures that claim to unpack to more than 1200
-/// (PNG: deflate's bound is 1032:1) or 4000 times the file's size. WebP has no such bound.
+/// (PNG: deflate's bound is 1032:1) or 4000 times the file's size. WebP, BMP and GIF have no such bound.
 [[nodiscard]] std::string whyTooLarge(const DeclaredImage&, ImageFormat, std::uint64_t fileBytes, const ImageLimits&);
 
 }  // namespace vitrine::render

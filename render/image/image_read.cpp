@@ -11,7 +11,9 @@
 #include "render/image/png_file.h"
 #include "render/image/rec709.h"
 #include "render/image/srgb.h"
+#include "render/image/still_header.h"
 #include "render/image/webp_header.h"
+#include "render/video/video_codec.h"
 
 #include <algorithm>
 #include <array>
@@ -259,10 +261,33 @@ ImageFormat formatOf(std::string_view bytes, const std::string& name)
     return *format;
 }
 
+namespace {
+
+/// BMP or GIF.
+StoredPicture decodeStill(std::string_view bytes, ImageFormat format, const std::string& name,
+                          const ImageLimits& limits)
+{
+    const bool isGif = format == ImageFormat::gif;
+    const StillHeader header = isGif ? gifHeader(bytes) : bmpHeader(bytes);
+    if (header.pictures > 1) fail(name, "it is an animation; save its pictures one by one");
+    if (!header.whole || header.pictures == 0) fail(name, "it is cut short: the file ends within the picture");
+    if (const std::string why = whyTooLarge(header.size, format, bytes.size(), limits); !why.empty()) fail(name, why);
+    StoredPicture picture;
+    if (const std::string why = videoCodec().readStill(bytes, isGif, picture); !why.empty()) fail(name, why);
+    const auto width = static_cast<std::uint64_t>(picture.width), height = static_cast<std::uint64_t>(picture.height);
+    if (width != header.size.width || height != header.size.height)
+        fail(name, "it is broken (its header tells another size)");
+    return picture;
+}
+
+}  // namespace
+
 StoredPicture decodePicture(std::string_view bytes, ImageFormat format, const std::string& name,
                             const DecodeRequest& request)
 {
     if (format == ImageFormat::png) return decodePng(bytes, name, request.limits, request.canceled);
+    if (format == ImageFormat::bmp || format == ImageFormat::gif)
+        return decodeStill(bytes, format, name, request.limits);
     if (format == ImageFormat::jpeg && !jpegIsWhole(bytes))
         fail(name, "it is cut short: the file ends within the picture");
     WebpHeader webp;
@@ -300,7 +325,7 @@ std::optional<std::string> embeddedPreset(const std::filesystem::path& path)
         if (std::optional<std::string> preset = presetInPng(bytes, path.string())) return preset;
         return settingsInDescription(textInPng(bytes, printKey, path.string()).value_or(""));
     }
-    if (format == ImageFormat::hdr) return std::nullopt;
+    if (format == ImageFormat::hdr || format == ImageFormat::bmp || format == ImageFormat::gif) return std::nullopt;
     const bool exr = format == ImageFormat::exr;
     std::string text;
     if (const std::string why = oiioCodec().readText(bytes, format, exr ? "vitrine:preset" : "ImageDescription", text);

@@ -154,6 +154,7 @@ std::string embeddedProfile(const std::filesystem::path& path)
     const ImageFormat format = formatOf(bytes, path.string());
     if (format == ImageFormat::png) return profileInPng(bytes, path.string());
     if (format == ImageFormat::webp) return webpHeader(bytes).profile;
+    if (format == ImageFormat::bmp || format == ImageFormat::gif) return {};
     std::string profile;
     if (const std::string why = oiioCodec().readProfile(bytes, format, profile); !why.empty())
         throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + ".");

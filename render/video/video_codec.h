@@ -1,9 +1,12 @@
 #pragma once
 
+#include "render/image/stored_picture.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace vitrine::render {
 
@@ -51,6 +54,9 @@ public:
     /// The comment of an .mp4 or .webm; empty where there is none. Reads no frames. Returns a half sentence on what
     /// went wrong, empty when nothing did.
     [[nodiscard]] virtual std::string readComment(const std::string& path, VideoFormat, std::string& out) noexcept = 0;
+    /// Unpacks the bytes of a BMP, or of a GIF with one picture, to codes of 8 bits: gray, RGB or RGBA, row 0 at the
+    /// top. The header has been looked at: its size is bearable. Returns as `readComment`.
+    [[nodiscard]] virtual std::string readStill(std::string_view bytes, bool isGif, StoredPicture& out) noexcept = 0;
     /// "59.37.100", of the libavcodec that runs.
     [[nodiscard]] virtual const char* libraryVersion() const noexcept = 0;
 };
@@ -61,5 +67,5 @@ public:
 }  // namespace vitrine::render
 
 /// The one symbol of the module. `version` must be `vitrineVideoVersion`; otherwise the answer is null.
-inline constexpr int vitrineVideoVersion = 2;
+inline constexpr int vitrineVideoVersion = 3;
 extern "C" vitrine::render::VideoCodec* vitrineVideo(int version);

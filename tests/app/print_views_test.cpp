@@ -303,12 +303,13 @@ TEST(PrintPictures, NamesWhatIsLeftOutAndRefusesWhatHasNoEffect)
     const TemporaryFolder folder;
     for (int k = 0; k < 2; ++k)
         render::writePicture(folder / ("v" + std::to_string(k) + ".png"), level(k, 2), render::PictureFormat::png8);
-    test::writeBytes(folder / "v2.bmp", "BM");
+    test::writeBytes(folder / "v2.psd", "8BPS");
     const TemporaryFolder other;
     const Words views{"--views", folder.path().string()};
     const Ended ended = test::vitrine(printing(other / "p.tif", views));
-    EXPECT_NE(ended.err.find("because these files are no PNG, JPEG, TIFF, OpenEXR, HDR or WebP pictures: v2.bmp"),
-              std::string::npos)
+    EXPECT_NE(
+        ended.err.find("because these files are no PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP or GIF pictures: v2.psd"),
+        std::string::npos)
         << ended.err;
     const auto refused = [&](const char* out, const Words& more, const std::vector<std::string>& parts) {
         const Ended bad = test::vitrine(printing(folder / out, more));

@@ -86,8 +86,9 @@ void SourceBar::chooseFolder()
 
 void SourceBar::chooseFiles()
 {
-    auto* dialog = new QFileDialog(this, shown_ == printing::ViewOrigin::quilt ? tr("Quilt") : tr("Views"), {},
-                                   tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp);;All files (*)"));
+    auto* dialog =
+        new QFileDialog(this, shown_ == printing::ViewOrigin::quilt ? tr("Quilt") : tr("Views"), {},
+                        tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp *.bmp *.gif);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(shown_ == printing::ViewOrigin::quilt ? QFileDialog::ExistingFile : QFileDialog::ExistingFiles);
     connect(dialog, &QFileDialog::filesSelected, this, &SourceBar::filesChosen);

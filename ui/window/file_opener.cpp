@@ -21,9 +21,9 @@ namespace vitrine::ui {
 namespace {
 
 const QStringList models{QStringLiteral("glb"), QStringLiteral("gltf")};
-const QStringList pictures{QStringLiteral("hdr"),  QStringLiteral("exr"), QStringLiteral("jpg"),
-                           QStringLiteral("jpeg"), QStringLiteral("png"), QStringLiteral("tif"),
-                           QStringLiteral("tiff"), QStringLiteral("webp")};
+const QStringList pictures{QStringLiteral("hdr"),  QStringLiteral("exr"),  QStringLiteral("jpg"),
+                           QStringLiteral("jpeg"), QStringLiteral("png"),  QStringLiteral("tif"),
+                           QStringLiteral("tiff"), QStringLiteral("webp"), QStringLiteral("bmp")};
 const QStringList recordings{QStringLiteral("mp4"), QStringLiteral("webm"), QStringLiteral("gif"),
                              QStringLiteral("apng")};
 
@@ -148,11 +148,10 @@ void FileOpener::open(const QString& path)
             window_.say(MessageStrip::Mood::problem,
                         tr("%1 carries no settings: choose a recording that Vitrine made.").arg(path));
     } else {
-        window_.setProblems(
-            openingOf(path),
-            {tr("%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp and "
-                "its own recordings.")
-                 .arg(path)});
+        window_.setProblems(openingOf(path), {tr("%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, "
+                                                 ".exr, .png, .jpg, .tif, .webp, .bmp and "
+                                                 "its own recordings.")
+                                                  .arg(path)});
     }
 }
 

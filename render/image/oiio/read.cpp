@@ -263,6 +263,8 @@ const char* pluginName(ImageFormat format)
     case ImageFormat::exr: return "openexr";
     case ImageFormat::hdr: return "hdr";
     case ImageFormat::webp: return "webp";
+    case ImageFormat::bmp:
+    case ImageFormat::gif: break;  // Never asked of it.
     }
     return "";
 }

@@ -1,4 +1,6 @@
 #include "render/video/ffmpeg/output.h"
+#include "render/video/ffmpeg/owned.h"
+#include "render/video/ffmpeg/still.h"
 #include "render/video/video_codec.h"
 
 extern "C" {
@@ -22,30 +24,6 @@ extern "C" {
 
 namespace vitrine::render::ffmpeg {
 namespace {
-
-/// What goes wrong inside of this module; never leaves it.
-struct Problem {
-    std::string text;
-};
-
-[[noreturn]] void fail(const std::string& doing, int error)
-{
-    std::array<char, AV_ERROR_MAX_STRING_SIZE> why{};
-    av_strerror(error, why.data(), why.size());
-    throw Problem{doing + " failed (" + why.data() + ")"};
-}
-
-int checked(const char* doing, int result)
-{
-    if (result < 0) fail(doing, result);
-    return result;
-}
-
-template <typename T> T* checked(const char* doing, T* made)
-{
-    if (!made) fail(doing, AVERROR(ENOMEM));
-    return made;
-}
 
 using Options = std::vector<std::pair<const char*, const char*>>;
 
@@ -105,15 +83,6 @@ const AVCodec* encoderOf(const Recipe& recipe)
         if (const AVCodec* codec = avcodec_find_encoder_by_name(name)) return codec;
     throw Problem{"this machine's FFmpeg has no encoder " + std::string(recipe.encoders.front())};
 }
-
-struct Deleter {
-    void operator()(AVFilterGraph* p) const { avfilter_graph_free(&p); }
-    void operator()(AVCodecContext* p) const { avcodec_free_context(&p); }
-    void operator()(AVFormatContext* p) const { avformat_free_context(p); }
-    void operator()(AVFrame* p) const { av_frame_free(&p); }
-    void operator()(AVPacket* p) const { av_packet_free(&p); }
-};
-template <typename T> using Owned = std::unique_ptr<T, Deleter>;
 
 /// An FFmpeg dictionary, filled; what no one took stays in it and is no error: encoders differ.
 class Dictionary {
@@ -343,6 +312,10 @@ public:
             if (comment) out = comment->value;
             avformat_close_input(&opened);
         });
+    }
+    std::string readStill(std::string_view bytes, bool isGif, StoredPicture& out) noexcept override
+    {
+        return Writer::guarded([&] { out = stillPicture(bytes, isGif); });
     }
     [[nodiscard]] const char* libraryVersion() const noexcept override { return version_.c_str(); }
 

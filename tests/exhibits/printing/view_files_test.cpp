@@ -52,17 +52,17 @@ TEST(ViewFiles, SortCapitalsAmongSmallLetters)
 TEST(ViewFiles, NameWhatIsLeftOutOfAFolder)
 {
     const TemporaryFolder folder;
-    for (const char* name : {"f1.png", "f2.bmp", "f10.gif", "f3.heic", "p.tif.json", ".hidden.bmp"})
+    for (const char* name : {"f1.png", "f2.psd", "f10.dpx", "f3.heic", "p.tif.json", ".hidden.psd", "f4.bmp", "f5.gif"})
         writeBytes(folder / name, "x");
     std::vector<std::string> notes;
-    EXPECT_EQ(viewFiles({folder.path().string()}, &notes).size(), 1U);
+    EXPECT_EQ(viewFiles({folder.path().string()}, &notes).size(), 3U);
     ASSERT_EQ(notes.size(), 1U);
-    EXPECT_NE(notes[0].find("no PNG, JPEG, TIFF, OpenEXR, HDR or WebP pictures: f2.bmp, f3.heic, f10.gif."),
+    EXPECT_NE(notes[0].find("no PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP or GIF pictures: f2.psd, f3.heic, f10.dpx."),
               std::string::npos)
         << notes[0];
-    std::filesystem::remove(folder / "f2.bmp");
+    std::filesystem::remove(folder / "f2.psd");
     std::filesystem::remove(folder / "f3.heic");
-    std::filesystem::remove(folder / "f10.gif");
+    std::filesystem::remove(folder / "f10.dpx");
     notes.clear();
     (void)viewFiles({folder.path().string()}, &notes);
     EXPECT_TRUE(notes.empty());

@@ -74,10 +74,13 @@ TEST(HostileImage, IsKnownByItsContentAndNotItsName)
     EXPECT_FAILURE(read("a.png", test::hdrClaiming(1, 1, "\x80\x80\x80\x80")),
                    "its content is HDR although its name ends in \".png\"");
     EXPECT_FAILURE(read("a.png", test::jpegBytes()), "its content is JPEG");
-    EXPECT_FAILURE(read("a.png", "SDPX" + std::string(4000, '\0')), "not a PNG, JPEG, TIFF, OpenEXR, HDR or WebP");
-    EXPECT_FAILURE(read("a.dpx", "SDPX" + std::string(4000, '\0')), "not a PNG, JPEG, TIFF, OpenEXR, HDR or WebP");
-    EXPECT_FAILURE(read("a.gif", "GIF89a" + std::string(100, '\0')), "not a PNG");
-    EXPECT_FAILURE(read("a.bmp", "BM" + std::string(100, '\0')), "not a PNG");
+    EXPECT_FAILURE(read("a.png", "SDPX" + std::string(4000, '\0')),
+                   "not a PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP or GIF");
+    EXPECT_FAILURE(read("a.dpx", "SDPX" + std::string(4000, '\0')),
+                   "not a PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP or GIF");
+    EXPECT_FAILURE(read("a.gif", "GIF89a" + std::string(100, '\0')), "it is cut short");
+    EXPECT_FAILURE(read("a.bmp", "BM" + std::string(100, '\0')), "it has no pixels");
+    EXPECT_FAILURE(read("a.png", "BM" + std::string(100, '\0')), "its content is BMP");
     EXPECT_FAILURE(read("a.png", ""), "not a PNG");
     EXPECT_NO_THROW(read("a", test::jpegBytes())) << "a name without extension may hold any";
 }

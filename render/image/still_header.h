@@ -1,0 +1,22 @@
+#pragma once
+
+#include "render/image/image_limits.h"
+
+#include <string_view>
+
+namespace vitrine::render {
+
+/// What a BMP or GIF file says ahead of its pixels. Sizes that are not found are 0.
+struct StillHeader {
+    DeclaredImage size{};
+    int pictures = 1;   ///< More than one in an animation.
+    bool whole = true;  ///< A GIF's blocks end within the file.
+};
+
+/// Reads the file header and the information header, of OS/2 or Windows.
+[[nodiscard]] StillHeader bmpHeader(std::string_view bytes);
+
+/// Walks through the blocks of the file (GIF89a), the picture data unread.
+[[nodiscard]] StillHeader gifHeader(std::string_view bytes);
+
+}  // namespace vitrine::render

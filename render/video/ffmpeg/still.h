@@ -1,0 +1,12 @@
+#pragma once
+
+#include "render/image/stored_picture.h"
+
+#include <string_view>
+
+namespace vitrine::render::ffmpeg {
+
+/// The only picture of a BMP or GIF. Throws Problem.
+[[nodiscard]] StoredPicture stillPicture(std::string_view bytes, bool isGif);
+
+}  // namespace vitrine::render::ffmpeg
