@@ -169,6 +169,8 @@ TEST_F(LakeViews, OfTheDeepHaveNoHorizon)
 double luminanceAt(LakeShot& shot, const Picture& p, const dvec3& place)
 {
     const dvec2 pixel = shot.pixelOf(p, place);
+    EXPECT_TRUE(pixel.x >= 1 && pixel.y >= 1 && pixel.x < p.width() - 1 && pixel.y < p.height() - 1)
+        << "a place outside of the picture: " << pixel.x << ' ' << pixel.y;
     double sum = 0;
     for (int y = -1; y <= 1; ++y)
         for (int x = -1; x <= 1; ++x) sum += p.luminance(static_cast<int>(pixel.x) + x, static_cast<int>(pixel.y) + y);
@@ -206,7 +208,7 @@ TEST_F(LakeViews, P15_ALanternShadesItsBaseFromTheMoonWhereATracedRayIsBlocked)
     // From the side, where both what the moon lights and what it does not is seen.
     const dvec3 eye = l.place + 3.0 * glm::normalize(dvec3(moon.z, 0, -moon.x)) + dvec3(0, 5, 0);
     shot.request.frame.raster.size = {192, 192};
-    const Picture p = shot.from(eye, l.place, 0.45).take();
+    const Picture p = shot.from(eye, l.place, 0.6).take();
     const auto met = [&](const dvec3& from, const dvec3& direction, double to) {
         glsl::Lake::LanternRay ray{};
         ray.origin = from;
