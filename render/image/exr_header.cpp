@@ -1,5 +1,6 @@
 #include "render/image/exr_header.h"
 
+#include "render/files/little_endian.h"
 #include "render/image/color_channels.h"
 
 #include <algorithm>
@@ -43,10 +44,7 @@ private:
 
 std::int64_t int32At(std::string_view bytes, std::size_t at)
 {
-    std::uint32_t x = 0;
-    if (at + 4 > bytes.size()) return 0;
-    for (std::size_t i = 4; i > 0; --i) x = x << 8U | static_cast<unsigned char>(bytes[at + i - 1]);
-    return static_cast<std::int32_t>(x);
+    return static_cast<std::int32_t>(littleEndian(bytes, at));
 }
 
 /// What one part of the file claims.

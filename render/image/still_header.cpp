@@ -1,18 +1,12 @@
 #include "render/image/still_header.h"
 
+#include "render/files/little_endian.h"
+
 #include <cstdint>
 #include <cstdlib>
 
 namespace vitrine::render {
 namespace {
-
-std::uint32_t littleEndian(std::string_view bytes, std::size_t at, std::size_t count)
-{
-    std::uint32_t x = 0;
-    if (at + count > bytes.size()) return 0;
-    for (std::size_t i = count; i > 0; --i) x = x << 8U | static_cast<unsigned char>(bytes[at + i - 1]);
-    return x;
-}
 
 DeclaredImage sizeOf(std::int64_t width, std::int64_t height)
 {

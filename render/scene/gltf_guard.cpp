@@ -1,5 +1,6 @@
 #include "render/scene/gltf_guard.h"
 
+#include "render/files/little_endian.h"
 #include "render/files/read_file.h"
 #include "render/scene/gltf_schema.h"
 #include "render/scene/gltf_sources.h"
@@ -19,13 +20,6 @@ constexpr std::uint64_t binChunk = 0x004E4942;
     throw Failure(Blame::file, "Cannot read " + name + ": " + problem + "; export it again.");
 }
 
-std::uint64_t littleEndian32(const std::string& bytes, std::size_t at)
-{
-    std::uint64_t x = 0;
-    for (std::size_t i = 4; i > 0; --i) x = x << 8U | static_cast<unsigned char>(bytes[at + i - 1]);
-    return x;
-}
-
 /// A chunk's length, and the place of its first byte.
 struct Chunk {
     std::uint64_t type = 0, first = 0, length = 0;
@@ -37,8 +31,8 @@ std::vector<Chunk> chunksOf(const std::string& bytes, const std::string& name)
 {
     const std::uint64_t size = bytes.size();
     if (size < 20) fail(name, "it is too short for a GLB container");
-    if (littleEndian32(bytes, 4) != 2) fail(name, "it is not of glTF version 2");
-    if (littleEndian32(bytes, 8) != size) fail(name, "its header gives another length than the file has");
+    if (littleEndian(bytes, 4) != 2) fail(name, "it is not of glTF version 2");
+    if (littleEndian(bytes, 8) != size) fail(name, "its header gives another length than the file has");
     std::vector<Chunk> chunks;
     for (std::uint64_t next = 12; next < size;) {
         const std::string after = chunks.empty()               ? "its header"
@@ -46,7 +40,7 @@ std::vector<Chunk> chunksOf(const std::string& bytes, const std::string& name)
                                   : chunks[1].type == binChunk ? "its BIN chunk"
                                                                : "its second chunk";
         if (next + 8 > size) fail(name, "something follows " + after + " that is no chunk");
-        const Chunk chunk{littleEndian32(bytes, next + 4), next + 8, littleEndian32(bytes, next)};
+        const Chunk chunk{littleEndian(bytes, next + 4), next + 8, littleEndian(bytes, next)};
         const std::string self = chunk.type == jsonChunk  ? "JSON chunk"
                                  : chunk.type == binChunk ? "BIN chunk"
                                                           : "chunk number " + std::to_string(chunks.size() + 1);

@@ -11,6 +11,22 @@
 
 namespace vitrine::test {
 
+namespace {
+
+/// Makes this process, a child, the program with these arguments; ends it with 127 where that cannot be.
+[[noreturn]] void becomeProgram(const std::vector<std::string>& arguments)
+{
+    std::vector<std::string> words{VITRINE_PROGRAM};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
+    ::execv(VITRINE_PROGRAM, pointers.data());
+    ::_exit(127);
+}
+
+}  // namespace
+
 Ended vitrine(const std::vector<std::string>& arguments, const Environment& changes)
 {
     const TemporaryFolder folder;
@@ -23,17 +39,21 @@ Ended vitrine(const std::vector<std::string>& arguments, const Environment& chan
             value.empty() ? ::unsetenv(name.c_str()) : ::setenv(name.c_str(), value.c_str(), 1);
         ::dup2(::open(out.c_str(), O_WRONLY | O_CREAT, 0600), 1);
         ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT, 0600), 2);
-        std::vector<std::string> words{VITRINE_PROGRAM};
-        words.insert(words.end(), arguments.begin(), arguments.end());
-        std::vector<char*> pointers;
-        for (std::string& word : words) pointers.push_back(word.data());
-        pointers.push_back(nullptr);
-        ::execv(VITRINE_PROGRAM, pointers.data());
-        ::_exit(127);
+        becomeProgram(arguments);
     }
     int status = 0;
     ::waitpid(child, &status, 0);
     return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), bytesOf(out), bytesOf(err)};
+}
+
+pid_t startProgram(const std::vector<std::string>& arguments)
+{
+    const pid_t child = ::fork();
+    if (child != 0) return child;
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, STDOUT_FILENO);
+    ::dup2(nowhere, STDERR_FILENO);
+    becomeProgram(arguments);
 }
 
 std::string withoutProgress(const std::string& err)

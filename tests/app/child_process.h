@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,6 +19,9 @@ using Environment = std::vector<std::pair<std::string, std::string>>;
 /// Runs the program with these arguments, without a display, and waits. `changes` to the environment: an
 /// empty value takes the variable away.
 [[nodiscard]] Ended vitrine(const std::vector<std::string>& arguments, const Environment& changes = {});
+
+/// Starts the program with these arguments and does not wait: its process. What it says goes nowhere.
+[[nodiscard]] pid_t startProgram(const std::vector<std::string>& arguments);
 
 /// What it said on standard error, but for how far it is, which it says where that takes long: lines that end in "%",
 /// or with the time that is left.

@@ -9,7 +9,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -183,17 +182,7 @@ TEST(PrintExhibit, StoppedByCtrlCLeavesNothing)
     const std::string views = folder / "views";
     const Words words = printing(folder / "p.tif", {"--exhibit", "sdf_morph", "--count", "4", "--samples", "4096",
                                                     "--view-size", "900x600", "--save-views", views});
-    const pid_t child = ::fork();
-    if (child == 0) {
-        std::vector<char*> pointers{const_cast<char*>(VITRINE_PROGRAM)};
-        for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
-        pointers.push_back(nullptr);
-        const int nothing = ::open("/dev/null", O_WRONLY);
-        ::dup2(nothing, 1);
-        ::dup2(nothing, 2);
-        ::execv(VITRINE_PROGRAM, pointers.data());
-        ::_exit(127);
-    }
+    const pid_t child = test::startProgram(words);
     // It has begun when the folder is there; 16000 samples are left then.
     for (int i = 0; i < 6000 && !std::filesystem::exists(views); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));

@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fcntl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -123,17 +122,7 @@ TEST(RecordCommand, StoppedByCtrlCLeavesWholeFramesAndGoesOnLater)
     const TemporaryFolder folder;
     // As many frames as nobody waits for.
     const Words words = recording("sdf_morph", folder / "%04d.png", {"--alone", "--seconds", "9000"});
-    const pid_t child = ::fork();
-    if (child == 0) {
-        std::vector<char*> pointers{const_cast<char*>(VITRINE_PROGRAM)};
-        for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
-        pointers.push_back(nullptr);
-        const int nothing = ::open("/dev/null", O_WRONLY);
-        ::dup2(nothing, 1);
-        ::dup2(nothing, 2);
-        ::execv(VITRINE_PROGRAM, pointers.data());
-        ::_exit(127);
-    }
+    const pid_t child = test::startProgram(words);
     for (int i = 0; i < 6000 && !std::filesystem::exists(folder / "0003.png"); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     EXPECT_TRUE(std::filesystem::exists(folder / "0003.png"));

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,22 +19,6 @@ namespace {
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
 using Typed = std::vector<std::string>;
-
-pid_t started(const Typed& arguments)
-{
-    const pid_t child = ::fork();
-    if (child != 0) return child;
-    const int nowhere = ::open("/dev/null", O_WRONLY);
-    ::dup2(nowhere, STDOUT_FILENO);
-    ::dup2(nowhere, STDERR_FILENO);
-    Typed words{VITRINE_PROGRAM};
-    words.insert(words.end(), arguments.begin(), arguments.end());
-    std::vector<char*> pointers;
-    for (std::string& word : words) pointers.push_back(word.data());
-    pointers.push_back(nullptr);
-    ::execv(VITRINE_PROGRAM, pointers.data());
-    ::_exit(127);
-}
 
 /// Whether the name is that of something being made.
 bool isPart(const fs::path& path)
@@ -55,7 +38,7 @@ bool holdsPart(const fs::path& folder)
 /// Stops the command by `signal` as soon as something is being made, or after `most`, and returns its exit code.
 int stoppedBy(int signal, const Typed& arguments, const fs::path& folder, std::chrono::milliseconds most)
 {
-    const pid_t child = started(arguments);
+    const pid_t child = test::startProgram(arguments);
     const auto begun = std::chrono::steady_clock::now();
     int status = 0;
     while (::waitpid(child, &status, WNOHANG) == 0) {
@@ -109,7 +92,7 @@ TEST(StopCommand, AKilledStudysFolderIsClearedByTheNextOneAndTheOldOneStands)
     test::writeBytes(folder / "study/notes.txt", "a user's own");
     const std::string before = test::bytesOf(folder / "study/study.json");
     // Killed as soon as it makes its folder.
-    const pid_t child = started(study);
+    const pid_t child = test::startProgram(study);
     int status = 0;
     while (!holdsPart(folder.path()) && ::waitpid(child, &status, WNOHANG) == 0)
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
