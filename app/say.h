@@ -11,7 +11,7 @@ void say(std::string_view sentence) noexcept;
 /// The same in English; allocates nothing.
 void sayInEnglish(std::string_view sentence) noexcept;
 
-/// What is said where memory is at its end.
+/// The error message when memory cannot be allocated.
 inline constexpr std::string_view noMemory =
     "There was not enough memory for this; ask for a smaller size, or fewer samples or views.";
 

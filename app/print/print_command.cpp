@@ -30,7 +30,7 @@ namespace {
 namespace fs = std::filesystem;
 using printing::PrintLayout;
 
-/// Where and how the print is written, without its description.
+/// The path and the file format of the print; its description is added later.
 printing::PrintFile target(const PrintOptions& options)
 {
     printing::PrintFile file;

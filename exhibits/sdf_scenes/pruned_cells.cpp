@@ -33,7 +33,7 @@ bool isSame(const Step& a, const Step& b)
     return a.type == b.type && a.node == b.node && a.child == b.child && a.back == b.back;
 }
 
-/// What is left of a budget, for all threads.
+/// Counts what all threads together have used of a budget.
 class BudgetLeft {
 public:
     explicit BudgetLeft(const PruneBudget& budget) : budget_(budget) {}

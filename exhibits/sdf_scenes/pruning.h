@@ -117,7 +117,8 @@ struct SceneCells {
 [[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
                                       const render::Box&);
 
-/// What cells may take at most: where all shapes are within the width of one blend, every cell has all of them.
+/// Limits for making the cells. Without them a scene whose shapes all lie within the width of one blend would list
+/// every shape in every cell.
 struct PruneBudget {
     std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();        ///< Of lists.
     std::uint64_t evaluations = std::numeric_limits<std::uint64_t>::max();  ///< Of shapes, to find them.

@@ -43,7 +43,7 @@ std::string endlessPart(const SceneField& field)
     };
     std::uint32_t i = 0;
     for (std::uint32_t c = program.nodes()[i].firstChild; c != none;) {
-        // What stretches too much asks its child for a level without end: the child is not to blame.
+        // A node that stretches space too much asks for its child at any distance: it is the cause, and not its child.
         if (program.scene().nodes[program.nodes()[i].node].kind->childLevelWithin) break;
         if (ends(c)) {
             c = program.nodes()[c].next;

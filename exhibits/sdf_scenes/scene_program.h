@@ -71,7 +71,8 @@ private:
     void writeSteps();
     void findExactness();
     void fillExtents(SceneWords&) const;
-    /// What a node and all below it cover, in the order of the nodes, and how far out of its surface each counts.
+    /// The extents of a node and of all nodes below it, in the order of the nodes, and for each the distance from its
+    /// surface, in meters, within which its field is needed.
     struct Cover {
         std::uint32_t first = 0;
         std::vector<double> levels;

@@ -117,7 +117,7 @@ std::string describe(const std::vector<SpriteFrame>& frames, const SpriteSheet& 
 {
     Json list = Json::array(), tags = Json::array(), keys = Json::array();
     const glm::ivec2 whole(frames.front().color.width, frames.front().color.height);
-    // Of this sheet alone, as far as its file's name is.
+    // Tags begin with the name of the file, so that sheets with different names have different tags.
     const std::string stem = std::filesystem::path(options.imageName).stem().string();
     const std::string tagStem = stem.empty() ? std::string() : stem + ' ';
     const int milliseconds = std::max(1, static_cast<int>(std::floor(1000 * options.frameSeconds + 0.5)));

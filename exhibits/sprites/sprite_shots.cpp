@@ -75,7 +75,7 @@ PixelCamera spriteCamera(const SpriteExtent& e, const SpriteRequest& request, do
     return camera;
 }
 
-/// Where nothing opaque is, what is translucent stands alone: its own color, normal and depth.
+/// Gives the pixels that no opaque surface covers the color, normal and depth of the translucent ones.
 void addTranslucent(render::RenderBackend& backend, SpriteFrame& frame, render::Image& depth)
 {
     const render::Image over = backend.read(pixelTranslucentImage);
@@ -182,7 +182,7 @@ struct SpriteShots::Scene {
 
 namespace {
 
-/// Of all vertices.
+/// The box around all vertices.
 render::Box exactBounds(const std::vector<WorldPart>& parts)
 {
     render::Box box;

@@ -76,7 +76,7 @@ private:
     void findJob();
     void keepColors();
     [[nodiscard]] SceneState lookAt(const std::vector<double>& axisValues, std::size_t view) const;
-    /// What the errors of this view are taken against.
+    /// The scene of the reference picture that errors of this view are measured against.
     [[nodiscard]] SceneState referenceLook(std::size_t view) const;
     [[nodiscard]] std::vector<double> valuesOf(const Setting&) const;
     [[nodiscard]] PictureRequest pictureRequest(const SceneState&, std::size_t view) const;

@@ -12,8 +12,8 @@ namespace vitrine {
 enum class TimesDiffer : std::uint8_t { no, notTaken, unknownMachine, machine, size, surroundings, clock };
 [[nodiscard]] TimesDiffer timesDiffer(const std::vector<KeptStudy>&);
 
-/// What costs of all of them can be counted in: "ms" if times may be compared, first if their clock is trusted; and
-/// counters that all have, of which one differs among the settings, the most telling first.
+/// The units of cost that all these studies share: "ms" if their times may be compared, listed first if their clock is
+/// trusted; then the counters that every study has and that differ among its settings, the most telling first.
 [[nodiscard]] std::vector<std::string> sharedCosts(const std::vector<KeptStudy>&);
 
 /// One study in a comparison. Counted costs are per pixel and view, so that those of any size can be compared.

@@ -12,7 +12,7 @@
 
 namespace vitrine {
 
-/// What a chart of errors has on its axis of costs: milliseconds of a picture, or counted work.
+/// The cost axis of a chart of errors: milliseconds of a picture, or counted work.
 enum class CostAxis : std::uint8_t { time, work };
 
 /// The axis of a study until the user chooses another one: time, if its clock can be trusted.
