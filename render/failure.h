@@ -5,13 +5,13 @@
 
 namespace vitrine {
 
-/// Who must act on a failure; the value is the program's exit code.
+/// Kind of failure, by who must act on it; the value is the program's exit code.
 enum class Blame : int { check = 1, usage = 2, openGl = 3, shader = 4, file = 5 };
 
-/// A broken world (file, preset, driver, shader, disk), never a broken program: that is an assert.
+/// Error of the environment (file, preset, driver, shader, disk). A bug in the program is an assert instead.
 ///
-/// `what()` is one sentence for people: what was being done, to what (file, line, key), what is
-/// wrong and what to do next. Whoever throws leaves everything as it was.
+/// `what()` is one sentence for people: what was being done, to what (file, line, key), what is wrong and what to do
+/// next. A function that throws it leaves everything as it was.
 class Failure : public std::runtime_error {
 public:
     Failure(Blame blame, const std::string& message) : std::runtime_error(message), blame_(blame) {}

@@ -8,7 +8,7 @@
 
 namespace vitrine::render {
 
-/// FNV-1a, 64 bits (Fowler, Noll, Vo 1991): keys of caches, never a defense.
+/// FNV-1a, 64 bits (Fowler, Noll, Vo 1991), for cache keys. Not safe against deliberate collisions.
 class Hash {
 public:
     Hash& add(std::string_view bytes)
@@ -29,11 +29,11 @@ private:
     std::uint64_t value_ = 0xCBF29CE484222325ULL;
 };
 
-/// Of many numbers, a word at a time: their bits in turn go through the finalizer of SplitMix64 (Steele, Lea, Flood
-/// 2014, "Fast Splittable Pseudorandom Number Generators"), so that each changes every bit of the key.
+/// Hash of many numbers, one 64-bit word at a time. Each word goes through the finalizer of SplitMix64 (Steele, Lea,
+/// Flood 2014, "Fast Splittable Pseudorandom Number Generators"), so that each bit affects every bit of the result.
 class NumberHash {
 public:
-    /// Of so many.
+    /// `count`: how many numbers will be added.
     explicit NumberHash(std::size_t count) : value_(count) {}
     void add(std::uint64_t number)
     {
@@ -48,7 +48,7 @@ private:
     std::uint64_t value_;
 };
 
-/// The same of all of them; 0 and -0 differ.
+/// Returns the NumberHash of all numbers; 0 and -0 differ.
 [[nodiscard]] inline std::uint64_t hashOfNumbers(std::span<const double> numbers)
 {
     NumberHash hash(numbers.size());

@@ -5,8 +5,8 @@
 
 namespace vitrine::render {
 
-/// The libraries that this layer is built on, by name, with their versions: that of the library which was loaded where
-/// it can be asked, else that of the headers.
+/// Returns the versions of the libraries that this layer is built on, by name. The version is that of the loaded
+/// library if the library reports it, else that of the headers.
 [[nodiscard]] std::map<std::string, std::string> libraryVersions();
 
 }  // namespace vitrine::render

@@ -8,8 +8,8 @@
 
 namespace vitrine::render {
 
-/// Runs `work(0)` to `work(count - 1)`, each on a thread of its own, the first one on the caller's. Returns when all
-/// have ended. Throws what the first of them threw: an exception that leaves a thread's function ends the program.
+/// Runs `work(0)` to `work(count - 1)` in parallel: the first on the caller's thread, each other on its own thread.
+/// Returns when all have ended. If any of them throws, throws the first exception that was caught.
 template <typename Work> void onThreads(std::size_t count, const Work& work)
 {
     std::mutex mutex;

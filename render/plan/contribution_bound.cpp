@@ -40,7 +40,7 @@ std::string toString(const ContributionBound& bound)
 {
     if (!bound.isKnown()) return {};
     if (bound.isZero()) return "changes nothing";
-    // White is 1 of light: with as much, a pixel can become anything.
+    // A white pixel has the value 1, so a change of 1 can give a pixel any color.
     if (bound.relative >= 1 || bound.absolute >= 1) return "may change any pixel";
     const std::string absolute = shortNumber(bound.absolute) + " of the light of white";
     if (bound.relative == 0) return "changes a pixel by at most " + absolute;

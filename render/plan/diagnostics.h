@@ -7,18 +7,19 @@
 
 namespace vitrine::render {
 
-/// What the log hears of frames: one line when bad input begins, however many frames it lasts, and another when
-/// it comes again after a frame without it.
+/// Filter for the log: a complaint about bad input gives one line when it begins, however many frames it lasts. It
+/// gives another line only when it comes back after a frame without it.
 class Diagnostics {
 public:
-    /// The complaints of this frame that the last one did not have.
+    /// Returns the complaints of this frame that the last frame did not have.
     [[nodiscard]] std::vector<CulledPass> begun(const std::vector<CulledPass>& skipped);
 
 private:
     std::vector<std::string> last_;
 };
 
-/// "fur/clock: the time is not a number"; what is said of a file says itself where it belongs.
+/// Returns the line for the log: "fur/clock: the time is not a number". A complaint about a file has no prefix, because
+/// its text names the parameter and the file.
 [[nodiscard]] std::string lineOf(const CulledPass& complaint);
 
 }  // namespace vitrine::render

@@ -10,7 +10,7 @@
 namespace vitrine::render {
 namespace {
 
-/// Whether a view of its own sees another content in what the pass writes.
+/// Returns whether another view changes the content of the images that the pass writes.
 bool dependsOnView(const Pass& pass)
 {
     if (pass.phase == PassPhase::simulate || pass.phase == PassPhase::shadow || pass.phase == PassPhase::probe)
@@ -18,7 +18,7 @@ bool dependsOnView(const Pass& pass)
     return !pass.key && !(pass.colors.empty() && !pass.depth && pass.storage.empty());
 }
 
-/// The images of what is seen from elsewhere, by their names there.
+/// Images of a secondary view: maps the names of the original images to those of the copies.
 class Renamed {
 public:
     Renamed(const FramePlan& seen, const Elsewhere& elsewhere) : seen_(seen), elsewhere_(elsewhere) {}
@@ -86,7 +86,7 @@ View moved(const View& view, const glm::dmat4& worldFromBefore, const glm::dmat4
     return other;
 }
 
-/// Makes it a pass that draws its depth alone; false for one that hides nothing.
+/// Reduces the pass to its depth. Returns false if it writes no depth.
 bool keepDepth(Pass& pass)
 {
     const bool writes = pass.depth && (pass.state.depthWrite || pass.depth->load == Load::clear);
@@ -99,7 +99,7 @@ bool keepDepth(Pass& pass)
     return true;
 }
 
-/// Leaves of these passes, which are in their order, those that write depth, and those that prepare something for them.
+/// Keeps the passes that write depth and those that prepare something for them. `passes` are in drawing order.
 std::vector<Pass> depthOf(std::vector<Pass> passes)
 {
     std::vector<Pass> kept;

@@ -30,7 +30,7 @@ void collectBuffers(const std::vector<BufferUse>& buffers, Access other, std::ve
             names.push_back(*buffer);
 }
 
-/// The texture and attachment names of a pass, without states.
+/// Returns the names of sampled images and attachments, without simulation states.
 std::vector<std::string> imagesOf(const Pass& pass)
 {
     std::vector<std::string> names = pass.mipmaps;
@@ -210,9 +210,9 @@ bool FramePlan::isUnchanged(const Pass& pass, const PersistentState& kept) const
 std::vector<bool> FramePlan::calledFor(const std::vector<std::string>& outputs,
                                        const std::vector<bool>& unchanged) const
 {
-    // Walk backwards: a pass is kept if something kept reads what it writes. A pass that clears an
-    // image ends the interest in earlier writers of its whole content. Who reads what the last frame left of a history
-    // will read in the next what this one leaves: its writers are called for, too, so the walk is done again.
+    // Walk backwards: a pass is kept if a kept pass reads what it writes. A pass that clears a whole image makes
+    // earlier writers of it unnecessary. A pass that reads a history will read this frame's content in the next frame.
+    // The writers of that history are therefore kept, too, and the walk is repeated.
     std::set<std::string> always(outputs.begin(), outputs.end());
     for (;;) {
         std::set<std::string> wanted = always;
@@ -247,7 +247,8 @@ void FramePlan::drop(const std::vector<std::string>& outputs, const PersistentSt
     std::vector<Pass> surviving;
     for (std::size_t i = passes_.size(); i-- > 0;) {
         Pass& pass = passes_[i];
-        // What fed only an unchanged pass is read by nothing, but that it is unchanged says more.
+        // A pass that fed only an unchanged pass is read by nothing. "Unchanged" is the more useful reason, so it is
+        // tested first.
         if (unchanged[i])
             skip(pass.name, "unchanged since it last ran", pass.work);
         else if (!called[i])
@@ -285,7 +286,7 @@ void FramePlan::lookBack(const PersistentState& kept)
         byPrevious[previous(name)] = &state;
     }
     std::set<std::string> unfinishedImages;
-    std::set<std::string> emptyImages;  // Of parts of which no whole result was ever made.
+    std::set<std::string> emptyImages;  // Outputs of sliced passes that never produced a complete result.
     for (Pass& pass : passes_) {
         const std::vector<std::string> written = outputsOf(pass);
         const auto writes = [&](const std::string& name) {

@@ -10,28 +10,30 @@
 
 namespace vitrine::render {
 
-/// Something that what was accumulated depends on: another hash than in the last frame, and it is of no use because ...
+/// State that the accumulated content depends on. When the hash differs from the last frame's, the history is discarded
+/// for the reason `whyLost`.
 struct HistoryDependency {
     std::string whyLost;  ///< "a value changed", "another model was loaded".
     std::uint64_t hash = 0;
 };
 
-/// An image whose content of the last frame passes may read (`previous(name)`) while they write that of this frame.
+/// An image whose content persists to the next frame: passes read the last frame's content (`previous(name)`) while
+/// they write this frame's.
 struct History {
     ImageInfo image;
     std::vector<HistoryDependency> dependencies = {};
-    /// A camera that moved farther, turned farther or whose clock ran farther than this since the last frame is
-    /// somewhere else. Less than that is for the pass to reproject. Infinite: it does not matter.
+    /// Limits of camera movement, rotation and elapsed time since the last frame; beyond any of them the history is
+    /// discarded. The pass reprojects smaller changes. Infinite: no limit.
     double cutMeters = 1;
     double cutRadians = 0.5;
     double cutSeconds = 1;
-    std::optional<View> view = {};  ///< Of the passes that draw it, where it is not the plan's.
+    std::optional<View> view = {};  ///< View of the passes that draw it. Unset: the plan's view.
 };
 
 /// The name under which a pass reads the last frame's content of a history image.
 [[nodiscard]] std::string previous(const std::string& image);
 
-/// What is remembered of the frame that last wrote a history image.
+/// Record of the frame that last wrote a history image.
 struct HistoryRecord {
     ImageInfo image;
     View view;
@@ -39,27 +41,27 @@ struct HistoryRecord {
     std::vector<HistoryDependency> dependencies;
 };
 
-/// Whether what the last frame left can be used in this one.
+/// Says whether the last frame's content of a history can be used in this frame.
 struct HistoryState {
     History history;
     bool valid = false;
-    std::string reset;  ///< Why not: "the camera jumped"; empty when valid.
-    View lastView;      ///< Of the frame before; this one's when not valid.
+    std::string reset;  ///< Reason why it is not valid: "the camera jumped"; empty when valid.
+    View lastView;      ///< View of the last frame; this frame's view when not valid.
 };
 
-/// `last` is null when there was none. `cut`: whoever moves the camera says that this frame has nothing to do with the
-/// last.
+/// Compares a history with its record. `last` is null if there is none. `cut`: this frame does not continue the last
+/// one, so the history is discarded.
 [[nodiscard]] HistoryState historyState(const History&, const View& now, double time, bool cut,
                                         const HistoryRecord* last);
 
-/// How far a pass that takes several frames has come.
+/// Progress of a sliced pass, which takes several frames.
 struct PartProgress {
     std::uint64_t hash = 0;
     int done = 0;
-    bool completedOnce = false;  ///< Its outputs hold a whole result: of this hash, or of the one before.
+    bool completedOnce = false;  ///< Its outputs hold a complete result, of this hash or of the one before.
 };
 
-/// What a renderer's persistent images and buffers hold, for the next plan.
+/// Content of a renderer's persistent images and buffers, as the next plan needs it.
 struct PersistentState {
     std::map<std::string, std::uint64_t> passes = {};  ///< Pass -> key under which it last wrote its persistent images.
     std::map<std::string, HistoryRecord> histories = {};  ///< By image.

@@ -17,33 +17,33 @@ struct ImageInfo {
     std::string name;
     Format format = Format::rgba16f;
     TextureType type = TextureType::flat;
-    glm::ivec2 size{0};  ///< In pixels; (0, 0): `scale` times the drawn tile, or the whole picture over `divisor`.
+    glm::ivec2 size{0};  ///< In pixels. (0, 0): `scale` times the drawn tile, or the size of the whole picture divided
+                         ///< by `divisor`.
     double scale = 1;
-    int layers = 1;  ///< Of an array; of a volume its depth; a cube has 6.
+    int layers = 1;  ///< Number of layers of an array, or depth of a volume; a cube has 6.
     int levels = 1;
     bool persistent = false;  ///< Survives the frame: a shadow map, a probe, an average.
-    bool comparison = false;  ///< Depth images: sampled through sampler2DShadow, nearer or equal passes.
+    bool comparison = false;  ///< Depth images: sampled through sampler2DShadow; a nearer or equal depth passes.
     bool repeat = false;      ///< Otherwise clamp to edge.
-    bool nearest = false;     ///< Otherwise linear filtering, between levels too.
-    /// Above 0: one pixel for every `divisor` × `divisor` pixels of the whole picture, from its lower left corner on,
-    /// rounded up; `ownPixels` is then implied.
+    bool nearest = false;     ///< Nearest filtering; otherwise linear filtering, between mip levels too.
+    /// Above 0: one pixel for every `divisor` × `divisor` pixels of the whole picture, counted from the lower left
+    /// corner and rounded up. Implies `ownPixels`.
     int divisor = 0;
-    /// Its pixels are its own and not samples of the picture: whoever draws into it sees the whole picture through the
-    /// middle of each pixel, whatever tile, jitter and supersample is drawn, and whoever samples it gets the nearest
-    /// one.
+    /// The pixel grid is independent of tile, jitter and supersample. A pass that draws into the image sees the whole
+    /// picture, through pixel centers. A shader that samples it reads the nearest pixel.
     bool ownPixels = false;
 
     [[nodiscard]] bool hasOwnPixels() const { return ownPixels || divisor > 0; }
 };
 
-/// Whether one can take the other's place but for its size in pixels.
+/// Returns whether the two images have the same storage, except for their size in pixels.
 [[nodiscard]] bool sameStorage(const ImageInfo&, const ImageInfo&);
 
-/// Of level 0, in pixels, at least 1 × 1.
+/// Returns the size of mip level 0 in pixels, at least 1 × 1.
 [[nodiscard]] glm::ivec2 sizeOf(const ImageInfo&, const Raster& picture);
 
-/// What a pass sees that draws into an image with its own pixels: for `divisor`, pixel (i, j) covers exactly `divisor`
-/// × `divisor` pixels of the picture (those of the last row and column may reach beyond it); for a fixed size the
+/// Returns the view of a pass that draws into an image with its own pixels. With `divisor`, pixel (i, j) covers exactly
+/// `divisor` × `divisor` pixels of the picture; the last row and column may reach beyond it. With a fixed size, the
 /// frustum is the picture's.
 [[nodiscard]] View viewOfOwnPixels(const View& picture, const ImageInfo&);
 
@@ -56,8 +56,8 @@ struct BufferInfo {
     bool operator==(const BufferInfo&) const = default;
 };
 
-/// An image, or a buffer, that a plan declared: what `FramePlan::image` and its like return. Passes take it wherever
-/// they take a name, so that a misspelled one does not compile.
+/// Handle of an image or buffer that a plan declared, returned by `FramePlan::image`, `buffer` and `history`. Passes
+/// accept it in place of a name, so that a misspelled name does not compile.
 class ResourceId {
 public:
     [[nodiscard]] const std::string& name() const { return name_; }

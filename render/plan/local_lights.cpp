@@ -7,7 +7,7 @@
 namespace vitrine::render {
 namespace {
 
-/// Luminance of the irradiance at `center`, as if nothing ended before.
+/// Luminance of the irradiance at `center`, ignoring the light's range and cone.
 double strengthAt(const LocalLight& light, const glm::dvec3& center)
 {
     const double distance = std::max({glm::distance(light.position, center), light.radius, 1e-3});

@@ -8,8 +8,8 @@
 
 namespace vitrine::render {
 
-/// GLSL made at run time: text by the path under which `#include` finds it, before it looks for a file of that path.
-/// Immutable, so that plans and programs share it.
+/// GLSL generated at run time, by the path in `#include`. It takes precedence over a file of the same path. Immutable,
+/// so that plans and programs share it.
 class ShaderSources {
 public:
     explicit ShaderSources(std::map<std::string, std::string> textByPath);
@@ -28,22 +28,23 @@ struct ShaderKey {
     std::string fragment = {};
     std::string compute = {};
     std::vector<std::string> defines = {};
-    std::string prelude = {};  ///< GLSL before the files: the parameter block derived from a table.
+    std::string prelude = {};  ///< GLSL placed before the files: the parameter block generated from a table.
     std::shared_ptr<const ShaderSources> sources = {};
-    /// Programs that take each other's place, by a name of their own: while a new one is built in the background, or
-    /// when it does not build, the last good one of the slot is drawn, and where that was made of other `sources`,
-    /// with the blocks, pictures and constant buffers that it was last drawn with. Empty: the frame waits, and fails
-    /// with the program.
+    /// Name of a family of programs that can replace each other. While a new program is built in the background, or
+    /// if it fails to build, the last good program of the slot is used. If that was built from other `sources`, it is
+    /// used with the blocks, textures and constant buffers of its last draw. Empty: the frame waits for the program,
+    /// and fails if it does not build.
     std::string slot = {};
-    /// Drawn meanwhile in place of the last good one of the slot: a slower program that takes the same inputs.
+    /// Fallback program: slower, with the same inputs. Used instead of the slot's last good program while this program
+    /// is being built, or if it fails to build.
     std::shared_ptr<const ShaderKey> meanwhile = {};
-    /// A faster program that takes the same inputs and draws the same picture, for a look that rests: built in the
-    /// background once this one is there, and drawn with from then on. A key without it gives up one of its slot that
-    /// is still being built. Pictures that wait for programs do without. Its `slot` is not looked at.
+    /// Specialized program: faster, with the same inputs and the same picture. It is built in the background once this
+    /// program exists, and used from then on. A later key of the slot without it cancels a build in progress. Frames
+    /// that wait for programs do not use it. Its `slot` is ignored.
     std::shared_ptr<const ShaderKey> better = {};
-    std::string about = {};  ///< Of a better program: what it is, for the ledger.
+    std::string about = {};  ///< Description of a `better` program, for the frame report.
 
-    /// Whether they build the same program.
+    /// Returns whether both keys build the same program.
     bool operator==(const ShaderKey&) const;
 };
 

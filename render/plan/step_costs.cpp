@@ -30,7 +30,7 @@ void StepCosts::note(const FrameReport& report)
         const std::string group = step.name.substr(0, step.name.find('/'));
         if (group != step.name && step.name != group + "/shadow") groups[group] += step.milliseconds;
     }
-    // A simulation may go on for the sake of a shadow.
+    // A group with a skipped step keeps its older time: its simulation may still run for the sake of a shadow.
     for (const CulledPass& step : report.skipped) groups.erase(step.name);
     for (const auto& [group, milliseconds] : groups) groups_[group] = milliseconds;
 }
