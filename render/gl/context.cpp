@@ -29,7 +29,7 @@ EGLDisplay deviceDisplay(EGLDeviceEXT device)
     return eglGetPlatformDisplayEXT(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
 }
 
-/// Displays worth trying, best first: hardware devices, surfaceless Mesa, software devices.
+/// Returns the EGL displays to try, best first: hardware devices, surfaceless Mesa, software devices.
 std::vector<EGLDisplay> candidateDisplays()
 {
     std::vector<EGLDisplay> displays;
@@ -76,7 +76,7 @@ EGLContext makeContext(EGLDisplay display, bool debug, EGLContext sharedWith = E
     return EGL_NO_CONTEXT;
 }
 
-/// What the display offers when no version is asked for; for the message only.
+/// Returns what the display offers if no version is requested; used only for the error message.
 ContextInfo anyContextInfo(EGLDisplay display)
 {
     ContextInfo info;

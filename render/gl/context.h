@@ -7,7 +7,7 @@
 
 namespace vitrine::render::gl {
 
-/// What the current context is and can do.
+/// Version, vendor and limits of an OpenGL context.
 struct ContextInfo {
     std::string vendor, renderer, version, shadingLanguage;
     int major = 0;
@@ -19,14 +19,14 @@ struct ContextInfo {
     int maxUniformBlockSize = 0;
 };
 
-/// Of the context that is current; version 0.0 when there is none.
+/// Describes the current context of this thread; version 0.0 if there is none.
 [[nodiscard]] ContextInfo currentContextInfo();
 
-/// One sentence when the context cannot draw this program's pictures; empty when it can.
+/// Returns one sentence that says why the context cannot be used; empty if it can.
 [[nodiscard]] std::string whyUnusable(const ContextInfo&);
 
-/// An OpenGL 4.5 core context without window or display: EGL on a device, hardware first, else Mesa's
-/// surfaceless platform. Current on the thread that made it. Throws Failure (Blame::openGl).
+/// An OpenGL 4.5 core context without window or display: EGL on a device (hardware first), else Mesa's surfaceless
+/// platform. It is current on the thread that created it. Throws Failure (Blame::openGl).
 class HeadlessContext {
 public:
     explicit HeadlessContext(bool debug = false);
@@ -35,7 +35,8 @@ public:
     HeadlessContext& operator=(const HeadlessContext&) = delete;
 
     [[nodiscard]] const ContextInfo& info() const { return info_; }
-    /// Another context with the same objects, current nowhere. Throws Failure (Blame::openGl).
+    /// Creates another context that shares the objects of this one; not current on any thread. Throws Failure
+    /// (Blame::openGl).
     [[nodiscard]] std::shared_ptr<SharedContext> shared() const;
 
 private:
@@ -52,7 +53,7 @@ public:
     DebugLog(const DebugLog&) = delete;
     DebugLog& operator=(const DebugLog&) = delete;
 
-    /// Errors and messages of high severity so far, a line each.
+    /// Messages so far of type error or of high severity, one per line.
     [[nodiscard]] const std::string& errors() const { return *errors_; }
 
 private:

@@ -8,7 +8,7 @@
 
 namespace vitrine::render::gl {
 
-/// Names what is drawn while it lives, for debuggers; closed also when a program does not build.
+/// Debug group: names all GL commands during its lifetime for debuggers. RAII: it also ends if an exception is thrown.
 class DebugGroup {
 public:
     explicit DebugGroup(const char* name) { glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name); }
@@ -17,7 +17,7 @@ public:
     DebugGroup& operator=(const DebugGroup&) = delete;
 };
 
-/// Counts the samples that the draws between its making and `end` let pass.
+/// Counts the samples that pass the depth test, in all draws from the constructor to `end`.
 class SamplesQuery {
 public:
     SamplesQuery()
@@ -28,7 +28,7 @@ public:
         glBeginQuery(GL_SAMPLES_PASSED, name);
     }
     static void end() { glEndQuery(GL_SAMPLES_PASSED); }
-    /// Waits for the draws to finish.
+    /// Returns the count; waits for the draws to finish.
     [[nodiscard]] std::int64_t result() const
     {
         GLint64 count = 0;

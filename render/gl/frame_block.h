@@ -8,10 +8,10 @@ namespace vitrine::render::gl {
 #include "shaders/lib/frame_block.glsl"
 #include "shaders/lib/temporal_block.glsl"
 
-/// `time` is wrapped to a day here: nothing that moves slower than that is drawn from it.
+/// Fills the FRAME block. `time` (seconds) is wrapped to one day, so that it keeps its precision as a float.
 [[nodiscard]] FrameBlock frameBlock(const View&, double time, int sample, std::uint32_t seed);
 
-/// Of one part (0 on) of the pass; `valid`: what its past says, unless the renderer lost it.
+/// Fills the block for one slice of the pass, `part` from 0. `valid` is false if the pass's history is lost.
 [[nodiscard]] TemporalBlock temporalBlock(const Pass&, int part, bool valid);
 
 }  // namespace vitrine::render::gl

@@ -18,13 +18,14 @@ namespace {
 
 #include "shaders/lib/clock_load_block.glsl"
 
-constexpr int side = 256;                // 16 of llvmpipe's tiles: a query that sees only the last one shows.
-constexpr double smallestLoad = 0.7e-3;  // Seconds: far above what starting and reading a clock takes.
-constexpr int mostRounds = 16000;        // Four times that stays under llvmpipe's limit of 65,535 per invocation.
+constexpr int side = 256;                // 16 of llvmpipe's tiles: shows if a query measures only the last tile.
+constexpr double smallestLoad = 0.7e-3;  // Seconds: far above the cost of starting and reading a clock.
+// Four times as many stays below llvmpipe's limit of 65,535 loop iterations per invocation.
+constexpr int mostRounds = 16000;
 constexpr int repetitions = 3;
-constexpr int attempts = 3;  // A busy machine may spoil one.
+constexpr int attempts = 3;  // Several, because other programs may disturb one.
 
-/// The load and everything it needs, with nothing left behind.
+/// Draw of known cost with the GL objects it needs. The destructor undoes its bindings.
 class KnownLoad {
 public:
     KnownLoad()
@@ -84,11 +85,13 @@ private:
     VertexArrayName vertices_;
     FramebufferName framebuffer_;
     BufferName block_;
-    CallersFramebuffer callers_;  // The last one: it is bound again before the others go.
+    // Last member: it is destroyed first, so that the caller's framebuffer is bound again before the others are
+    // deleted.
+    CallersFramebuffer callers_;
 };
 
-/// Seconds that the two marks around a frame cost by themselves, in the processor's time where that is the clock. The
-/// median: one interruption by another program may be longer than all of them together.
+/// Returns the seconds that the two marks around a frame cost by themselves: CPU time if that is the clock, else wall
+/// time. Takes the median, because one interruption by another program may be longer than all marks together.
 double overheadOf(ClockMethod method)
 {
     const auto now = method == ClockMethod::cpu ? processCpuSeconds : wallSeconds;
@@ -111,7 +114,7 @@ ClockChoice tryClocks(bool software)
     ClockChoice choice = chooseClock({}, software, 0);
     const KnownLoad load;
     if (!load.usable()) return choice;
-    (void)load.timed(16, 1);  // The first draw compiles.
+    (void)load.timed(16, 1);  // The first draw compiles the program.
     int rounds = 64;
     while (rounds < mostRounds && load.timed(rounds, 1).wall < smallestLoad) rounds *= 2;
     for (int attempt = 0; attempt < attempts && !choice.trusted; ++attempt) {

@@ -7,14 +7,14 @@
 
 namespace vitrine::render::gl {
 
-/// Takes times between marks in the stream of OpenGL commands, on the context that is current.
+/// Measures the time between marks in the stream of OpenGL commands of the current context.
 class FrameClock {
 public:
     explicit FrameClock(ClockMethod method) : method_(method) {}
 
-    /// The work given so far ends here. Waits for it, unless the clock is a timer query.
+    /// Sets a mark after the commands issued so far. Waits for them to finish, unless the clock is a timer query.
     void mark();
-    /// Seconds from each mark to the next; waits for the last one.
+    /// Returns the seconds from each mark to the next; waits for the last one.
     [[nodiscard]] std::vector<double> seconds();
 
 private:
@@ -23,8 +23,8 @@ private:
     std::vector<double> readings_;
 };
 
-/// What clock to take times with on the current context: draws a known load ×1, ×2 and ×4 and compares. Done once
-/// per process and renderer, in some tens of milliseconds. `software` says whether the renderer runs on the processor.
+/// Chooses the clock for the current context: draws a known load ×1, ×2 and ×4 and compares the measured times. Done
+/// once per process and renderer, in some tens of milliseconds. `software` says whether the renderer runs on the CPU.
 [[nodiscard]] const ClockChoice& trustedClock(bool software);
 
 }  // namespace vitrine::render::gl

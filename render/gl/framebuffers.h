@@ -10,21 +10,22 @@
 
 namespace vitrine::render::gl {
 
-/// A texture, or a layer of it (-1: all), that is drawn into.
+/// Render target: a texture, or one layer of it (-1: all layers).
 struct TargetImage {
     const Texture* texture = nullptr;
     int layer = -1;
     int level = 0;
 };
 
-/// Framebuffer objects by what is attached to them: made when first used, kept until one of their textures goes.
+/// Cache of framebuffer objects by their attachments: created on first use, kept until one of their textures is
+/// deleted.
 class Framebuffers {
 public:
     /// Color attachments by location; `depth.texture` may be null.
     [[nodiscard]] GLuint use(const std::vector<TargetImage>& colors, const TargetImage& depth);
-    /// Deletes all that this texture is attached to: it is about to be deleted itself.
+    /// Deletes all framebuffers that the texture is attached to. Call it before the texture is deleted.
     void forget(const Texture&);
-    [[nodiscard]] std::int64_t made() const { return made_; }  ///< So far.
+    [[nodiscard]] std::int64_t made() const { return made_; }  ///< Number created so far.
     [[nodiscard]] std::size_t size() const { return framebuffers_.size(); }
     void abandon();
 
@@ -34,7 +35,7 @@ private:
     std::int64_t made_ = 0;
 };
 
-/// Whoever calls gets his framebuffer back, whatever happens meanwhile.
+/// Restores the caller's draw framebuffer when it goes out of scope.
 class CallersFramebuffer {
 public:
     CallersFramebuffer() { glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &name_); }

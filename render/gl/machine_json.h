@@ -5,7 +5,8 @@
 
 namespace vitrine::render::gl {
 
-/// What drew and measured: renderer, vendor, version of OpenGL, whether it is software, processors.
+/// Describes the machine that drew and measured: renderer, vendor, OpenGL version, software or not, number of
+/// processors.
 [[nodiscard]] Json machineJson(const ContextInfo&);
 
 }  // namespace vitrine::render::gl

@@ -54,7 +54,7 @@ void MeshBuffers::draw(int instances) const
 {
     if (indexCount_ == 0 || instances < 1) return;
     glBindVertexArray(array_.name());
-    // What a shader reads of a mesh without colors. It is the state of the context, not of the array.
+    // Vertex color for meshes without colors. It is state of the context, not of the vertex array.
     glVertexAttrib4f(colorLocation, 1, 1, 1, 1);
     glDrawElementsInstanced(GL_TRIANGLES, indexCount_, GL_UNSIGNED_INT, nullptr, instances);
 }

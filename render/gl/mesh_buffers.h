@@ -7,7 +7,7 @@
 
 namespace vitrine::render::gl {
 
-/// A mesh on the graphics processor.
+/// Vertex and index buffers of a mesh on the GPU.
 class MeshBuffers {
 public:
     explicit MeshBuffers(const Mesh&);

@@ -5,8 +5,9 @@
 
 namespace vitrine::render::gl {
 
-/// Makes the lower levels of an image from its level 0. Cube maps of half floats whose sides are powers of two are
-/// halved by a program of ours, which the cache on disk keeps; a software driver compiles its own anew at every start.
+/// Generates the mip levels of an image from its level 0. Half-float cube maps with a power of two as size are
+/// downsampled by this project's own program, which stays in the program cache on disk. A software driver would
+/// recompile its built-in one at every start.
 void makeMipmaps(const Texture&, ProgramCache&);
 
 }  // namespace vitrine::render::gl

@@ -7,7 +7,7 @@
 
 namespace vitrine::render::gl {
 
-/// Owns one GL name: deleted with the object, moved, never copied.
+/// RAII owner of one GL object name. Movable, not copyable; deletes the object in the destructor.
 template <auto Delete> class Object {
 public:
     Object() = default;
@@ -27,13 +27,13 @@ public:
 
     [[nodiscard]] GLuint name() const { return name_; }
     [[nodiscard]] explicit operator bool() const { return name_ != 0; }
-    /// Forgets the name without deleting it: the context is gone.
+    /// Forgets the name without deleting the object, because the context is lost.
     void abandon()
     {
         live_ -= name_ != 0 ? 1 : 0;
         name_ = 0;
     }
-    /// How many names of this kind the program owns.
+    /// Number of objects of this kind that the program owns.
     [[nodiscard]] static int live() { return live_; }
 
 private:

@@ -75,7 +75,7 @@ void applyState(const RasterState& state)
     enable(GL_DEPTH_CLAMP, state.depthClamp);
     applyCulling(state.cull);
     enable(GL_POLYGON_OFFSET_FILL, state.depthBias != glm::vec2(0));
-    // Away from the viewer is towards 0 in reversed depth.
+    // Depth is reversed: away from the viewer means towards 0.
     glPolygonOffset(-state.depthBias.x, -state.depthBias.y);
     enable(GL_TEXTURE_CUBE_MAP_SEAMLESS, true);
     glDisable(GL_SCISSOR_TEST);

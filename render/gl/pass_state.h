@@ -5,15 +5,15 @@
 
 namespace vitrine::render::gl {
 
-/// Binds the framebuffer of one raster pass, with its viewport, and if it `clears` (of work in
-/// several parts, only the first one does) clears what the pass wants cleared.
+/// Binds the framebuffer of a raster pass and sets its viewport. If `clears`, clears the attachments that the pass
+/// wants cleared; in a sliced pass only the first slice clears.
 void bindTarget(const Pass&, Resources&, bool clears);
 
 void applyState(const RasterState&);
-/// Which faces the next draw leaves out.
+/// Sets which faces the next draw culls.
 void applyCulling(Cull);
 
-/// Draws these columns alone (`Pass::columns`); unset: all.
+/// Restricts drawing to these columns (`Pass::columns`); unset: no restriction.
 void limitTo(const std::optional<glm::ivec2>& columns);
 
 /// Binds the writable images of a compute pass, dispatches it and makes its writes visible.

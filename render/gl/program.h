@@ -9,24 +9,24 @@
 
 namespace vitrine::render::gl {
 
-/// What building a program came to.
+/// Result of building a program.
 struct BuiltProgram {
     ProgramName program;             ///< Empty when it failed.
-    std::vector<std::string> files;  ///< Every shader file it is made of, for hot reload.
-    ShaderMessage problem;           ///< When it failed.
+    std::vector<std::string> files;  ///< Every shader file that it includes, for hot reload.
+    ShaderMessage problem;           ///< Set if the build failed.
     bool fromCache = false;
 };
 
-/// Compiles and links, or takes the linked binary from the user's cache folder when driver and source
-/// are the same as last time. Never throws for a broken shader; see `problem`.
+/// Compiles and links the program, or loads the linked binary from the user's cache folder if driver and source are the
+/// same as last time. Never throws for a broken shader; see `problem`.
 [[nodiscard]] BuiltProgram buildProgram(const ShaderSource&, const ShaderKey&);
 
-/// The same in two steps, for drivers that build while the program goes on (GL_KHR_parallel_shader_compile).
+/// The same in two steps, for drivers that compile in the background (GL_KHR_parallel_shader_compile).
 class PendingProgram {
 public:
     /// Hands the sources to the driver.
     PendingProgram(const ShaderSource&, const ShaderKey&);
-    /// Whether `take` would not wait.
+    /// Returns true if `take` will not block.
     [[nodiscard]] bool done() const;
     [[nodiscard]] BuiltProgram take();
     void abandon();
@@ -37,15 +37,15 @@ private:
         ShaderText source;
     };
     BuiltProgram built_;
-    std::string everything_;  ///< The sources: what the binary is kept by.
-    ProgramName program_;     ///< While it is being built.
+    std::string everything_;  ///< All sources; the cached binary is found by their hash.
+    ProgramName program_;     ///< Set while it is being built.
     std::vector<Stage> stages_;
 };
 
-/// Whether the driver of the current context builds several programs at once while others draw.
+/// Returns whether the driver of the current context compiles several programs in the background.
 [[nodiscard]] bool buildsInParallel();
 
-/// "kit/sdf/march.frag [GLASS]".
+/// Returns a readable name: "kit/sdf/march.frag [GLASS]".
 [[nodiscard]] std::string describe(const ShaderKey&);
 
 }  // namespace vitrine::render::gl

@@ -35,13 +35,13 @@ std::optional<fs::path> cacheFolder()
 
 constexpr std::uint64_t mostBinaryBytes = 64U << 20U;
 
-/// Beginning of a stored binary. It repeats what the binary was made of, so that a file under another name is noticed.
+/// Header of a stored binary. It repeats the hash of the sources, so that a file under a wrong name is rejected.
 struct StoredHead {
     std::array<char, 8> magic{'v', 'i', 't', 'r', 'i', 'n', 'e', '1'};
     std::uint64_t key = 0;          ///< Hash of source, renderer and driver version.
     std::uint64_t sourceBytes = 0;  ///< Length of the source.
     std::uint64_t binaryBytes = 0;  ///< Length of the binary that follows.
-    std::uint32_t format = 0;       ///< The driver's.
+    std::uint32_t format = 0;       ///< Binary format of the driver.
     std::uint32_t unused = 0;
 };
 
@@ -74,7 +74,7 @@ bool loadProgramBinary(GLuint program, std::string_view source)
     const fs::path file = *folder / fileName(wanted);
     std::string bytes;
     try {
-        bytes = readFile(file, mostBinaryBytes);  // Of a pipe or a device nothing is read.
+        bytes = readFile(file, mostBinaryBytes);  // Pipes and devices are not read.
     } catch (const Failure&) {
         return false;
     }
@@ -85,7 +85,8 @@ bool loadProgramBinary(GLuint program, std::string_view source)
         head.binaryBytes != bytes.size() - sizeof head)
         return false;
     std::error_code ignored;
-    fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);  // Used: what is old is deleted first.
+    // Marks it as used: the files that were not used for the longest time are deleted first.
+    fs::last_write_time(file, fs::file_time_type::clock::now(), ignored);
     glProgramBinary(program, head.format, bytes.data() + sizeof head, static_cast<GLsizei>(head.binaryBytes));
     GLint good = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &good);
@@ -109,10 +110,10 @@ void saveProgramBinary(GLuint program, std::string_view source)
     head.binaryBytes = static_cast<std::uint64_t>(length);
     std::memcpy(bytes.data(), &head, sizeof head);
     try {
-        // Half a binary could end the driver that is given it.
+        // A truncated binary could crash the driver. So it is written atomically.
         atomicWriteMakingFolder(*folder / fileName(head), {bytes.data(), sizeof head + head.binaryBytes});
     } catch (const Failure&) {
-        return;  // The program is compiled again the next time.
+        return;  // The program will be compiled again next time.
     }
     dropOldBinaries(*folder, mostStored);
 }

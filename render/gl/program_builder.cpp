@@ -60,7 +60,7 @@ void ProgramBuilder::run()
         Finished finished;
         try {
             finished.built = buildProgram(source_, job.key);
-            glFinish();  // So that the other context finds it whole.
+            glFinish();  // The other context then sees the complete program.
         } catch (...) {
             finished.thrown = std::current_exception();
         }

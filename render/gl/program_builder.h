@@ -15,7 +15,7 @@
 
 namespace vitrine::render::gl {
 
-/// Builds programs on a thread with a context of its own, in the order in which they were asked for.
+/// Builds programs on a thread with its own context, in the order of the requests.
 class ProgramBuilder {
 public:
     ProgramBuilder(const ShaderSource&, std::shared_ptr<SharedContext>);
@@ -24,9 +24,9 @@ public:
     ProgramBuilder& operator=(const ProgramBuilder&) = delete;
 
     void begin(const std::string& id, const ShaderKey&);
-    /// Not begun yet: never will be. Begun: what comes of it is thrown away.
+    /// Removes a program from the queue. If it is already being built, its result is discarded.
     void cancel(const std::string& id);
-    /// The program, once: nothing while it is not finished. Throws what building it threw.
+    /// Returns the finished program, once; nothing until it is finished. Rethrows an exception of the build.
     [[nodiscard]] std::optional<BuiltProgram> take(const std::string& id);
 
 private:
@@ -41,14 +41,14 @@ private:
     std::mutex mutex_;
     std::condition_variable wake_;
     std::deque<Job> waiting_;
-    std::string building_;  ///< Id; empty when idle or when nobody wants it any more.
+    std::string building_;  ///< Id; empty if idle or if the program was canceled.
     struct Finished {
         BuiltProgram built;
-        std::exception_ptr thrown;  ///< In its place: memory may end while it is built.
+        std::exception_ptr thrown;  ///< Set instead of `built` if the build threw, for example std::bad_alloc.
     };
     std::map<std::string, Finished> finished_;
     bool stop_ = false;
-    std::thread thread_;  ///< Last: it uses the others.
+    std::thread thread_;  ///< Last member: the thread uses the others.
 };
 
 }  // namespace vitrine::render::gl

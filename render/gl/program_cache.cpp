@@ -46,7 +46,7 @@ std::optional<ProgramInUse> ProgramCache::useBetter(const ShaderKey& key)
     entry.lastUse = frame_;
     takeWhatIsFinished(id, entry);
     if (!entry.build.program) return std::nullopt;
-    base->second.lastUse = frame_;  // A change goes back to it at once.
+    base->second.lastUse = frame_;  // Kept, so that it can be used again at once when the key changes.
     return ProgramInUse{.program = entry.build.program.name(), .better = key.better->about};
 }
 
@@ -97,7 +97,7 @@ void ProgramCache::beginInBackground(const std::string& id, Entry& entry)
         entry.pending.emplace(source_, entry.key);
 }
 
-/// Of a slot the newest request wins: what is still being built of it is of no use any more.
+/// Cancels all other builds of the slot: only the newest request is still useful.
 void ProgramCache::giveUpOthers(const std::string& slot, const std::string& id)
 {
     std::erase_if(programs_, [&](const auto& entry) {
@@ -122,7 +122,7 @@ void ProgramCache::takeWhatIsFinished(const std::string& id, Entry& entry)
     take(entry, std::move(*finished));
 }
 
-/// Rather than wait for the thread, which may have others before it.
+/// Builds it here instead of waiting for the thread, which may have others in its queue.
 void ProgramCache::buildNow(const std::string& id, Entry& entry)
 {
     if (!entry.pending) builder_->cancel(id);

@@ -14,45 +14,50 @@
 
 namespace vitrine::render::gl {
 
-/// What to draw with.
+/// Program to draw with.
 struct ProgramInUse {
     GLuint program = 0;
-    std::string standIn = {};  ///< Why this is not the program that was asked for; empty when it is.
-    bool building = false;     ///< The one that was asked for will be there in a later frame.
-    /// Of a stand-in from its slot that was made of other generated sources: their hash.
+    /// Reason why a fallback is used instead of the requested program; empty if it is not a fallback.
+    std::string standIn = {};
+    bool building = false;  ///< The requested program is being built and will be used in a later frame.
+    /// If a fallback from the same slot is used: hash of the generated sources that it was built from, if they differ.
     std::optional<std::uint64_t> ofSources = {};
-    std::string better = {};  ///< What it is where it is the better one (ShaderKey::better).
+    /// Description of the specialized program (ShaderKey::better), if that is used; else empty.
+    std::string better = {};
 };
 
-/// Programs by key, built when first used; in a debug build rebuilt when a file of theirs changes. A driver keeps about
-/// 2 MB for each, and choices make hundreds of permutations, so what was not used for the longest time is let go: the
-/// cache on disk brings it back. Programs of a slot (ShaderKey::slot) are built in the background where a context for
-/// that was given or the driver can by itself, as long as there is one to draw with meanwhile.
+/// Programs by key, built on first use. In a debug build they are rebuilt when one of their files changes. A driver
+/// needs about 2 MB for each, and options make hundreds of permutations. So the least recently used are deleted; the
+/// cache on disk restores them quickly. Programs of a slot (ShaderKey::slot) are built in the background while another
+/// program can be used in their place. That needs a context for a thread (`buildWith`) or a driver that compiles in the
+/// background.
 class ProgramCache {
 public:
-    /// So many programs are kept that the last frame did not use.
+    /// Number of programs that are kept although the last frame did not use them.
     static constexpr std::size_t mostIdle = 24;
 
-    /// Builds on a thread with this context from now on.
+    /// Builds on a thread with this context from now on; null: no longer.
     void buildWith(std::shared_ptr<SharedContext>);
 
-    /// What is used from now on is used by this frame.
+    /// Starts a new frame: programs used from now on count as used by it.
     void beginFrame() { ++frame_; }
     /// Deletes all but `mostIdle` of the programs that this frame has not used.
     void dropIdle();
 
     enum class Building { goesOn, isWaitedFor };
-    /// The program, or one that stands in for it: its last good build, or another of its slot. Throws Failure
-    /// (Blame::shader) when there is none.
+    /// Returns the program or a fallback: its last good build, or another program of its slot. Throws Failure
+    /// (Blame::shader) if there is none.
     [[nodiscard]] ProgramInUse use(const ShaderKey&, Building = Building::goesOn);
-    /// The better program of a key (ShaderKey::better) where it is built; nothing while it is not. Begins to build it.
+    /// Returns the specialized program of a key (ShaderKey::better) if it is built. Otherwise starts building it and
+    /// returns nothing.
     [[nodiscard]] std::optional<ProgramInUse> useBetter(const ShaderKey&);
 
-    /// Rebuilds programs whose files are newer on disk than their build. Returns whether any was tried.
+    /// Rebuilds programs whose files on disk are newer than their build. Returns whether it tried to rebuild any.
     bool reloadChanged();
     [[nodiscard]] const std::vector<ShaderProblem>& problems() const { return problems_; }
     [[nodiscard]] std::size_t size() const { return programs_.size(); }
-    [[nodiscard]] int built() const { return built_; }  ///< Builds so far that the cache on disk did not serve.
+    /// Number of builds so far that were not served by the cache on disk.
+    [[nodiscard]] int built() const { return built_; }
     void abandon();
 
 private:
@@ -61,8 +66,8 @@ private:
         BuiltProgram build;
         std::filesystem::file_time_type newest{};
         std::uint64_t lastUse = 0;
-        bool building = false;                  ///< In the background.
-        std::optional<PendingProgram> pending;  ///< Of a driver that builds by itself.
+        bool building = false;                  ///< Being built in the background.
+        std::optional<PendingProgram> pending;  ///< For a driver that compiles in the background.
     };
     using Programs = std::map<std::string, Entry>;
 
@@ -78,7 +83,7 @@ private:
 
     ShaderSource source_;
     Programs programs_;
-    std::map<std::string, std::string> lastGood_;  ///< Slot -> id of the program that was last drawn with.
+    std::map<std::string, std::string> lastGood_;  ///< Slot -> id of the program that was last used successfully.
     std::vector<ShaderProblem> problems_;
     int built_ = 0;
     std::uint64_t frame_ = 0;

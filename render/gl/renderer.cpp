@@ -25,14 +25,14 @@
 namespace vitrine::render::gl {
 namespace {
 
-/// Where a pass's blocks lie in the arena.
+/// Ranges of a pass's blocks in the uniform buffer.
 struct PassRanges {
     UniformAllocator::Range frame;
-    bool clips = false;                             ///< What it sees has a clip plane.
-    std::vector<UniformAllocator::Range> temporal;  ///< By part that runs in this frame.
+    bool clips = false;                             ///< The pass's view has a clip plane.
+    std::vector<UniformAllocator::Range> temporal;  ///< One for each slice that runs in this frame.
     std::vector<std::pair<int, UniformAllocator::Range>> blocks;
     std::vector<UniformAllocator::Range> objects;
-    // In place of both, for the last good program of its slot.
+    // Replace `blocks` and `objects` if the last good program of the slot is used.
     std::vector<std::pair<int, UniformAllocator::Range>> lastBlocks;
     std::vector<UniformAllocator::Range> lastObjects;
 };
@@ -54,7 +54,7 @@ HistoryRecord recordOf(const History& history, const FramePlan& plan)
 
 }  // namespace
 
-/// What siblings have in common.
+/// State shared by sibling renderers.
 struct Renderer::Shared {
     ProgramCache programs;
     Uploads uploads;
@@ -70,11 +70,11 @@ struct Renderer::State {
     VertexArrayName noVertices;
     PersistentState kept;
     LastInputs lastInputs;
-    std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes whose key vouches for it.
+    std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes whose key depends on its content.
     bool timeSteps = false;
     std::thread::id thread = std::this_thread::get_id();
     std::function<bool()> unwanted;
-    Screen screen;  ///< What `screenPixels` draws into.
+    Screen screen;  ///< Target of `screenPixels`.
 
     explicit State(std::shared_ptr<Shared> common)
         : shared(std::move(common)), programs(shared->programs), uploads(shared->uploads)
@@ -84,7 +84,8 @@ struct Renderer::State {
         noVertices = VertexArrayName(name);
     }
 
-    /// What the pass sees: its own view, the whole picture where its pixels are its own, else the plan's.
+    /// Returns the FRAME block of the pass. Its view is its own, the whole picture if its image has its own pixels,
+    /// else the plan's.
     UniformAllocator::Range frameRange(const Pass& pass, const FramePlan& plan, UniformAllocator::Range planFrame)
     {
         const ImageInfo* own = nullptr;
@@ -105,7 +106,7 @@ struct Renderer::State {
         ranges.clips = (pass.view ? *pass.view : plan.view).clipPlane.has_value();
         if (pass.past.used) {
             const std::vector<std::string> inputs = inputsOf(pass);
-            // A plan made for what another renderer holds, or this one did.
+            // The plan may have been made for the state of another renderer, or for an earlier state of this one.
             const bool missing = std::any_of(lost.begin(), lost.end(), [&](const std::string& image) {
                 return std::any_of(inputs.begin(), inputs.end(), [&](const std::string& name) {
                     return name == previous(image) || (name == image && plan.imagesInParts().contains(image) &&
@@ -138,7 +139,7 @@ struct Renderer::State {
         return object.empty() ? UniformAllocator::Range{} : arena.add(object);
     }
 
-    /// Gathers the blocks of all passes and hands them to the driver at once.
+    /// Collects the blocks of all passes and uploads them in one call.
     std::vector<PassRanges> uploadBlocks(const FramePlan& plan, const std::set<std::string>& lost)
     {
         arena.clear();
@@ -156,7 +157,7 @@ struct Renderer::State {
         counters["programs"] = static_cast<std::int64_t>(programs.size());
     }
 
-    /// Whether this very frame finishes an image that is made by parts.
+    /// Returns whether this frame completes an image that a sliced pass draws.
     static bool madeByNow(const FramePlan& plan, const std::string& image)
     {
         return std::any_of(plan.passes().begin(), plan.passes().end(), [&](const Pass& pass) {
@@ -187,13 +188,13 @@ struct Renderer::State {
         }
     }
 
-    /// Returns what it was drawn with.
+    /// Draws the pass and returns the program used.
     ProgramInUse run(const Pass& pass, const PassRanges& ranges, ProgramCache::Building building)
     {
         if (pass.work == Work::simulation) return {};
         ProgramInUse used = programs.use(pass.shader, building);
         const SlotInputs* last = used.ofSources ? lastInputs.ofOthers(pass) : nullptr;
-        // Another renderer drew with it: what belongs to it is not here.
+        // Another renderer drew with that program, so its inputs are not known here.
         if (used.ofSources && (!last || last->sources != *used.ofSources)) {
             used = programs.use(pass.shader, ProgramCache::Building::isWaitedFor);
             last = nullptr;
@@ -218,7 +219,7 @@ struct Renderer::State {
                         [](const BufferUse& use) { return use.access != Access::read; }))
             glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
         for (const std::string& name : pass.mipmaps) makeMipmaps(resources.target(name), programs);
-        // A part that another program drew is drawn again by the right one.
+        // A slice drawn by a fallback program is drawn again with the right one.
         if (pass.parts == 1 || (pass.past.endPart == pass.parts && used.standIn.empty()))
             for (const std::string& name : outputsOf(pass)) resources.finished(name);
         return used;
@@ -248,7 +249,7 @@ struct Renderer::State {
         limitTo(std::nullopt);
     }
 
-    /// What was written into these images is not there any more.
+    /// Discards the records of these images, whose content is lost.
     void forget(const std::set<std::string>& images)
     {
         for (const std::string& image : images) {
@@ -261,7 +262,8 @@ struct Renderer::State {
         }
     }
 
-    /// Passes from `first` on were not run: what they have in common with others that were is made again as a whole.
+    /// Handles passes from `first` on, which did not run: images that they share with passes that ran are drawn again
+    /// completely.
     void forgetFrom(const FramePlan& plan, std::size_t first)
     {
         for (std::size_t i = first; i < plan.passes().size(); ++i)
@@ -274,8 +276,8 @@ struct Renderer::State {
     [[nodiscard]] bool abandoned() const
     {
         if (!unwanted) return false;
-        // A software renderer draws when it is waited for: without that, all of the frame would lie ahead at the last
-        // question.
+        // A software renderer draws only when it is waited for. Without the wait, all work would still be pending at
+        // the last check.
         if (info.software) glFinish();
         return unwanted();
     }
@@ -283,7 +285,7 @@ struct Renderer::State {
     void remember(const Pass& pass, const FramePlan& plan, const std::set<std::string>& lost)
     {
         const std::vector<std::string> written = outputsOf(pass);
-        // Of work whose first parts went with an image, the parts after them are of no use.
+        // If the image with the first slices was lost, the later slices are useless.
         if (pass.past.firstPart > 0 &&
             std::any_of(written.begin(), written.end(), [&](const std::string& image) { return lost.contains(image); }))
             return;
@@ -303,8 +305,8 @@ struct Renderer::State {
             kept.passes[pass.name] = *pass.key;
     }
 
-    /// Runs them one after the other. What throws, Abandoned too, leaves the renderer as if the passes from there on
-    /// had never been planned.
+    /// Runs the passes in order. An exception, `Abandoned` included, leaves the renderer as if the remaining passes had
+    /// never been planned.
     void runPasses(const FramePlan& plan, const std::vector<PassRanges>& ranges, const std::set<std::string>& lost,
                    FrameClock& clock, std::vector<SamplesQuery>& samplesQueries, FrameReport& report)
     {
@@ -397,7 +399,7 @@ FrameReport Renderer::draw(const FramePlan& plan)
     s.countHeld(report.counters);
     const std::vector<double> intervals = clock.seconds();
     for (const double seconds : intervals) report.milliseconds += 1e3 * seconds;
-    if (s.timeSteps)  // The first interval prepares: images, blocks.
+    if (s.timeSteps)  // The first interval covers preparation: images and blocks.
         for (std::size_t i = 0; i < report.ran.size(); ++i) report.ran[i].milliseconds = 1e3 * intervals[i + 1];
     report.overheadMilliseconds = 1e3 * choice.overheadSeconds * static_cast<double>(intervals.size());
     return report;

@@ -14,66 +14,69 @@
 
 namespace vitrine::render::gl {
 
-/// Thrown by Renderer::draw when nobody wants the picture any more.
+/// Thrown by Renderer::draw when the frame was canceled (`abandonWhen`).
 class Abandoned final : public std::exception {
 public:
     [[nodiscard]] const char* what() const noexcept override { return "the picture was abandoned"; }
 };
 
-/// A shader that did not build: what to show over the last good picture.
+/// Shader error: shown over the last good picture.
 struct ShaderProblem {
     std::string file;
     int line = 0;
     std::string message;
-    std::string slot = {};  ///< Of a program that takes its place in a slot (ShaderKey::slot).
+    std::string slot = {};  ///< Slot of the failed program (ShaderKey::slot); empty if it has none.
 };
 
-/// Executes frame plans on the OpenGL 4.5 core context that is current, at construction and at every call, on one
-/// thread: drawing on another one is a std::logic_error. Images are kept while frames declare or use them, meshes and
-/// pictures while their originals live, programs while they are among the last ones used (ProgramCache::mostIdle).
+/// Executes frame plans on the current OpenGL 4.5 core context, on one thread. The context must be current at
+/// construction and at every call; drawing on another thread throws std::logic_error. Images are kept while frames
+/// declare or use them. Meshes and textures are kept while their originals live. Programs are kept while they are among
+/// the last ones used (ProgramCache::mostIdle).
 class Renderer final : public RenderBackend {
 public:
     Renderer();
-    /// Another one on the same context, with images of its own: programs, meshes and pictures are there once for both.
+    /// Creates another renderer on the same context. It has images of its own, but shares programs, meshes and
+    /// textures.
     [[nodiscard]] std::unique_ptr<Renderer> sibling() const;
-    ~Renderer() override;  ///< The context must be current, or gone for good (see `abandon`).
+    ~Renderer() override;  ///< The context must be current, or lost (see `abandon`).
 
     FrameReport draw(const FramePlan&) override;
-    /// Asked between passes from now on: as soon as it says yes, `draw` throws Abandoned, and what the frame had not
-    /// reached yet counts as never drawn. Empty: every frame is finished.
+    /// Sets a function that is polled between passes. When it returns true, `draw` throws `Abandoned`; the remaining
+    /// passes count as not drawn. Empty: every frame is finished.
     void abandonWhen(std::function<bool()> unwanted);
     [[nodiscard]] Image read(const std::string& image) override;
-    /// A buffer of the last frame; throws std::out_of_range for a name that was not used.
+    /// Returns the content of a buffer of the last frame. Throws std::out_of_range for a name that was not used.
     [[nodiscard]] Bytes readBuffer(const std::string& name);
     [[nodiscard]] const PersistentState& persistentState() const override;
     [[nodiscard]] int largestSide() const override;
 
-    /// An image of the last frame as a screen of `screen` pixels shows it, scaled with a smooth filter where the sizes
-    /// differ. The image covers the part of the screen that begins at `offset` from the lower left corner and is `part`
-    /// pixels large; only that part is returned.
+    /// Returns an image of the last frame as shown on a screen of `screen` pixels, scaled with a smooth filter if the
+    /// sizes differ. The image covers the part of the screen that begins at `offset` from the lower left corner and is
+    /// `part` pixels large. Only that part is returned.
     [[nodiscard]] ScreenPixels screenPixels(const std::string& image, glm::ivec2 screen, glm::ivec2 offset,
                                             glm::ivec2 part);
 
-    /// Times each step, too, with a glFinish after each where no timer query can be trusted: slower, so only
-    /// while the ledger is open.
+    /// Times each pass, too. If no timer query can be trusted, that needs a glFinish after each pass. It is slower, so
+    /// use it only while the frame report is shown.
     void timeSteps(bool on);
 
-    /// Programs of slots are built on a thread with this context, while the last good ones draw; null: no more. Counts
-    /// for siblings, too.
+    /// Builds programs of slots on a thread with this context, while their last good programs are used; null: no
+    /// longer. Applies to siblings, too.
     void buildInBackground(std::shared_ptr<SharedContext>);
 
-    /// Begins to build the better programs (ShaderKey::better) of a plan in the background, and draws nothing.
+    /// Starts building the specialized programs (ShaderKey::better) of a plan in the background. Draws nothing.
     void buildBetter(const FramePlan&);
 
-    /// Debug builds: rebuilds programs whose files changed on disk; a program that fails keeps its last
-    /// good build and is listed by `problems`. Returns whether any picture may have changed.
+    /// Debug builds: rebuilds programs whose files changed on disk. A program that fails keeps its last good build and
+    /// is listed by `problems`. Returns whether any picture may have changed.
     bool reloadChangedShaders();
     [[nodiscard]] const std::vector<ShaderProblem>& problems() const;
 
-    /// What is kept by owner: images of this renderer, and pictures, meshes and programs, which siblings share.
+    /// Returns the memory in use by kind: images of this renderer, and textures, meshes and programs, which siblings
+    /// share.
     [[nodiscard]] std::vector<Stored> stored() const;
 
-    /// Forgets all GL objects without deleting them: the context was lost.
+    /// Forgets all GL objects without deleting them, because the context was lost.
     void abandon();
 
 private:

@@ -13,25 +13,25 @@
 
 namespace vitrine::render::gl {
 
-/// The images and buffers that plans name, and the framebuffers made of the images. What the last frame did not declare
-/// or use is freed. Of a history image there are two textures, which change places when it was written; of an image
-/// that is made by parts, too: one is drawn into while the other, the last whole result, is read.
+/// Images and buffers that plans name, and framebuffers of the images. A resource is freed when a frame does not
+/// declare or use it. A history image has two textures, which are swapped after it was written. An image of a sliced
+/// pass also has two: one is drawn into, while the other, the last complete result, is read.
 class Resources {
 public:
-    /// Makes what the plan's passes use and frees the rest. Returns the names of persistent images and buffers that are
-    /// new, and hence hold nothing yet, or gone: what was kept in them must be made again.
+    /// Creates the resources that the plan's passes use and frees all others. Returns the names of persistent images
+    /// and buffers that are new, and so have no content yet, or were freed. Their content must be drawn again.
     std::vector<std::string> prepare(const FramePlan&);
 
-    /// What passes read under this name; std::out_of_range when unknown.
+    /// Texture that passes read under this name. Throws std::out_of_range if it is unknown.
     [[nodiscard]] const Texture& image(const std::string& name) const;
-    /// What passes write under this name.
+    /// Texture that passes write under this name.
     [[nodiscard]] const Texture& target(const std::string& name) const;
     [[nodiscard]] GLuint buffer(const std::string& name) const { return buffers_.at(name).buffer.name(); }
     [[nodiscard]] std::int64_t bufferBytes(const std::string& name) const { return buffers_.at(name).info.bytes; }
-    /// The framebuffer of what a raster pass draws into.
+    /// Framebuffer with the attachments of a raster pass.
     [[nodiscard]] GLuint framebuffer(const Pass&);
 
-    /// A pass has written all that it writes into this image: of one made by parts, the last part.
+    /// Call it when a pass has completed this image; in a sliced pass after the last slice.
     void finished(const std::string& name);
 
     [[nodiscard]] bool has(const std::string& name) const { return images_.contains(name); }
@@ -46,8 +46,8 @@ private:
         ImageInfo info;
         Pair pair = Pair::none;
         Texture texture;
-        std::optional<Texture> other;  ///< Of a history: the frame before. By parts: what is being drawn.
-        bool written = false;          ///< Of a history: since they last changed places.
+        std::optional<Texture> other;  ///< History: the last frame's texture. Sliced pass: the texture being drawn.
+        bool written = false;          ///< History: written since the last swap.
     };
     struct StoredBuffer {
         BufferInfo info;
@@ -58,7 +58,7 @@ private:
     void forget(const StoredImage&);
 
     std::map<std::string, StoredImage> images_;
-    std::map<std::string, std::string> historyOf_;  ///< Name of the last frame's content -> image.
+    std::map<std::string, std::string> historyOf_;  ///< Name of the last frame's content (`previous`) -> image.
     std::map<std::string, StoredBuffer> buffers_;
     Framebuffers framebuffers_;
 };

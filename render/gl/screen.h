@@ -7,12 +7,12 @@
 
 namespace vitrine::render::gl {
 
-/// What stands in for the window's screen where pictures are drawn on another thread: sRGB, 8 bits.
+/// Off-screen substitute for the window's screen, for pictures drawn on another thread: sRGB, 8 bits.
 class Screen {
 public:
-    /// Makes it the target, of this size, and the part of it that begins at `offset` the viewport.
+    /// Binds it as the render target with this size. The viewport is the part of `part` pixels from `offset` on.
     void bind(glm::ivec2 size, glm::ivec2 offset, glm::ivec2 part);
-    /// The pixels of a part of what is bound, which it ends.
+    /// Reads the pixels of a part of it and unbinds it.
     [[nodiscard]] ScreenPixels read(glm::ivec2 offset, glm::ivec2 part);
     void abandon();
 

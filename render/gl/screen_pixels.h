@@ -5,7 +5,8 @@
 
 namespace vitrine::render::gl {
 
-/// A picture as a screen shows it: sRGB, 8 bits each of red, green, blue and 255, row 0 at the top, without gaps.
+/// Picture as a screen shows it: sRGB, 8 bits each of red, green, blue and alpha (255). Row 0 is the top; rows have no
+/// padding.
 struct ScreenPixels {
     int width = 0;
     int height = 0;

@@ -10,12 +10,12 @@
 
 namespace vitrine::render::gl {
 
-/// What belongs to a program of generated sources, and is of no use to one of others: the blocks that they declare, the
-/// pictures that they sample, and the constant buffers that they read.
+/// Inputs that fit only one set of generated sources: the blocks that these declare, the textures that they sample, and
+/// the constant buffers that they read.
 struct SlotInputs {
     std::uint64_t sources = 0;
     std::map<int, Bytes> blocks;
-    std::vector<Bytes> objects;  ///< By draw.
+    std::vector<Bytes> objects;  ///< One for each draw.
     std::vector<SampledTexture> textures;
     std::vector<BufferUse> buffers;
 
@@ -30,10 +30,11 @@ struct SlotInputs {
     }
 };
 
-/// The inputs with which the last good program of each slot was drawn.
+/// Inputs of the last draw with the last good program of each slot.
 class LastInputs {
 public:
-    /// Null where the pass has no slot, or its own inputs are for the same sources.
+    /// Returns the inputs if they were made for other sources than the pass's. Null if the pass has no slot, or if the
+    /// sources are the same.
     [[nodiscard]] const SlotInputs* ofOthers(const Pass& pass) const
     {
         if (pass.shader.slot.empty() || !pass.shader.sources) return nullptr;
@@ -42,7 +43,7 @@ public:
                            found->second.objects.size() == pass.draws.size();
         return other ? &found->second : nullptr;
     }
-    /// It was drawn with its own program.
+    /// Stores the inputs of a pass that was drawn with its own program.
     void keep(const Pass& pass)
     {
         if (!pass.shader.slot.empty() && pass.shader.sources) bySlot_[pass.shader.slot] = SlotInputs(pass);

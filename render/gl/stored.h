@@ -5,11 +5,11 @@
 
 namespace vitrine::render::gl {
 
-/// How much of one kind of thing is kept on the graphics processor.
+/// Number and size of GPU resources of one kind.
 struct Stored {
     std::string what;  ///< "images", "buffers", "pictures", "meshes", "constant buffers", "programs".
     std::int64_t count = 0;
-    std::int64_t bytes = 0;  ///< Of the data; 0 for programs, of which only the driver knows.
+    std::int64_t bytes = 0;  ///< Bytes of the data; 0 for programs, whose size only the driver knows.
 
     void add(std::int64_t more)
     {
@@ -19,7 +19,7 @@ struct Stored {
     bool operator==(const Stored&) const = default;
 };
 
-/// Every GL name that the program owns, of all renderers and contexts.
+/// Number of GL objects that the program owns, of all renderers and contexts.
 [[nodiscard]] int liveGlNames();
 
 }  // namespace vitrine::render::gl

@@ -131,7 +131,7 @@ Texture::Texture(const ImageInfo& info, glm::ivec2 size)
     setParameter(name, GL_TEXTURE_WRAP_T, wrap);
     setParameter(name, GL_TEXTURE_WRAP_R, wrap);
     if (info.comparison) {
-        // Reversed depth: a point is lit when it is at least as near to the light as what is stored.
+        // Depth is reversed: a point is lit if it is at least as close to the light as the stored depth.
         setParameter(name, GL_TEXTURE_COMPARE_MODE, GL_COMPARE_REF_TO_TEXTURE);
         setParameter(name, GL_TEXTURE_COMPARE_FUNC, GL_GEQUAL);
     }

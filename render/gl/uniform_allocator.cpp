@@ -17,7 +17,7 @@ UniformAllocator::UniformAllocator()
 UniformAllocator::Range UniformAllocator::add(const Bytes& block)
 {
     const std::size_t offset = (bytes_.size() + alignment_ - 1) / alignment_ * alignment_;
-    // std140 blocks end on a multiple of 16 bytes; a shorter upload would leave the block's tail unbacked.
+    // std140 blocks end on a multiple of 16 bytes; a shorter upload would leave the block's tail without storage.
     const std::size_t padded = (block.size() + 15) / 16 * 16;
     bytes_.resize(offset + padded);
     std::copy(block.begin(), block.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(offset));

@@ -5,7 +5,7 @@
 
 namespace vitrine::render::gl {
 
-/// All std140 blocks of one frame in one buffer: gathered first, uploaded once, bound by range.
+/// All std140 blocks of one frame in one buffer: collected first, uploaded once, bound by range.
 class UniformAllocator {
 public:
     struct Range {

@@ -7,7 +7,7 @@ UploadedBytes::UploadedBytes(const Bytes& source) : bytes(static_cast<std::int64
     GLuint name = 0;
     glCreateBuffers(1, &name);
     buffer = BufferName(name);
-    // A buffer of no bytes cannot be bound.
+    // A buffer of 0 bytes cannot be bound.
     if (source.empty())
         glNamedBufferStorage(name, 16, nullptr, 0);
     else

@@ -11,7 +11,7 @@
 
 namespace vitrine::render::gl {
 
-/// Bytes on the graphics processor that never change.
+/// Constant bytes on the GPU.
 struct UploadedBytes {
     explicit UploadedBytes(const Bytes&);
 
@@ -19,14 +19,14 @@ struct UploadedBytes {
     std::int64_t bytes = 0;
 };
 
-/// The GL copies of meshes, pictures and constant buffers, by address: made when first used, freed when nobody holds
-/// the original.
+/// GPU copies of meshes, textures and constant buffers, by address. Created on first use, freed when the original is
+/// deleted.
 class Uploads {
 public:
     [[nodiscard]] const Texture& texture(const std::shared_ptr<const render::Texture>&);
     [[nodiscard]] const MeshBuffers& mesh(const std::shared_ptr<const Mesh>&);
     [[nodiscard]] const UploadedBytes& bytes(const std::shared_ptr<const Bytes>&);
-    /// Frees the copies whose originals nobody else holds any more.
+    /// Frees the copies whose originals were deleted.
     void sweep();
     [[nodiscard]] std::vector<Stored> stored() const;
     void abandon();
