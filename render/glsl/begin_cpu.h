@@ -1,5 +1,5 @@
-// Opens the namespace in which GLSL is C++ at float64; render/glsl/end_cpu.h closes it. Between them a header includes
-// GLSL of its own folder:
+// Opens the namespace in which GLSL is compiled as C++ at float64; render/glsl/end_cpu.h closes it. Between the two, a
+// header includes the GLSL of its own folder:
 //
 //     #include "render/glsl/cpu.h"
 //
@@ -7,8 +7,8 @@
 //     #include "shaders/fur/strand.glsl"
 //     #include "render/glsl/end_cpu.h"
 //
-// The same header at float32, as the GPU rounds, is made by the build for tests: *_cpu32.h for *_cpu.h, with an `f`
-// after each literal.
+// For tests, the build makes the same header at float32, as the GPU rounds: *_cpu32.h for *_cpu.h, with an `f` after
+// each literal.
 
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wunused-function"
@@ -24,7 +24,7 @@ using mat2 = glm::dmat2;
 using mat3 = glm::dmat3;
 using mat4 = glm::dmat4;
 
-// What uniform blocks hold, at this precision.
+// Content of uniform blocks, at this precision.
 #pragma push_macro("BLOCK_STRUCT")
 #undef BLOCK_STRUCT
 #define BLOCK_STRUCT(name, FIELDS)                                                                                     \

@@ -15,11 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Mesa (22.3) reports errors inside an expression as of source 0, whatever `#line` said (its YYLLOC_DEFAULT
-/// drops the source). So the line tells the file, too: line n of file i is line i * linesPerFile + n.
+/// Mesa (22.3) reports errors inside an expression with source number 0, whatever `#line` said (its YYLLOC_DEFAULT
+/// drops the source). So the line number encodes the file, too: line n of file i is i * linesPerFile + n.
 constexpr int linesPerFile = 100000;
 
-/// Replaces includes depth-first, each file once, keeping `#line` so that messages name real places.
+/// Replaces includes depth-first, each file once. Writes `#line` directives, so that messages name the right file and
+/// line.
 class Resolver {
 public:
     Resolver(const ShaderSource& source, const ShaderSources* generated) : source_(source), generated_(generated) {}

@@ -10,15 +10,15 @@
 #include <utility>
 #include <vector>
 
-// What uniform blocks hold is described once, for GLSL and C++, in files `*_block.glsl` that both compile:
+// Fields of a uniform block are listed once, for GLSL and C++, in files `*_block.glsl` that both compile:
 //
 //     #define LAMP_FIELDS(FIELD, ARRAY) FIELD(vec3, position) FIELD(bool, isOn) ARRAY(vec4, planes, 4)
 //     BLOCK_STRUCT(LampBlock, LAMP_FIELDS)
 //
-// The list has the fields in their order, types and names as in GLSL; a type may be a BLOCK_STRUCT from above. A shader
-// includes the file and declares `uniform Lamp { LampBlock lamp; };`. A header includes it within its namespace and has
-// `struct LampBlock { glm::vec3 position{}; bool isOn{}; std::array<glm::vec4, 4> planes{}; };`, of which
-// render::std140Bytes makes what the shader reads.
+// The list has the fields in order, with types and names as in GLSL; a type may be a BLOCK_STRUCT defined above. A
+// shader includes the file and declares `uniform Lamp { LampBlock lamp; };`. A header includes the file within its
+// namespace and gets `struct LampBlock { glm::vec3 position{}; bool isOn{}; std::array<glm::vec4, 4> planes{}; };`.
+// render::std140Bytes converts such a struct to the bytes that the shader reads.
 #define BLOCK_STRUCT(Block, FIELDS)                                                                                    \
     struct Block {                                                                                                     \
         using vec2 = glm::vec2;                                                                                        \
@@ -42,17 +42,17 @@
 
 namespace vitrine::render {
 
-/// Was made by BLOCK_STRUCT.
+/// Satisfied by the structs that BLOCK_STRUCT defines.
 template <typename T>
 concept BlockStruct = requires(const T& block)
 {
     T::visitFields(block, [](const char*, const auto&) {});
 };
 
-/// Lays out values one after another as std140 does (OpenGL 4.5 core, 7.6.2.2). Gaps are 0.
+/// Writes values one after another in std140 layout (OpenGL 4.5 core, 7.6.2.2). Padding is 0.
 class Std140Writer {
 public:
-    /// Each returns where the value begins, in bytes.
+    /// Appends a value; returns its offset in bytes.
     std::size_t put(float value) { return append(&value, sizeof value, sizeof value); }
     std::size_t put(std::int32_t value) { return append(&value, sizeof value, sizeof value); }
     std::size_t put(std::uint32_t value) { return append(&value, sizeof value, sizeof value); }
@@ -89,14 +89,14 @@ public:
     }
 
     void reserve(std::size_t bytes) { bytes_.reserve(bytes); }
-    /// Goes on at the next multiple; returns it.
+    /// Pads to the next multiple of `alignment`; returns the new size.
     std::size_t align(std::size_t alignment)
     {
         bytes_.resize((bytes_.size() + alignment - 1) / alignment * alignment);
         return bytes_.size();
     }
 
-    /// The whole block.
+    /// Returns the bytes of the whole block, padded to a multiple of 16.
     [[nodiscard]] std::vector<std::byte> take()
     {
         align(16);
@@ -115,7 +115,7 @@ private:
     std::vector<std::byte> bytes_;
 };
 
-/// Where a field of the struct begins, in bytes; 0 where there is none of that name.
+/// Returns the offset of a field of the struct, in bytes; 0 if there is no field of that name.
 template <BlockStruct T> [[nodiscard]] std::size_t std140Offset(std::string_view field)
 {
     Std140Writer writer;
@@ -128,11 +128,11 @@ template <BlockStruct T> [[nodiscard]] std::size_t std140Offset(std::string_view
     return offset;
 }
 
-/// The bytes of a uniform block whose only member is this.
+/// Returns the bytes of a uniform block whose only member is `block`.
 template <BlockStruct T> [[nodiscard]] std::vector<std::byte> std140Bytes(const T& block)
 {
     Std140Writer writer;
-    writer.reserve(2 * sizeof(T));  // No gap is larger than what stands before it.
+    writer.reserve(2 * sizeof(T));  // Upper bound: no padding is larger than the value before it.
     writer.put(block);
     return writer.take();
 }
