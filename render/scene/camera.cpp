@@ -26,7 +26,7 @@ glm::dvec3 View::direction(glm::dvec2 ndc) const
 bool View::mayContain(const Box& box) const
 {
     if (box.empty()) return false;
-    // Outside when all corners lie beyond one clip plane. The far plane is at infinity.
+    // The box is outside if all its corners lie beyond one clip plane. The far plane is at infinity.
     std::array<int, 5> outside{};
     for (int corner = 0; corner < 8; ++corner) {
         const glm::dvec4 p((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
@@ -43,7 +43,7 @@ bool View::mayContain(const Box& box) const
 
 namespace {
 
-/// A position that float32 matrices can hold; what is no number is the origin.
+/// Clamps a position to the range that float32 matrices can hold; a NaN component becomes 0.
 glm::dvec3 insideTheWorld(const glm::dvec3& p)
 {
     glm::dvec3 result(0);
@@ -64,7 +64,7 @@ View makeView(const Camera& camera, const Raster& raster)
     const glm::dvec3 forward = distance > 1e-9 ? toTarget / distance : glm::dvec3(0, 0, -1);
     const glm::dvec3 up =
         std::abs(forward.y) > 0.99999 ? glm::dvec3(0, 0, forward.y > 0 ? 1 : -1) : glm::dvec3(0, 1, 0);
-    // Not from a point one meter ahead, as lookAt wants it: far from the origin that is where the eye is.
+    // Does not use lookAt: far from the origin, its target one meter ahead would round to the eye.
     const glm::dvec3 right = glm::normalize(glm::cross(forward, up));
     const glm::dmat3 viewFromWorld = glm::transpose(glm::dmat3(right, glm::cross(right, forward), -forward));
     view.viewFromWorld = glm::dmat4(viewFromWorld);
@@ -85,7 +85,7 @@ View withRaster(const View& camera, const Raster& raster)
 {
     View view = camera;
     view.raster = raster;
-    // Maps the tile's pixels to [-1, 1]; the jitter moves the sample, so it moves the picture back.
+    // Maps the tile's pixels to [-1, 1]. The jitter moves the sample, so the picture moves the opposite way.
     const glm::dvec2 size = glm::max(raster.size, glm::ivec2(1));
     const glm::dvec2 drawn = glm::max(raster.drawn(), glm::ivec2(1));
     const glm::dvec2 scale = size / drawn;

@@ -4,8 +4,8 @@
 
 namespace vitrine::render {
 
-/// What is seen through one face (0 to 5: +x -x +y -y +z -z, in OpenGL's orientation) of a cube about `eye`: 90
-/// degrees, `size` pixels along each side.
+/// Returns the view through one face (0 to 5: +x -x +y -y +z -z, in OpenGL's orientation) of a cube map around `eye`:
+/// 90 degrees, `size` pixels along each side.
 [[nodiscard]] View cubeFaceView(const glm::dvec3& eye, int face, int size, double nearPlane = 0.02);
 
 }  // namespace vitrine::render

@@ -15,7 +15,7 @@
 namespace vitrine::render {
 namespace {
 
-/// `json` without extras, and without extensions but for those of materials: nothing else of them is read.
+/// Returns `json` without extras and without extensions, except those of materials: no others are used.
 Json drawnPart(const Json& json, bool inMaterial)
 {
     if (json.is_array()) {
@@ -25,7 +25,7 @@ Json drawnPart(const Json& json, bool inMaterial)
     }
     if (!json.is_object()) return json;
     Json out = Json::object();
-    auto& members = out.get_ref<Json::object_t&>();  // The keys are known to differ: none is looked for.
+    auto& members = out.get_ref<Json::object_t&>();  // The keys are known to be unique, so no search is needed.
     for (const auto& [key, value] : json.items()) {
         if (key == "extras" || (key == "extensions" && !inMaterial)) continue;
         members.emplace_back(key, key == "extensions" ? value : drawnPart(value, inMaterial));
@@ -33,7 +33,8 @@ Json drawnPart(const Json& json, bool inMaterial)
     return out;
 }
 
-/// What tinygltf reads: the JSON without buffers and pictures, which are read here, and without what is never drawn.
+/// Returns the JSON that tinygltf reads: without buffers and pictures, which are read here, and without content that is
+/// never drawn.
 std::string textForTinygltf(const Json& root)
 {
     Json out = Json::object();
@@ -41,7 +42,7 @@ std::string textForTinygltf(const Json& root)
                             "textures", "samplers", "materials"})
         if (const auto at = root.find(key); at != root.end())
             out[key] = drawnPart(*at, std::string_view(key) == "materials");
-    // tinygltf refuses indices without a view, which are zeros: they get one for as long as it reads.
+    // tinygltf refuses indices without a view (zeros by the standard). They get a view while it reads.
     Json& views = out["bufferViews"];
     const std::size_t none = views.size();
     views.push_back({{"buffer", 0U}, {"byteLength", 1U}});
@@ -60,7 +61,7 @@ tinygltf::Model parse(const JsonDocument& document)
     const std::string text = textForTinygltf(document.root());
     bool good = false;
     try {
-        // At most limits.jsonBytes, below 2^32.
+        // The size is at most limits.jsonBytes, below 2^32.
         good = loader.LoadASCIIFromString(&model, &error, &warning, text.data(), static_cast<unsigned int>(text.size()),
                                           "");
     } catch (const std::exception& e) {

@@ -6,7 +6,7 @@
 namespace vitrine::render {
 namespace {
 
-/// `count` elements of `components` values, `stride` bytes apart.
+/// An array of `count` elements of `components` values, `stride` bytes apart.
 struct Elements {
     const unsigned char* first = nullptr;
     std::size_t stride = 0;
@@ -17,7 +17,7 @@ struct Elements {
 template <typename Stored> Stored load(const unsigned char* at)
 {
     Stored x;
-    std::memcpy(&x, at, sizeof x);  // Files need not align.
+    std::memcpy(&x, at, sizeof x);  // Values in files may be unaligned.
     return x;
 }
 
@@ -98,7 +98,7 @@ Elements sparseValuesOf(const tinygltf::Model& model, const tinygltf::Accessor& 
         componentsOf(accessor)};
 }
 
-/// Reads the plain values with `read`, or zeros where there is no view, then replaces the sparse ones.
+/// Reads the base values with `read`, or zeros if there is no view. Then applies the sparse replacements.
 template <typename Sample, typename Read>
 std::vector<Sample> withSparse(const tinygltf::Model& model, const tinygltf::Accessor& accessor, std::size_t components,
                                const Read& read)

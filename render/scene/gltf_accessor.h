@@ -8,17 +8,17 @@
 
 namespace vitrine::render {
 
-/// Bytes of one element of an accessor: 0 when its type or component type is none of glTF's.
+/// Returns the bytes of one element of an accessor; 0 if its type or component type is unknown to glTF.
 [[nodiscard]] std::uint64_t elementBytes(const tinygltf::Accessor&);
 
-/// The values of a validated accessor: `count * components` floats, integers divided by their largest value
-/// when the accessor says `normalized`, sparse replacements applied. `components` is what its type has.
+/// Returns the values of a validated accessor: `count * components` floats, where `components` depends on its type.
+/// Integers are divided by their largest value if the accessor is `normalized`. Sparse replacements are applied.
 [[nodiscard]] std::vector<float> readFloats(const tinygltf::Model&, int accessor);
 
-/// The values of a validated scalar accessor of unsigned integers, sparse replacements applied.
+/// Returns the values of a validated scalar accessor of unsigned integers, with sparse replacements applied.
 [[nodiscard]] std::vector<std::uint32_t> readIndices(const tinygltf::Model&, int accessor);
 
-/// The replaced positions of a sparse accessor whose views were validated.
+/// Returns the indices of the replaced elements of a sparse accessor whose views were validated.
 [[nodiscard]] std::vector<std::uint32_t> readSparsePositions(const tinygltf::Model&, const tinygltf::Accessor&);
 
 }  // namespace vitrine::render

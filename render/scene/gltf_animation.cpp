@@ -23,12 +23,12 @@ namespace keys {
 enum class Between : std::uint8_t { step, linear, cubic };
 enum class Path : std::uint8_t { translation, rotation, scale, weights };
 
-/// Keys of one property of one node.
+/// Key frames of one property of one node.
 struct Channel {
     std::size_t node = 0;
     Path path = Path::translation;
     Between between = Between::linear;
-    std::size_t width = 0;  ///< Numbers of a value.
+    std::size_t width = 0;  ///< Number of floats per value.
     std::vector<float> times, values;
 
     [[nodiscard]] const float* value(std::size_t key, int part) const
@@ -89,7 +89,7 @@ namespace {
 
 using namespace keys;
 
-/// Reads what names nodes and accessors in JSON that nobody checked before.
+/// Reads references to nodes and accessors from parts of the JSON that were not validated before.
 class Reader {
 public:
     Reader(const JsonDocument& document, const tinygltf::Model& gltf) : document_(document), gltf_(gltf) {}
@@ -118,7 +118,7 @@ public:
             throw document_.failure(path, std::string("\"") + key + "\" must be an array; export the file again.");
         return *at;
     }
-    /// Of the root; empty where there is none.
+    /// Returns a top-level array; empty if it is missing.
     [[nodiscard]] const Json& rootArray(const char* key) const
     {
         const Json& found = arrayAt(document_, key);
@@ -225,7 +225,7 @@ struct AnimatedModel::Parts {
     GltfFile file;
     GltfLimits limits;
     std::vector<Animation> animations;
-    std::vector<std::vector<Channel>> channels;  ///< Of each animation.
+    std::vector<std::vector<Channel>> channels;  ///< Channels of each animation.
     std::vector<Skin> skins;
     std::vector<int> skinOfNode;
     std::vector<std::vector<double>> weightsOfNode;
@@ -270,7 +270,7 @@ void AnimatedModel::Parts::read()
     }
 }
 
-/// Where each node stands, in the model.
+/// Returns the transform of each node to model space.
 std::vector<glm::dmat4> AnimatedModel::Parts::places(const tinygltf::Model& gltf) const
 {
     std::vector<glm::dmat4> made(gltf.nodes.size(), glm::dmat4(1));

@@ -9,25 +9,25 @@
 
 namespace vitrine::render {
 
-/// A glTF file with its animations, skins and morph targets, to be posed at any moment. Immutable; any thread may pose.
+/// A glTF file with its animations, skins and morph targets; it can be posed at any time. Immutable and thread-safe.
 class AnimatedModel {
 public:
     struct Animation {
-        std::string name;     ///< As in the file, or "animation 0".
-        double duration = 0;  ///< Seconds, to the last key.
+        std::string name;     ///< Name in the file, or "animation 0".
+        double duration = 0;  ///< Time of the last key, in seconds.
     };
 
-    /// Throws Failure as `loadGltf` does, and where an animation or a skin names what is not there.
+    /// Loads a file. Throws Failure as `loadGltf` does, also if an animation or skin refers to something missing.
     [[nodiscard]] static AnimatedModel load(const std::filesystem::path&, const GltfLimits& = {});
-    /// The same from the bytes of a file named `path`.
+    /// The same for the content of a file named `path`.
     [[nodiscard]] static AnimatedModel parse(const std::string& bytes, const std::filesystem::path&,
                                              const GltfLimits& = {});
 
     [[nodiscard]] const std::vector<Animation>& animations() const;
-    /// The model `seconds` into animation `i`; before its first and after its last key it is as there. -1: the rest
-    /// pose, with the weights that the file gives its morph targets. Skins take up to eight joints a vertex (JOINTS_0
-    /// and JOINTS_1). Interpolation is STEP, LINEAR or CUBICSPLINE. Normals are bent along; where a file has none, they
-    /// are flat. What is not supported is in `warnings`.
+    /// Returns the model at `seconds` in animation `i`, clamped to its first and last key. -1: the rest pose, with the
+    /// file's default morph weights. Skins use up to eight joints per vertex (JOINTS_0 and JOINTS_1). Interpolation is
+    /// STEP, LINEAR or CUBICSPLINE. Normals are deformed, too; flat normals are used if the file has none. Unsupported
+    /// features are listed in `warnings`.
     [[nodiscard]] Model posed(int i, double seconds) const;
 
 private:

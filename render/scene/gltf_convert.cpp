@@ -44,7 +44,7 @@ bool isFinite(const glm::dmat4& m)
     return std::all_of(first, first + 16, [](double x) { return std::isfinite(x); });
 }
 
-/// Adds the names of the extensions that any part of a document uses; another program's extras are passed over.
+/// Adds the names of all extensions used anywhere in a document. Extras of other programs are skipped.
 void addExtensions(const Json& json, std::set<std::string>& names)
 {
     if (json.is_array())
@@ -58,7 +58,7 @@ void addExtensions(const Json& json, std::set<std::string>& names)
     }
 }
 
-/// Triangles from strips and fans.
+/// Converts strips and fans to triangles.
 std::vector<std::uint32_t> triangulated(std::vector<std::uint32_t> in, int mode)
 {
     if (mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN) {
@@ -138,7 +138,7 @@ private:
         if (has("skins") && !pose_) warnings_.add("Skins are not supported; meshes keep their rest pose.");
         if (has("cameras")) warnings_.add("Cameras are not supported; their nodes become markers.");
         if (gltf_.scenes.size() > 1) warnings_.add("Only the default scene is shown.");
-        // Also those that the list leaves out, against the format: what they do is missing all the same.
+        // Extensions that the file uses without listing them count, too: their effect is missing all the same.
         std::set<std::string> extensions(gltf_.extensionsUsed.begin(), gltf_.extensionsUsed.end());
         addExtensions(document_.root(), extensions);
         for (const std::string& name : extensions) {
@@ -150,7 +150,7 @@ private:
     void add(int index, const glm::dmat4& placed)
     {
         const tinygltf::Node& node = gltf_.nodes[static_cast<std::size_t>(index)];
-        // Joints alone place what has a skin.
+        // A skinned mesh is placed by its joints alone.
         const glm::dmat4 modelFromNode = pose_ && pose_->isSkinned(index) ? glm::dmat4(1) : placed;
         if (node.mesh < 0) {
             out_.markers.push_back({node.name, modelFromNode});
@@ -172,8 +172,8 @@ private:
         }
     }
 
-    /// Primitive `p` of a node's mesh, converted once, or once for each node that deforms it; null when it has no
-    /// triangles.
+    /// Returns primitive `p` of a node's mesh; null if it has no triangles. Each is converted once, or once per node if
+    /// that deforms it.
     std::shared_ptr<const Mesh> mesh(int node, std::size_t p, const Material& material)
     {
         const int m = gltf_.nodes[static_cast<std::size_t>(node)].mesh;
@@ -267,8 +267,8 @@ private:
         return values;
     }
 
-    /// Three or four components, floats or integers. Integers are divided by their largest value, also in a file that
-    /// forgot to say `normalized`.
+    /// Reads three or four components, floats or integers. Integers are divided by their largest value, even if the
+    /// file omits `normalized`.
     void readColors(Mesh& mesh, int accessor, const std::string& path)
     {
         const tinygltf::Accessor& from = gltf_.accessors[static_cast<std::size_t>(accessor)];
@@ -302,7 +302,7 @@ private:
             vertex.extra = glm::make_vec2(x);
     }
 
-    /// `v` at unit length, unchanged when it already is; `fallback` when it has no direction.
+    /// Returns `v` at unit length, unchanged if it already is; `fallback` if its length is 0.
     static glm::vec3 unit(const glm::vec3& v, const glm::vec3& fallback)
     {
         const double length = glm::length(glm::dvec3(v));

@@ -14,7 +14,7 @@ namespace vitrine::render {
 
 struct GltfPose;
 
-/// A file that was guarded and validated.
+/// A glTF file after `guardGltf` and `validateGltf`.
 struct GltfFile {
     JsonDocument document;
     tinygltf::Model gltf;
@@ -23,10 +23,11 @@ struct GltfFile {
 /// Throws Failure as `loadGltf` does.
 [[nodiscard]] GltfFile readGltfFile(const std::string& bytes, const std::filesystem::path&, const GltfLimits&);
 
-/// From the node's space to its parent's.
+/// Returns the transform from the node's space to its parent's.
 [[nodiscard]] glm::dmat4 nodeTransform(const tinygltf::Node&);
 
-/// Turns a validated file into a Model, as `loadGltf` says; deformed, where there is a `pose`. Throws Failure.
+/// Converts a validated file to a Model, as described at `loadGltf`. If `pose` is given, meshes are deformed by it.
+/// Throws Failure.
 [[nodiscard]] Model convertGltf(const tinygltf::Model&, const JsonDocument&, const GltfLimits&,
                                 const std::function<bool()>& canceled, const GltfPose* pose = nullptr);
 

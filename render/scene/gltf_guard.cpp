@@ -20,12 +20,12 @@ constexpr std::uint64_t binChunk = 0x004E4942;
     throw Failure(Blame::file, "Cannot read " + name + ": " + problem + "; export it again.");
 }
 
-/// A chunk's length, and the place of its first byte.
+/// Type and length of a chunk, and the offset of its first byte.
 struct Chunk {
     std::uint64_t type = 0, first = 0, length = 0;
 };
 
-/// The chunks of a container whose lengths all agree. Those after the first two, and of unknown type, are for
+/// Returns the chunks of a container after checking all lengths. Chunks after the first two, of unknown type, are for
 /// extensions.
 std::vector<Chunk> chunksOf(const std::string& bytes, const std::string& name)
 {
@@ -44,7 +44,7 @@ std::vector<Chunk> chunksOf(const std::string& bytes, const std::string& name)
         const std::string self = chunk.type == jsonChunk  ? "JSON chunk"
                                  : chunk.type == binChunk ? "BIN chunk"
                                                           : "chunk number " + std::to_string(chunks.size() + 1);
-        // The length should be a multiple of four; exporters that leave out the padding write good data all the same.
+        // The length should be a multiple of four. Exporters that omit the padding still write valid data.
         if (chunk.first + chunk.length > size) fail(name, "its " + self + " does not fit the file");
         chunks.push_back(chunk);
         next = chunk.first + chunk.length;
@@ -62,12 +62,12 @@ std::string jsonOf(const std::string& bytes, const std::string& name)
     const Chunk json = chunksOf(bytes, name).front();
     std::string text = bytes.substr(json.first, json.length);
     while (!text.empty() && text.back() == ' ') text.pop_back();  // Padding.
-    // Some exporters pad with zeros, as only the BIN chunk should be: at most three, up to a multiple of 4.
+    // Some exporters pad with zeros, which only the BIN chunk should use: at most three, up to a multiple of 4.
     for (int i = 0; i < 3 && !text.empty() && text.back() == '\0'; ++i) text.pop_back();
     return text;
 }
 
-/// A size that the schema check has found to be one; `absent` when the key is not there.
+/// Returns a size that the schema check has validated; `absent` if the key is missing.
 std::uint64_t sizeAt(const Json& object, const char* key, std::uint64_t absent = 0)
 {
     const auto at = object.find(key);
@@ -90,7 +90,7 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
     for (std::size_t i = 0; i < arrayAt(document, "buffers").size(); ++i) {
         const std::uint64_t length = sizeAt(arrayAt(document, "buffers")[i], "byteLength");
         if (length < 1) throw document.failure(elementPath("buffers", i, "byteLength"), "a buffer cannot be empty.");
-        // One at a time: the sum of two numbers below 2^31 cannot overflow.
+        // Two checks, so that nothing overflows: the sum of two numbers below 2^31 is safe.
         if (length > limits.bufferBytes || (total += length) > limits.bufferBytes) {
             throw document.failure(elementPath("buffers", i, "byteLength"), "the buffers together are larger than " +
                                                                                 std::to_string(limits.bufferBytes) +
@@ -116,7 +116,7 @@ void checkBuffers(const JsonDocument& document, const GltfLimits& limits)
     }
 }
 
-/// Elements that are zeros because no view holds them cost the file nothing: they have a limit of their own.
+/// Checks the accessors. Elements without a view are zeros and cost the file nothing, so they have their own limit.
 void checkAccessors(const JsonDocument& document, const GltfLimits& limits)
 {
     constexpr std::array<std::uint64_t, 6> componentTypes = {5120, 5121, 5122, 5123, 5125, 5126};
@@ -160,7 +160,7 @@ void checkReferences(const JsonDocument& document, const char* array)
 
 void checkExtensions(const JsonDocument& document)
 {
-    // Quantized vertices need nothing but the component types that the reader knows anyway.
+    // Quantized vertices use only component types that the reader supports anyway.
     constexpr std::array<std::string_view, 2> known = {"KHR_materials_emissive_strength", "KHR_mesh_quantization"};
     const Json& required = arrayAt(document, "extensionsRequired");
     for (std::size_t i = 0; i < required.size(); ++i) {
@@ -197,7 +197,8 @@ void checkStrings(const JsonDocument& document, const Json& json, const std::str
     }
 }
 
-/// Whether this can be a container or JSON, in whatever encoding; an array is refused with its own reason.
+/// Returns whether this can be a container or JSON, in any encoding. An array is accepted here, because it is refused
+/// later with its own reason.
 bool beginsAsGltf(const std::string& bytes)
 {
     if (bytes.starts_with("glTF") || bytes.starts_with("\xEF\xBB\xBF") || bytes.starts_with("\xFF\xFE") ||

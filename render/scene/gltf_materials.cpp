@@ -150,8 +150,7 @@ std::shared_ptr<const Texture> GltfMaterials::picture(const TextureKey& key)
     }
     try {
         ImageLimits limits;
-        limits.decodedBytes =
-            limits_.textureBytes - textureBytes_;  // The budget is counted before anything is unpacked.
+        limits.decodedBytes = limits_.textureBytes - textureBytes_;  // The limit is checked before anything is decoded.
         const auto texture = textureFromBytes(bytes, shown,
                                               {.sRgb = content == Content::color,
                                                .repeat = sampling.repeat,

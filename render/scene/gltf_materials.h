@@ -13,7 +13,7 @@
 
 namespace vitrine::render {
 
-/// Sentences without repetition, at most 100.
+/// List of sentences without repetition, at most 100.
 class Warnings {
 public:
     explicit Warnings(std::vector<std::string>& list) : list_(list) {}
@@ -23,7 +23,7 @@ private:
     std::vector<std::string>& list_;
 };
 
-/// The materials and pictures of a validated file, each converted once.
+/// Materials and pictures of a validated file, each converted once.
 class GltfMaterials {
 public:
     GltfMaterials(const tinygltf::Model&, const JsonDocument&, const GltfLimits&, const std::function<bool()>& canceled,
@@ -34,12 +34,12 @@ public:
 
 private:
     enum class Content : unsigned char { color, data };
-    /// How a picture is sampled, as `Texture` has it.
+    /// Sampler state of a picture; the members are those of `Texture`.
     struct Sampling {
         bool repeat = true, mipmaps = true, magnifyNearest = false, minifyNearest = false, nearestLevel = false;
         auto operator<=>(const Sampling&) const = default;
     };
-    using TextureKey = std::tuple<int, Content, Sampling>;  // By the image's number.
+    using TextureKey = std::tuple<int, Content, Sampling>;  // The first element is the index of the image.
 
     Material convert(const tinygltf::Material&);
     [[nodiscard]] Sampling samplingOf(const tinygltf::Texture&, const std::string& user);

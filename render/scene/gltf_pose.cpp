@@ -18,12 +18,12 @@ glm::vec3 unitOr(const glm::dvec3& v, const glm::vec3& otherwise)
     return length > 1e-20 && std::isfinite(length) ? glm::vec3(v / length) : otherwise;
 }
 
-/// Values of an accessor where they are as many as the vertices and have so many components; else empty.
+/// Returns the values of an attribute if there is one value per vertex with this number of components; else empty.
 std::vector<float> valuesOf(const tinygltf::Model& gltf, const std::map<std::string, int>& attributes,
                             const std::string& name, std::size_t vertices, std::size_t components)
 {
     const auto found = attributes.find(name);
-    // Targets are validated nowhere else.
+    // Morph targets are not validated elsewhere.
     if (found == attributes.end() || found->second < 0 ||
         static_cast<std::size_t>(found->second) >= gltf.accessors.size())
         return {};
@@ -46,12 +46,12 @@ void addTarget(Mesh& mesh, const tinygltf::Model& gltf, const std::map<std::stri
     }
 }
 
-/// Four joints of each vertex, and how much each counts.
+/// Four joints per vertex, with their weights.
 struct Influences {
     std::vector<float> joints, weights;
 };
 
-/// The sets that are whole.
+/// Returns the complete sets: joints with their weights.
 std::vector<Influences> influences(const tinygltf::Model& gltf, const std::map<std::string, int>& attributes,
                                    std::size_t vertices)
 {

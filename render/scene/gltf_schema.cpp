@@ -20,7 +20,7 @@ struct Rule {
     Need need = Need::optional;
 };
 
-/// In the order of a walk from the outside in: whoever goes through a member can rely on its type.
+/// Sorted from the outside in: when a rule passes through a member, its type was checked before.
 constexpr Rule rules[] = {
     {"asset", Kind::object, Need::required},
     {"asset.version", Kind::text, Need::required},
@@ -148,7 +148,8 @@ const char* nameOf(Kind kind)
 bool isOf(const Json& json, Kind kind)
 {
     switch (kind) {
-    case Kind::index: return json.is_number_unsigned() && json.get<std::uint64_t>() <= 2147483647;  // tinygltf's int.
+    // Fits tinygltf's int.
+    case Kind::index: return json.is_number_unsigned() && json.get<std::uint64_t>() <= 2147483647;
     case Kind::size: return json.is_number_unsigned();
     case Kind::number: return json.is_number();
     case Kind::text: return json.is_string();
@@ -170,7 +171,7 @@ public:
     }
 
 private:
-    /// `rest` is what is left of the rule's path, `path` the way that led to `json`.
+    /// Applies the rule. `rest` is the unmatched remainder of the rule's path, `path` the location of `json`.
     void walk(const Json& json, std::string_view rest, const std::string& path) const
     {
         if (rest.empty()) {
@@ -210,7 +211,7 @@ void checkGltfSchema(const JsonDocument& document)
 void makeWholeNumbersIntegers(Json& json)
 {
     if (json.is_number_float()) {
-        constexpr double exact = 9007199254740992.0;  // Below it a double holds every whole number.
+        constexpr double exact = 9007199254740992.0;  // Up to this value a double represents every whole number.
         const double x = json.get<double>();
         if (std::trunc(x) != x || std::abs(x) >= exact || std::signbit(x)) return;
         json = static_cast<std::uint64_t>(x);

@@ -7,19 +7,19 @@
 
 namespace vitrine::render {
 
-/// Checks that the members which are read have the types that the JSON schema of glTF 2.0 gives them, and that those it
-/// requires are there. Animations, skins, cameras, extensions and extras are not looked at: they are not read.
-/// Throws Failure naming file, line and key, and what the schema wants there.
+/// Checks the members that are read: each has the type that the JSON schema of glTF 2.0 requires, and no required one
+/// is missing. Animations, skins, cameras, extensions and extras are not checked here; gltf_animation.cpp checks what
+/// it reads itself. Throws Failure naming file, line and key, and what the schema requires there.
 void checkGltfSchema(const JsonDocument&);
 
-/// Turns every number that is whole into an integer: "4.0" and "4" are the same number in JSON, and the schema's
-/// integers may be written as either.
+/// Converts every whole number to an integer: "4.0" and "4" are the same number in JSON, and the schema's integers may
+/// be written either way.
 void makeWholeNumbersIntegers(Json&);
 
-/// The array of that name; an empty one where there is none.
+/// Returns the array of that name; an empty one if it is missing.
 [[nodiscard]] const Json& arrayAt(const JsonDocument&, const char* key);
 
-/// The path of an element or, with a `key`, of one of its members: "accessors[3].count".
+/// Returns the path of an element or, with a `key`, of one of its members: "accessors[3].count".
 [[nodiscard]] std::string elementPath(const char* array, std::size_t i, const char* key);
 
 }  // namespace vitrine::render

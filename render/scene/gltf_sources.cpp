@@ -26,7 +26,7 @@ int hexDigit(char c)
     return -1;
 }
 
-/// The value of a digit of base 64 (RFC 4648, 4), or -1.
+/// Returns the value of a base64 digit (RFC 4648, 4), or -1.
 int base64Digit(char c)
 {
     if (c >= 'A' && c <= 'Z') return c - 'A';
@@ -35,7 +35,7 @@ int base64Digit(char c)
     return c == '+' ? 62 : (c == '/' ? 63 : -1);
 }
 
-/// Nothing when `text` is not base 64. Padding may be missing.
+/// Decodes base64; returns nothing if `text` is invalid. Padding may be missing.
 std::optional<Bytes> base64Decoded(std::string_view text)
 {
     for (int i = 0; i < 2 && text.ends_with('='); ++i) text.remove_suffix(1);
@@ -53,7 +53,7 @@ std::optional<Bytes> base64Decoded(std::string_view text)
     return out;
 }
 
-/// What a data: URI (RFC 2397) holds, of whatever media type.
+/// Returns the content of a data: URI (RFC 2397) of any media type.
 Bytes dataOf(const JsonDocument& document, const std::string& path, const std::string& uri)
 {
     const std::size_t comma = uri.find(',');
@@ -76,7 +76,7 @@ Bytes fileOf(const std::string& uri, const std::filesystem::path& folder, const 
     return {bytes.begin(), bytes.end()};
 }
 
-/// Cut to `length`. Throws when there are fewer.
+/// Truncates the bytes to `length`. Throws if there are fewer.
 Bytes ofLength(const JsonDocument& document, const std::string& path, Bytes bytes, std::size_t length)
 {
     if (bytes.size() < length) {
@@ -163,7 +163,7 @@ std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std:
         if ((view != rows[i].end()) == !uri.empty())
             throw document.failure(path, "a picture has either a uri or a bufferView; export the file again.");
         if (view != rows[i].end()) {
-            image.bufferView = view->get<int>();  // Its bytes are taken after validation.
+            image.bufferView = view->get<int>();  // Its bytes are read from the buffer after validation.
         } else if (uri.starts_with("data:")) {
             image.image = dataOf(document, path, uri);
         } else {
@@ -173,7 +173,7 @@ std::vector<tinygltf::Image> readImages(const JsonDocument& document, const std:
             try {
                 image.image = fileOf(uri, folder, limits);
             } catch (const Failure&) {
-                // Drawn without it; that it is missing is told by who uses it.
+                // The model is drawn without it. The material that uses it reports that it is missing.
             }
         }
         if ((total += image.image.size()) > limits.bufferBytes)

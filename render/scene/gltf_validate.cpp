@@ -67,7 +67,7 @@ private:
         }
     }
 
-    /// `count` elements of `size` bytes, `stride` apart, from `offset` on, lie inside the view.
+    /// Checks that `count` elements of `size` bytes, `stride` apart, from `offset` on, lie inside the view.
     void inside(int view, std::uint64_t offset, std::uint64_t stride, std::uint64_t count, std::uint64_t size,
                 const std::string& path) const
     {
@@ -125,7 +125,7 @@ private:
         }
         index(s.indices.bufferView, model_.bufferViews.size(), path + ".indices.bufferView");
         index(s.values.bufferView, model_.bufferViews.size(), path + ".values.bufferView");
-        // tinygltf 2.9 takes a negative offset for 0, so the file itself is asked.
+        // tinygltf 2.9 reads a negative offset as 0, so the JSON itself is checked.
         const Json& written = document_.root().at("accessors").at(i).at("sparse");
         for (const char* part : {"indices", "values"}) {
             const auto offset = written.at(part).find("byteOffset");
@@ -187,14 +187,15 @@ private:
                 fail(path + ".attributes." + name, "its count differs from that of other attributes");
             vertices = count;
         }
-        // Counted per use: many primitives may share one accessor, each would get vertices of its own.
+        // Counted per use: many primitives may share one accessor, but each gets its own vertices.
         if ((vertices_ += verticesMade(p, vertices)) > limits_.vertices) {
             fail(path, "there are more than " + std::to_string(limits_.vertices) + " vertices");
         }
         if (p.indices >= 0) indices(p.indices, vertices, path + ".indices");
     }
 
-    /// Flat normals give each triangle three vertices of its own, and strips and fans name each up to three times.
+    /// Returns the number of vertices after conversion. Flat normals give each triangle three vertices of its own;
+    /// strips and fans use each vertex up to three times.
     std::uint64_t verticesMade(const tinygltf::Primitive& p, std::uint64_t vertices) const
     {
         if (p.attributes.contains("NORMAL")) return vertices;
@@ -229,7 +230,7 @@ private:
         finite(n.scale, 3, at("nodes", i, ".scale"));
     }
 
-    /// Which nodes have a parent. Throws when one has two.
+    /// Returns which nodes have a parent. Throws if one has two.
     std::vector<bool> parents() const
     {
         std::vector<bool> hasParent(model_.nodes.size(), false);
@@ -244,8 +245,8 @@ private:
         return hasParent;
     }
 
-    /// Every node is within reach of a root, and no deeper than allowed: then, with one parent at most,
-    /// there are no circles.
+    /// Checks that every node is reachable from a root and no deeper than allowed. As each has at most one parent,
+    /// there are then no cycles.
     void tree(const std::vector<bool>& hasParent) const
     {
         struct Place {
@@ -271,7 +272,7 @@ private:
         if (reached != model_.nodes.size()) fail("nodes", "some nodes are their own ancestors");
     }
 
-    /// A scene names roots, each once: then converting it visits every node at most once.
+    /// Checks that a scene names roots, each once. Its conversion then visits every node at most once.
     void scene(const tinygltf::Scene& s, const std::string& path, const std::vector<bool>& hasParent) const
     {
         std::vector<bool> named(model_.nodes.size(), false);

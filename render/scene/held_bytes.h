@@ -7,7 +7,7 @@
 
 namespace vitrine::render {
 
-/// Bytes of memory that the samples take.
+/// Returns the bytes of memory that the texels take.
 [[nodiscard]] inline std::uint64_t heldBytes(const Texture& texture)
 {
     return texture.bytes.size() + texture.floats.size() * sizeof(float);
@@ -19,7 +19,7 @@ namespace vitrine::render {
            mesh.colors.size() * sizeof(glm::vec4);
 }
 
-/// Meshes and pictures that parts share count once.
+/// Returns the bytes of all meshes and textures; shared ones count once.
 [[nodiscard]] inline std::uint64_t heldBytes(const Model& model)
 {
     std::set<const void*> counted;

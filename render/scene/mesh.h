@@ -20,30 +20,30 @@ struct Box {
     [[nodiscard]] bool empty() const { return !(low.x <= high.x && low.y <= high.y && low.z <= high.z); }
     [[nodiscard]] glm::dvec3 center() const { return 0.5 * (low + high); }
     [[nodiscard]] glm::dvec3 halfSize() const { return 0.5 * (high - low); }
-    /// Its faces belong to it.
+    /// Returns whether the box contains `p`; its faces count as inside.
     [[nodiscard]] bool contains(const glm::dvec3& p) const { return glm::clamp(p, low, high) == p; }
     void include(const glm::dvec3& p)
     {
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
-    /// The smallest axis-aligned box around this box after `transform`.
+    /// Returns the smallest axis-aligned box that contains the transformed box.
     [[nodiscard]] Box transformed(const glm::dmat4& transform) const;
 };
 
-/// The one vertex layout that shaders see. Locations 0 to 4, in this order.
+/// The single vertex layout of all shaders. Locations 0 to 4, in this order.
 struct Vertex {
     glm::vec3 position{0};
     glm::vec3 normal{0, 1, 0};
     glm::vec4 tangent{1, 0, 0, 1};  ///< w is the sign of the bitangent.
     glm::vec2 uv{0};                ///< TEXCOORD_0.
-    /// Two numbers that mean what the shaders of the mesh say: of a glTF TEXCOORD_1, where a lightmap is looked up; of
-    /// a skin under a coat its curvature, and a height.
+    /// Two numbers whose meaning depends on the mesh's shader. For glTF: TEXCOORD_1, the coordinates of a lightmap. For
+    /// a skin under fur: its curvature and a height.
     glm::vec2 extra{0};
 };
 
-/// Indexed triangles, counter-clockwise seen from the front. Immutable once shared: the renderer
-/// uploads a mesh once, by address.
+/// Indexed triangles, counter-clockwise seen from the front. Must not change once shared: the renderer uploads a mesh
+/// once and finds it by address.
 struct Mesh {
     std::string name;
     std::vector<Vertex> vertices;
@@ -53,7 +53,7 @@ struct Mesh {
     std::vector<glm::vec4> colors = {};
 };
 
-/// An 8-bit or float picture for sampling. Immutable once shared, like a mesh.
+/// An 8-bit or float picture for sampling. Must not change once shared, like a mesh.
 struct Texture {
     std::string name;
     int width = 0;
@@ -62,9 +62,9 @@ struct Texture {
     bool sRgb = false;   ///< 8-bit values are sRGB-encoded color.
     bool repeat = true;  ///< Otherwise clamp to edge.
     bool mipmaps = true;
-    bool magnifyNearest = false;      ///< Texels are squares where they are larger than pixels. Otherwise interpolated.
-    bool minifyNearest = false;       ///< The same where they are smaller.
-    bool nearestLevel = false;        ///< One mipmap level is read. Otherwise interpolated between two.
+    bool magnifyNearest = false;      ///< Nearest filtering if texels are larger than pixels. Otherwise linear.
+    bool minifyNearest = false;       ///< Nearest filtering if texels are smaller than pixels. Otherwise linear.
+    bool nearestLevel = false;        ///< Reads only the nearest mip level. Otherwise interpolates between two.
     std::vector<std::uint8_t> bytes;  ///< Row 0 is texture coordinate v = 0. Empty when `floats` is used.
     std::vector<float> floats;
     int layers = 1;  ///< More than one: a 2-D array, layers stored one after another.
@@ -87,9 +87,10 @@ struct Material {
     std::shared_ptr<const Texture> baseColorMap, metallicRoughnessMap, normalMap, occlusionMap, emissiveMap;
 };
 
-/// A mesh at a place. `mirrored` is true when the transform flips orientation (negative determinant).
+/// A mesh with its transform and material. `mirrored` is true if the transform flips orientation (negative
+/// determinant).
 struct MeshInstance {
-    std::string name;  ///< Of the node.
+    std::string name;  ///< Name of the node.
     std::shared_ptr<const Mesh> mesh;
     std::shared_ptr<const Material> material;
     glm::dmat4 modelFromPart{1};
@@ -106,8 +107,8 @@ struct Marker {
 struct Model {
     std::vector<MeshInstance> parts;
     std::vector<Marker> markers;
-    Box bounds;                         ///< Of all parts, in model space.
-    std::vector<std::string> warnings;  ///< What the file asks for and this program does not support.
+    Box bounds;                         ///< Bounds of all parts, in model space.
+    std::vector<std::string> warnings;  ///< Features of the file that this program does not support, a sentence each.
 };
 
 }  // namespace vitrine::render

@@ -91,7 +91,7 @@ void makeTangents(Mesh& mesh)
         const glm::dvec3 inPlane = sums[i].alongU - n * glm::dot(n, sums[i].alongU);
         const double length = glm::length(inPlane);
         const glm::dvec3 tangent = length > 0 ? inPlane / length : anyPerpendicular(n);
-        // Green in a normal map points up in the picture and v points down: the bitangent is along -v.
+        // Green in a normal map points up in the picture and v points down, so the bitangent is along -v.
         const double sign = glm::dot(glm::cross(n, tangent), sums[i].alongV) > 0 ? -1 : 1;
         vertex.tangent = glm::vec4(glm::vec3(tangent), static_cast<float>(sign));
     }

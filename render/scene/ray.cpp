@@ -8,14 +8,14 @@ namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
 
-/// Distance to the plane's point inside the triangle; infinity where the ray misses it or comes from behind.
+/// Returns the distance to the triangle; infinity if the ray misses it, or hits its back and `faces` excludes that.
 double hitTriangle(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, Faces faces)
 {
     const glm::dvec3 ab = b - a;
     const glm::dvec3 ac = c - a;
     const glm::dvec3 p = glm::cross(ray.direction, ac);
     const double determinant = glm::dot(ab, p);
-    // Zero for a ray within the plane, and for a triangle without an area.
+    // The determinant is 0 for a ray within the plane, and for a triangle without area.
     if (faces == Faces::front ? !(determinant > 0) : !(determinant != 0)) return never;
     const glm::dvec3 fromA = ray.origin - a;
     const double u = glm::dot(fromA, p) / determinant;
@@ -39,7 +39,7 @@ Stretch insideBox(const Ray& ray, const Box& box)
     Stretch s{0, never};
     for (int axis = 0; axis < 3; ++axis) {
         if (ray.direction[axis] == 0) {
-            // Along the faces: inside this slab for ever, or never; a division would be 0 / 0 on a face.
+            // The ray is parallel to the faces: always inside this slab, or never. A division would be 0 / 0 on a face.
             if (ray.origin[axis] < box.low[axis] || ray.origin[axis] > box.high[axis]) return {never, 0};
             continue;
         }
@@ -84,7 +84,7 @@ double firstHit(const Ray& ray, const MeshInstance& part, Faces faces)
 {
     if (!part.mesh) return never;
     const Ray local = ray.transformed(glm::inverse(part.modelFromPart));
-    // In a mirrored space fronts turn into backs: nothing is lost by looking at both.
+    // A mirrored transform turns front faces into back faces, so both are tested.
     return firstHit(local, *part.mesh, part.mirrored ? Faces::both : faces);
 }
 

@@ -8,7 +8,7 @@
 
 namespace vitrine::render {
 
-/// A half line. Distances along it are counted in lengths of `direction`, so that they are the same in every space.
+/// A half line. Distances along it are in multiples of `direction`'s length, so that a transform does not change them.
 struct Ray {
     glm::dvec3 origin{0};
     glm::dvec3 direction{0, 0, -1};
@@ -17,8 +17,8 @@ struct Ray {
     [[nodiscard]] Ray transformed(const glm::dmat4& transform) const;
 };
 
-/// Where a ray is inside a box: enters at `enter` (0 when it starts inside) and leaves at `exit`; `enter > exit`:
-/// never.
+/// Interval of a ray inside a box, from `enter` (0 if the ray starts inside) to `exit`. `enter > exit`: the ray misses
+/// the box.
 struct Stretch {
     double enter = 0, exit = 0;
 };
@@ -26,14 +26,14 @@ struct Stretch {
 
 enum class Faces : std::uint8_t { front, both };
 
-// Distance to the first point that is hit; infinity where there is none.
+// Returns the distance to the first hit; infinity if there is none.
 [[nodiscard]] double firstHit(const Ray&, const Box&);
-/// Of a sphere of this radius about `center`; from inside, 0.
+/// The same for a sphere around `center`; 0 from inside.
 [[nodiscard]] double firstHit(const Ray&, const glm::dvec3& center, double radius);
-/// Of a triangle mesh (Möller and Trumbore 1997); `front`: counter-clockwise faces only. Tries every triangle, unless
-/// the ray misses the bounds: 60,000 triangles take less than a millisecond.
+/// The same for a triangle mesh (Möller and Trumbore 1997). `front`: counter-clockwise faces only. Tests every
+/// triangle, unless the ray misses the bounds: 60,000 triangles take less than a millisecond.
 [[nodiscard]] double firstHit(const Ray&, const Mesh&, Faces);
-/// Of a part where it stands; of a mirrored one both faces count.
+/// The same for a part with its transform. For a mirrored part both faces count.
 [[nodiscard]] double firstHit(const Ray&, const MeshInstance&, Faces);
 
 }  // namespace vitrine::render
