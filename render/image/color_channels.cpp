@@ -17,7 +17,7 @@ std::string lowered(std::string_view text)
     return out;
 }
 
-/// A layer and where its channels are, by their names in lower case.
+/// A layer with the indices of its channels, by their names in lower case.
 struct Layer {
     std::string name;
     std::map<std::string, int> channels;
@@ -37,7 +37,7 @@ struct Layer {
     {
         return channels.contains("y") && !channels.contains("x") && !channels.contains("z") && !isLuminanceChroma();
     }
-    /// 0 for the main layer, 1 for a finished picture, 2 for others.
+    /// Returns the priority: 0 for the main layer, 1 for a finished picture, 2 for others.
     [[nodiscard]] int rank() const
     {
         if (name.empty()) return 0;

@@ -14,7 +14,7 @@ namespace {
 
 const std::string cutShort = "it is broken: its header claims more than the file holds";
 
-/// The bytes of a header, read from front to back.
+/// Reader of the header's bytes, from front to back.
 class ExrBytes {
 public:
     explicit ExrBytes(std::string_view bytes) : rest_(bytes) {}
@@ -27,7 +27,7 @@ public:
         rest_.remove_prefix(count);
         return taken;
     }
-    /// The characters up to a zero byte, which is skipped.
+    /// Reads the characters up to a zero byte, which is skipped.
     [[nodiscard]] std::optional<std::string_view> text()
     {
         constexpr std::size_t longest = 256;
@@ -47,17 +47,17 @@ std::int64_t int32At(std::string_view bytes, std::size_t at)
     return static_cast<std::int32_t>(littleEndian(bytes, at));
 }
 
-/// What one part of the file claims.
+/// Header of one part of the file.
 struct ExrPart {
     std::int64_t width = 1, height = 1;
     std::int64_t tileWidth = 0, tileHeight = 0;
     std::int64_t rowsPerChunk = 1;
     std::vector<std::string> names{};
     bool subsampled = false;
-    bool farOff = false;  ///< A window lies where sums of its coordinates and sides overflow.
+    bool farOff = false;  ///< A data or display window is so far away that sums of its coordinates and sides overflow.
 };
 
-/// Rows that one chunk holds, by the number of the compression; the most for numbers that are not known.
+/// Returns the rows per chunk for the number of a compression; the largest number for an unknown one.
 std::int64_t rowsPerChunk(std::string_view compression)
 {
     if (compression.empty()) return 256;
@@ -120,7 +120,7 @@ std::string whyPartRefused(const ExrPart& part, std::size_t fileBytes, const Ima
     const DeclaredImage size{width, height, 1, 0};
     if (std::string why = whyTooLarge(size, ImageFormat::exr, fileBytes, limits); !why.empty()) return why;
     if (part.farOff) return "its windows lie too far from the origin";
-    // OpenEXR takes the memory of a whole chunk when it opens the file, and of several for its threads.
+    // OpenEXR allocates a whole chunk when it opens the file, and several for its threads.
     constexpr std::int64_t mostChunkBytes = 512LL << 20U;
     const auto channels = static_cast<std::int64_t>(part.names.size());
     const std::int64_t chunkPixels =

@@ -8,7 +8,7 @@
 namespace vitrine::render {
 
 /// A picture in memory: 32-bit float, interleaved channels, row 0 at the TOP, no padding.
-/// Color is linear Rec. 709 unless the function that made it says otherwise; alpha is not premultiplied.
+/// Color is linear Rec. 709 unless the function that returns it says otherwise; alpha is not premultiplied.
 struct Image {
     int width = 0;
     int height = 0;

@@ -77,7 +77,7 @@ std::string whyTooLarge(const DeclaredImage& image, ImageFormat format, std::uin
     const std::uint64_t mostChannels = format == ImageFormat::exr ? limits.exrChannels : limits.channels;
     if (image.channels < 1) return "it has no channels";
     if (image.channels > mostChannels) return more(image.channels, "channels", mostChannels);
-    // At most 2^15 * 2^15 * 16 * 8 with the default limits: no overflow; larger limits are checked here.
+    // With the default limits at most 2^15 * 2^15 * 16 * 8, which does not overflow; larger limits are checked here.
     std::uint64_t pixels = 0;
     std::uint64_t bytes = 0;
     if (__builtin_mul_overflow(image.width, image.height, &pixels) || pixels > limits.pixels) {
@@ -88,7 +88,7 @@ std::string whyTooLarge(const DeclaredImage& image, ImageFormat format, std::uin
     }
     if (format == ImageFormat::webp || format == ImageFormat::bmp || format == ImageFormat::gif) return {};
     const std::uint64_t mostRatio = format == ImageFormat::png ? 1200 : 4000;
-    // A few rows of slack, so that tiny pictures with large headers are not suspects.
+    // A few rows of slack, so that tiny pictures with large headers are accepted.
     if (bytes / mostRatio > fileBytes + 64) {
         return "it claims to unpack to " + std::to_string(bytes / std::max<std::uint64_t>(fileBytes, 1)) +
                " times its size, more than the format can pack";

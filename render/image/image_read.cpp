@@ -27,7 +27,7 @@ namespace {
     throw Failure(Blame::file, "Cannot read " + name + ": " + why + "; choose another picture.");
 }
 
-/// Which channels carry color or alpha, and which of them alpha.
+/// Roles of the channels: which carry color or alpha, and which of them is alpha.
 struct Roles {
     std::vector<bool> color;
     int alpha = -1;
@@ -66,15 +66,15 @@ void decodeCodes(const std::vector<Code>& codes, const Roles& roles, bool raw, s
     }
 }
 
-/// Replaces what is not finite; returns how many samples that were.
+/// Replaces values that are not finite; returns the number of such samples.
 std::size_t scrub(std::vector<float>& samples, const Roles& roles)
 {
-    constexpr float largest = 65504;  // The largest 16-bit float: what the format could have held.
+    constexpr float largest = 65504;  // The largest 16-bit float, the largest value that the format could store.
     std::size_t count = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         float& x = samples[i];
         if (std::isfinite(x)) continue;
-        // A depth of infinity means that nothing was hit: only color has to be finite.
+        // In a depth channel, infinity means that nothing was hit. Only color must be finite.
         if (std::isinf(x) && !roles.color[i % roles.color.size()]) continue;
         x = std::isnan(x) ? 0.0F : std::copysign(largest, x);
         ++count;
@@ -82,7 +82,7 @@ std::size_t scrub(std::vector<float>& samples, const Roles& roles)
     return count;
 }
 
-/// OpenEXR stores color multiplied by alpha.
+/// Divides color by alpha: OpenEXR stores premultiplied color.
 void divideByAlpha(std::vector<float>& samples, const Roles& roles)
 {
     if (roles.alpha < 0) return;
@@ -127,7 +127,8 @@ std::string readChecked(const std::filesystem::path& path, const ImageLimits& li
     return bytes;
 }
 
-/// Repeats `from`'s samples in another order of channels; a source of -1 gives `fill`.
+/// Returns the samples with their channels rearranged. `sources` gives the old channel for each new one; -1 gives
+/// `fill`.
 template <typename Sample>
 std::vector<Sample> rearranged(const std::vector<Sample>& from, std::size_t channels, const std::vector<int>& sources,
                                Sample fill)
@@ -142,7 +143,7 @@ std::vector<Sample> rearranged(const std::vector<Sample>& from, std::size_t chan
     return out;
 }
 
-/// Which stored channel each channel of a texture comes from. Gray color becomes red, green and blue: there is no
+/// Returns the stored channel for each channel of a texture. Gray color becomes red, green and blue: OpenGL has no
 /// sRGB-encoded format with one channel.
 std::vector<int> textureChannels(int stored, bool color)
 {
@@ -151,7 +152,7 @@ std::vector<int> textureChannels(int stored, bool color)
     return all.at(static_cast<std::size_t>(stored - 1));
 }
 
-/// Whether all channels are color (or its alpha) in the usual order.
+/// Returns whether all channels are color or alpha, in the usual order.
 bool isPlainColor(const std::vector<std::string>& names)
 {
     using Names = std::vector<std::string>;
@@ -159,7 +160,7 @@ bool isPlainColor(const std::vector<std::string>& names)
            names == Names{"R", "G", "B", "A"};
 }
 
-/// The samples as linear light where the file gives another meaning to its codes than sRGB.
+/// Returns the samples as linear light if the file's color space is not sRGB; else nothing.
 std::optional<std::vector<float>> converted(StoredPicture& picture, ImageFormat format)
 {
     if (!isPlainColor(picture.channelNames)) return std::nullopt;
@@ -172,7 +173,7 @@ std::optional<std::vector<float>> converted(StoredPicture& picture, ImageFormat 
     return floats;
 }
 
-/// Codes of 8 bits, sRGB-encoded, in place of those of another color space.
+/// Converts 8-bit codes of another color space to sRGB-encoded ones.
 void bringToSrgb(StoredPicture& picture, ImageFormat format)
 {
     const std::optional<std::vector<float>> light = converted(picture, format);
@@ -205,7 +206,7 @@ std::shared_ptr<Texture> makeTexture(StoredPicture& picture, ImageFormat format,
     } else {
         std::optional<std::vector<float>> floats;
         if (options.sRgb && options.obeysFile) floats = converted(picture, format);
-        // Float pictures are linear: there is nothing to decode, and alpha still has to be divided out.
+        // Float pictures are linear: they need no decoding, but their color must still be divided by alpha.
         const bool raw = !options.sRgb && format != ImageFormat::exr;
         if (!floats) floats = floatsOf(picture, format, raw, picture.warnings);
         texture->floats = keep ? std::move(*floats) : rearranged(*floats, channels, sources, 0.0F);
@@ -213,13 +214,13 @@ std::shared_ptr<Texture> makeTexture(StoredPicture& picture, ImageFormat format,
     return texture;
 }
 
-/// A file that was unpacked.
+/// A decoded file.
 struct DecodedFile {
     ImageFormat format{};
     StoredPicture picture{};
 };
 
-/// Reads and unpacks a file; its first row is the visible top.
+/// Reads and decodes a file. The first row of the result is the visible top.
 DecodedFile decodedFile(const std::filesystem::path& path, const DecodeRequest& request)
 {
     DecodedFile file;
@@ -263,7 +264,7 @@ ImageFormat formatOf(std::string_view bytes, const std::string& name)
 
 namespace {
 
-/// BMP or GIF.
+/// Decodes BMP or GIF.
 StoredPicture decodeStill(std::string_view bytes, ImageFormat format, const std::string& name,
                           const ImageLimits& limits)
 {
@@ -346,7 +347,7 @@ std::optional<std::string> settingsInDescription(const std::string& text)
             return text;
         const Json::json_pointer ofPrint("/scene/preset");
         if (root.contains("vitrinePrint") && root.contains(ofPrint)) return writeJson(root[ofPrint]);
-    } catch (const Failure&) {  // Another program's text that begins with a brace.
+    } catch (const Failure&) {  // Text of another program that begins with a brace.
     }
     return std::nullopt;
 }

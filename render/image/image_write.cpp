@@ -19,7 +19,7 @@ namespace {
     throw Failure(Blame::file, "Cannot write " + path.string() + ": " + why + ".");
 }
 
-constexpr std::size_t mostJpegComment = 65532;  ///< Bytes: a marker's length less the final zero.
+constexpr std::size_t mostJpegComment = 65532;  ///< Bytes: the longest marker segment, without the final zero.
 
 bool isExr(PictureFormat format)
 {
@@ -62,7 +62,7 @@ template <typename Code> StoredPicture encoded(const Image& image, Code (*color)
     return picture;
 }
 
-/// RGB or gray without alpha, over white.
+/// Blends a picture over white; returns RGB or gray without alpha.
 Image overWhite(const Image& image)
 {
     if (image.channels == 1 || image.channels == 3) return image;
@@ -172,7 +172,7 @@ std::unique_ptr<PartFile> stagedPicture(const std::filesystem::path& path, const
         if (!metadata.preset.empty()) target.texts.emplace_back("vitrine:preset", metadata.preset);
         if (!metadata.description.empty()) target.texts.emplace_back("ImageDescription", metadata.description);
     } else if (!metadata.preset.empty()) {
-        std::string text = asciiJson(metadata.preset);  // TIFF text is ASCII.
+        std::string text = asciiJson(metadata.preset);  // TIFF text must be ASCII.
         if (format == PictureFormat::jpeg && text.size() > mostJpegComment)
             refuse(path, "its settings are " + std::to_string(text.size()) + " bytes and a JPEG holds " +
                              std::to_string(mostJpegComment) + "; choose PNG");

@@ -4,8 +4,8 @@
 
 namespace vitrine::render {
 
-/// Whether the bytes of a JPEG file go on to its end-of-image marker (ITU-T T.81, B.1 and B.2): libjpeg fills up a
-/// file that was cut short with gray and calls that a warning. Bytes behind the marker do not matter.
+/// Returns whether the bytes of a JPEG file reach its end-of-image marker (ITU-T T.81, B.1 and B.2). libjpeg fills a
+/// truncated file with gray and only warns. Bytes after the marker are ignored.
 [[nodiscard]] bool jpegIsWhole(std::string_view bytes);
 
 }  // namespace vitrine::render

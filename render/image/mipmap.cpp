@@ -10,7 +10,7 @@
 namespace vitrine::render {
 namespace {
 
-/// Of one side of a level: which texels of the larger one a texel covers, and how much of each.
+/// Along one axis: the texels of the larger level that one texel covers, and their weights.
 struct Cover {
     int first = 0, count = 0;
     std::array<float, 3> weights{};
@@ -48,7 +48,7 @@ const SrgbTables& srgbTables()
     return tables;
 }
 
-/// What the values of a channel are averaged as, and how they are stored.
+/// Conversions of a channel's values for averaging and for storing.
 struct Linear8 {
     static float read(std::uint8_t code) { return code; }
     static std::uint8_t write(float mean) { return static_cast<std::uint8_t>(std::lround(mean)); }
@@ -66,7 +66,7 @@ struct Float {
     static float write(float mean) { return mean; }
 };
 
-/// A channel of one layer; `stride` is from texel to texel.
+/// Downsamples a channel of one layer; `stride` is the distance from texel to texel.
 template <typename Value, typename Channel>
 void halveChannel(const Channel& channel, const Value* from, int width, int height, std::size_t stride, Value* to)
 {
@@ -91,7 +91,7 @@ void halveChannel(const Channel& channel, const Value* from, int width, int heig
     }
 }
 
-/// The same of all channels together where both sides are even, as nearly always: four texels each, in whole numbers.
+/// The same for all channels at once, if both sides are even, the usual case: the mean of four texels in integers.
 template <typename Linear, typename Code>
 void halveEven(const std::uint8_t* from, int width, int height, std::size_t channels, std::uint8_t* to, Linear linear,
                Code code)

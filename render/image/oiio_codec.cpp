@@ -20,7 +20,7 @@ OiioCodec* openOiio()
 
 OiioCodec& oiioCodec()
 {
-    static OiioCodec* const codec = openOiio();  // Tried again when it throws.
+    static OiioCodec* const codec = openOiio();  // If this throws, the next call tries again.
     isOpen = true;
     return *codec;
 }

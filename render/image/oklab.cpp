@@ -13,7 +13,7 @@ struct OklabMatrices {
     glm::dmat3 labFromRoots = glm::transpose(glm::dmat3(0.2104542553, 0.7936177850, -0.0040720468,  //
                                                         1.9779984951, -2.4285922050, 0.4505937099,  //
                                                         0.0259040371, 0.7827717662, -0.8086757660));
-    // Of the very same matrices, so that there and back is the same color.
+    // Inverted numerically, so that a color is unchanged after conversion there and back.
     glm::dmat3 rootsFromLab = glm::inverse(labFromRoots);
     glm::dmat3 linearFromCones = glm::inverse(conesFromLinear);
 };

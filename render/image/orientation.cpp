@@ -7,11 +7,11 @@
 namespace vitrine::render {
 namespace {
 
-/// A block of bytes that is read in the byte order that it names itself.
+/// Exif block; its first bytes give its byte order.
 class ExifBlock {
 public:
     explicit ExifBlock(std::string_view bytes) : bytes_(bytes), bigEndian_(bytes.starts_with("MM")) {}
-    /// The number of `size` bytes at `at`; 0 beyond the end.
+    /// Returns the number of `size` bytes at offset `at`; 0 beyond the end.
     [[nodiscard]] std::uint32_t number(std::size_t at, std::size_t size) const
     {
         if (at > bytes_.size() || size > bytes_.size() - at) return 0;
@@ -26,7 +26,7 @@ private:
     bool bigEndian_;
 };
 
-/// Where a visible pixel lies in the stored picture.
+/// Position of a visible pixel in the stored picture.
 struct StoredPlace {
     std::size_t x, y;
 };

@@ -11,23 +11,23 @@
 
 namespace vitrine::render {
 
-/// A PNG or TIFF of any size, read a few rows at a time; memory does not grow with the picture.
+/// Reader of a PNG or TIFF of any size, a few rows at a time; memory does not grow with the picture.
 class PictureRows {
 public:
-    /// Throws Failure naming the file when it cannot be opened, or is neither.
+    /// Throws Failure naming the file if it cannot be opened, or is neither PNG nor TIFF.
     explicit PictureRows(const std::filesystem::path&);
 
     [[nodiscard]] std::int64_t width() const { return width_; }
     [[nodiscard]] std::int64_t height() const { return height_; }
-    /// What `PictureStream` wrote about the print; empty when there is nothing. Text from a file: parse it as
-    /// untrusted.
+    /// Description of the print that `PictureStream` wrote; empty if there is none. The text is untrusted.
     [[nodiscard]] const std::string& json() const { return json_; }
 
-    /// The ICC profile of its codes; empty when there is none.
+    /// ICC profile of its codes; empty: none.
     [[nodiscard]] std::string profile() const { return png_ ? png_->profile() : tiff_->profile; }
 
-    /// RGB codes of 16 bits (8-bit ones times 257) of `count` rows from row `first`; `out` holds width * count * 3.
-    /// Rows in rising order are fast; going back starts over. Throws Failure naming the file when it is broken.
+    /// Reads `count` rows from row `first` on as 16-bit RGB codes (8-bit ones times 257); `out` holds width * count *
+    /// 3. Rows in rising order are fast; going back restarts at the top. Throws Failure naming the file if it is
+    /// broken.
     void read(std::int64_t first, std::int64_t count, std::uint16_t* out);
 
 private:
@@ -42,8 +42,8 @@ private:
     int bits_ = 8;
     std::size_t channels_ = 3;
     std::string json_;
-    std::vector<char> stored_;  ///< One row as in the file.
-    std::int64_t next_ = 0;     ///< Of a PNG: the row that comes next.
+    std::vector<char> stored_;  ///< One row as stored in the file.
+    std::int64_t next_ = 0;     ///< PNG: the next row to be read.
 };
 
 }  // namespace vitrine::render

@@ -15,7 +15,7 @@
 namespace vitrine::render {
 namespace {
 
-constexpr std::int64_t tiffSide = 1 << 20;  // OpenImageIO reads no TIFF beyond this.
+constexpr std::int64_t tiffSide = 1 << 20;  // OpenImageIO does not read larger TIFF files.
 constexpr std::int64_t keptRows = 16;
 
 bool isPng(const std::filesystem::path& path)
@@ -52,7 +52,7 @@ void requireStreamSides(const std::filesystem::path& path, std::int64_t width, s
 
 std::uint64_t streamBytes(const std::filesystem::path& path, const StreamSpec& spec)
 {
-    constexpr double most = 1e19;  // The largest PNG of 16 bits has more bytes than 64 bits count.
+    constexpr double most = 1e19;  // The largest 16-bit PNG has more bytes than 64 bits can count.
     const double bytes = static_cast<double>(spec.width) * static_cast<double>(spec.height) * 3 * (spec.bits / 8);
     const bool packed = isPng(path) || spec.compression != StreamCompression::none;
     return static_cast<std::uint64_t>(std::min(packed ? bytes / 4 : bytes, most));
@@ -103,7 +103,7 @@ void PictureStream::write(const void* rows, std::int64_t count)
                                      : tiffRows_->write(rows, static_cast<int>(done_), static_cast<int>(count));
     if (!why.empty()) refuse(why);
     if (tiffRows_) {
-        // Rows spread over the picture, the last one included: a full disk cuts off the end.
+        // Rows spread over the picture, including the last one: on a full disk the end is missing.
         const std::size_t stride = static_cast<std::size_t>(spec_.width) * 3 * static_cast<std::size_t>(spec_.bits / 8);
         const std::int64_t step = spec_.height / keptRows + 1;
         for (std::int64_t y = 0; y < count; ++y) {

@@ -15,42 +15,43 @@ namespace vitrine::render {
 
 enum class StreamCompression : std::uint8_t { none, deflate };
 
-/// The chunk of a PNG that says how a print was made.
+/// Keyword of the PNG text chunk that describes how a print was made.
 inline constexpr const char* printKey = "vitrine:print";
 
-/// A picture too large for memory: RGB, sRGB-encoded, 8 or 16 bits.
+/// Options of a picture too large for memory: RGB, sRGB-encoded, 8 or 16 bits.
 struct StreamSpec {
     std::int64_t width = 0;
     std::int64_t height = 0;
     int bits = 8;
     double dpiX = 0, dpiY = 0;
-    StreamCompression compression = StreamCompression::none;  ///< Of TIFF; PNG is always deflated.
+    StreamCompression compression = StreamCompression::none;  ///< TIFF only; PNG is always deflated.
     bool likeRowAbove = true;  ///< Rows resemble the one above (a hint for PNG's filter).
-    std::string json{};        ///< What made it: TIFF's ImageDescription, PNG's text "vitrine:print".
-    std::string profile{};     ///< ICC profile; none when empty.
-    int threads = 1;           ///< That deflate a PNG; the file is the same for any number.
+    std::string json{};        ///< Description of how it was made: TIFF's ImageDescription, PNG's text "vitrine:print".
+    std::string profile{};     ///< ICC profile; empty: none.
+    int threads = 1;           ///< Number of threads that deflate a PNG; the file does not depend on it.
 };
 
-/// Refuses sides beyond the format that the name's ending means. Throws Failure (Blame::usage) with the limit.
+/// Checks that the format of the name's extension allows these sides. Throws Failure (Blame::usage) with the limit.
 void requireStreamSides(const std::filesystem::path&, std::int64_t width, std::int64_t height);
-/// Bytes that must be free for such a file: all of an uncompressed TIFF, a quarter of what is packed.
+/// Returns the free space that such a file needs, in bytes: all of an uncompressed TIFF, a quarter of that if
+/// compressed.
 [[nodiscard]] std::uint64_t streamBytes(const std::filesystem::path&, const StreamSpec&);
 
-/// Writes a TIFF (BigTIFF by itself beyond 4000 MiB) or PNG row by row, beside its target; memory does not
-/// grow with the picture. Whatever fails, or when it is destroyed before `publish`, the old file stands and
-/// nothing is left behind. Every function throws Failure naming file and cause.
+/// Writes a TIFF (BigTIFF above 4000 MiB) or PNG row by row, beside its target; memory does not grow with the picture.
+/// If anything fails, or it is destroyed before `publish`, the old file is unchanged and no temporary file remains.
+/// Every function throws Failure naming file and cause.
 class PictureStream {
 public:
-    /// The name's ending decides the format. Asks for enough free space (all of an uncompressed TIFF).
+    /// The name's extension decides the format. Checks for enough free space (`streamBytes`).
     PictureStream(const std::filesystem::path&, const StreamSpec&, FileOps& = systemFileOps());
 
-    /// The next `count` rows, without padding, in the machine's byte order.
+    /// Writes the next `count` rows, without padding, in the machine's byte order.
     void write(const void* rows, std::int64_t count);
-    /// After the last row: closes the file; a TIFF is opened again and compared.
+    /// Closes the file after the last row. A TIFF is opened again and compared.
     void finish();
-    /// The finished file, to be published.
+    /// Hands over the finished file, to be published by the caller.
     [[nodiscard]] std::unique_ptr<PartFile> takePart() { return std::move(part_); }
-    /// Puts the finished file in the target's place.
+    /// Replaces the target by the finished file.
     void publish() { part_->publish(); }
 
 private:
@@ -62,18 +63,17 @@ private:
     OiioRowTarget tiff_;
     std::unique_ptr<OiioRows> tiffRows_;
     std::unique_ptr<PngRows> pngRows_;
-    std::vector<WrittenRow> kept_;  ///< To compare with.
+    std::vector<WrittenRow> kept_;  ///< Rows for the comparison.
     std::int64_t done_ = 0;
 };
 
-/// The resolution that a file of this name will say: TIFF has 24 bits of it, PNG whole dots per meter.
+/// Returns the resolution as a file of this name stores it: TIFF has 24 bits, PNG whole dots per meter.
 [[nodiscard]] double storedDpi(const std::filesystem::path&, double dpi);
 
-/// The JSON that a stream wrote into a TIFF or PNG of any size, or nothing. It is text from a file: parse it as
-/// untrusted.
+/// Returns the JSON that a stream wrote into a TIFF or PNG of any size, or nothing. The text is untrusted.
 [[nodiscard]] std::optional<std::string> embeddedPrint(const std::filesystem::path&);
 
-/// The ICC profile in a picture file; empty when there is none.
+/// Returns the ICC profile of a picture file; empty if there is none.
 [[nodiscard]] std::string embeddedProfile(const std::filesystem::path&);
 
 }  // namespace vitrine::render

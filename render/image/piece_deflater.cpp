@@ -10,12 +10,12 @@
 namespace vitrine::render {
 namespace {
 
-/// Measured on prints of 4800 × 3200 pixels: level 2 takes as long and 16 bits become larger, 3 twice as long and
-/// hardly smaller.
+/// Measured on prints of 4800 × 3200 pixels: level 2 takes as long but makes 16-bit files larger; level 3 takes twice
+/// as long and makes them hardly smaller.
 constexpr std::uint32_t isalLevel = 1;
 
-/// These are a block of their own: where more than 16 bytes begin a stream, ISA-L (2.30, igzip_icf_body_h1_gr_bt.asm,
-/// .write_first_byte) hashes the third one by what a register holds, the address of the stream.
+/// The first bytes are compressed as a block of their own. Otherwise, ISA-L (2.30, igzip_icf_body_h1_gr_bt.asm,
+/// .write_first_byte) hashes the third byte of a stream together with a register that holds the stream's address.
 constexpr std::size_t firstBytes = 16;
 
 }  // namespace
@@ -30,9 +30,9 @@ struct PieceDeflater::State {
 void PieceDeflater::State::deflate(std::span<const std::uint8_t> data, RawBytes& out)
 {
     stream.flush = SYNC_FLUSH;
-    stream.next_in = const_cast<std::uint8_t*>(data.data());  // It is only read.
+    stream.next_in = const_cast<std::uint8_t*>(data.data());  // ISA-L only reads it.
     stream.avail_in = static_cast<std::uint32_t>(data.size());
-    // Room for what nothing could be saved of, and a little: a second round is rare.
+    // Room for incompressible data and a little more, so that a second round is rare.
     const std::size_t room = data.size() + data.size() / 64 + 1024;
     do {
         const std::size_t before = out.size();

@@ -9,9 +9,9 @@
 
 namespace vitrine::render {
 
-/// Deflates one piece of a stream after the other, for pictures' rows after their filter, by Intel's ISA-L. Pieces know
-/// nothing of each other and end with whole bytes, so that they can be made at the same time and put in a row.
-/// The same bytes in every run on the same machine; another processor may find other matches.
+/// Deflates a stream in independent pieces, for filtered rows of pictures, by Intel's ISA-L. Each piece ends on a whole
+/// byte, so pieces can be made in parallel and concatenated. The bytes are the same in every run on the same machine;
+/// another processor may find other matches.
 /// P. Deutsch, DEFLATE Compressed Data Format Specification version 1.3, RFC 1951, 1996.
 class PieceDeflater {
 public:
@@ -20,7 +20,7 @@ public:
     PieceDeflater(const PieceDeflater&) = delete;
     PieceDeflater& operator=(const PieceDeflater&) = delete;
 
-    /// Appends `data`, at most 2^30 bytes, as blocks of which none is the last, then an empty stored one.
+    /// Appends `data`, at most 2^30 bytes, as blocks without the final flag, then an empty stored block.
     void append(std::span<const std::uint8_t> data, RawBytes& out);
 
 private:

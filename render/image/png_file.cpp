@@ -46,7 +46,7 @@ void readBytes(png_structp png, png_bytep out, std::size_t size)
     source->at += size;
 }
 
-/// A libpng reader and its pieces.
+/// RAII owner of a libpng reader and its structures.
 struct Reader {
     Reader()
     {
@@ -89,7 +89,7 @@ struct Header {
     int passes = 1;
 };
 
-/// The orientation of chunk eXIf; 1 where there is none. After the last chunk: it may follow the pixels.
+/// Returns the orientation in chunk eXIf; 1 if there is none. Call it after the last chunk: eXIf may follow the pixels.
 int orientationOf(Reader& reader)
 {
     png_uint_32 size = 0;
@@ -108,7 +108,8 @@ std::string profileOf(Reader& reader)
     return {reinterpret_cast<const char*>(profile), size};
 }
 
-/// What the chunks iCCP, sRGB, gAMA and cHRM say, in this order of precedence (W3C, PNG Specification, 4.3).
+/// Returns the color space of the chunks iCCP, sRGB, gAMA and cHRM, in this order of precedence (W3C, PNG
+/// Specification, 4.3).
 PictureColor colorOf(Reader& reader)
 {
     PictureColor color{.profile = profileOf(reader)};
@@ -131,8 +132,8 @@ PictureColor colorOf(Reader& reader)
     throw Failure(Blame::file, "Cannot read " + name + ": " + std::string(why) + "; choose another picture.");
 }
 
-/// Every chunk must lie inside the file: libpng 1.6 only warns about one that claims more, and then takes
-/// the memory that it claims, up to 2 GB.
+/// Checks that every chunk lies inside the file. libpng 1.6 only warns about a longer one, and then allocates its size,
+/// up to 2 GB.
 void checkChunks(std::string_view bytes, const std::string& name)
 {
     constexpr std::size_t signature = 8;
@@ -188,7 +189,7 @@ void appendBytes(png_structp png, png_bytep bytes, std::size_t size)
     try {
         out->append(reinterpret_cast<const char*>(bytes), size);
     } catch (const std::exception&) {
-        full = true;  // Leave the handler before the jump.
+        full = true;  // Leaves the exception handler before the jump.
     }
     if (full) png_error(png, "memory is full");
 }

@@ -22,13 +22,13 @@ using Words = std::uint16_t __attribute__((vector_size(16)));
     return bytes;
 }
 
-/// As numbers from -128 to 127.
+/// Returns the absolute value of a difference, read as a number from -128 to 127.
 unsigned absolute(std::uint8_t difference)
 {
     return std::min<unsigned>(difference, 256U - difference);
 }
 
-/// Absolute values of 16 differences, added up in pairs.
+/// Returns the absolute values of 16 differences, added in pairs.
 [[gnu::always_inline]] inline Words absolute(Bytes difference)
 {
     const Bytes negative = Bytes{} - difference;
@@ -67,7 +67,7 @@ VITRINE_AVX2 unsigned long long total32(__m256i sums)
     return static_cast<unsigned long long>(_mm_extract_epi64(two, 0) + _mm_extract_epi64(two, 1));
 }
 
-/// Of 32 bytes at a time from byte `from` on; returns where it ends.
+/// Adds the sums of 32 bytes at a time from byte `from` on; returns the position after the last one.
 VITRINE_AVX2 std::size_t addSums32(const std::uint8_t* row, const std::uint8_t* above, std::size_t bytes,
                                    std::size_t pixel, std::size_t from, Sums& sums)
 {
@@ -97,7 +97,7 @@ VITRINE_AVX2 std::size_t subtract32(const std::uint8_t* from, const std::uint8_t
 }
 #endif
 
-/// From byte `pixel` on.
+/// Returns the sums from byte `pixel` on.
 Sums sumsOf(const std::uint8_t* row, const std::uint8_t* above, std::size_t bytes, std::size_t pixel)
 {
     constexpr std::size_t together = 16 * 200;  // 200 pairs of up to 256 fit into 16 bits.

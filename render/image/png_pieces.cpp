@@ -17,12 +17,12 @@ namespace vitrine::render {
 namespace {
 
 constexpr std::size_t pieceBytes = 1U << 19U;
-/// A chunk ends below 2^31 bytes, and PieceDeflater's pieces at 2^30.
+/// Limit of a piece: a chunk is shorter than 2^31 bytes, and PieceDeflater takes 2^30.
 constexpr std::size_t mostAtOnce = 1U << 30U;
 constexpr std::size_t chunkHead = 8;
-/// A window of 32 KB, made by a fast method (P. Deutsch and J.-L. Gailly, RFC 1950, 1996).
+/// zlib header: a window of 32 KB, a fast method (P. Deutsch and J.-L. Gailly, RFC 1950, 1996).
 constexpr std::array<std::uint8_t, 2> zlibHead = {0x78, 0x01};
-/// An empty stored block, the last one.
+/// An empty stored block with the final flag.
 constexpr std::array<std::uint8_t, 5> lastBlock = {0x01, 0x00, 0x00, 0xFF, 0xFF};
 
 void putBigEndian(std::uint32_t value, std::uint8_t* at)
@@ -30,7 +30,7 @@ void putBigEndian(std::uint32_t value, std::uint8_t* at)
     for (unsigned i = 0; i < 4; ++i) at[i] = static_cast<std::uint8_t>(value >> (24 - 8 * i));
 }
 
-/// Room for a chunk's length and type at the end of `out`; returns where it begins.
+/// Makes room for a chunk's length and type at the end of `out`; returns its offset.
 std::size_t openChunk(RawBytes& out)
 {
     const std::size_t begin = out.size();
@@ -50,9 +50,9 @@ void closeChunk(RawBytes& out, std::size_t begin)
 
 }  // namespace
 
-/// What one thread works with.
+/// Working memory of one thread.
 struct PngPieces::Workplace {
-    std::optional<PieceDeflater> deflater{};  ///< Made where a lack of memory can be said.
+    std::optional<PieceDeflater> deflater{};  ///< Created where running out of memory can be reported.
     RawBytes filtered{};
 };
 
@@ -83,7 +83,7 @@ void PngPieces::start(int threads)
     try {
         for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
     } catch (const std::system_error&) {
-        // Those that there are do it; without any, the caller's does.
+        // The threads that were started do the work; without any, the caller's thread does.
     }
 }
 
@@ -133,7 +133,7 @@ void PngPieces::make(Piece& piece, Workplace& place) const
     }
 }
 
-/// Hands over the piece that was being filled.
+/// Submits the piece that was being filled.
 void PngPieces::submit()
 {
     Piece& piece = pieceAt(submitted_);

@@ -11,7 +11,8 @@
 #include <cerrno>
 #include <cstring>
 
-// libpng reports errors by longjmp: between setjmp and the calls into libpng stand only trivial locals.
+// libpng reports errors by longjmp. Only trivially destructible locals may live between setjmp and the calls into
+// libpng.
 
 namespace vitrine::render {
 
@@ -35,7 +36,7 @@ struct PngRowReader::State {
 
 namespace {
 
-constexpr png_alloc_size_t mostChunkBytes = 16U << 20U;  // Descriptions and profiles.
+constexpr png_alloc_size_t mostChunkBytes = 16U << 20U;  // Limit for descriptions and profiles.
 
 }  // namespace
 

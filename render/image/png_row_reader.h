@@ -7,29 +7,29 @@
 
 namespace vitrine::render {
 
-/// A PNG that is read a few rows at a time, from the top: RGB, 8 or 16 bits; palettes, gray and fewer bits become
-/// that, transparency is left out.
+/// Reader of a PNG, a few rows at a time, from the top: RGB, 8 or 16 bits. Palettes, gray and fewer bits are converted
+/// to that; transparency is dropped.
 class PngRowReader {
 public:
-    /// Every function returns a half sentence on what went wrong, empty when nothing did.
+    /// Every function returns a half sentence that says what went wrong; empty: success.
     explicit PngRowReader(std::filesystem::path);
     ~PngRowReader();
     PngRowReader(const PngRowReader&) = delete;
     PngRowReader& operator=(const PngRowReader&) = delete;
 
-    /// Opens the file and reads its header. May be called again, to start over.
+    /// Opens the file and reads its header. Call it again to restart at the top.
     [[nodiscard]] std::string begin();
-    /// The next `count` rows, without padding, in the machine's byte order.
+    /// Reads the next `count` rows, without padding, in the machine's byte order.
     [[nodiscard]] std::string read(void* rows, std::int64_t count);
 
     [[nodiscard]] std::int64_t width() const;
     [[nodiscard]] std::int64_t height() const;
     [[nodiscard]] int bits() const;
-    /// How the rows are to be shown, by a chunk eXIf ahead of the pixels: 1 to 8, as `orient` takes it.
+    /// Orientation in a chunk eXIf before the pixels: 1 to 8, see `orient`.
     [[nodiscard]] int orientation() const;
-    /// The ICC profile; empty when there is none.
+    /// ICC profile; empty: none.
     [[nodiscard]] std::string profile() const;
-    /// The text of chunk `key` ahead of the pixels; empty when there is none.
+    /// Text of chunk `key` before the pixels; empty if there is none.
     [[nodiscard]] std::string text(const char* key) const;
 
 private:

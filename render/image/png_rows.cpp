@@ -12,8 +12,8 @@
 #include <cstring>
 #include <new>
 
-// libpng writes what comes before the pixels, PngPieces the pixels.
-// libpng reports errors by longjmp: between setjmp and the calls into libpng stand only trivial locals.
+// libpng writes the chunks before the pixels, PngPieces the pixels. libpng reports errors by longjmp. Only trivially
+// destructible locals may live between setjmp and the calls into libpng.
 
 namespace vitrine::render {
 
@@ -38,7 +38,7 @@ std::string said(const char* problem)
     return std::string("writing failed (") + problem + ")";
 }
 
-/// 0, or the error that writing all of it met.
+/// Writes all bytes; returns 0 or the errno of the failure.
 int writeAll(FileOps& ops, int fd, const std::uint8_t* bytes, std::size_t size)
 {
     while (size > 0) {

@@ -8,7 +8,7 @@
 
 namespace vitrine::render {
 
-/// Leaves new elements as they are where none is given: room that is written next needs no zeros before.
+/// Allocator that leaves new elements uninitialized: memory that is written next needs no zeros before.
 template <typename T> struct LeavingAllocator : std::allocator<T> {
     template <typename Other> struct rebind {
         using other = LeavingAllocator<Other>;
@@ -23,7 +23,7 @@ template <typename T> struct LeavingAllocator : std::allocator<T> {
     }
 };
 
-/// Bytes whose `resize` leaves new ones undefined.
+/// Byte vector whose `resize` leaves new bytes undefined.
 using RawBytes = std::vector<std::uint8_t, LeavingAllocator<std::uint8_t>>;
 
 }  // namespace vitrine::render

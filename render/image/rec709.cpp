@@ -14,7 +14,8 @@ namespace {
 
 /// Chromaticities of Rec. 709: red, green, blue and white (D65).
 constexpr std::array<double, 8> rec709 = {0.64, 0.33, 0.30, 0.60, 0.15, 0.06, 0.3127, 0.3290};
-/// What profiles of sRGB differ among each other: their colorants are rounded, which counts 13-fold in dark colors.
+/// Tolerance for sRGB profiles, which differ among each other. Their rounded colorants are amplified 13 times in dark
+/// colors.
 constexpr double unseen = 2.0 / 255;
 
 using Profile = std::unique_ptr<void, decltype(&cmsCloseProfile)>;
@@ -54,14 +55,14 @@ std::shared_ptr<void> transformFrom(const Profile& from, bool gray, bool alpha)
     const Profile to = gray ? grayProfile(1) : rgbProfile(rec709, 1);
     if (!from || !to) return nullptr;
     const cmsUInt32Number format = formatOf(gray, alpha);
-    // Not optimized: a table would limit values to 0 to 1.
+    // Not optimized: a table would clamp values to [0, 1].
     cmsHTRANSFORM transform = cmsCreateTransform(from.get(), format, to.get(), format, INTENT_RELATIVE_COLORIMETRIC,
                                                  cmsFLAGS_NOOPTIMIZE | cmsFLAGS_NOCACHE);
     if (!transform) return nullptr;
     return {transform, cmsDeleteTransform};
 }
 
-/// Whether the transform of codes (or of light) does less than can be seen: asked on a grid of 9 x 9 x 9 values.
+/// Returns whether the effect of the transform is below the visible threshold, tested on a grid of 9 x 9 x 9 values.
 bool changesNothing(void* transform, bool gray, bool alpha, bool encoded)
 {
     constexpr int steps = 9;
@@ -85,7 +86,7 @@ bool changesNothing(void* transform, bool gray, bool alpha, bool encoded)
     return true;
 }
 
-/// The chromaticities that are said, where they can be those of a display.
+/// Returns whether the chromaticities can be those of a display.
 bool areUsable(const std::array<double, 8>& c)
 {
     for (std::size_t i = 0; i < c.size(); ++i)
@@ -94,13 +95,13 @@ bool areUsable(const std::array<double, 8>& c)
     return std::abs(area) > 1e-4;
 }
 
-/// Exponent from code to light; what a file leaves out is 2.2, which programs write that mean sRGB's curve.
+/// Exponent from code to light. 2.2 if the file gives none: programs that write 2.2 mean sRGB's curve.
 double gammaOf(const PictureColor& color)
 {
     return color.gamma > 0 ? color.gamma : 2.2;
 }
 
-/// Whether chromaticities and gamma say nothing else than what holds without them.
+/// Returns whether chromaticities and gamma equal the defaults.
 bool meansUsual(const PictureColor& color, bool gray, bool encoded)
 {
     const bool usualCurve = !encoded || std::abs(gammaOf(color) - 2.2) < 0.03;
@@ -110,7 +111,7 @@ bool meansUsual(const PictureColor& color, bool gray, bool encoded)
     return usualCurve && (gray || color.chromaticities[0] <= 0 || farthest < 0.002);
 }
 
-/// A profile of chromaticities and gamma; null where they describe no color space.
+/// Makes a profile from chromaticities and gamma; null if they describe no color space.
 Profile describedProfile(const PictureColor& color, bool gray, bool encoded)
 {
     const double gamma = encoded ? gammaOf(color) : 1;
@@ -133,7 +134,8 @@ ToRec709::ToRec709(const PictureColor& color, int channels, bool encoded)
     const Profile from = byProfile ? opened(color.profile) : describedProfile(color, gray, encoded);
     if (byProfile) {
         const auto space = from ? cmsGetColorSpace(from.get()) : cmsSigNamedData;
-        if (space == cmsSigCmykData) return;  // Its inks became red, green and blue when the file was unpacked.
+        // Its inks were converted to red, green and blue when the file was decoded.
+        if (space == cmsSigCmykData) return;
         if (space != (gray ? cmsSigGrayData : cmsSigRgbData)) {
             problem_ = "Its color profile does not fit its pixels and is ignored; they are taken as sRGB.";
             return;
@@ -151,7 +153,7 @@ void ToRec709::apply(std::vector<float>& samples) const
     if (!transform_) return;
     cmsDoTransform(transform_.get(), samples.data(), samples.data(),
                    static_cast<cmsUInt32Number>(samples.size() / channels_));
-    // A profile of a stranger can divide by zero.
+    // An untrusted profile can divide by zero.
     for (float& x : samples)
         if (!std::isfinite(x)) x = 0;
 }

@@ -12,19 +12,19 @@ namespace vitrine::render {
 /// Conversion of the samples of one picture to linear Rec. 709 (Little CMS, relative colorimetric, white stays white).
 class ToRec709 {
 public:
-    /// For samples with so many channels: 1 or 2 for gray, 3 or 4 for red, green and blue, the last of 2 or 4 alpha.
-    /// `encoded`: samples are codes of 0 to 1, else they are light (the gamma of `color` does not count then).
+    /// `channels`: 1 or 2 for gray, 3 or 4 for red, green and blue; the last of 2 or 4 is alpha. `encoded`: samples are
+    /// codes of 0 to 1. Otherwise they are linear light, and the gamma of `color` is ignored.
     ToRec709(const PictureColor&, int channels, bool encoded);
     ~ToRec709();
     ToRec709(const ToRec709&) = delete;
     ToRec709& operator=(const ToRec709&) = delete;
 
-    /// False where the samples mean what they mean without any of this: sRGB codes, or light of Rec. 709. Also where
-    /// the color cannot be used, and `problem` says why.
+    /// False if no conversion is needed: sRGB codes, or linear light of Rec. 709. False also if the color space cannot
+    /// be used; `problem` then says why.
     [[nodiscard]] bool isNeeded() const { return transform_ != nullptr; }
-    /// A full sentence without the file's name; empty when the color was understood.
+    /// A full sentence without the file's name; empty if the color space can be used.
     [[nodiscard]] const std::string& problem() const { return problem_; }
-    /// Converts whole pixels in place. Results are not limited to 0 to 1. Alpha stays.
+    /// Converts whole pixels in place. Results are not clamped to [0, 1]. Alpha is unchanged.
     void apply(std::vector<float>& samples) const;
 
 private:
@@ -33,15 +33,15 @@ private:
     std::string problem_;
 };
 
-/// Converts a picture whose values are sRGB-decoded codes of this ICC profile to linear Rec. 709. Leaves it where
-/// the profile is empty, is sRGB or does not fit the picture.
+/// Converts a picture whose values are sRGB-decoded codes of this ICC profile to linear Rec. 709. Leaves it unchanged
+/// if the profile is empty, is sRGB or does not fit the picture.
 void convertFromProfile(Image&, const std::string& profile);
 
-/// Whether codes of this ICC profile are sRGB to less than two codes of 8 bits; no profile is.
+/// Returns whether codes of this ICC profile differ from sRGB by less than two 8-bit codes; true for an empty profile.
 [[nodiscard]] bool isSrgbProfile(const std::string& profile);
 
-/// Whether an ICC profile describes red, green and blue (and not gray or inks), so that a file of such codes may carry
-/// it.
+/// Returns whether an ICC profile describes red, green and blue (not gray or inks), so that it can be embedded in an
+/// RGB file.
 [[nodiscard]] bool isRgbProfile(const std::string& profile);
 
 }  // namespace vitrine::render

@@ -7,7 +7,7 @@
 namespace vitrine::render {
 namespace {
 
-/// Clamped to [0, 1]; NaN gives 0.
+/// Clamps to [0, 1]; NaN gives 0.
 double unit(float x)
 {
     return x > 0 ? std::min(static_cast<double>(x), 1.0) : 0.0;
@@ -27,14 +27,14 @@ double linearFromSrgb(double encoded)
 
 std::uint8_t srgb8FromLinear(float linear)
 {
-    // The linear values halfway between two codes: looking among them is far faster than pow.
+    // Linear values halfway between two codes: searching them is far faster than pow.
     static const std::array<double, 255> halfway = [] {
         std::array<double, 255> table{};
         for (std::size_t i = 0; i < table.size(); ++i)
             table.at(i) = linearFromSrgb((static_cast<double>(i) + 0.5) / 255);
         return table;
     }();
-    // Where to begin: codes are never closer than a cell, so that no more than two have to be looked at.
+    // Start of the search for each cell of values. Codes are never closer than a cell, so at most two must be compared.
     constexpr std::size_t cells = 4096;
     static const std::array<std::uint8_t, cells + 1> first = [] {
         std::array<std::uint8_t, cells + 1> table{};

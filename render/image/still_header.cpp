@@ -14,13 +14,13 @@ DeclaredImage sizeOf(std::int64_t width, std::int64_t height)
     return {static_cast<std::uint64_t>(width), static_cast<std::uint64_t>(height), 4, 1};
 }
 
-/// Bytes of the color table that the flags of a screen or of a picture announce.
+/// Returns the bytes of the color table that the flags of a screen or of a picture announce.
 std::size_t colorTable(std::uint32_t flags)
 {
     return (flags & 0x80U) != 0 ? std::size_t{3} << ((flags & 7U) + 1) : 0;
 }
 
-/// Goes behind blocks of at most 255 bytes and the empty one that ends them. False where the file ends before.
+/// Skips blocks of at most 255 bytes and the empty block after them. Returns false if the file ends before.
 bool skipBlocks(std::string_view bytes, std::size_t& at)
 {
     while (at < bytes.size()) {
@@ -38,7 +38,8 @@ StillHeader bmpHeader(std::string_view bytes)
     constexpr std::uint32_t ofOs2 = 12;
     if (littleEndian(bytes, 14, 4) == ofOs2)
         return {.size = sizeOf(littleEndian(bytes, 18, 2), littleEndian(bytes, 20, 2))};
-    const std::int64_t height = static_cast<std::int32_t>(littleEndian(bytes, 22, 4));  // Negative: from the top.
+    // Negative: stored from the top down.
+    const std::int64_t height = static_cast<std::int32_t>(littleEndian(bytes, 22, 4));
     return {.size = sizeOf(static_cast<std::int32_t>(littleEndian(bytes, 18, 4)), std::abs(height))};
 }
 
@@ -50,7 +51,7 @@ StillHeader gifHeader(std::string_view bytes)
     while (at < bytes.size() && (bytes[at] == picture || bytes[at] == extension)) {
         if (bytes[at] == picture) {
             ++header.pictures;
-            at += 11 + colorTable(littleEndian(bytes, at + 9, 1));  // With the size of the codes.
+            at += 11 + colorTable(littleEndian(bytes, at + 9, 1));  // Includes the byte with the size of the codes.
         } else {
             at += 2;
         }

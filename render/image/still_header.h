@@ -6,17 +6,17 @@
 
 namespace vitrine::render {
 
-/// What a BMP or GIF file says ahead of its pixels. Sizes that are not found are 0.
+/// Header data of a BMP or GIF file. Sizes that are not found are 0.
 struct StillHeader {
     DeclaredImage size{};
-    int pictures = 1;   ///< More than one in an animation.
-    bool whole = true;  ///< A GIF's blocks end within the file.
+    int pictures = 1;   ///< More than one for an animation.
+    bool whole = true;  ///< The blocks of a GIF end within the file.
 };
 
 /// Reads the file header and the information header, of OS/2 or Windows.
 [[nodiscard]] StillHeader bmpHeader(std::string_view bytes);
 
-/// Walks through the blocks of the file (GIF89a), the picture data unread.
+/// Walks through the blocks of the file (GIF89a) without reading the picture data.
 [[nodiscard]] StillHeader gifHeader(std::string_view bytes);
 
 }  // namespace vitrine::render

@@ -7,12 +7,12 @@
 
 namespace vitrine::render {
 
-/// What a WebP file (RFC 9649) says ahead of its pixels.
+/// Header data of a WebP file (RFC 9649).
 struct WebpHeader {
     DeclaredImage size{};
     bool animated = false;
-    int orientation = 1;    ///< Of its Exif block.
-    std::string profile{};  ///< ICC profile; empty when there is none.
+    int orientation = 1;    ///< From its Exif block.
+    std::string profile{};  ///< ICC profile; empty: none.
 };
 
 /// Reads the chunks of the file. Sizes that it does not find are 0.

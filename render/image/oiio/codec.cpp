@@ -11,9 +11,8 @@
 namespace vitrine::render {
 namespace {
 
-/// libtiff writes what it finds wrong with a file to the standard error stream, beside the error that it returns. With
-/// OpenImageIO 2.5 some of these lines come through. The library is already loaded here; where it is not, nothing is
-/// silenced.
+/// Silences libtiff, which writes errors to standard error besides returning them; with OpenImageIO 2.5 some of these
+/// lines get through. libtiff is already loaded here; if it is not, nothing is done.
 void silenceLibtiff()
 {
     void* libtiff = ::dlopen("libtiff.so.6", RTLD_LAZY | RTLD_NOLOAD);
@@ -29,8 +28,8 @@ public:
     {
         OIIO::attribute("try_all_readers", 0);  // Otherwise a .png may reach the DPX reader.
         OIIO::attribute("limits:imagesize_MB", 2048);
-        OIIO::attribute("limits:channels", 1024);  // Those that are read: `ImageLimits`.
-        OIIO::attribute("openexr:core", 0);        // SIGFPE on damaged files in 2.4.7.
+        OIIO::attribute("limits:channels", 1024);  // For the file; `ImageLimits` limits the channels that are read.
+        OIIO::attribute("openexr:core", 0);        // The core reader raises SIGFPE on damaged files in 2.4.7.
         OIIO::attribute("plugin_searchpath", "");
         silenceLibtiff();
     }

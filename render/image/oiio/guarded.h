@@ -6,7 +6,7 @@
 
 namespace vitrine::render {
 
-/// Calls `work` and turns what it throws into a half sentence.
+/// Calls `work` and converts an exception to a half sentence.
 template <typename Work> std::string guarded(const Work& work) noexcept
 {
     try {

@@ -8,8 +8,8 @@
 
 namespace vitrine::render {
 
-/// Bytes in memory as a file that OpenImageIO can read. Its own IOMemReader (2.4.7) adds offset and size
-/// without a check for negative offsets, and offsets come from the file.
+/// Bytes in memory as a file that OpenImageIO can read. Its own IOMemReader (2.4.7) adds offset and size without
+/// checking for negative offsets, and offsets come from the file.
 class MemoryFile final : public OIIO::Filesystem::IOProxy {
 public:
     explicit MemoryFile(std::string_view bytes) : IOProxy("", Read), bytes_(bytes) {}

@@ -12,8 +12,8 @@ namespace {
 
 using Proxy = OIIO::Filesystem::IOProxy;
 
-/// The bytes as a file. The JPEG reader of 2.4.7 takes OpenImageIO's own kind only, and reads it in one go
-/// without any offset.
+/// Returns the bytes as a file. The JPEG reader of 2.4.7 accepts only OpenImageIO's own class. It reads the file
+/// sequentially, without any offset, so that is safe.
 std::unique_ptr<Proxy> fileOf(std::string_view bytes, ImageFormat format)
 {
     if (format == ImageFormat::jpeg) return std::make_unique<OIIO::Filesystem::IOMemReader>(bytes.data(), bytes.size());
@@ -54,7 +54,7 @@ std::string whyUnsupported(const OIIO::ImageSpec& spec, ImageFormat format)
     return {};
 }
 
-/// Channels that are read, and what they are called.
+/// Indices and names of the channels that are read.
 struct ChannelChoice {
     std::vector<int> numbers{};
     std::vector<std::string> names{};
@@ -69,7 +69,7 @@ ChannelChoice onlyColor(const ColorChannels& color)
     return choice;
 }
 
-/// All channels: those of the color first and under their plain names, then the others in their order.
+/// Chooses all channels: first those of the color, under their plain names, then the others in their order.
 ChannelChoice allChannels(const OIIO::ImageSpec& spec)
 {
     ChannelChoice choice = onlyColor(colorChannels(spec.channelnames));
@@ -82,7 +82,8 @@ ChannelChoice allChannels(const OIIO::ImageSpec& spec)
     return choice;
 }
 
-/// Goes to the first part of an OpenEXR file that has color, and chooses it. Returns why there is none.
+/// Goes to the first part of an OpenEXR file that has color, and chooses its channels. Returns a half sentence if there
+/// is none.
 std::string chooseColor(OIIO::ImageInput& input, ChannelChoice& choice, std::vector<std::string>& warnings)
 {
     std::string problem;
@@ -136,7 +137,7 @@ std::string readRows(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, OIIO:
     return {};
 }
 
-/// The picture as its display window shows it: what lies outside is cut off, what is missing is 0.
+/// Crops the picture to its display window; pixels without data become 0.
 void showDisplayWindow(const OIIO::ImageSpec& spec, StoredPicture& picture)
 {
     const std::vector<float> data = std::move(std::get<std::vector<float>>(picture.samples));
@@ -161,7 +162,7 @@ void showDisplayWindow(const OIIO::ImageSpec& spec, StoredPicture& picture)
     }
 }
 
-/// OpenImageIO 2.4.7 multiplies the colors of WebP by alpha, whatever it is asked for.
+/// Divides color by alpha: OpenImageIO 2.4.7 always premultiplies the colors of WebP, whatever is requested.
 void divideCodesByAlpha(StoredPicture& picture)
 {
     auto& codes = std::get<std::vector<std::uint8_t>>(picture.samples);
@@ -196,7 +197,7 @@ PictureColor colorOf(const OIIO::ImageSpec& spec)
     return color;
 }
 
-/// Goes to the part that is read, and chooses its channels. Returns why there are none.
+/// Goes to the part that is read, and chooses its channels. Returns a half sentence if there are none.
 std::string chooseChannels(OIIO::ImageInput& input, ImageFormat format, bool colorOnly, ChannelChoice& choice,
                            std::vector<std::string>& warnings)
 {
@@ -216,7 +217,7 @@ std::string chooseChannels(OIIO::ImageInput& input, ImageFormat format, bool col
     return problem;
 }
 
-/// Why a picture with so many channels of this specification is refused; empty when it may be decoded.
+/// Returns why a picture with this specification and number of channels is refused; empty if it may be decoded.
 std::string whyTooMuch(const OIIO::ImageSpec& spec, ImageFormat format, std::uint64_t channels, std::size_t fileBytes,
                        const ImageLimits& limits)
 {
@@ -227,11 +228,12 @@ std::string whyTooMuch(const OIIO::ImageSpec& spec, ImageFormat format, std::uin
     const DeclaredImage stored{positive(spec.width), positive(spec.height), channels, sampleBytes};
     std::string why = whyTooLarge(stored, format, fileBytes, limits);
     if (!why.empty() || format != ImageFormat::exr) return why;
-    constexpr std::uint64_t anyFile = 1ULL << 62U;  // A small region of a large picture packs well.
+    // A small region of a large picture compresses well, so the size of the file sets no bound.
+    constexpr std::uint64_t anyFile = 1ULL << 62U;
     return whyTooLarge({positive(spec.full_width), positive(spec.full_height), channels, 4}, format, anyFile, limits);
 }
 
-/// Reads the samples in the type in which they are kept.
+/// Reads the samples in the type in which they are kept in memory.
 std::string readSamples(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, ImageFormat format,
                         const std::vector<int>& channels, const std::function<bool()>& canceled, StoredPicture& out)
 {
@@ -264,7 +266,7 @@ const char* pluginName(ImageFormat format)
     case ImageFormat::hdr: return "hdr";
     case ImageFormat::webp: return "webp";
     case ImageFormat::bmp:
-    case ImageFormat::gif: break;  // Never asked of it.
+    case ImageFormat::gif: break;  // Never passed to OpenImageIO.
     }
     return "";
 }

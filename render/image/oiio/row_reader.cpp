@@ -8,7 +8,7 @@
 namespace vitrine::render {
 namespace {
 
-/// A strip of the file is unpacked as a whole.
+/// Limit for a strip of the file, which is decoded as a whole.
 constexpr std::uint64_t mostStripBytes = 256U << 20U;
 
 class Reader final : public OiioRowReader {

@@ -4,7 +4,7 @@
 
 namespace vitrine::render {
 
-/// The work of OiioCodec::openRowReader; may throw.
+/// Implements OiioCodec::openRowReader; may throw.
 [[nodiscard]] std::string openRowReaderWithOiio(const std::string& path, std::unique_ptr<OiioRowReader>& out);
 
 }  // namespace vitrine::render

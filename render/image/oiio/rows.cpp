@@ -17,7 +17,8 @@ OIIO::TypeDesc typeOf(const OiioRowTarget& target)
     return target.bits == 16 ? OIIO::TypeDesc::UINT16 : OIIO::TypeDesc::UINT8;
 }
 
-/// OpenImageIO 2.4.7 overrules a vertical resolution that is not, to the last bit, this times the horizontal.
+/// Returns the pixel aspect. OpenImageIO 2.4.7 changes the vertical resolution unless it equals the aspect times the
+/// horizontal one to the last bit.
 float aspectFor(float dpiX, float dpiY)
 {
     const float aspect = dpiY / dpiX;
@@ -35,7 +36,7 @@ public:
     {
         return guarded([&]() -> std::string {
             const bool good = output_->write_scanlines(first, first + count, 0, type_, rows);
-            // The writers of 2.4.7 may return true although the disk is full.
+            // The writers of 2.4.7 may return true even if the disk is full.
             if (!good || output_->has_error()) return "writing failed (" + output_->geterror() + ")";
             return {};
         });

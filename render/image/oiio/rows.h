@@ -4,10 +4,10 @@
 
 namespace vitrine::render {
 
-/// The work of OiioCodec::openRows; may throw.
+/// Implements OiioCodec::openRows; may throw.
 [[nodiscard]] std::string openRowsWithOiio(const OiioRowTarget&, std::unique_ptr<OiioRows>& out);
 
-/// The work of OiioCodec::checkRows; may throw.
+/// Implements OiioCodec::checkRows; may throw.
 [[nodiscard]] std::string checkRowsWithOiio(const OiioRowTarget&, const std::vector<WrittenRow>&);
 
 }  // namespace vitrine::render

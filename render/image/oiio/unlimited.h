@@ -4,8 +4,8 @@
 
 namespace vitrine::render {
 
-/// Lifts OpenImageIO's limit on a picture's size, to look into a file row by row. A decode that runs meanwhile is
-/// still held by `whyTooLarge`, before it takes memory.
+/// Lifts OpenImageIO's limit on a picture's size while it exists, to read a file row by row. A decode that runs at the
+/// same time is still limited by `whyTooLarge`, before it allocates memory.
 class Unlimited {
 public:
     Unlimited() { OIIO::attribute("limits:imagesize_MB", 0); }

@@ -36,7 +36,7 @@ OIIO::ImageSpec specFor(const StoredPicture& picture, const OiioTarget& target)
         spec.attribute("compression", "jpeg:92");
         spec.attribute("jpeg:subsampling", "4:4:4");
     } else {
-        // LZW with a horizontal predictor: lossless, and what every print shop's software reads.
+        // LZW with a horizontal predictor: lossless, and readable by the software of every print shop.
         spec.attribute("compression", "lzw");
         spec.attribute("tiff:predictor", 2);
         spec.attribute("oiio:ColorSpace", "sRGB");
@@ -59,7 +59,7 @@ std::string writeRows(OIIO::ImageOutput& output, const StoredPicture& picture, c
     for (int row = 0; row < picture.height; row += bandRows) {
         const Sample* at = samples.data() + static_cast<std::size_t>(row) * picture.rowSamples();
         const bool good = output.write_scanlines(row, std::min(row + bandRows, picture.height), 0, type, at);
-        // The writers of 2.4.7 may return true although the disk is full.
+        // The writers of 2.4.7 may return true even if the disk is full.
         if (!good || output.has_error()) return "writing failed (" + output.geterror() + ")";
     }
     return {};
@@ -78,7 +78,7 @@ bool same(float a, float b)
     return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) || (std::isnan(a) && std::isnan(b));
 }
 
-/// Where each channel of `picture` is in a file that has the channels `names`; empty when one is missing.
+/// Returns the index of each channel of `picture` in a file with the channels `names`; empty if one is missing.
 std::vector<std::size_t> channelMap(const StoredPicture& picture, const std::vector<std::string>& names)
 {
     std::vector<std::size_t> map(static_cast<std::size_t>(picture.channels));
@@ -92,7 +92,7 @@ std::vector<std::size_t> channelMap(const StoredPicture& picture, const std::vec
     return map;
 }
 
-/// JPEG gives other codes back, but near ones; the rows of a file cut short come back gray.
+/// Compares within a tolerance: JPEG returns similar codes, but the rows of a truncated file are gray.
 std::string compareLossy(OIIO::ImageInput& input, const StoredPicture& picture)
 {
     const auto& written = std::get<std::vector<std::uint8_t>>(picture.samples);
@@ -101,7 +101,7 @@ std::string compareLossy(OIIO::ImageInput& input, const StoredPicture& picture)
         return "reading it back failed (" + input.geterror() + ")";
     double sum = 0;
     for (std::size_t i = 0; i < rows.size(); ++i) sum += std::abs(rows[i] - written[i]);
-    constexpr double mostMean = 8;  // Codes: white noise at quality 92 keeps within 5.
+    constexpr double mostMean = 8;  // In codes: white noise at quality 92 stays below 5.
     return sum > mostMean * static_cast<double>(rows.size()) ? "reading it back gave other pixels" : "";
 }
 
@@ -113,7 +113,7 @@ std::string compareRows(OIIO::ImageInput& input, const StoredPicture& picture, c
     if (map.empty()) return "the file lost a channel";
     const std::size_t channels = map.size();
     std::vector<Sample> row(picture.rowSamples());
-    // 256 rows spread over the picture, the last one included: a full disk cuts off the end.
+    // 256 rows spread over the picture, including the last one: on a full disk the end is missing.
     const int step = std::max(1, (picture.height + 254) / 255);
     for (int y = 0;; y = std::min(y + step, picture.height - 1)) {
         if (!input.read_scanline(y, 0, OIIO::BaseTypeFromC<Sample>::value, row.data())) {
