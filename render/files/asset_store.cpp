@@ -56,11 +56,11 @@ struct AssetStore::Entry {
     bool hasSource;
     FileState file, folder;
 
-    std::mutex making;  ///< Held by the one who makes it. Taken before the store's, never after it.
+    std::mutex making;  ///< Held by the thread that makes the object. Locked before the store's mutex, never after it.
     // Under the store's mutex:
     bool made = false;
-    std::shared_ptr<const void> value{};  ///< Null while only others hold it ...
-    std::weak_ptr<const void> held{};     ///< ... and it lives as long as they do.
+    std::shared_ptr<const void> value{};  ///< Null if the object is kept alive only by others ...
+    std::weak_ptr<const void> held{};     ///< ... which this pointer then refers to.
     std::uint64_t bytes = 0;
     std::string failure{};
 
@@ -89,25 +89,25 @@ struct AssetStore::Entry {
             .addValue(file.changed);
         return hash.value();
     }
-    /// Nobody can ask for it again, or it would have to be made anew.
+    /// Returns whether the entry can no longer be found, or its object is gone and would have to be made again.
     [[nodiscard]] bool lost() const
     {
         return (hasSource && source.expired()) || (made && failure.empty() && !value && held.expired());
     }
 };
 
-/// What copies of a store share.
+/// State shared by the copies of a store.
 struct AssetStore::Shared {
     const std::uint64_t mostBytes;
-    std::mutex mutex;                             ///< Of what follows, but for the making of an entry.
-    std::vector<std::shared_ptr<Entry>> entries;  ///< The one used last is the last.
+    std::mutex mutex;                             ///< Guards the members below, but not the making of an entry.
+    std::vector<std::shared_ptr<Entry>> entries;  ///< In the order of last use, the latest at the end.
     std::map<std::string, std::int64_t, std::less<>> builds;
 
     explicit Shared(std::uint64_t most) : mostBytes(most) {}
 
-    /// Null where there is none yet and `begin` is false.
+    /// Returns the entry; null if there is none yet and `begin` is false.
     [[nodiscard]] std::shared_ptr<Entry> entryOf(const Request&, bool begin);
-    /// Value or failure of an entry; neither where it has to be made. With the mutex locked.
+    /// Returns value or failure of an entry; neither if it must be made. Call it with the mutex locked.
     [[nodiscard]] static Asset<void> answer(const Entry&);
     [[nodiscard]] Asset<void> build(Entry&, const std::function<Anything()>& make);
     void trim();
@@ -133,7 +133,7 @@ Asset<void> AssetStore::find(Request request, const std::function<Anything()>& m
             const std::lock_guard lock(shared_->mutex);
             Asset<void> found = Shared::answer(*entry);
             if (found.value || !found.failure.empty()) return found;
-            if (waits_ && entry->made) continue;  // Another thread needed its memory meanwhile.
+            if (waits_ && entry->made) continue;  // Another thread freed its memory in the meantime.
         }
         if (!waits_) {
             pending_.push_back({request.use, request.ofFile ? request.key : std::string()});
@@ -152,7 +152,7 @@ Asset<void> AssetStore::Shared::answer(const Entry& entry)
 
 std::shared_ptr<AssetStore::Entry> AssetStore::Shared::entryOf(const Request& request, bool begin)
 {
-    // Before it is read: what changes meanwhile is read again the next time.
+    // Taken before the file is read: a change during reading causes another read next time.
     const FileState file = request.ofFile ? fileState(request.key) : FileState{};
     const FileState folder = request.ofFile ? folderState(request.key) : FileState{};
     const std::lock_guard lock(mutex);
@@ -220,7 +220,7 @@ std::int64_t AssetStore::builds(std::string_view use) const
     return sum;
 }
 
-/// With the mutex locked.
+/// Frees old entries. Call it with the mutex locked.
 void AssetStore::Shared::trim()
 {
     std::set<std::string> uses;

@@ -13,64 +13,68 @@ namespace vitrine::render {
 
 class Hash;
 
-/// What a path leads to at one moment: equal while nobody touched the file.
+/// State of a file or folder at one time. Two states are equal if the file was not touched in between.
 struct FileState {
     bool there = false;
     std::uint64_t bytes = 0;
     std::uint64_t inode = 0;
     std::int64_t modified = 0;  ///< Nanoseconds since 1970, of the content.
-    std::int64_t changed = 0;   ///< The same, of the content or of who may read it.
+    std::int64_t changed = 0;   ///< Nanoseconds since 1970, of content or permissions.
 
     bool operator==(const FileState&) const = default;
 };
-/// Follows symbolic links. What cannot be asked about is not there.
+/// Reads the state of a path; follows symbolic links. A path that cannot be examined counts as absent.
 [[nodiscard]] FileState fileState(const std::filesystem::path&) noexcept;
-/// Of the folder that the path lies in.
+/// Reads the state of the folder that contains the path.
 [[nodiscard]] FileState folderState(const std::filesystem::path&) noexcept;
-/// All of it into a key.
+/// Adds all members to the hash.
 void addTo(Hash&, const FileState&);
 
-/// What was made of a file or of parameters, or why nothing could be.
+/// Object made from a file or from parameters, or the reason why it could not be made.
 template <typename T> struct Asset {
     std::shared_ptr<const T> value{};
-    std::string failure{};  ///< One full sentence; of a file, it names the file. Empty when there is a value.
-    std::uint64_t id =
-        0;  ///< Of what it was made of: another one when the file is another or changed, on any run. 0: no value.
-    bool pending = false;  ///< Neither value nor failure yet: only from `AssetStore::waitless`.
+    std::string failure{};  ///< One full sentence, which names the file if there is one; empty if there is a value.
+    /// Hash of the source (file state or key): changes when the file changes, and is the same in every run. 0: no
+    /// value.
+    std::uint64_t id = 0;
+    bool pending = false;  ///< Neither value nor failure yet; only from `AssetStore::waitless`.
 };
 
-/// What somebody has yet to read or to make.
+/// An asset that is not loaded or made yet.
 struct PendingAsset {
     std::string use;
-    std::string path;  ///< Of the file that it is read from; empty for what is made of parameters.
+    std::string path;  ///< The file that it is read from; empty if it is made from parameters.
 
     bool operator==(const PendingAsset&) const = default;
 };
 
-/// What users' files and parameters became, made once for all who ask: a file is read again only when it changed, what
-/// is made of parameters is made once for each key. A failure is an entry like any other: the file is not read again
-/// before it changes. One that failed counts as changed with its folder, too: what it lacks may be a file beside it.
+/// Cache of objects made from users' files and from parameters. A file is read again only when it has changed; an
+/// object made from parameters is made once for each key. Failures are cached, too: the file is not read again before
+/// it changes. After a failure, a change of its folder counts as well, because a missing file beside it may be the
+/// cause.
 ///
-/// Older entries are kept for whoever asks for them in turn (a study beside the window), as far as `mostBytes` and
-/// 32 entries allow; the last one of each use always stays, and so does whatever somebody still holds. Any thread may
-/// ask at any time: several make different things at once, and who asks for what another is making waits for it, but
-/// for those who ask `waitless()`. Copies are the same store.
+/// Older entries are kept for alternating requests (a study beside the window), within `mostBytes` and 32 entries. The
+/// last entry of each use always stays, and so does any object that is still referenced elsewhere.
+///
+/// Thread-safe: several threads may make different objects at the same time. A thread that requests an object which
+/// another is making waits for it, except through `waitless()`. Copies refer to the same store.
 class AssetStore {
 public:
     explicit AssetStore(std::uint64_t mostBytes = 256ULL << 20U);
 
-    /// The same store for a thread that must not wait: it reads no file and waits for none. What is not there yet is
-    /// `pending`, and that store names it.
+    /// Returns the same store for a thread that must not block: it reads no file and waits for none. Missing objects
+    /// are returned as `pending`, and the returned store lists them.
     [[nodiscard]] AssetStore waitless() const;
     [[nodiscard]] const std::vector<PendingAsset>& pending() const { return pending_; }
 
     template <typename T> struct Made {
         std::shared_ptr<const T> value;
-        std::uint64_t bytes = 0;  ///< Of memory that it holds, about.
+        std::uint64_t bytes = 0;  ///< Approximate memory in use.
     };
 
-    /// What `make` makes of the file or folder at `path`; it throws when it cannot. `use` says for what
-    /// ("hall.environment"), `variant` tells apart different things that one use makes of one file. Never throws.
+    /// Returns the object that `make` makes from the file or folder at `path`; `make` throws if it cannot. `use` names
+    /// the purpose ("hall.environment"); `variant` distinguishes objects that one use makes from the same file. Never
+    /// throws.
     template <typename T>
     [[nodiscard]] Asset<T> get(std::string_view use, const std::string& path,
                                const std::function<Made<T>(const std::string&)>& make, std::uint64_t variant = 0)
@@ -79,8 +83,8 @@ public:
             find({std::string(use), path, variant, typeid(T), true, {}}, [&] { return Anything(make(path)); }));
     }
 
-    /// What `make` makes of parameters, which `key` spells out, and of `source`, an asset that it is made from (null:
-    /// of parameters alone). Never throws.
+    /// Returns the object that `make` makes from parameters, which `key` must describe completely, and from the asset
+    /// `source` (null: from parameters alone). Never throws.
     template <typename T>
     [[nodiscard]] Asset<T> made(std::string_view use, std::string key, const std::function<Made<T>()>& make,
                                 std::shared_ptr<const void> source = {})
@@ -89,10 +93,10 @@ public:
                           [&] { return Anything(make()); }));
     }
 
-    /// Of all entries together.
+    /// Total memory of all entries, in bytes.
     [[nodiscard]] std::uint64_t bytes() const;
     [[nodiscard]] std::size_t entries() const;
-    /// How often something was made, or tried, for uses that begin so.
+    /// Returns how often an object was made, or tried, for uses that begin with `use`.
     [[nodiscard]] std::int64_t builds(std::string_view use = {}) const;
 
 private:
@@ -100,7 +104,7 @@ private:
         std::string use, key;
         std::uint64_t variant;
         std::type_index type;
-        bool ofFile;  ///< Then `key` is its path.
+        bool ofFile;  ///< True: `key` is the path of a file.
         std::shared_ptr<const void> source;
     };
     struct Anything {

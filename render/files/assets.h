@@ -5,8 +5,8 @@
 
 namespace vitrine::render {
 
-/// The folder of the program's own assets: $VITRINE_ASSETS, else share/vitrine or ../../assets beside the
-/// program, else the source tree that it was built from. Throws Failure (Blame::file) when none has them.
+/// Returns the folder of the program's own assets: $VITRINE_ASSETS, else share/vitrine or ../../assets beside the
+/// executable, else the source tree that it was built from. Throws Failure (Blame::file) if none has them.
 [[nodiscard]] const std::filesystem::path& assetFolder();
 
 /// assetFolder() / relative.

@@ -35,7 +35,7 @@ std::string advice(int error)
     }
 }
 
-/// The file that `path` means in the end; it need not exist.
+/// Resolves symbolic links to the final file, which need not exist.
 fs::path realTarget(const fs::path& path)
 {
     fs::path at = path;
@@ -54,7 +54,7 @@ fs::path folderOf(const fs::path& file)
     return file.has_parent_path() ? file.parent_path() : fs::path(".");
 }
 
-/// Closes on every way out; `close` reports what a plain destructor cannot.
+/// RAII file handle. `close` reports errors, which the destructor cannot.
 class OpenFile {
 public:
     OpenFile(FileOps& ops, const fs::path& path, int flags)
@@ -95,7 +95,7 @@ void writeAll(const PartFile& part, FileOps& ops, std::string_view bytes)
     struct stat status {};
     if (ops.fstat(file.get(), &status) != 0) part.fail("checking its size", errno);
     if (static_cast<std::uint64_t>(status.st_size) != bytes.size()) part.fail("checking its size", EIO);
-    if (!file.close()) part.fail("closing", errno);  // Publishing it waits for the disk.
+    if (!file.close()) part.fail("closing", errno);  // `publish` syncs it to disk.
 }
 
 void compareAll(const PartFile& part, FileOps& ops, std::string_view bytes)
@@ -118,12 +118,12 @@ void compareAll(const PartFile& part, FileOps& ops, std::string_view bytes)
     if (done != bytes.size()) part.fail("reading it back gave fewer bytes", EIO);
 }
 
-/// Asks the disk to keep the folder's latest renames. Returns 0, or the error number.
+/// Syncs the folder's latest renames to disk. Returns 0, or the errno.
 int syncedFolder(const fs::path& folder, FileOps& ops)
 {
     OpenFile directory(ops, folder, O_RDONLY | O_DIRECTORY);
     if (directory.get() < 0) return errno;
-    // Some file systems cannot sync a folder and say EINVAL: there is nothing more to do then.
+    // Some file systems cannot sync a folder and return EINVAL. That is no error.
     if (ops.fsync(directory.get()) != 0 && errno != EINVAL) return errno;
     return 0;
 }
@@ -132,11 +132,11 @@ int syncedFolder(const fs::path& folder, FileOps& ops)
 
 namespace {
 
-/// Beside the target, hidden.
+/// Returns the path of a hidden part file beside the target.
 fs::path partOf(const fs::path& target)
 {
     const std::string suffix = partSuffix();
-    // File names end at 255 bytes; the target's own length is the system's to judge.
+    // File names have at most 255 bytes. The system checks the length of the target's own name.
     return folderOf(target) / ("." + target.filename().string().substr(0, 253 - suffix.size()) + suffix);
 }
 
@@ -219,7 +219,7 @@ void atomicWrite(const fs::path& path, std::string_view bytes, FileOps& ops)
 
 namespace {
 
-/// The old content of files that are about to be replaced, under another name beside them.
+/// Hard links to files that are about to be replaced; they keep the old content.
 class OldFiles {
 public:
     explicit OldFiles(FileOps& ops) : ops_(ops) {}
@@ -270,7 +270,7 @@ std::unique_ptr<PartFile> stagedFile(const fs::path& path, std::string_view byte
 void publishAll(std::span<const std::unique_ptr<PartFile>> parts, FileOps& ops)
 {
     for (const auto& part : parts) part->prepare();
-    const auto lock = unfinishedLock();  // Who is stopped now is stopped before or after all of it.
+    const auto lock = unfinishedLock();  // An interrupt then happens before or after all of it.
     OldFiles old(ops);
     for (const auto& part : parts) old.keep(*part);
     std::size_t done = 0;

@@ -12,48 +12,48 @@
 
 namespace vitrine::render {
 
-/// Replaces the content of `path` by `bytes`, or leaves it as it was: afterwards the file holds either all
-/// of the old content or all of the new. Keeps the mode of an existing file; of a symbolic link it replaces
-/// the file that the link names. Writes `.<name>.part-<mark>-<pid>-<n>` beside it (`partSuffix`), reads that back and
-/// compares, renames it, and asks the disk to keep both (fsync of file and folder). Part files that processes of this
+/// Replaces the content of `path` by `bytes` atomically: afterwards the file holds either all of the old content or all
+/// of the new. Keeps the mode of an existing file. For a symbolic link, replaces the file that it refers to. Writes
+/// `.<name>.part-<mark>-<pid>-<n>` beside it (`partSuffix`), reads that back and compares, renames it, and syncs both
+/// file and folder to disk (fsync). Removes part files in the folder that killed processes of this machine left behind.
 /// machine left there when they were killed are removed.
-///
-/// Throws Failure naming file and cause when any of that fails, after removing the part file. The old
-/// content then stands, except when only the last step, the fsync of the folder, failed: the message says so.
+/// Throws Failure naming file and cause if any of that fails, after removing the part file. The old content is then
+/// unchanged, except if only the last step, the fsync of the folder, failed: the message says so.
 void atomicWrite(const std::filesystem::path& path, std::string_view bytes, FileOps& = systemFileOps());
 
-/// The same; makes the folder of `path`, and those above it, where there is none.
+/// The same; creates the folder of `path`, and those above it, if they do not exist.
 void atomicWriteMakingFolder(const std::filesystem::path& path, std::string_view bytes, FileOps& = systemFileOps());
 
-/// A file and what it is to hold.
+/// A file path and the content to write.
 struct NamedBytes {
     std::filesystem::path path;
     std::string bytes;
 };
 
 /// Replaces several files together, each as `atomicWrite` does: afterwards all hold their old content, or all their
-/// new. Asks for the space of all first, writes and checks all beside their targets, and only then renames them one
-/// after another; where one cannot be renamed, those before it get their old content back, by a hard link that was kept
-/// (not on file systems without such links). Throws Failure naming the file and the cause.
+/// new. Checks the free space for all first, writes and verifies all beside their targets, and only then renames them
+/// one after another. If one cannot be renamed, those before it get their old content back from a hard link (not on
+/// file systems without hard links). Throws Failure naming the file and the cause.
 void atomicWriteAll(const std::vector<NamedBytes>&, FileOps& = systemFileOps());
 
 class PartFile;
 
-/// A file beside `path` that holds these bytes, read back and compared, to be published. Throws as `atomicWrite`.
+/// Writes these bytes to a part file beside `path`, reads them back and compares. Publish it later. Throws as
+/// `atomicWrite`.
 [[nodiscard]] std::unique_ptr<PartFile> stagedFile(const std::filesystem::path& path, std::string_view bytes,
                                                    FileOps& = systemFileOps());
 
-/// Publishes files that were written, as `atomicWriteAll` does: after a failure all hold their old content.
+/// Publishes part files together, as `atomicWriteAll` does: after a failure all targets hold their old content.
 void publishAll(std::span<const std::unique_ptr<PartFile>>, FileOps& = systemFileOps());
 
-/// Throws Failure unless the folder of `target` has 1.1 times `bytes` free.
+/// Throws Failure unless the folder of `target` has at least 1.1 times `bytes` of free space.
 void requireSpace(const std::filesystem::path& target, unsigned long long bytes, FileOps& = systemFileOps());
 
-/// A file that is written beside its target and takes its place in one step.
+/// A file that is written beside its target and replaces it in one step.
 class PartFile {
 public:
-    /// Follows symbolic links. Throws Failure when `target` is a folder, a device, a read-only file or a
-    /// loop of links. Creates nothing yet.
+    /// Follows symbolic links. Throws Failure if `target` is a folder, a device, a read-only file or a loop of links.
+    /// Creates no file yet.
     explicit PartFile(const std::filesystem::path& target, FileOps& = systemFileOps());
     /// Removes the part file unless it was published.
     ~PartFile();
@@ -63,9 +63,9 @@ public:
     [[nodiscard]] const std::filesystem::path& path() const { return part_; }
     [[nodiscard]] const std::filesystem::path& target() const { return target_; }
 
-    /// Gives the part file the old file's mode, syncs it, puts it in the target's place, syncs the folder.
+    /// Gives the part file the old file's mode, syncs it, replaces the target, and syncs the folder.
     void publish();
-    /// The steps of that: mode and content reach the disk; the part file takes the target's place; so does the folder.
+    /// The steps of `publish`: sync mode and content; replace the target; sync the folder.
     void prepare() const;
     void replace();
     void syncFolder() const;

@@ -5,8 +5,7 @@
 
 namespace vitrine::render {
 
-/// A text without the byte order mark of UTF-8. Editors on Windows write one; it says nothing that is not known.
-/// RFC 8259, 8.1, lets readers leave it out.
+/// Removes the byte order mark of UTF-8, which editors on Windows write. RFC 8259, 8.1, lets readers ignore it.
 [[nodiscard]] inline std::string withoutByteOrderMark(std::string text)
 {
     constexpr std::string_view mark = "\xEF\xBB\xBF";

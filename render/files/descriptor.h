@@ -6,7 +6,7 @@
 
 namespace vitrine::render {
 
-/// An open file descriptor, closed with its owner; -1 when there is none.
+/// RAII owner of an open file descriptor; -1: none.
 class Descriptor {
 public:
     explicit Descriptor(int fd = -1) : fd_(fd) {}

@@ -5,7 +5,7 @@
 
 namespace vitrine::render {
 
-/// ".png" for "Picture.PNG"; empty when there is none. ASCII letters only.
+/// Returns the extension in lower case: ".png" for "Picture.PNG"; empty if there is none. Converts ASCII letters only.
 [[nodiscard]] inline std::string lowerExtension(const std::filesystem::path& file)
 {
     std::string extension = file.extension().string();

@@ -8,8 +8,8 @@ struct stat;
 
 namespace vitrine::render {
 
-/// The system calls that writing a file makes, so that a test can let any one of them fail. Each returns
-/// what the call of its name returns, and sets errno.
+/// System calls for writing a file, virtual so that a test can let each of them fail. Each returns the result of the
+/// call of its name, and sets errno.
 class FileOps {
 public:
     virtual ~FileOps() = default;
@@ -23,11 +23,11 @@ public:
     virtual int rename(const char* from, const char* to);
     virtual int link(const char* from, const char* to);
     virtual int unlink(const char* path);
-    /// Bytes that this user may still write in the folder; the largest number when that is unknown.
+    /// Bytes that this user may still write in the folder; the largest number if that is unknown.
     virtual unsigned long long freeBytes(const char* folder);
 };
 
-/// The real ones.
+/// Returns the real system calls.
 [[nodiscard]] FileOps& systemFileOps();
 
 }  // namespace vitrine::render

@@ -9,7 +9,7 @@
 namespace vitrine::render {
 namespace {
 
-/// What stands in quotes, without escapes; `quoted` is valid JSON.
+/// Returns the content of a quoted string, without escapes; the text must be valid JSON.
 std::string unquoted(std::string_view quotedText)
 {
     const std::string_view inside = quotedText.substr(1, quotedText.size() - 2);
@@ -147,7 +147,7 @@ std::string JsonText::withKey(std::uint32_t memberIndex, std::string_view newKey
     return spliced(span.keyBegin, span.keyEnd, quotedKey(newKey));
 }
 
-/// Puts an item between others of its parent, laid out as its neighbor is.
+/// Inserts an item among the children of its parent, with the layout of its neighbor.
 std::string JsonText::inserted(std::uint32_t parent, std::size_t before, const std::string& item) const
 {
     const std::vector<std::uint32_t> items = children(parent);
@@ -184,7 +184,7 @@ std::string JsonText::without(std::uint32_t index) const
     while (isBetweenJsonTokens(text_[begin - 1])) --begin;
     const bool first = text_[begin - 1] == '[' || text_[begin - 1] == '{';
     if (!first || span.next == JsonSpan::none) {
-        // The comma before it goes; the last one of all leaves the blanks before the bracket.
+        // The comma before it is removed, too. The only child leaves the blanks before the bracket.
         return spliced(begin, span.end, "");
     }
     const JsonSpan& next = values_[span.next];

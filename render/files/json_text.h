@@ -12,8 +12,9 @@
 
 namespace vitrine::render {
 
-/// A JSON text with the place of every value, for what must name a place or change the text of one value and leave the
-/// rest as it was written. Values stand in the order of the text: a parent before its children. Nothing here recurses.
+/// A JSON text with the position of every value. It serves to report positions, and to change one value without
+/// reformatting the rest. Values are indexed in the order of the text: a parent before its children. No function is
+/// recursive.
 class JsonText {
 public:
     /// Throws JsonFailure as `parseJson` does.
@@ -24,39 +25,39 @@ public:
     [[nodiscard]] const std::vector<JsonSpan>& values() const { return values_; }
     [[nodiscard]] const JsonSpan& value(std::uint32_t index) const { return values_[index]; }
 
-    /// Of the value, as it is written.
+    /// Returns the text of a value as it is written.
     [[nodiscard]] std::string_view written(std::uint32_t index) const;
-    /// Of a member, without escapes; empty for others.
+    /// Returns the key of a member, without escapes; empty for other values.
     [[nodiscard]] std::string key(std::uint32_t index) const;
-    /// Of a string, without escapes.
+    /// Returns the content of a string, without escapes.
     [[nodiscard]] std::string string(std::uint32_t index) const;
-    /// Of a number.
+    /// Returns the value of a number.
     [[nodiscard]] double number(std::uint32_t index) const;
-    /// Of a boolean.
+    /// Returns the value of a boolean.
     [[nodiscard]] bool boolean(std::uint32_t index) const { return text_[values_[index].begin] == 't'; }
-    /// Of an array or an object.
+    /// Returns the elements of an array or the members of an object.
     [[nodiscard]] std::vector<std::uint32_t> children(std::uint32_t index) const;
-    /// The member of an object, or nothing.
+    /// Returns the member of an object, or nothing.
     [[nodiscard]] std::optional<std::uint32_t> member(std::uint32_t object, std::string_view key) const;
-    /// The value at a path such as "root.children[2].radius", or nothing. "" is the whole.
+    /// Returns the value at a path such as "root.children[2].radius", or nothing. "" is the whole text.
     [[nodiscard]] std::optional<std::uint32_t> at(std::string_view path) const;
-    /// The path of a value. Of one with more parts than `mostParts` the beginning and the end.
+    /// Returns the path of a value. A path with more parts than `mostParts` is shortened in the middle.
     [[nodiscard]] std::string path(std::uint32_t index, std::size_t mostParts = 20) const;
-    /// The whole of it, as `at` takes it.
+    /// Returns the complete path, as `at` takes it.
     [[nodiscard]] std::string wholePath(std::uint32_t index) const { return path(index, std::string::npos); }
-    /// Of a value's key, or of the value where it has none.
+    /// Returns the position of a value's key, or of the value if it has none.
     [[nodiscard]] TextPosition position(std::uint32_t index) const;
 
-    // The text with one change; all that is not named keeps its bytes. What is put in must be JSON.
+    // These functions return the text with one change; all other bytes stay the same. Inserted text must be JSON.
 
     [[nodiscard]] std::string withValue(std::uint32_t index, std::string_view json) const;
-    /// Replaces the member, or adds it behind the last one, laid out as that.
+    /// Replaces the member, or adds it after the last one with the same layout.
     [[nodiscard]] std::string withMember(std::uint32_t object, std::string_view key, std::string_view json) const;
-    /// `before` the element of this number, or behind the last one.
+    /// Inserts an element before index `before`, or after the last one.
     [[nodiscard]] std::string withElement(std::uint32_t array, std::size_t before, std::string_view json) const;
-    /// Without this member or element, its comma and the blanks that led to it.
+    /// Removes this member or element, with its comma and the blanks before it.
     [[nodiscard]] std::string without(std::uint32_t index) const;
-    /// With another name for a member.
+    /// Renames a member.
     [[nodiscard]] std::string withKey(std::uint32_t member, std::string_view key) const;
 
 private:

@@ -6,7 +6,7 @@
 
 namespace vitrine::render {
 
-/// Returns the number in `count` bytes (at most 4) from `at` on, the lowest byte first; 0 where the bytes end before.
+/// Returns the unsigned number in `count` bytes (at most 4) from `at` on, the lowest byte first; 0 beyond the end.
 [[nodiscard]] inline std::uint32_t littleEndian(std::string_view bytes, std::size_t at, std::size_t count = 4)
 {
     std::uint32_t x = 0;

@@ -4,8 +4,8 @@
 
 namespace vitrine::render {
 
-/// README.md of the program: in share/doc/vitrine beside its assets, or in the source tree. Empty where it did not come
-/// with this copy.
+/// Returns the path of the program's README.md: in share/doc/vitrine beside its assets, or in the source tree. Empty if
+/// it is not installed.
 [[nodiscard]] std::filesystem::path manualFile();
 
 }  // namespace vitrine::render

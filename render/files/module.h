@@ -6,18 +6,19 @@
 
 namespace vitrine::render {
 
-/// Part of the program in a library of its own, opened when it is first needed.
+/// Part of the program in a separate library, which is opened on first use.
 struct ModuleFile {
     std::string name;             ///< "libvitrine_oiio.so".
-    std::filesystem::path built;  ///< Where it was built.
-    const char* symbol;           ///< The one that it exports.
+    std::filesystem::path built;  ///< Path in the build folder.
+    const char* symbol;           ///< The symbol that it exports.
     std::string purpose;          ///< "reads and writes pictures", for messages.
     std::string needs;            ///< "OpenImageIO", for messages.
 };
 
-/// Looks for it beside the running program, one folder up, in ../lib/vitrine/modules, and where it was built, and opens
-/// the first whose symbol `made` turns into something (null: it belongs to another version). It is never closed:
-/// threads of what it links would outlive their code. Throws Failure (Blame::file) when none can be opened.
+/// Opens a module. Searches beside the executable, one folder up, in ../lib/vitrine/modules, and where it was built.
+/// Takes the first library for whose symbol `made` returns an object (null: it belongs to another version), and returns
+/// that object. The library is never closed, because threads of its dependencies would outlive their code. Throws
+/// Failure (Blame::file) if none can be opened.
 [[nodiscard]] void* openModule(const ModuleFile&, const std::function<void*(void* symbol)>& made);
 
 }  // namespace vitrine::render

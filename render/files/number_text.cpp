@@ -10,7 +10,7 @@ namespace vitrine::render {
 std::string shortestNumber(double x)
 {
     assert(std::isfinite(x));
-    std::array<char, 32> text{};  // The longest is 24 characters: -2.2250738585072014e-308.
+    std::array<char, 32> text{};  // The longest number has 24 characters: -2.2250738585072014e-308.
     const std::to_chars_result end = std::to_chars(text.data(), text.data() + text.size(), x);
     return std::string(text.data(), end.ptr);
 }

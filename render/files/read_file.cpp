@@ -48,10 +48,10 @@ std::string readAll(const Descriptor& file, const std::string& name, std::uint64
     return bytes;
 }
 
-/// A relative path, its "." and ".." taken out.
+/// A relative path with its "." and ".." resolved.
 struct Walk {
-    std::size_t up = 0;               ///< So many folders up first ...
-    std::vector<std::string> down{};  ///< ... then into these, the file last.
+    std::size_t up = 0;               ///< Number of folders to go up first ...
+    std::vector<std::string> down{};  ///< ... then the folders to go down, the file last.
 };
 
 Walk walkOf(std::string_view reference)
@@ -76,7 +76,7 @@ Walk walkOf(std::string_view reference)
 
 std::string readFile(const std::filesystem::path& path, std::uint64_t mostBytes)
 {
-    // Without O_NONBLOCK, opening a named pipe waits for a writer for ever.
+    // Without O_NONBLOCK, opening a named pipe would wait for a writer forever.
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
     if (!file.open()) failReading(path.string(), causeOf(errno));
     return readAll(file, path.string(), mostBytes);
@@ -107,8 +107,8 @@ std::string readFileBeneath(const std::filesystem::path& folder, std::string_vie
         throw Failure(Blame::file, "Cannot follow the reference \"" + std::string(reference) + "\" inside " +
                                        folder.string() + ": " + why + "; use a plain relative path.");
     }
-    // One component at a time, none of them a link: what openat2 with RESOLVE_BENEATH and
-    // RESOLVE_NO_SYMLINKS does, also where a sandbox refuses that call.
+    // Opens one component at a time, none of them a link. That equals openat2 with RESOLVE_BENEATH and
+    // RESOLVE_NO_SYMLINKS, but works also in sandboxes that refuse that call.
     const Walk walk = walkOf(reference);
     Descriptor at(::open(folder.empty() ? "." : folder.c_str(), O_PATH | O_DIRECTORY | O_CLOEXEC));
     if (walk.up > 0 && at.open()) at = Descriptor(::openat(at.get(), "..", O_PATH | O_DIRECTORY | O_CLOEXEC));

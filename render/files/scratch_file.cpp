@@ -17,7 +17,7 @@ namespace vitrine::render {
 
 namespace {
 
-/// TMPDIR where it is set. Else /var/tmp, because /tmp is memory on many systems (Debian 13 among them).
+/// Returns TMPDIR if it is set. Otherwise /var/tmp, because /tmp is in memory on many systems (Debian 13 among them).
 std::filesystem::path scratchFolder()
 {
     const std::filesystem::path large = "/var/tmp";
@@ -75,8 +75,8 @@ const void* ScratchFile::map(std::uint64_t offset, std::size_t count) const
 
 void releasePages(const void* mapped, std::size_t mappedCount, std::size_t offset, std::size_t count)
 {
-    // A page that is read brings the others of its unit with it: they all go, or those before it would stay for good.
-    // Never beyond the mapping: what lies there is somebody else's.
+    // Reading a page loads the others of its unit, too. So whole units are released, or the pages before would stay
+    // forever. The range ends at the mapping, because memory beyond it has another owner.
     const auto begin = reinterpret_cast<std::uintptr_t>(mapped);
     const std::uintptr_t from = std::max((begin + offset) / ScratchFile::mapUnit * ScratchFile::mapUnit, begin);
     const std::uintptr_t to =

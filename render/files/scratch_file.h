@@ -8,23 +8,23 @@
 
 namespace vitrine::render {
 
-/// Working data too large for memory, in the folder that TMPDIR names, else in /var/tmp. The file has no name: it is
-/// gone when the program ends, however it ends.
+/// Temporary data too large for memory, in the folder of TMPDIR, else in /var/tmp. The file has no name, so it
+/// disappears when the program ends for any reason.
 class ScratchFile {
 public:
-    /// Throws Failure naming the folder when no file can be made there.
+    /// Throws Failure naming the folder if no file can be created there.
     ScratchFile();
 
     [[nodiscard]] std::uint64_t size() const { return size_; }  ///< Bytes.
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
 
-    /// Throws Failure naming the folder, the cause (a full disk) and what to do.
+    /// Appends bytes. Throws Failure naming the folder, the cause (a full disk) and what to do.
     void append(const void* bytes, std::size_t count);
 
-    /// The bytes from `offset` on, which must be a multiple of `mapUnit`, until `unmapPages`; the file need not
-    /// live so long. Throws Failure when the system refuses.
+    /// Maps `count` bytes from `offset` on, which must be a multiple of `mapUnit`, into memory. The mapping is valid
+    /// until `unmapPages`, even after the file object is destroyed. Throws Failure if the system refuses.
     [[nodiscard]] const void* map(std::uint64_t offset, std::size_t count) const;
-    /// Fills with zeros up to the next multiple of `mapUnit`.
+    /// Appends zeros up to the next multiple of `mapUnit`.
     void align();
     static constexpr std::uint64_t mapUnit = 65536;
 
@@ -36,12 +36,12 @@ private:
     std::uint64_t size_ = 0;
 };
 
-/// Gives `count` bytes from `offset` on, of memory that `ScratchFile::map` returned, back to the system, and those
-/// around them up to multiples of `mapUnit`, without forgetting their content: they are read again when they are
-/// wanted. At any time, from any thread.
+/// Frees the memory of `count` bytes from `offset` on, in a mapping that `ScratchFile::map` returned, extended to
+/// multiples of `mapUnit`. The content stays in the file and is read again when it is accessed. Thread-safe, at any
+/// time.
 void releasePages(const void* mapped, std::size_t mappedCount, std::size_t offset, std::size_t count);
 
-/// Ends a mapping.
+/// Removes a mapping.
 void unmapPages(const void* begin, std::size_t count);
 
 }  // namespace vitrine::render

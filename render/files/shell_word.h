@@ -5,7 +5,7 @@
 
 namespace vitrine::render {
 
-/// The word as a POSIX shell reads it back: quoted where it has to be.
+/// Quotes the word for a POSIX shell, if necessary.
 [[nodiscard]] inline std::string shellWord(const std::string& word)
 {
     const std::string_view plain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-_=.,/:+%@";

@@ -15,7 +15,8 @@
 namespace vitrine::render {
 namespace {
 
-/// A text that the library's lexer takes character by character, and how far it is: its events carry no position.
+/// Text that is passed to the library's lexer, with the number of characters read so far. The library's events carry no
+/// position.
 struct TakenText {
     std::string_view text;
     std::size_t taken = 0;
@@ -50,13 +51,13 @@ private:
     const char* at_;
 };
 
-/// Position of the last character taken.
+/// Returns the position of the last character read.
 TextPosition positionIn(const TakenText& source)
 {
     return positionAt(source.text, source.taken > 0 ? source.taken - 1 : 0);
 }
 
-/// Notes the place of each value while the library reads the text: it reports a value when its last character is taken.
+/// Records the position of each value during parsing. The library reports a value when its last character is read.
 class SpanRecorder {
 public:
     explicit SpanRecorder(const TakenText& source) : source_(source) {}
@@ -94,7 +95,7 @@ private:
         std::uint32_t lastChild = JsonSpan::none;
     };
 
-    /// The token that was read last. Of a number the library has taken the character behind it, too.
+    /// Returns the token that was read last. After a number, the library has also read the next character.
     Token token()
     {
         const std::string_view text = source_.text.substr(0, source_.taken);
@@ -121,23 +122,23 @@ private:
     }
 
     const TakenText& source_;
-    std::size_t end_ = 0;  // Of the token before.
+    std::size_t end_ = 0;  // End of the previous token.
     std::uint32_t keyBegin_ = 0, keyEnd_ = 0;
     std::vector<OpenSpan> open_;
 };
 
-/// An object or array that is still open.
+/// An object or array that is not complete yet.
 struct JsonLevel {
-    Json value;  // With the children that are complete.
+    Json value;  // Contains the children that are complete.
     std::unordered_set<std::string> keys{};
-    std::string key{};  // The one last seen.
+    std::string key{};  // The last key.
 };
 
-/// Builds the tree of a text, with the checks of `parseJson`. On the way, it finds the line of a key path and notes the
-/// place of every value, where either is wanted.
+/// Builds the tree of a text, with the checks of `parseJson`. If requested, it also finds the line of a key path and
+/// records the position of every value.
 class JsonReader final : public nlohmann::json_sax<Json> {
 public:
-    /// Text and limits must outlive it.
+    /// Text and limits must outlive the reader.
     JsonReader(std::string_view text, const JsonLimits& limits, std::string_view wantedPath = {})
         : source_{text}, limits_(limits), wanted_(wantedPath)
     {
@@ -145,9 +146,9 @@ public:
 
     /// Throws Failure, as `parseJson` does.
     [[nodiscard]] Json read(const std::string& name);
-    /// As `read`, with the places in place of the values.
+    /// Like `read`, but returns positions instead of values.
     [[nodiscard]] std::vector<JsonSpan> places(const std::string& name);
-    /// Of the longest part of the wanted path that exists.
+    /// Line of the longest prefix of the wanted path that exists.
     [[nodiscard]] int wantedLine() const { return wantedLine_; }
 
     bool null() override { return plain(JsonSpan::Type::null, nullptr); }
@@ -192,7 +193,7 @@ private:
     std::vector<JsonLevel> levels_;
     std::size_t nodes_ = 0;
     std::string problem_;
-    bool numberEnded_ = false;  ///< The problem is a number, which ends before what was taken last.
+    bool numberEnded_ = false;  ///< The error is in a number, which ends before the last character read.
     std::size_t longestFound_ = 0;
     int wantedLine_ = 1;
 };
@@ -270,11 +271,11 @@ void JsonReader::add(Json value)
     JsonLevel& parent = levels_.back();
     if (parent.value.is_array())
         parent.value.get_ref<Json::array_t&>().push_back(std::move(value));
-    else  // No key stands twice; ordered_map's own insertion would compare with every key.
+    else  // Keys are unique here; ordered_map's own insertion would compare with every key.
         parent.value.get_ref<Json::object_t&>().emplace_back(parent.key, std::move(value));
 }
 
-/// "values.morph" or "accessors[3].count" for where the reading stands.
+/// Returns the path of the current position: "values.morph" or "accessors[3].count".
 std::string JsonReader::path() const
 {
     std::string text;
@@ -300,7 +301,7 @@ void JsonReader::comparePath()
     wantedLine_ = positionIn(source_).line;
 }
 
-/// Whether bytes were never meant to be JSON: no object or array begins them, and control characters are near.
+/// Returns whether the bytes are certainly not JSON: they begin with no object or array and contain control characters.
 bool isBinary(std::string_view bytes)
 {
     constexpr std::string_view white = " \t\r\n";
@@ -311,7 +312,7 @@ bool isBinary(std::string_view bytes)
     const auto isControl = [&](char c) {
         return static_cast<unsigned char>(c) < 0x20 && white.find(c) == std::string_view::npos;
     };
-    return std::count_if(head.begin(), head.end(), isControl) > 1;  // A single one is named with its place.
+    return std::count_if(head.begin(), head.end(), isControl) > 1;  // A single one is reported with its position.
 }
 
 Json JsonReader::read(const std::string& name)
@@ -327,7 +328,7 @@ Json JsonReader::read(const std::string& name)
     if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF"))
         refuseWhole("the file is UTF-16; save it as UTF-8");
     if (isBinary(text)) refuseWhole("this is binary data and not JSON; choose another file");
-    // The library takes a zero byte for the end of the text and would leave all behind it unread.
+    // The library takes a zero byte for the end of the text and would ignore everything after it.
     if (const auto zero = zeroByteIn(text))
         throw JsonFailure(name, zero->line, zero->column, "", std::string(zeroByteProblem));
     if (Json::sax_parse(CountingIterator(source_, 0), CountingIterator(source_, text.size()), this))

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What tells this machine, and this numbering of its processes, from others, as 8 hexadecimal digits.
+/// Returns 8 hexadecimal digits that identify this machine and its process namespace.
 std::string markOfMachine()
 {
     std::array<char, 256> host{};
@@ -54,7 +54,8 @@ struct Entry {
     Unfinished::Content content;
 };
 
-/// What is being made; lives as long as the program, because parts may end after static objects do.
+/// List of unfinished files. It is never destroyed, because unfinished files may end after static objects are
+/// destroyed.
 struct Making {
     std::recursive_mutex mutex;
     std::vector<Entry> entries;
@@ -70,7 +71,7 @@ Making& making()
 
 std::string partSuffix(std::string_view kind)
 {
-    static std::atomic<unsigned> counter{0};  // Two threads may write the same file.
+    static std::atomic<unsigned> counter{0};  // Makes names unique if two threads write the same file.
     std::string suffix = ".";
     (((suffix += kind) += '-') += mark()) += '-';
     return (suffix += std::to_string(::getpid()) + '-') += std::to_string(++counter);
@@ -119,7 +120,7 @@ Unfinished::~Unfinished()
 
 void removeUnfinished() noexcept
 {
-    making().mutex.lock();  // For good.
+    making().mutex.lock();  // Never unlocked.
     std::error_code ignored;
     for (const Entry& entry : making().entries)
         if (entry.content == Unfinished::Content::all) fs::remove_all(entry.path, ignored);

@@ -7,22 +7,22 @@
 
 namespace vitrine::render {
 
-/// The end of the name of a file or folder that this process is making beside its target: ".part-<mark>-<pid>-<n>".
-/// The mark stands for this machine and its numbering of processes, so that on a shared disk the parts of other
-/// machines are known as such. A new one at each call.
+/// Returns a suffix for the name of a file or folder that this process is making beside its target:
+/// ".part-<mark>-<pid>-<n>". The mark identifies this machine and its process namespace, so that part files of other
+/// machines on a shared disk are recognized. Each call returns a new suffix.
 [[nodiscard]] std::string partSuffix(std::string_view kind = "part");
 
-/// Whether a file name ends as `partSuffix` of that kind does, by a process of this machine that is no longer there.
+/// Returns whether a file name ends with a `partSuffix` of that kind, of a process of this machine that has ended.
 [[nodiscard]] bool isLeftBehind(std::string_view fileName, std::string_view kind = "part");
 
-/// Removes the hidden part files (".<name>.part-...") in `folder` whose processes are no longer there. Looks into each
-/// folder once in the life of the program.
+/// Removes the hidden part files (".<name>.part-...") in `folder` whose processes have ended. Each folder is searched
+/// only once per run.
 void clearLeftBehind(const std::filesystem::path& folder);
 
-/// A file or folder that is being made: `removeUnfinished` removes it while this lives.
+/// A file or folder that is being made; `removeUnfinished` removes it while this object exists.
 class Unfinished {
 public:
-    enum class Content : std::uint8_t { all, onlyIfEmpty };  ///< Of a folder: whether what lies in it goes, too.
+    enum class Content : std::uint8_t { all, onlyIfEmpty };  ///< For a folder: whether it is removed with its content.
 
     explicit Unfinished(std::filesystem::path, Content = Content::all);
     ~Unfinished();
@@ -30,12 +30,12 @@ public:
     Unfinished& operator=(const Unfinished&) = delete;
 };
 
-/// Removes all that is unfinished. From then on every `Unfinished` that begins or ends waits forever,
-/// so that nothing is made or put in place any more: the caller ends the program. From any thread but one that holds
+/// Removes everything that is unfinished. Afterwards every `Unfinished` blocks forever when it begins or ends, so that
+/// nothing more is created or renamed; the caller must end the program. Call it from any thread that does not hold
 /// `unfinishedLock`.
 void removeUnfinished() noexcept;
 
-/// While it is held, `removeUnfinished` waits: for steps that belong together, such as two renames.
+/// While it is held, `removeUnfinished` waits: protects steps that belong together, such as two renames.
 [[nodiscard]] std::unique_lock<std::recursive_mutex> unfinishedLock();
 
 }  // namespace vitrine::render

@@ -7,14 +7,14 @@
 namespace vitrine::render {
 namespace {
 
-/// A string in its quotes.
+/// Returns a string in quotes.
 std::string quoted(const std::string& text, bool ascii)
 {
-    return Json(text).dump(-1, ' ', ascii);  // Throws type_error for what is not UTF-8.
+    return Json(text).dump(-1, ' ', ascii);  // Throws type_error for invalid UTF-8.
 }
 
-/// The library's own writer puts each number of an array on a line of its own, names no key in its errors, and writes
-/// null for what is not finite.
+/// JSON formatter. The library's own one puts each number of an array on its own line, names no key in its errors, and
+/// writes null for numbers that are not finite.
 class JsonWriter {
 public:
     void write(const Json& json, int depth)
