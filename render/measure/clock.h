@@ -2,11 +2,11 @@
 
 namespace vitrine::render {
 
-/// CPU time that this process has used on all its threads, seconds (CLOCK_PROCESS_CPUTIME_ID). Around a
-/// glFinish it is the steadiest clock for a software renderer: a busy neighbor does not move it.
+/// Returns the CPU time that this process has used on all its threads, in seconds (CLOCK_PROCESS_CPUTIME_ID). Around a
+/// glFinish it is the most stable clock for a software renderer, because other processes do not affect it.
 [[nodiscard]] double processCpuSeconds();
 
-/// Monotonic wall clock, seconds.
+/// Returns the monotonic wall clock, in seconds.
 [[nodiscard]] double wallSeconds();
 
 }  // namespace vitrine::render

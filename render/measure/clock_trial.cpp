@@ -11,7 +11,7 @@ namespace {
 
 constexpr double tolerance = 0.2;
 
-using Times = std::map<double, ClockSample>;  // The quickest run of each load.
+using Times = std::map<double, ClockSample>;  // The fastest run of each load.
 
 Times quickest(std::span<const ClockSample> samples)
 {
@@ -26,7 +26,7 @@ Times quickest(std::span<const ClockSample> samples)
     return times;
 }
 
-/// The factor by which the time grew from the smallest to the largest load, over the factor of the load.
+/// Returns the ratio of times of the largest to the smallest load, divided by the ratio of the loads.
 double growth(const Times& times, double ClockSample::*clock)
 {
     const ClockSample& first = times.begin()->second;
@@ -39,7 +39,7 @@ bool nearOne(double ratio)
     return ratio >= 1 - tolerance && ratio <= 1 + tolerance;
 }
 
-/// Whether each load's time is what the smallest load's promises.
+/// Returns whether the times of all loads are proportional to the loads.
 bool scales(const Times& times, double ClockSample::*clock)
 {
     if (times.size() < 2) return false;
@@ -49,7 +49,7 @@ bool scales(const Times& times, double ClockSample::*clock)
     });
 }
 
-/// The query over the wall clock, where it is furthest from it.
+/// Returns the ratio of query to wall time that differs most from 1.
 double worstAgreement(const Times& times)
 {
     double worst = 1;

@@ -6,7 +6,7 @@
 namespace vitrine::render {
 namespace {
 
-/// One pixel of a picture as a picture: what a map compares there.
+/// Copies the channels of one pixel into a picture of one pixel.
 Image pixelOf(const Image& image, int x, int y, int first, int count)
 {
     Image pixel(1, 1, count);
@@ -14,7 +14,7 @@ Image pixelOf(const Image& image, int x, int y, int first, int count)
     return pixel;
 }
 
-/// The channel that both pictures have in one place; -1 when they do not.
+/// Returns the index of a channel that both pictures have at the same index; -1 otherwise.
 int sharedChannel(const Image& a, const Image& b, std::string_view name)
 {
     const int channel = channelNamed(a, name);

@@ -7,24 +7,25 @@
 
 namespace vitrine::render {
 
-/// Distance of two pictures of one size by any metric; nothing when they lack the channels that it compares
-/// ("normal.X" to "normal.Z" in both, "depth.Z" in both).
+/// Returns the distance of two pictures of one size by any metric. Returns nothing if they lack the channels that it
+/// compares ("normal.X" to "normal.Z" in both, "depth.Z" in both).
 [[nodiscard]] std::optional<double> distance(Metric, const Image& reference, const Image& test,
                                              double pixelsPerDegree = flipPixelsPerDegree);
 
-/// Where they differ, one channel: by FLIP for Metric::flip, degrees for normals, meters for depth, and for all
-/// others `differenceMap`. What only one of the pictures has is infinite. Nothing as `distance`.
+/// Returns the error of each pixel, one channel: FLIP for Metric::flip, degrees for normals, meters for depth, and
+/// `differenceMap` for all others. A normal or depth that only one picture has gives infinity. Returns nothing as
+/// `distance` does.
 [[nodiscard]] std::optional<Image> errorMap(Metric, const Image& reference, const Image& test,
                                             double pixelsPerDegree = flipPixelsPerDegree);
 
-/// The value that a heat map of these errors shows white: 1 for FLIP, else the largest finite error (1 when
-/// there is none).
+/// Returns the value that a heat map of these errors shows white: 1 for FLIP, else the largest finite error (1 if there
+/// is none).
 [[nodiscard]] double fullScale(Metric, const Image& errors);
 
-/// Whether `value` is worse than `limit`: above it, but below it for the signal to noise ratio.
+/// Returns whether `value` is worse than `limit`: above it, or below it for the signal-to-noise ratio.
 [[nodiscard]] bool isBeyond(Metric, double value, double limit);
 
-/// The channel of that name, or -1.
+/// Returns the index of the channel of that name, or -1.
 [[nodiscard]] int channelNamed(const Image&, std::string_view name);
 
 }  // namespace vitrine::render

@@ -14,7 +14,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 using Plane = std::vector<double>;
-using Kernel = std::vector<double>;  // Odd length, its middle at the pixel.
+using Kernel = std::vector<double>;  // Filter weights: odd length, the pixel in the middle.
 
 struct Size {
     int width, height;
@@ -41,7 +41,7 @@ const glm::dmat3 toXyz = matrixXyzFromRgb();
 const glm::dmat3 toRgb = glm::inverse(toXyz);
 const glm::dvec3 white = toXyz * glm::dvec3(1);
 
-/// Luminance and two opponent colors, linear in light: Y 0 to 100, as in the paper's YyCxCz.
+/// Converts to luminance and two opponent colors, linear in light: Y 0 to 100, as in the paper's YyCxCz.
 glm::dvec3 opponentFromRgb(const glm::dvec3& rgb)
 {
     const glm::dvec3 n = toXyz * rgb / white;
@@ -55,7 +55,7 @@ glm::dvec3 rgbFromOpponent(const glm::dvec3& opponent)
     return toRgb * (n * white);
 }
 
-/// CIELAB, with the chroma scaled by lightness after Hunt: colors are told apart less in the dark.
+/// Converts to CIELAB, with the chroma scaled by lightness after Hunt: colors are harder to distinguish in the dark.
 glm::dvec3 huntLab(const glm::dvec3& rgb)
 {
     const glm::dvec3 n = toXyz * rgb / white;
@@ -67,7 +67,7 @@ glm::dvec3 huntLab(const glm::dvec3& rgb)
     return {lightness, 0.01 * lightness * 500 * (f(n.x) - f(n.y)), 0.01 * lightness * 200 * (f(n.y) - f(n.z))};
 }
 
-/// HyAB (Abasi, Amani Tehran, Fairchild 2019): for large differences.
+/// HyAB distance (Abasi, Amani Tehran, Fairchild 2019), made for large color differences.
 double hyab(const glm::dvec3& a, const glm::dvec3& b)
 {
     return std::abs(a.x - b.x) + std::hypot(a.y - b.y, a.z - b.z);
@@ -113,7 +113,7 @@ double sumOf(const Kernel& kernel)
     return sum;
 }
 
-/// One of the paper's two Gaussians of a channel's contrast sensitivity: amplitude a, falloff b in degrees squared.
+/// Sum of two Gaussians, the paper's contrast sensitivity of a channel: amplitude a, falloff b in degrees squared.
 struct Sensitivity {
     double a1, b1, a2, b2;
 };
@@ -121,8 +121,8 @@ constexpr Sensitivity luminance{1, 0.0047, 0, 1e-5};
 constexpr Sensitivity redGreen{1, 0.0053, 0, 1e-5};
 constexpr Sensitivity blueYellow{34.1, 0.04, 13.5, 0.025};
 
-/// What the eye resolves of one channel at this distance: the kernel a1 sqrt(pi / b1) exp(-pi² d² / b1) + ...
-/// over the distance d in degrees, its weights together 1.
+/// Filters a channel by the eye's contrast sensitivity: the kernel a1 sqrt(pi / b1) exp(-pi² d² / b1) + ... over the
+/// distance d in degrees, normalized to sum 1.
 Plane seen(const Plane& plane, Size size, const Sensitivity& s, double pixelsPerDegree)
 {
     const int radius = static_cast<int>(std::ceil(3 * std::sqrt(blueYellow.b1 / (2 * pi * pi)) * pixelsPerDegree));
@@ -144,7 +144,7 @@ Plane seen(const Plane& plane, Size size, const Sensitivity& s, double pixelsPer
     return result;
 }
 
-/// The positive weights made to sum to 1 and the negative ones to -1.
+/// Scales the positive weights to sum 1 and the negative ones to sum -1.
 Kernel balanced(Kernel kernel)
 {
     double positive = 0;
@@ -154,14 +154,14 @@ Kernel balanced(Kernel kernel)
     return kernel;
 }
 
-/// Strength of edges and points per pixel, of the achromatic channel brought to [0, 1].
+/// Strength of edges and points per pixel, of the achromatic channel scaled to [0, 1].
 struct Features {
     Plane edges, points;
 };
 
 Features features(const Plane& y, Size size, double pixelsPerDegree)
 {
-    constexpr double width = 0.082;  // Degrees: of the features that the paper found to be noticed.
+    constexpr double width = 0.082;  // Degrees: width of the features that are noticed, from the paper.
     const double sigma = 0.5 * width * pixelsPerDegree;
     const int radius = static_cast<int>(std::ceil(3 * sigma));
     const auto gauss = [&](double k) { return std::exp(-k * k / (2 * sigma * sigma)); };
@@ -180,7 +180,7 @@ Features features(const Plane& y, Size size, double pixelsPerDegree)
     return {magnitude(edge), magnitude(point)};
 }
 
-/// A picture as the eye sees it: filtered colors in Hunt-adjusted CIELAB, and features.
+/// A picture as perceived: filtered colors in Hunt-adjusted CIELAB, and features.
 struct Seen {
     std::vector<glm::dvec3> lab;
     Features features;
@@ -200,7 +200,7 @@ Seen look(const Image& image, double pixelsPerDegree)
             glm::dvec3 rgb(0);
             for (int c = 0; c < 3; ++c) {
                 const double v = static_cast<double>(image.at(x, y, isGray ? 0 : c)) * alpha;
-                rgb[c] = v > 0 ? std::min(v, 1.0) : 0.0;  // NaN is 0, too.
+                rgb[c] = v > 0 ? std::min(v, 1.0) : 0.0;  // NaN becomes 0, too.
             }
             const glm::dvec3 opponent = opponentFromRgb(rgb);
             for (int c = 0; c < 3; ++c) channels[c][i] = opponent[c];
@@ -217,7 +217,7 @@ Seen look(const Image& image, double pixelsPerDegree)
     return result;
 }
 
-/// Color differences brought to 0 to 1: most of the range for the differences that occur.
+/// Maps color differences to [0, 1]. Most of that range is used for the differences that occur in practice.
 double colorError(double difference)
 {
     constexpr double exponent = 0.7;

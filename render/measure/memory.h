@@ -4,21 +4,22 @@
 
 namespace vitrine::render {
 
-/// Memory of this process that lies in RAM, in bytes.
+/// RAM that this process uses, in bytes.
 struct ProcessMemory {
-    std::int64_t resident = 0;  ///< All of it.
-    std::int64_t own = 0;  ///< Without pages of files (programs, libraries), which the system can drop and read again.
+    std::int64_t resident = 0;  ///< All resident memory.
+    /// Without file-backed pages (programs, libraries), which the system can drop and read again.
+    std::int64_t own = 0;
 };
 
-/// From /proc/self/status; zeros where there is none.
+/// Reads /proc/self/status; returns zeros if it does not exist.
 [[nodiscard]] ProcessMemory processMemory();
 
-/// Makes what is freed go back to the system: blocks from 256 KiB on are mapped one by one, and threads share two
-/// heaps. glibc otherwise raises its threshold to the largest block ever freed (up to 32 MiB), and pictures then leave
-/// holes in the heap. Called once, at the start of main; does nothing with other C libraries.
+/// Configures the heap so that freed memory is returned to the system: blocks from 256 KiB on are mapped separately,
+/// and threads share two heaps. glibc otherwise raises its threshold to the largest block ever freed (up to 32 MiB),
+/// and pictures then leave holes in the heap. Call it once, at the start of main. Does nothing with other C libraries.
 void returnFreedMemory();
 
-/// Gives the heap's free pages back now: after something large was let go.
+/// Returns the heap's free pages to the system now. Call it after something large was freed.
 void trimHeap();
 
 }  // namespace vitrine::render

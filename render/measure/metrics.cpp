@@ -15,7 +15,7 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The color of a pixel over black: one channel is gray, a second of two and a fourth is alpha.
+/// Returns the color of a pixel over black. One or two channels: gray. The second of two and the fourth are alpha.
 glm::dvec3 colorAt(const Image& image, int x, int y)
 {
     const bool gray = image.channels < 3;
@@ -43,7 +43,7 @@ glm::dvec3 distances(const Image& a, const Image& b, int x, int y)
 bool differsVisibly(const glm::dvec3& p, const glm::dvec3& q)
 {
     for (int c = 0; c < 3; ++c) {
-        // Not the rounded codes: one rounding apart is not a difference.
+        // Uses unrounded codes, so that a difference in rounding alone does not count.
         const double d =
             distance(srgbFromLinear(std::clamp(p[c], 0.0, 1.0)), srgbFromLinear(std::clamp(q[c], 0.0, 1.0)));
         if (d > 1.0 / 255 || std::isfinite(p[c]) != std::isfinite(q[c])) return true;
@@ -144,7 +144,7 @@ NormalDifference normalDifference(const Image& a, const Image& b, int first)
         either += hasP || hasQ ? 1 : 0;
         if (!hasP || !hasQ) return;
         both += 1;
-        // Exact for small angles, where the arc cosine of a rounded product is not.
+        // Accurate for small angles, unlike the arc cosine of a rounded product.
         const double degrees = std::atan2(glm::length(glm::cross(p, q)), glm::dot(p, q)) * 180 / std::numbers::pi;
         result.mean += degrees;
         result.max = std::max(result.max, degrees);
@@ -188,7 +188,7 @@ Image differenceMap(const Image& a, const Image& b)
 
 Image heatMap(const Image& errors, double full)
 {
-    // Stations of even lightness steps, sRGB-encoded.
+    // Color stops with even steps of lightness, sRGB-encoded.
     static const std::array<glm::dvec3, 6> stations{glm::dvec3(0.02, 0.02, 0.04), glm::dvec3(0.24, 0.07, 0.42),
                                                     glm::dvec3(0.57, 0.16, 0.43), glm::dvec3(0.87, 0.33, 0.23),
                                                     glm::dvec3(0.98, 0.65, 0.18), glm::dvec3(1.0, 0.99, 0.90)};

@@ -8,60 +8,60 @@
 
 namespace vitrine::render {
 
-/// How the distance of a picture from its reference is counted. All are 0 for equal pictures and grow with
-/// the difference, but for `psnr`, which falls and is infinite for equal ones.
+/// Metric for the distance of a picture from its reference. All are 0 for equal pictures and grow with the difference,
+/// except `psnr`, which falls and is infinite for equal pictures.
 enum class Metric : std::uint8_t { rmse, psnr, max, beyond, flip, normal, depth };
 inline constexpr std::array<Metric, 7> allMetrics{Metric::rmse, Metric::psnr,   Metric::max,  Metric::beyond,
                                                   Metric::flip, Metric::normal, Metric::depth};
 
-/// "rmse", "psnr", ... as options and files spell it.
+/// Returns the name in options and files: "rmse", "psnr", ...
 [[nodiscard]] std::string_view toString(Metric);
 [[nodiscard]] std::optional<Metric> metricNamed(std::string_view);
-/// For people, with its unit: "RMS error of linear light", "mean angle between normals, degrees".
+/// Returns the name for people, with its unit: "RMS error of linear light", "mean angle between normals, degrees".
 [[nodiscard]] std::string_view title(Metric);
 
 /// Distance of the colors of two pictures.
 struct ColorDifference {
     double rmse = 0;    ///< Root of the mean squared difference of linear R, G and B; peak 1.
     double max = 0;     ///< Largest difference of one component.
-    double beyond = 0;  ///< Share of pixels of which a component, as an sRGB code, is off by more than 1/255; 0 to 1.
+    double beyond = 0;  ///< Share of pixels with a component whose sRGB code differs by more than 1/255; 0 to 1.
 
     /// Peak signal to noise ratio in decibels, 20 log10(1 / rmse); infinite for equal pictures.
     [[nodiscard]] double psnr() const;
 };
 
-/// Compares the first three channels (or the only one) of two pictures of one size. Alpha, where a picture has
-/// it, is composed onto black first, so that the color of what is not there counts nothing. A component that is
-/// finite in one picture only counts as infinite; equal infinities count nothing.
+/// Compares the first three channels (or the only one) of two pictures of one size. Alpha, if there is any, is
+/// composited over black first, so that the color of transparent pixels does not count. A component that is finite in
+/// only one picture counts as an infinite difference; equal infinities count as none.
 [[nodiscard]] ColorDifference colorDifference(const Image& a, const Image& b);
 
-/// Distance of two pictures of unit normals (three channels from `first`); a pixel of length under 1/2 has none.
+/// Distance of two normal maps (three channels from `first`, unit length). A pixel of length below 1/2 has no normal.
 struct NormalDifference {
     double mean = 0;     ///< Degrees, over the pixels that have a normal in both.
     double max = 0;      ///< Degrees.
-    double missing = 0;  ///< Share of pixels that have one in only one of them, of those that have one in either.
+    double missing = 0;  ///< Share of pixels with a normal in only one picture, among those with one in either.
 };
 [[nodiscard]] NormalDifference normalDifference(const Image& a, const Image& b, int first);
 
-/// Distance of two pictures of depth (one channel, meters, infinite where nothing is).
+/// Distance of two depth maps (one channel, meters, infinite where nothing was hit).
 struct DepthDifference {
     double rms = 0;      ///< Meters, over the pixels where both are finite.
     double max = 0;      ///< Meters.
-    double missing = 0;  ///< Share of pixels where one is finite and the other is not, of those where either is.
+    double missing = 0;  ///< Share of pixels with a finite depth in only one picture, among those with one in either.
 };
 [[nodiscard]] DepthDifference depthDifference(const Image& a, const Image& b, int channel);
 
-/// Where the colors differ, one channel: per pixel the root mean squared difference of the three components.
+/// Returns the color error of each pixel, one channel: the root mean squared difference of the three components.
 [[nodiscard]] Image differenceMap(const Image& a, const Image& b);
 
-/// A picture of one-channel errors, as linear light: black at 0, through violet and orange to white at `full`
-/// and beyond; what is not finite is green. `full` is positive.
+/// Returns a false-color picture of one-channel errors, as linear light: black at 0, through violet and orange to white
+/// at `full` and beyond; values that are not finite are green. `full` must be positive.
 [[nodiscard]] Image heatMap(const Image& errors, double full);
 
-/// Which way the colors differ, as a picture in linear light: each component, as an sRGB code from 0 to 1, is 1/2 where
-/// both are equal, and gain/2 times how far the code of `test` lies above that of `reference` is added to it. Gain 1
-/// shows every difference that there can be; what goes beyond black or white is clamped. Colors are clamped to [0, 1]
-/// first, alpha as in `colorDifference`. `gain` is positive.
+/// Returns the signed color difference as a picture in linear light. Each component, as an sRGB code from 0 to 1, is
+/// 1/2 plus gain/2 times (the code of `test` minus that of `reference`), clamped to [0, 1]. Gain 1 shows every possible
+/// difference without clamping. Colors are clamped to [0, 1] first; alpha is handled as in `colorDifference`. `gain`
+/// must be positive.
 [[nodiscard]] Image signedDifference(const Image& reference, const Image& test, double gain);
 
 }  // namespace vitrine::render

@@ -8,7 +8,7 @@
 namespace vitrine::render {
 namespace {
 
-/// The logarithm, with 0 at half the smallest positive value.
+/// Returns the logarithm; 0 is replaced by half the smallest positive value.
 double logAbove(double x, double smallestPositive)
 {
     return std::log(x > 0 ? x : smallestPositive / 2);
@@ -55,7 +55,7 @@ std::optional<std::size_t> knee(std::span<const CostAndError> points, std::span<
     const double dy = y(last) - y(first);
     const double length = std::hypot(dx, dy);
     std::optional<std::size_t> best;
-    double furthest = 1e-9 * length;  // Rounding is no bend.
+    double furthest = 1e-9 * length;  // Tolerance: a bend smaller than the rounding error does not count.
     for (std::size_t k = 1; k + 1 < front.size(); ++k) {
         const double below = ((y(front[k]) - y(first)) * dx - (x(front[k]) - x(first)) * dy) / -length;
         if (below > furthest) {

@@ -25,7 +25,7 @@ double quantileOfSorted(const std::vector<double>& values, double share)
     return std::lerp(values[below], values[above], place - static_cast<double>(below));
 }
 
-/// Probability that at most `k` of `n` tosses of a fair coin show heads.
+/// Returns the probability that at most `k` of `n` tosses of a fair coin show heads.
 double coinDistribution(std::size_t n, std::size_t k)
 {
     const auto logChoose = [](double a, double b) {
@@ -139,7 +139,7 @@ double studentQuantile(double probability, double degrees)
     double x = d * p;
     double y = std::pow(x, 2 / n);
     if (y > 0.05 + a) {
-        // The normal quantile, Beasley and Springer's range served by Newton's method on erfc.
+        // Normal quantile, by Newton's method on erfc.
         x = 0;
         for (int i = 0; i < 60; ++i)
             x -= (0.5 * std::erfc(x / std::numbers::sqrt2) - p / 2) /
@@ -162,7 +162,7 @@ double studentQuantile(double probability, double degrees)
 std::vector<std::size_t> interleaved(std::size_t count, std::size_t round)
 {
     std::vector<std::size_t> order;
-    // A third of the way on each time reaches every start sooner than one step would.
+    // Starting a third of the list later each round varies the start faster than single steps.
     const std::size_t start = count == 0 ? 0 : round * (count / 3 + 1) % count;
     for (std::size_t i = 0; i < count; ++i) order.push_back((start + i) % count);
     if (round % 2 == 1) std::reverse(order.begin(), order.end());
