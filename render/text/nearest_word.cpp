@@ -6,8 +6,8 @@
 namespace vitrine {
 namespace {
 
-/// Letters added, left out, changed, or swapped with the next one (Damerau 1964, "A technique for computer detection
-/// and correction of spelling errors", in the restricted form).
+/// Returns the number of letters inserted, deleted, replaced or swapped with the next one (Damerau 1964, "A technique
+/// for computer detection and correction of spelling errors", in the restricted form).
 std::size_t editDistance(std::string_view a, std::string_view b)
 {
     std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -27,7 +27,7 @@ std::size_t editDistance(std::string_view a, std::string_view b)
 
 std::string nearestWord(std::string_view typed, const std::vector<std::string>& words)
 {
-    constexpr std::size_t longest = 64;  // What is longer is no mistyped word.
+    constexpr std::size_t longest = 64;  // A longer text is no mistyped word.
     if (typed.empty() || typed.size() > longest) return {};
     std::vector<std::string> begun;
     std::copy_if(words.begin(), words.end(), std::back_inserter(begun),

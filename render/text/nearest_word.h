@@ -6,14 +6,14 @@
 
 namespace vitrine {
 
-/// The word that was probably meant by a mistyped one: the only one that it begins, or the one with the fewest letters
-/// added, left out, changed or swapped, at most two, or one in three; empty where none is near.
+/// Suggests the intended word for a mistyped one: the only word that begins with it, or the word at the smallest edit
+/// distance. The distance is at most two, or a third of the letters if that is more. Empty if no word is near.
 [[nodiscard]] std::string nearestWord(std::string_view typed, const std::vector<std::string>& words);
 
-/// "; did you mean sphere?" where one of the words is near, else ";".
+/// Returns "; did you mean sphere?" if one of the words is similar, else ";".
 [[nodiscard]] std::string didYouMean(std::string_view typed, const std::vector<std::string>& words);
 
-/// "a, b, c".
+/// Joins the names: "a, b, c".
 [[nodiscard]] std::string namesText(const std::vector<std::string>& names);
 
 }  // namespace vitrine

@@ -10,22 +10,22 @@
 
 namespace vitrine {
 
-/// A sentence with places: what stands before, between and behind them, and which place each is.
+/// A sentence with placeholders: the text before, between and after them, and the number of each.
 struct SentencePattern {
     std::vector<std::string> pieces;  ///< One more than `places`.
     std::vector<int> places;
     std::string translation;
-    std::size_t letters = 0;  ///< Of all pieces: how much has to fit.
+    std::size_t letters = 0;  ///< Total letters of all pieces, which must match.
 };
 
 namespace {
 
-constexpr int deepest = 6;                 ///< Sentences within sentences.
-constexpr std::size_t mostKept = 4096;     ///< Answers that are remembered.
-constexpr std::size_t fewLetters = 4;      ///< Fewer of its own make an entry fit nearly any text.
-constexpr std::size_t longestText = 8192;  ///< Bytes: what is longer is no text of the program.
+constexpr int deepest = 6;                 ///< Nesting depth of sentences in sentences.
+constexpr std::size_t mostKept = 4096;     ///< Number of cached results.
+constexpr std::size_t fewLetters = 4;      ///< With fewer letters of its own, an entry would match nearly any text.
+constexpr std::size_t longestText = 8192;  ///< Bytes: a longer text is not the program's.
 
-/// "{1}" at `at`, or nothing.
+/// Returns the number of a placeholder "{1}" at `at`, or nothing.
 std::optional<int> placeAt(std::string_view text, std::size_t at)
 {
     if (at + 2 >= text.size() || text[at] != '{' || text[at + 2] != '}') return std::nullopt;
@@ -54,7 +54,8 @@ std::optional<SentencePattern> patternOf(std::string_view english, std::string t
     return made.places.empty() || made.letters == 0 ? std::nullopt : std::optional(std::move(made));
 }
 
-/// What stands in the places, or nothing where the text is another one. Between two places the first fit counts.
+/// Returns the texts at the placeholders, or nothing if the pattern does not match. Between two placeholders the first
+/// match counts.
 std::optional<std::map<int, std::string_view>> found(const SentencePattern& pattern, std::string_view text)
 {
     const std::string& first = pattern.pieces.front();
@@ -78,14 +79,14 @@ std::optional<std::map<int, std::string_view>> found(const SentencePattern& patt
     return places;
 }
 
-/// How a text is said, and how many of its letters stand in entries of the catalog.
+/// A translated text, and how many of its letters the catalog covers.
 struct Said {
     std::string text;
     std::size_t letters = 0;
 };
 
-/// Whether a text that is in no entry may stand in a sentence of another language: a name, a number, a value with its
-/// unit, words in quotes. Words of English with blanks between them may not.
+/// Returns whether a text without a translation may stay in a translated sentence: a name, a number, a value with its
+/// unit, or quoted words. Several English words may not.
 bool isNeutral(std::string_view text)
 {
     if (text.find(' ') == std::string_view::npos) return true;
@@ -95,13 +96,13 @@ bool isNeutral(std::string_view text)
     };
     if (quoted("\"", "\"") || quoted("“", "”") || (text.starts_with('/') && text.find(": ") == std::string_view::npos))
         return true;
-    // Numbers with units, lists of numbers or of names: of the words, none but units and names.
+    // Numbers with units, lists of numbers or of names. No other words are allowed.
     std::size_t from = 0;
     bool first = true;
     while (from < text.size()) {
         const std::size_t end = std::min(text.find(' ', from), text.size());
         const std::string_view word = text.substr(from, end - from);
-        // The last of a list of names has no comma of its own.
+        // The last name of a list has no comma.
         const bool ends = from >= 2 && text[from - 2] == ',' && end == text.size();
         const bool named = ends || word.ends_with(',') || std::any_of(word.begin(), word.end(), [](unsigned char c) {
                                return std::isalpha(c) == 0 && c != '.' && c != ';' && c != ':' && c != '-';
@@ -118,15 +119,15 @@ bool isNeutral(std::string_view text)
 
 struct Catalog::Texts {
     std::unordered_map<std::string, std::string> whole;
-    std::unordered_map<std::string, std::string> sentences;  ///< With places, by the English one.
-    std::vector<SentencePattern> patterns;                   ///< Those that ask for most letters first.
+    std::unordered_map<std::string, std::string> sentences;  ///< Sentences with placeholders, by the English one.
+    std::vector<SentencePattern> patterns;                   ///< Sorted by their number of letters, most first.
     mutable std::mutex mutex;
     mutable std::unordered_map<std::string, std::string> kept;
 };
 
 namespace {
 
-/// One text, with what was found out about its parts.
+/// Translation of one text, with cached results for its parts.
 class Reading {
 public:
     Reading(const std::unordered_map<std::string, std::string>& whole, const std::vector<SentencePattern>& patterns)
@@ -141,7 +142,7 @@ private:
     [[nodiscard]] std::optional<Said> by(const SentencePattern&, std::string_view english, int depth);
     [[nodiscard]] std::optional<Said> inParts(std::string_view english, std::string_view between,
                                               std::size_t keptBefore, int depth);
-    /// As it is, where it is not known and need not be.
+    /// Translates a text. Returns it unchanged if it is unknown but neutral; nothing if it is unknown.
     [[nodiscard]] std::optional<Said> saidOrNeutral(std::string_view english, int depth)
     {
         std::optional<Said> said = of(english, depth);
@@ -150,7 +151,7 @@ private:
 
     const std::unordered_map<std::string, std::string>& whole_;
     const std::vector<SentencePattern>& patterns_;
-    /// By depth: what lies deeper is read less far.
+    /// One cache for each depth, because deeper texts are searched less far.
     std::array<std::unordered_map<std::string_view, std::optional<Said>>, deepest + 1> known_;
 };
 
@@ -184,7 +185,8 @@ std::optional<Said> Reading::by(const SentencePattern& pattern, std::string_view
     return made;
 }
 
-/// As one entry of the catalog: of several that fit, the one that leaves the fewest letters in English.
+/// Translates a text by one entry of the catalog. If several match, takes the one that leaves the fewest letters in
+/// English.
 std::optional<Said> Reading::wholeOf(std::string_view english, int depth)
 {
     const std::size_t all = lettersOf(english);
@@ -201,7 +203,7 @@ std::optional<Said> Reading::wholeOf(std::string_view english, int depth)
     return best;
 }
 
-/// As two texts with `between` between them.
+/// Translates a text as two parts separated by `between`.
 std::optional<Said> Reading::inParts(std::string_view english, std::string_view between, std::size_t keptBefore,
                                      int depth)
 {
@@ -228,7 +230,7 @@ std::optional<Said> Reading::of(std::string_view english, int depth)
     }
     if (const auto entry = whole_.find(std::string(english)); entry != whole_.end())
         return Said{entry->second, lettersOf(english)};
-    // A text of several sentences first: a pattern's place would take the second along.
+    // Splits a text of several sentences first: a placeholder of a pattern would include the second sentence.
     if (auto sentences = inParts(english, ". ", 1, depth)) return sentences;
     return wholeOf(english, depth);
 }

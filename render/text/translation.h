@@ -10,27 +10,29 @@
 
 namespace vitrine {
 
-/// What people read in another language for what the program says in English.
+/// Catalog of translations from the program's English texts into another language.
 ///
-/// The program speaks, compares, keeps and writes English everywhere; only where a text is shown to people is it
-/// translated, so that files, reports and tests are the same in every language, and another language can be chosen at
-/// any time. A sentence with places for what differs, "Cannot read {1}: {2}; choose another picture.", is recognized
-/// by what stands around them; what stands in them is translated likewise. A text is translated as a whole or not at
-/// all: where a part of it is in no entry, and is no name or number either, all of it stays English.
+/// The program compares, stores and writes English everywhere. A text is translated only where it is displayed, so that
+/// files, reports and tests are the same in every language, and the language can be changed at any time.
+///
+/// A sentence with placeholders, "Cannot read {1}: {2}; choose another picture.", is recognized by the text around
+/// them; the text in their place is translated in the same way. A text is translated completely or not at all: if a
+/// part of it has no entry, and is no name or number either, all of it stays English.
 class Catalog {
 public:
-    /// By English text; places are {1} to {9} in both. In a translation, {=1} takes what stands there as it is: names,
-    /// paths, what was typed, words of another library. Around it the entry must have four letters of its own, or it
-    /// takes a single word only.
+    /// Pairs of English text and translation, with placeholders {1} to {9} in both. In a translation, {=1} inserts the
+    /// text untranslated: names, paths, typed text, messages of other libraries. Such an entry must have four letters
+    /// of its own around the placeholder, or else that matches a single word only.
     using Entries = std::vector<std::pair<std::string, std::string>>;
     explicit Catalog(Entries);
     ~Catalog();
     Catalog(const Catalog&) = delete;
     Catalog& operator=(const Catalog&) = delete;
 
-    /// The text itself where the catalog lacks any part of it. From any thread.
+    /// Returns the translation, or the text itself if the catalog lacks any part of it. Thread-safe.
     [[nodiscard]] std::string translated(std::string_view english) const;
-    /// A sentence with places, as it stands in the catalog, filled with texts that are in its language already.
+    /// Returns the translation of a sentence with placeholders, given as in the catalog. They are filled with texts
+    /// that are already translated.
     [[nodiscard]] std::string filled(std::string_view sentence, std::span<const std::string> places) const;
 
 private:
@@ -38,13 +40,14 @@ private:
     std::unique_ptr<const Texts> texts_;
 };
 
-/// The language of all that is shown from now on, by its code ("de"), and its texts; "en" needs none.
+/// Sets the language of all displayed texts from now on: its code ("de") and its catalog. "en" needs none.
 void setLanguage(std::string code, std::shared_ptr<const Catalog>);
-/// The code that was set last, "en" at first.
+/// Returns the code that was set last; "en" at first.
 [[nodiscard]] std::string language();
-/// In the program's language; `english` itself in English. From any thread.
+/// Translates to the program's language; returns `english` itself for English. Thread-safe.
 [[nodiscard]] std::string translated(std::string_view english);
-/// A sentence in the program's language, "“{1}” is above {2}", filled with texts that are in this language already.
+/// Translates a sentence with placeholders, "“{1}” is above {2}". They are filled with texts that are already
+/// translated.
 [[nodiscard]] std::string translated(std::string_view sentence, std::initializer_list<std::string> places);
 
 }  // namespace vitrine
