@@ -16,14 +16,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t mostComment = 4U << 20U;  ///< Bytes, as large as a preset may be.
+constexpr std::uintmax_t mostComment = 4U << 20U;  ///< Bytes, the maximum size of a preset.
 
 [[noreturn]] void refuseToRead(const fs::path& path, const std::string& why)
 {
     throw Failure(Blame::file, "Cannot read " + path.string() + ": " + why + "; choose another file.");
 }
 
-/// The last bytes of a file, at most so many.
+/// Returns the last bytes of a file, at most `most`.
 std::string tailOf(std::ifstream& file, std::uintmax_t size, std::uintmax_t most)
 {
     std::string bytes(std::min(size, most), '\0');
@@ -33,11 +33,11 @@ std::string tailOf(std::ifstream& file, std::uintmax_t size, std::uintmax_t most
     return bytes;
 }
 
-/// The comment of a GIF whose extension is the last thing before the trailer: blocks of at most 255 bytes, an empty
-/// one, the trailer.
+/// Returns the comment of a GIF whose comment extension is the last thing before the trailer: blocks of at most 255
+/// bytes, an empty one, the trailer.
 std::string commentOfGif(std::ifstream& file, std::uintmax_t size)
 {
-    constexpr int mostTried = 16;  // The comment's own bytes may look like a beginning.
+    constexpr int mostTried = 16;  // The comment's own bytes may look like the start of an extension.
     const std::string tail = tailOf(file, size, mostComment);
     std::size_t at = tail.rfind("\x21\xFE");
     for (int tried = 0; tried < mostTried && at != std::string::npos && at > 0; ++tried) {
@@ -54,7 +54,7 @@ std::string commentOfGif(std::ifstream& file, std::uintmax_t size)
     return {};
 }
 
-/// The chunk "VTRN" of a WebP.
+/// Returns the content of the chunk "VTRN" of a WebP.
 std::string commentOfWebp(std::ifstream& file, std::uintmax_t size)
 {
     std::uintmax_t at = 12;  // After "RIFF", the size and "WEBP".

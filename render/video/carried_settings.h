@@ -8,16 +8,15 @@
 
 namespace vitrine::render {
 
-/// Whether a file of this name is a picture or a recording, which may carry settings; other files are settings
-/// themselves.
+/// Returns whether the name is that of a picture or a recording, which may contain settings. Other files are settings
+/// files themselves.
 [[nodiscard]] bool mayCarrySettings(const std::filesystem::path&);
 
-/// The settings text that a picture (`embeddedPreset`) or a recording (its comment, as `VideoFile` writes it) carries;
-/// nothing where it carries none. It is text from a file: parse it as untrusted. Throws Failure naming the file when it
-/// cannot be read.
+/// Returns the settings text inside a picture (`embeddedPreset`) or a recording (its comment, as `VideoFile` writes
+/// it); nothing if there is none. The text is untrusted. Throws Failure naming the file if it cannot be read.
 [[nodiscard]] std::optional<std::string> carriedSettings(const std::filesystem::path&);
 
-/// The same of a recording in this format, whatever its name.
+/// The same for a recording in this format, whatever its name.
 [[nodiscard]] std::optional<std::string> carriedSettings(const std::filesystem::path&, VideoFormat);
 
 }  // namespace vitrine::render

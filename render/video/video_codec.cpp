@@ -6,7 +6,7 @@ namespace vitrine::render {
 
 VideoCodec& videoCodec()
 {
-    // Tried again when it throws.
+    // If this throws, the next call tries again.
     static VideoCodec* const codec = static_cast<VideoCodec*>(openModule(
         {"libvitrine_video.so", VITRINE_VIDEO_BUILT, "vitrineVideo", "writes videos", "FFmpeg's libraries"},
         [](void* symbol) -> void* { return reinterpret_cast<decltype(&vitrineVideo)>(symbol)(vitrineVideoVersion); }));

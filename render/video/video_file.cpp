@@ -41,7 +41,7 @@ std::optional<VideoFormat> videoFormatOf(const std::filesystem::path& path)
 std::string whyNoVideo(const VideoSpec& spec)
 {
     const std::string size = std::to_string(spec.width) + " × " + std::to_string(spec.height);
-    // What every one of the formats holds.
+    // Largest side that all formats support.
     constexpr int longest = 16383;
     if (spec.width < 1 || spec.height < 1 || spec.width > longest || spec.height > longest)
         return "A video has sides of 1 to 16383 pixels, and not " + size + "; give another size.";
@@ -93,7 +93,7 @@ public:
         error_ = errno;
         return false;
     }
-    /// What went wrong with the file; 0: nothing.
+    /// Closes the file. Returns 0, or the errno of the first failure.
     int close()
     {
         if (ops_.close(file_) != 0 && error_ == 0) error_ = errno;
@@ -118,7 +118,7 @@ struct VideoFile::State {
     VideoCodec& codec;
     PartFile part;
     Output output;
-    std::unique_ptr<VideoFrames> frames{};  ///< Goes before what it writes to.
+    std::unique_ptr<VideoFrames> frames{};  ///< Declared last: it is destroyed before its output.
     std::vector<std::uint8_t> codes{};
 };
 

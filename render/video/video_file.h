@@ -12,31 +12,31 @@
 
 namespace vitrine::render {
 
-/// By the name's ending: .mp4, .webm, .gif, .webp, .apng; nothing otherwise.
+/// Returns the format of the name's extension: .mp4, .webm, .gif, .webp, .apng; nothing for others.
 [[nodiscard]] std::optional<VideoFormat> videoFormatOf(const std::filesystem::path&);
 
-/// Why there is no such video, as a full sentence that says what to ask for instead; empty: there is. Videos of 4:2:0
-/// (.mp4, .webm) need even sizes, .gif at most 50 frames a second, and only .webp and .apng can be transparent.
+/// Returns why such a video cannot be made, as a full sentence with an alternative; empty if it can. Videos in 4:2:0
+/// (.mp4, .webm) need even sizes, .gif allows at most 50 frames a second, and only .webp and .apng can be transparent.
 [[nodiscard]] std::string whyNoVideo(const VideoSpec&);
 
-/// A video that is written beside its target and takes its place when it is finished: whatever fails, or when it is
-/// destroyed before, the old file stands and nothing is left behind.
+/// A video that is written beside its target and replaces it when it is finished. If anything fails, or if it is
+/// destroyed before, the old file is unchanged and no temporary file remains.
 ///
-/// Colors are tagged as sRGB with Rec. 709 primaries, and the matrix of Rec. 709 in video range where they are stored
-/// as luma and chroma. The comment is the container's comment; in .apng the text "vitrine:preset" that pictures have,
+/// Colors are tagged as sRGB with Rec. 709 primaries. If they are stored as luma and chroma, the matrix is that of Rec.
+/// 709, in video range. The comment is the container's comment; in .apng the text "vitrine:preset" that pictures have,
 /// in .gif a comment extension, in .webp a chunk "VTRN" at its end.
 class VideoFile {
 public:
-    /// Throws Failure: Blame::usage for what `whyNoVideo` refuses, Blame::file when nothing can be written there.
+    /// Throws Failure: Blame::usage if `whyNoVideo` refuses it, Blame::file if nothing can be written there.
     VideoFile(const std::filesystem::path&, const VideoSpec&, FileOps& = systemFileOps());
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;
     VideoFile& operator=(const VideoFile&) = delete;
 
-    /// The next frame: linear light, of the size and with at least the channels that were announced. Throws Failure
-    /// naming file and cause.
+    /// Adds the next frame: linear light, of the given size, with at least the required channels. Throws Failure naming
+    /// file and cause.
     void add(const Image&);
-    /// Puts the finished video in the target's place. Throws Failure as `add`.
+    /// Replaces the target by the finished video. Throws Failure as `add`.
     void finish();
 
 private:

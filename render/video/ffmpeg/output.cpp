@@ -90,7 +90,8 @@ std::int64_t MuxedOutput::seek(std::int64_t offset, int whence)
 
 bool MuxedOutput::appendToGif(const std::string& comment)
 {
-    // Before the trailer, one byte: an extension of blocks of at most 255 bytes (GIF89a specification, 24).
+    // A comment extension before the trailer, which has one byte: blocks of at most 255 bytes (GIF89a specification,
+    // 24).
     std::string bytes = "\x21\xFE";
     for (std::size_t i = 0; i < comment.size(); i += 255) {
         const std::string block = comment.substr(i, 255);
@@ -103,7 +104,7 @@ bool MuxedOutput::appendToGif(const std::string& comment)
 
 bool MuxedOutput::appendToWebp(const std::string& comment)
 {
-    // A chunk that readers do not know, at the end, where the container allows it (RFC 9649, 2.7.1.6).
+    // A chunk of a private type at the end, where the container allows it (RFC 9649, 2.7.1.6).
     std::string chunk = "VTRN" + littleEndian(static_cast<std::uint32_t>(comment.size())) + comment;
     if (chunk.size() % 2 != 0) chunk += '\0';
     const std::string riffSize =

@@ -10,7 +10,7 @@ extern "C" {
 
 namespace vitrine::render::ffmpeg {
 
-/// What a muxer writes to: passes everything on, and puts the file's comment where muxers have none for it.
+/// Output of a muxer: passes its bytes on, and inserts the file's comment for formats whose muxer cannot write one.
 class MuxedOutput {
 public:
     explicit MuxedOutput(VideoOutput& output);
@@ -18,11 +18,11 @@ public:
     MuxedOutput(const MuxedOutput&) = delete;
     MuxedOutput& operator=(const MuxedOutput&) = delete;
 
-    /// Null when there was no memory.
+    /// Null if memory ran out.
     [[nodiscard]] AVIOContext* context() { return context_; }
-    /// Bytes to stand at offset 33, behind the first chunk of a PNG; for the muxer they are not there.
+    /// Inserts bytes at offset 33, after the first chunk of a PNG; the muxer does not see them in its offsets.
     void insertAfterHeader(std::string bytes) { inserted_ = std::move(bytes); }
-    /// After the muxer's end: the comment of a GIF, or of a WebP. False when that could not be written.
+    /// Writes the comment of a GIF, or of a WebP, after the muxer has ended. Returns false if that failed.
     [[nodiscard]] bool appendToGif(const std::string& comment);
     [[nodiscard]] bool appendToWebp(const std::string& comment);
 
@@ -35,10 +35,10 @@ private:
     AVIOContext* context_ = nullptr;
     std::string inserted_;
     bool insertedDone_ = false;
-    std::int64_t at_ = 0, size_ = 0;  ///< As the muxer counts.
+    std::int64_t at_ = 0, size_ = 0;  ///< Offsets as the muxer counts them.
 };
 
-/// The chunk iTXt of a PNG: uncompressed UTF-8.
+/// Returns the chunk iTXt of a PNG: uncompressed UTF-8.
 [[nodiscard]] std::string pngText(const std::string& key, const std::string& text);
 
 }  // namespace vitrine::render::ffmpeg

@@ -12,7 +12,7 @@ extern "C" {
 
 namespace vitrine::render::ffmpeg {
 
-/// What goes wrong inside of this module; never leaves it.
+/// Exception used inside this module only; it never leaves the module.
 struct Problem {
     std::string text;
 };

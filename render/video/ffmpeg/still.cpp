@@ -22,13 +22,13 @@ void unpacked(int result)
     throw Problem{std::string("it is broken (") + why.data() + ")"};
 }
 
-/// How a color is found in a frame: FFmpeg's number of its component, and the largest code.
+/// Location of a color component in a frame: FFmpeg's index of the component, and the largest code.
 struct Component {
     int number = 0;
     int largest = 255;
 };
 
-/// Gray, or red, green, blue, and alpha where there is one.
+/// Returns gray, or red, green, blue, and alpha if there is any.
 std::vector<Component> componentsOf(const AVPixFmtDescriptor& format)
 {
     if ((format.flags & AV_PIX_FMT_FLAG_PAL) != 0)
@@ -40,7 +40,7 @@ std::vector<Component> componentsOf(const AVPixFmtDescriptor& format)
     return components;
 }
 
-/// Takes away an alpha that is 255 everywhere.
+/// Removes the alpha channel if it is 255 everywhere.
 void dropOpaque(StoredPicture& picture, std::vector<std::uint8_t>& codes)
 {
     if (picture.channels != 4) return;
@@ -52,7 +52,7 @@ void dropOpaque(StoredPicture& picture, std::vector<std::uint8_t>& codes)
     picture.channels = 3;
 }
 
-/// A byte of the colors in place of their numbers. FFmpeg reads the lowest byte alone.
+/// Replaces palette indices by a byte of their colors. FFmpeg itself reads only the lowest byte.
 void takeFromPalette(const std::uint8_t* colors, int byte, std::vector<std::uint16_t>& line)
 {
     for (std::uint16_t& code : line) {

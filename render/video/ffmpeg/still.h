@@ -6,7 +6,7 @@
 
 namespace vitrine::render::ffmpeg {
 
-/// The only picture of a BMP or GIF. Throws Problem.
+/// Decodes the only picture of a BMP or GIF. Throws Problem.
 [[nodiscard]] StoredPicture stillPicture(std::string_view bytes, bool isGif);
 
 }  // namespace vitrine::render::ffmpeg

@@ -27,10 +27,10 @@ namespace {
 
 using Options = std::vector<std::pair<const char*, const char*>>;
 
-/// How a kind of video is made. The filter brings RGB to what the encoder takes.
+/// Encoder settings of a video format. The filter converts RGB to the encoder's input format.
 struct Recipe {
     const char* muxer;
-    std::vector<const char*> encoders;  ///< The first one that the library has.
+    std::vector<const char*> encoders;  ///< In order of preference; the first available one is used.
     const char* filter;
     Options encoding, muxing;
 };
@@ -38,11 +38,11 @@ struct Recipe {
 constexpr const char* toHalfChroma =
     "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int,format=yuv420p";
 
-/// In pixels. Smaller frames are encoded without x264's macroblock tree: with it, the x264 of Debian 13 (0.164.3108)
-/// makes one of two files of the same frames where these are two by two macroblocks.
+/// In pixels. Smaller frames are encoded without x264's macroblock tree. With it, the x264 of Debian 13 (0.164.3108) is
+/// not deterministic for frames of two by two macroblocks.
 constexpr int leastForMacroblockTree = 64;
 
-/// Qualities at which flicker and rings are not seen: for documentation, not for an archive.
+/// Qualities without visible flicker and ringing: for documentation, not for an archive.
 Recipe recipeOf(const VideoSpec& spec)
 {
     switch (spec.format) {
@@ -62,7 +62,7 @@ Recipe recipeOf(const VideoSpec& spec)
                 {{"crf", "24"}, {"b", "0"}, {"deadline", "good"}, {"cpu-used", "3"}, {"row-mt", "1"}},
                 {}};
     case VideoFormat::gif:
-        // A palette of its own for every frame needs no memory for all of them; ordered dither stands still.
+        // A palette for every frame needs no memory for all frames; ordered dither does not flicker.
         return {"gif",
                 {"gif"},
                 "split[a][b];[a]palettegen=stats_mode=single:reserve_transparent=0[p];"
@@ -84,7 +84,7 @@ const AVCodec* encoderOf(const Recipe& recipe)
     throw Problem{"this machine's FFmpeg has no encoder " + std::string(recipe.encoders.front())};
 }
 
-/// An FFmpeg dictionary, filled; what no one took stays in it and is no error: encoders differ.
+/// An FFmpeg dictionary with options. Options that an encoder does not use stay in it and are no error.
 class Dictionary {
 public:
     explicit Dictionary(const Options& options)
@@ -223,7 +223,7 @@ private:
         if (std::strcmp(codec->name, "mpeg4") == 0) e.flags |= AV_CODEC_FLAG_QSCALE;
         if ((format_->oformat->flags & AVFMT_GLOBALHEADER) != 0) e.flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
         Dictionary options(recipe.encoding);
-        // Lossless formats would take it for the effort, and H.264 for the quantizer.
+        // Lossless formats would take it as effort, and H.264 as quantizer.
         if (std::strcmp(codec->name, "mpeg4") != 0) av_dict_set(options.get(), "global_quality", nullptr, 0);
         checked("starting the encoder", avcodec_open2(&e, codec, options.get()));
     }
@@ -255,7 +255,7 @@ private:
         }
     }
 
-    /// Null: what the encoder still holds.
+    /// Encodes a frame. Null: flushes the frames that the encoder still holds.
     void encode(const AVFrame* frame)
     {
         checked("encoding a frame", avcodec_send_frame(encoder_.get(), frame));
@@ -288,7 +288,7 @@ class Codec final : public VideoCodec {
 public:
     Codec()
     {
-        av_log_set_level(AV_LOG_QUIET);  // What goes wrong is said by the caller.
+        av_log_set_level(AV_LOG_QUIET);  // The caller reports errors.
         const unsigned version = avcodec_version();
         version_ = std::to_string(AV_VERSION_MAJOR(version)) + '.' + std::to_string(AV_VERSION_MINOR(version)) + '.' +
                    std::to_string(AV_VERSION_MICRO(version));
@@ -304,7 +304,7 @@ public:
             const char* name = format == VideoFormat::webm ? "matroska" : "mov";
             const AVInputFormat* demuxer = av_find_input_format(name);
             if (!demuxer) throw Problem{"this machine's FFmpeg cannot read the format"};
-            // Nothing but this file is opened, whatever it names.
+            // Opens only this file, whatever other files it refers to.
             Dictionary options(Options{{"protocol_whitelist", "file"}});
             AVFormatContext* opened = nullptr;
             checked("opening it", avformat_open_input(&opened, ("file:" + path).c_str(), demuxer, options.get()));
