@@ -1,6 +1,7 @@
-// Binding numbers that shaders and C++ share. Plain macros, so that both languages can include this.
+// Binding numbers that shaders and C++ share. Only macros, so that both languages can include this.
 
-// For the files *_block.glsl, which say what a uniform block holds: what C++ makes of them is in render/glsl/std140.h.
+// Macros for the files *_block.glsl, which list the fields of a uniform block. C++ has others: see
+// render/glsl/std140.h.
 #ifndef __cplusplus
 #define BLOCK_STRUCT(name, FIELDS) struct name { FIELDS(BLOCK_FIELD, BLOCK_ARRAY) };
 #define BLOCK_FIELD(type, name) type name;
@@ -14,7 +15,7 @@
 #define BLOCK_LIGHT 3
 #define BLOCK_TEMPORAL 4
 #define BLOCK_LOCAL_LIGHTS 5
-#define BLOCK_EXHIBIT 6  // What is the same for all draws of an exhibit.
+#define BLOCK_EXHIBIT 6  // Data common to all draws of an exhibit.
 
 // std430 buffers.
 #define STORAGE_INSTANCES 0

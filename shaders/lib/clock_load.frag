@@ -1,4 +1,4 @@
-// Work of a known amount, to try clocks with: its cost is proportional to the rounds.
+// Known load for testing clocks: its cost is proportional to the number of rounds.
 #include "lib/bindings.glsl"
 #include "lib/clock_load_block.glsl"
 
@@ -10,7 +10,7 @@ layout(location = 0) out vec4 result;
 
 void main()
 {
-    // Each round needs the one before, so that no compiler folds them.
+    // Each round depends on the one before, so that no compiler removes any.
     uint state = uint(gl_FragCoord.x) * 1973u + uint(gl_FragCoord.y) * 9277u + 1u;
     for (int i = 0; i < load.rounds; ++i) state = (state ^ (state >> 15u)) * 747796405u + 2891336453u;
     result = vec4(float(state >> 8u) / 16777216.0);

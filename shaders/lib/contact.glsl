@@ -1,4 +1,4 @@
-// Things that stand on a floor at y = 0: how much of the sky above it they take away. GLSL 4.50 and C++
+// Contact shadows: how much of the sky objects hide that stand on a floor at y = 0. GLSL 4.50 and C++
 // (render/glsl/cpu.h).
 #ifndef __cplusplus
 #include "lib/bindings.glsl"
@@ -7,13 +7,13 @@
 #include "lib/standing_block.glsl"
 #endif
 
-// Number of corners of a shape's outline on the floor. A cylinder is a prism of as much area.
+// Number of corners of a shape's outline on the floor. A cylinder is replaced by a prism of equal area.
 int outlineCorners(StandingShape shape)
 {
     return shape.kind == STANDING_BOX ? 4 : 16;
 }
 
-// One of them, against the floor's x and z, relative to the shape's center.
+// Corner of the outline, in x and z, relative to the shape's center.
 vec2 outlineCorner(StandingShape shape, int index)
 {
     if (shape.kind == STANDING_BOX) {
@@ -26,7 +26,8 @@ vec2 outlineCorner(StandingShape shape, int index)
     return vec2(cos(angle), sin(angle)) * radius;
 }
 
-// What an edge from a to b adds to Lambert's sum for a floor that faces up; both relative to the point of the floor.
+// Contribution of an edge from a to b to Lambert's sum for a floor that faces up; both relative to the point on the
+// floor.
 float edgeFactor(vec3 a, vec3 b)
 {
     vec3 c = cross(a, b);
@@ -34,10 +35,10 @@ float edgeFactor(vec3 a, vec3 b)
     return sine > 1.0e-12 ? c.y / sine * atan(sine, dot(a, b)) : 0.0;
 }
 
-// Share of the light of an even sky that the shape keeps from a point (x, z) of the floor beside or below it, 0 to 1.
-// Lambert 1760, "Photometria", for the outline of a prism as the point sees it: of an edge of its base that faces the
-// point one sees the upper end, of the others the lower. Upright edges add nothing, because the floor's normal lies in
-// their plane, and nothing is below the horizon.
+// Share of the light of a uniform sky that the shape blocks at a point (x, z) of the floor beside or below it, 0 to 1.
+// Lambert 1760, "Photometria", for the outline of a prism as seen from the point. If an edge of its base faces the
+// point, its upper end is visible, otherwise the lower one. Vertical edges contribute nothing, because the floor's
+// normal lies in their plane. Nothing lies below the horizon.
 float standingFormFactor(StandingShape shape, vec2 place)
 {
     if (shape.kind == STANDING_SPHERE) {
@@ -60,7 +61,7 @@ float standingFormFactor(StandingShape shape, vec2 place)
     return clamp(sum / (2.0 * PI), 0.0, 1.0);
 }
 
-// Meters from a point of the floor to the shape's outline; negative within.
+// Distance from a point of the floor to the shape's outline, meters; negative inside.
 float outlineDistance(StandingShape shape, vec2 place)
 {
     vec2 p = place - vec2(shape.center.x, shape.center.z);
@@ -69,8 +70,8 @@ float outlineDistance(StandingShape shape, vec2 place)
     return length(max(q, vec2(0.0))) + min(max(q.x, q.y), 0.0);
 }
 
-// The point itself, or where it lies below what stands on the floor, the nearest point beside it: what filters the map
-// must not mix the darkness under a plinth into the floor before it.
+// Returns the point itself. A point below an object that stands on the floor is moved to the nearest point beside it,
+// so that filtering of the map does not mix the darkness under a plinth into the visible floor.
 vec2 besideOutline(StandingShape shape, vec2 place)
 {
     const float beside = 1.0e-3;
@@ -88,7 +89,7 @@ vec2 besideOutline(StandingShape shape, vec2 place)
     return place + away * (beside - inside);
 }
 
-// Share of the ambient light that the shape takes from a point of the floor, as its strength and reach say.
+// Share of the ambient light that the shape blocks at a point of the floor, scaled by its strength and reach.
 float contactShadow(StandingShape shape, vec2 place)
 {
     float fade = 1.0 - smoothStep(0.5 * shape.reach, shape.reach, outlineDistance(shape, place));

@@ -11,7 +11,7 @@ vec3 cubeDirection(int face, vec2 p)
     return vec3(-p.x, -p.y, -1.0);
 }
 
-// Middle of texel `texel` of a face that is `size` texels wide, each -1 to 1.
+// Center of a texel on a face of `size` texels, each coordinate -1 to 1.
 vec2 cubeTexel(vec2 texel, float size)
 {
     return (texel + 0.5) / size * 2.0 - 1.0;

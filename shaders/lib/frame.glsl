@@ -6,27 +6,27 @@ layout(std140, binding = BLOCK_FRAME) uniform Frame {
     FrameBlock frame;
 };
 
-// For gl_ClipDistance[0] of every vertex shader that can draw what is seen in a mirror or through a portal; marched
-// surfaces start their rays where it becomes positive. 1 everywhere when nothing is clipped.
+// Value for gl_ClipDistance[0], in every vertex shader that can draw a view through a mirror or portal. Marched
+// surfaces start their rays where it becomes positive. 1 everywhere without a clip plane.
 float frameClipDistance(vec3 worldPosition)
 {
     return dot(frame.clipPlane, vec4(worldPosition, 1.0));
 }
 
-// Position in the whole picture, in pixels, of the sample that this fragment stands for.
+// Position of this fragment's sample in the whole picture, in pixels.
 vec2 framePixel(vec2 fragCoord)
 {
     return fragCoord + frame.tileOrigin;
 }
 
-// Lower left corner of the tile in the whole picture, pixels: a jitter below half a pixel rounds away.
+// Lower left corner of the tile in the whole picture, pixels. Rounding removes the jitter, which is below half a pixel.
 vec2 frameTile()
 {
     return floor(frame.tileOrigin + 0.5);
 }
 
-// Direction through a position of the whole picture, world space, with length 1 along the view axis.
-// Taken from gl_FragCoord, not from a varying, so that tiles join to the bit.
+// World-space direction through a position of the whole picture, with length 1 along the view axis. Computed from
+// gl_FragCoord, not from a varying, so that adjacent tiles are bit-identical to a whole picture.
 vec3 frameRay(vec2 fragCoord)
 {
     vec2 ndc = framePixel(fragCoord) * frame.inverseSize * 2.0 - 1.0;

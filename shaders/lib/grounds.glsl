@@ -1,4 +1,4 @@
-// What lies outside the museum's window: a lawn, an avenue of old trees that opens towards the hills, roofs of a town.
+// Scenery outside the museum's window: a lawn, an avenue of old trees that opens towards the hills, roofs of a town.
 #include "lib/hash.glsl"
 #include "lib/light.glsl"
 
@@ -17,13 +17,13 @@ float groundsNoise(float x, uint row)
     return mix(groundsRandom(int(base), row), groundsRandom(int(base) + 1, row), f);
 }
 
-// Share of a pixel that lies below an edge: `above` is how far it lies over it, both in tangents of angles.
+// Share of a pixel that lies below an edge. `above`: height of the pixel above the edge; both in tangents of angles.
 float groundsBelow(float above, float width)
 {
     return clamp(0.5 - above / width, 0.0, 1.0);
 }
 
-// Of the roofs: gables with a chimney here and there, one cell each.
+// Height of the roofs: gables, some with a chimney, one cell each.
 float groundsRoof(float x)
 {
     float cell = floor(x * 50.0);
@@ -34,14 +34,15 @@ float groundsRoof(float x)
     return high + 0.009 * gable + (chimney ? 0.006 : 0.0);
 }
 
-// How far (x, y) lies over the crowns of a row of trees, tangents; negative inside. Crowns are disks with leafy rims, on trunks.
+// Distance of (x, y) from the crowns of a row of trees, in tangents; negative inside. Crowns are disks with irregular
+// rims, on trunks.
 float groundsCrowns(vec2 p, float spacing, float size, uint row)
 {
     int cell = int(floor(p.x / spacing));
     float nearest = 1.0;
     for (int i = cell - 2; i <= cell + 2; ++i) {
         float grown = 0.65 + 0.6 * groundsRandom(i, row);
-        // Towards the middle, where the avenue opens, the trees are far off.
+        // Trees near the middle, where the avenue opens, are farther away.
         float x = (float(i) + 0.2 + 0.6 * groundsRandom(i, row + 1u)) * spacing;
         float open = clamp(abs(x) * 7.0 - 0.1, 0.15, 1.0);
         float radius = size * grown * open;
@@ -55,7 +56,7 @@ float groundsCrowns(vec2 p, float spacing, float size, uint row)
     return nearest;
 }
 
-// Light of hazy air, and that on the ground; `pane` as below.
+// Light of hazy air, and light on the ground; `pane` as in behindGrounds.
 vec3 groundsHaze(float pane)
 {
     return pane * mix(light.skyZenith, light.skyHorizon, 0.8);
@@ -67,8 +68,8 @@ vec3 groundsLight(vec3 d, float pane)
     return pane * (0.3 * light.skyHorizon + 0.05 * light.sunIrradiance * (1.0 + 2.0 * towardsSun));
 }
 
-// The same as below with no more in it than a wide pixel shows: hills, and the crowns of all trees as a hedge of their
-// mean height that opens in the middle.
+// The same as behindGrounds for very wide pixels: hills, and the crowns of all trees as a hedge of their mean height
+// that opens in the middle.
 vec3 behindBlurredGrounds(vec3 sky, vec3 d, float angle, float pane)
 {
     float level = max(length(d.xz), 1e-4);
@@ -82,9 +83,9 @@ vec3 behindBlurredGrounds(vec3 sky, vec3 d, float angle, float pane)
     return mix(color, mix(vec3(0.12, 0.14, 0.06) * lit, haze, 0.2), groundsBelow(p.y + 0.004, width));
 }
 
-// The sky's radiance `sky` towards the unit vector `d`, with what stands before it; for a pixel `angle` radians wide.
-// `pane` is the share of light that the window's glass lets through, as in `sky`. The lightmaps know nothing of it: it is
-// low, and dark against the sky.
+// Blends the scenery over the sky's radiance `sky` in the direction of the unit vector `d`, for a pixel `angle` radians
+// wide. `pane` is the transmittance of the window's glass, already included in `sky`. The lightmaps ignore the scenery,
+// because it is low and dark against the sky.
 vec3 behindGrounds(vec3 sky, vec3 d, float angle, float pane)
 {
     if (d.y > 0.5) return sky;
@@ -93,7 +94,7 @@ vec3 behindGrounds(vec3 sky, vec3 d, float angle, float pane)
     float width = max(angle, 1e-4) * 1.5;
     vec3 haze = groundsHaze(pane);
     vec3 lit = groundsLight(d, pane);
-    // From far to near, each less dimmed by the air than the one behind it.
+    // From far to near, each with less haze than the one behind it.
     float hills = 0.020 + 0.035 * groundsNoise(p.x * 3.0 + 7.0, 21u) + 0.006 * groundsNoise(p.x * 17.0, 22u);
     vec3 color = mix(sky, mix(vec3(0.10, 0.13, 0.15) * lit, haze, 0.34), groundsBelow(p.y - hills, width));
     vec3 roofs = mix(vec3(0.17, 0.12, 0.10) * lit, haze, 0.16);
@@ -101,12 +102,12 @@ vec3 behindGrounds(vec3 sky, vec3 d, float angle, float pane)
     float far = groundsCrowns(p, 0.035, 0.026, 31u);
     color = mix(color, mix(vec3(0.07, 0.10, 0.05) * lit, haze, 0.09), groundsBelow(far, width + 0.002));
     float near = groundsCrowns(p, 0.12, 0.085, 41u);
-    // Darker where leaves are thick, brighter at the rim, where light comes through them.
+    // Darker where leaves are dense, brighter at the rim, where light shines through.
     float depth = clamp(-near * 18.0, 0.0, 1.0);
     float leaves = 0.75 + 0.5 * groundsNoise(p.x * 160.0 + 37.0 * floor(p.y * 130.0), 51u);
     vec3 tree = mix(vec3(0.16, 0.19, 0.06), vec3(0.035, 0.055, 0.028), depth) * lit * leaves;
     color = mix(color, mix(tree, haze, 0.025), groundsBelow(near, width + 0.003));
-    // The lawn, a gravel path along its middle.
+    // The lawn, with a gravel path along its middle.
     vec3 lawn = vec3(0.10, 0.13, 0.045) * lit * (0.85 + 0.3 * groundsNoise(p.x / max(-p.y, 0.01) * 6.0, 61u));
     float path = groundsBelow(abs(p.x) - 1.1 * max(-p.y, 0.0) * 0.35, width);
     lawn = mix(lawn, vec3(0.33, 0.30, 0.25) * lit, path);

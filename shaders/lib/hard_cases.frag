@@ -1,4 +1,4 @@
-// Case after case upwards, input after input to the right. x: by the library; y: the naive form.
+// One case per row from the bottom up, one input per column. x: result of the library; y: of the naive form.
 #include "lib/bindings.glsl"
 #include "lib/hash.glsl"
 #include "lib/numerics.glsl"

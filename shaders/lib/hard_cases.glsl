@@ -1,6 +1,6 @@
-// The library's functions at the inputs that break plain code, one number for each: `hardCase` by the library,
-// `naiveCase` by what is usually written in its place. exhibits/stability/stability_arithmetic.cpp compiles this
-// file at float64 and says which inputs each case gets.
+// The library's functions at inputs that break naive code, one number for each: `hardCase` by the library, `naiveCase`
+// by the usual formula. exhibits/stability/stability_arithmetic.cpp compiles this file at float64 and lists the inputs
+// of each case.
 //
 // GLSL 4.50 and C++ (render/glsl/cpu.h).
 
@@ -56,7 +56,7 @@ float naiveCase(int which, vec4 a)
     return hardCase(which, a);
 }
 
-// The solids and operators that exhibits are made of, for a comparison all over space.
+// Solids and operators that exhibits use, by number, for a comparison throughout space.
 float libraryField(int which, vec3 p)
 {
     if (which == 0) return sdfSphere(p, 0.75);
@@ -87,7 +87,7 @@ float libraryField(int which, vec3 p)
     return sdfMix(a, b, 1.25);
 }
 
-// A point of the cube from -1.5 to 1.5 on a lattice of 2^-20: exact at any precision.
+// Pseudo-random point of the cube from -1.5 to 1.5 on a lattice of 2^-20: exact at any precision.
 vec3 libraryPoint(int index)
 {
     uvec3 bits = pcg3d(uvec3(uint(index), 17u, 29u)) >> 12u;

@@ -1,4 +1,4 @@
-// Field after field upwards, point after point to the right.
+// One field per row from the bottom up, one point per column.
 #include "lib/hash.glsl"
 #include "lib/numerics.glsl"
 #include "lib/sdf.glsl"

@@ -1,9 +1,9 @@
-// Integer hashing: the only source of randomness in shaders. Hashes of sines repeat (425 distinct
-// values of 4096 lattice points at 1e6) and differ between drivers; these are the same everywhere.
+// Integer hashing: the only source of randomness in shaders. Hashes based on sin repeat (only 425 distinct values at
+// 4096 lattice points near 1e6) and differ between drivers; these are the same everywhere.
 //
 // GLSL 4.50 and C++ (render/glsl/cpu.h).
 
-// Well-mixed 32 bits from any 32 bits, one to one.
+// Bijective hash of 32 bits.
 // Jarzynski and Olano 2020, "Hash Functions for GPU Rendering", JCGT 9(3): pcg.
 uint pcg(uint v)
 {
@@ -12,7 +12,7 @@ uint pcg(uint v)
     return (word >> 22u) ^ word;
 }
 
-// Three well-mixed words from three, each depending on all. Same source: pcg3d.
+// Hash of three words; each result depends on all three. Same source: pcg3d.
 uvec3 pcg3d(uvec3 v)
 {
     uvec3 w = v * 1664525u + 1013904223u;
@@ -26,7 +26,7 @@ uvec3 pcg3d(uvec3 v)
     return w;
 }
 
-// Four well-mixed words from four, each depending on all. Same source: pcg4d.
+// Hash of four words; each result depends on all four. Same source: pcg4d.
 uvec4 pcg4d(uvec4 v)
 {
     uvec4 w = v * 1664525u + 1013904223u;
@@ -42,13 +42,13 @@ uvec4 pcg4d(uvec4 v)
     return w;
 }
 
-// The top 24 bits as a number in [0, 1): every value is exact in float32 and none rounds to 1.
+// Converts the top 24 bits to a number in [0, 1). Every value is exact in float32 and none rounds to 1.
 float unitFromBits(uint bits)
 {
     return float(bits >> 8u) * (1.0 / 16777216.0);
 }
 
-// Lattice cells are signed integers; this keeps neighbors distinct across zero and past 2^24.
+// Hash of a lattice cell (signed integers). Neighbors stay distinct across zero and past 2^24.
 uvec3 hashCell(ivec3 cell, uint seed)
 {
     return pcg3d(uvec3(uint(cell.x), uint(cell.y), uint(cell.z)) ^ uvec3(seed, pcg(seed), pcg(seed ^ 2654435769u)));

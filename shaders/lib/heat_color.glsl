@@ -1,6 +1,6 @@
-// A count as a color, 0 to 1.
+// False color for a count, 0 to 1.
 
-// Black, violet, red, amber, white: dark to bright, so that it also reads without color.
+// Black, violet, red, amber, white: rising brightness, so that it is readable in grayscale, too.
 vec3 heatColor(float x)
 {
     float t = clamp(x, 0.0, 1.0) * 4.0;

@@ -1,7 +1,7 @@
-// What of a frame before may still be in a pixel.
+// Color space and box test for clamping a history to the neighborhood of a pixel.
 
-// Luma, and how orange and how green a color is: its neighbors lie along luma for the most part, so that a box around
-// them is smaller here than among red, green and blue (Karis 2014, "High-Quality Temporal Supersampling").
+// Converts to YCoCg: luma, orange and green chroma. Neighboring colors vary mostly in luma, so that their bounding box
+// is smaller than in RGB (Karis 2014, "High-Quality Temporal Supersampling").
 vec3 ycocgOf(vec3 rgb)
 {
     return vec3(0.25 * rgb.r + 0.5 * rgb.g + 0.25 * rgb.b, 0.5 * (rgb.r - rgb.b),
@@ -14,7 +14,7 @@ vec3 rgbOfYcocg(vec3 c)
     return vec3(rest + c.y, c.x + c.z, rest - c.y);
 }
 
-// How far a color is from the middle of a box of these half sides: up to 1 within it.
+// Distance of a color from the center of a box, relative to its half sides: up to 1 inside.
 float boxDistance(vec3 offset, vec3 halfSize)
 {
     vec3 unit = abs(offset) / max(halfSize, vec3(1e-4));

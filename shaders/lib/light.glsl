@@ -1,4 +1,4 @@
-// The light block and what reads it: sun, sky, shadow maps, reflection probe.
+// Functions for the light block: sun, sky, shadow maps, reflection probe.
 #include "lib/bindings.glsl"
 #include "lib/air_light.glsl"
 #include "lib/light_block.glsl"
@@ -32,10 +32,10 @@ float shadowMapLight(sampler2DShadow map, vec3 position)
     return isInShadowMap(position) ? texture(map, position) : 1.0;
 }
 
-// The same by a tent over 3x3 or 5x5 texels in 4 or 9 bilinear comparisons, each placed between two texels in proportion
-// to their weights, so that the result moves smoothly with the position (Castano 2013, "Shadow Mapping Summary"). 1 where
-// it is not `wanted`. One comparison at a time, for software renderers run what a branch leaves out, but leave a loop as
-// soon as no pixel is in it.
+// The same with a tent filter over 3x3 or 5x5 texels, by 4 or 9 bilinear comparisons. Each lies between two texels in
+// proportion to their weights, so that the result varies smoothly (Castano 2013, "Shadow Mapping Summary"). Returns 1
+// if not `wanted`. Uses a loop: a software renderer executes skipped branches, but leaves a loop when no pixel needs
+// it.
 float shadowTentLight(sampler2DShadow map, vec3 position, bool wanted)
 {
     vec2 size = vec2(textureSize(map, 0));
@@ -72,30 +72,30 @@ vec3 shadowPosition(mat4 shadowFromWorld, vec3 world)
     return (shadowFromWorld * vec4(world, 1.0)).xyz;
 }
 
-// Radians by which the points of the sun's disk are turned. Few points that are the same everywhere draw themselves
-// again and again along an edge; turned from pixel to pixel, they are grain, and from sample to sample, they are more.
+// Rotation of the sample points on the sun's disk, radians. A few fixed points would appear as repeated copies of an
+// edge. Rotation per pixel turns them into noise; rotation per supersample adds points.
 float diskTurn = 0.0;
 
-// For the pixel of the whole picture: interleaved gradient noise (Jimenez 2014, "Next Generation Post Processing in
-// Call of Duty: Advanced Warfare"), and the golden ratio from one supersample to the next.
+// Sets the rotation for a pixel of the whole picture: interleaved gradient noise (Jimenez 2014, "Next Generation Post
+// Processing in Call of Duty: Advanced Warfare"), plus the golden ratio per supersample.
 void turnDisk(vec2 pixel)
 {
     float noise = fract(52.9829189 * fract(dot(floor(pixel), vec2(0.06711056, 0.00583715))));
     diskTurn = 2.0 * PI * fract(noise + 0.618033989 * float(light.sampleIndex));
 }
 
-// Point i of n, spread evenly over the unit disk: a spiral of the golden angle (Vogel 1979, "A better way to construct
-// the sunflower head").
+// Point i of n, uniformly distributed over the unit disk: a spiral with the golden angle (Vogel 1979, "A better way to
+// construct the sunflower head").
 vec2 diskPoint(float i, float n)
 {
     float angle = 2.39996323 * i + diskTurn;
     return sqrt((i + 0.5) / n) * vec2(cos(angle), sin(angle));
 }
 
-// Share of the sun's disk that is seen from `world`. The half-shadow of an edge is as wide as the disk looks, seen over
-// the way to what hides it (Fernando 2005, "Percentage-Closer Soft Shadows"). How far that is, is found by comparisons
-// alone: what still hides the point after it has moved d meters towards the sun is farther than d. Every look lies on
-// the plane of the surface: one beside it would be hidden by the surface itself.
+// Share of the sun's disk that is visible from `world`. The width of a penumbra is the sun's apparent width times the
+// distance to the occluder (Fernando 2005, "Percentage-Closer Soft Shadows"). That distance is found by shadow
+// comparisons alone: if the point is still hidden after it has moved d meters towards the sun, the occluder is farther
+// than d. All sample points lie in the plane of the surface, because others would be shadowed by the surface itself.
 #if SHADOW_FILTER == SHADOW_FILTER_SUN_DISK
 float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3 normal, bool wanted)
 {
@@ -107,7 +107,7 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec
     mat3 rows = transpose(mat3(shadowFromWorld));
     vec3 perMeter = vec3(length(rows[0]), length(rows[1]), length(rows[2]));
     vec2 texel = 1.0 / vec2(textureSize(map, 0));
-    // Rise of the surface towards the sun, over texture coordinates.
+    // Change of depth along the surface, per texture coordinate.
     vec2 rise = -vec2(dot(normal, rows[0]), dot(normal, rows[1])) / (perMeter.xy * perMeter.xy) / max(dot(normal, light.sunDirection), 0.1) * perMeter.z;
     vec2 widest = max(perMeter.xy * (light.sunTanHalfWidth * farthest), texel);
     float hidden = 0.0;
@@ -118,7 +118,8 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec
     if (hidden <= 0.0) return 1.0;
     if (hidden >= looks) return 0.0;
 
-    // Mean of the distances: the integral over d of the share that is farther than d, asked anywhere in each stretch.
+    // Mean distance of the occluders: the integral over d of the share that is farther than d. Each interval is sampled
+    // at a random position.
     float mean = 0.0;
     float last = 0.0;
     float within = fract(diskTurn * (1.61803399 / (2.0 * PI)) + 0.5);
@@ -141,7 +142,7 @@ float shadowDiskLight(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec
 }
 #endif
 
-// How far a point is lifted off its surface before it is looked up, in texels: more where light grazes.
+// Offset of a point along its normal before the lookup, in texels: larger at grazing light.
 float shadowLift(float cosine)
 {
     return 0.6 + 2.4 * safeSqrt(1.0 - cosine * cosine);
@@ -158,7 +159,7 @@ float filteredShadow(sampler2DShadow map, mat4 shadowFromWorld, vec3 world, vec3
 #endif
 }
 
-// Whether sunlight may arrive at a point: in a room, it comes by the passages alone.
+// Returns whether sunlight can reach a point. Inside a room it enters only through the passages.
 bool mayBeSunlit(vec3 world)
 {
     bool may = any(lessThan(world, light.roomLow)) || any(greaterThan(world, light.roomHigh));
@@ -168,7 +169,7 @@ bool mayBeSunlit(vec3 world)
     return may;
 }
 
-// Share of the sun that walls and furniture let through, 0 to 1; 0 where `normal` faces away.
+// Visibility of the sun past walls and furniture, 0 to 1; 0 if `normal` faces away.
 float sunVisibilityOfHall(vec3 world, vec3 normal)
 {
     float cosine = dot(normal, light.sunDirection);
@@ -179,14 +180,14 @@ float sunVisibilityOfHall(vec3 world, vec3 normal)
     return may ? visible : 0.0;
 }
 
-// Share of the sun that the exhibits let through, where their map is valid; 1 where it is not `wanted`.
+// Visibility of the sun past the exhibits, where their map is valid; 1 if not `wanted`.
 float sunVisibilityOfExhibits(vec3 world, vec3 normal, bool wanted)
 {
     vec3 lifted = world + normal * (light.exhibitShadowTexel * shadowLift(dot(normal, light.sunDirection)));
     return filteredShadow(exhibitShadow, light.exhibitShadowFromWorld, lifted, normal, wanted);
 }
 
-// Both.
+// Visibility of the sun past hall and exhibits.
 float sunVisibility(vec3 world, vec3 normal)
 {
     float visible = sunVisibilityOfHall(world, normal);
@@ -195,8 +196,8 @@ float sunVisibility(vec3 world, vec3 normal)
     return wanted ? visible * besideExhibits : visible;
 }
 
-// Share of each color of the sun's light that glass in its way lets through. What lies before the glass is not in its
-// shadow; beside it, the map holds white, before everything.
+// Transmittance of glass between the point and the sun, per color. A point in front of the glass is not in its shadow.
+// Beside the glass, the map holds white at the nearest depth.
 vec3 sunThroughGlass(vec3 world)
 {
 #ifdef GLASS_SHADOWS
@@ -208,8 +209,8 @@ vec3 sunThroughGlass(vec3 world)
     return vec3(1.0);
 }
 
-// Direction in which the probe must be looked up so that the walls of its box appear where they are.
-// Lagarde and Zanuttini 2012, "Local Image-based Lighting With Parallax-corrected Cubemap".
+// Corrects the direction of a probe lookup so that the walls of the probe's box appear at their positions. Lagarde and
+// Zanuttini 2012, "Local Image-based Lighting With Parallax-corrected Cubemap".
 vec3 parallaxCorrected(vec3 world, vec3 direction)
 {
     if (light.probeHigh.x <= light.probeLow.x) return direction;
@@ -221,7 +222,7 @@ vec3 parallaxCorrected(vec3 world, vec3 direction)
     return t > 0.0 ? world + direction * t - light.probePosition : direction;
 }
 
-// Radiance that arrives from `direction`, blurred by `roughness` (perceptual, 0 to 1).
+// Radiance of the probe from `direction`, blurred by `roughness` (perceptual, 0 to 1).
 vec3 probeRadiance(vec3 world, vec3 direction, float roughness)
 {
     if (!light.hasProbe) return mix(light.skyHorizon, light.skyZenith, 0.5 + 0.5 * direction.y) * 0.05;
@@ -244,7 +245,7 @@ vec3 probeAmbient(vec3 n)
     return max(sum, vec3(0.0));
 }
 
-// Irradiance over pi on what has no lightmap and faces `n`, where it stands.
+// Irradiance over pi on a surface without lightmap, with normal `n`.
 vec3 ambientAt(vec3 world, vec3 n)
 {
     if (!light.hasAirLight) return probeAmbient(n);

@@ -1,12 +1,12 @@
-// One light that stands somewhere: a point, or a sphere of even radiance. What it sends to a surface, and where its
-// shadow map is looked up. GLSL 4.50 and C++ (render/glsl/cpu.h).
+// One local light: a point, or a sphere of uniform radiance. Its irradiance on a surface, and the coordinates of its
+// shadow map lookup. GLSL 4.50 and C++ (render/glsl/cpu.h).
 #ifndef __cplusplus
 #include "lib/bindings.glsl"
 #include "lib/local_lights_block.glsl"
 #include "lib/numerics.glsl"
 #endif
 
-// Fades to 0 at `range`, smoothly, and is near 1 before half of it. Karis 2013, "Real Shading in Unreal Engine 4".
+// Smooth falloff to 0 at `range`, near 1 below half of it. Karis 2013, "Real Shading in Unreal Engine 4".
 float localWindow(float distance, float range)
 {
     if (range <= 0.0) return 1.0;
@@ -15,14 +15,14 @@ float localWindow(float distance, float range)
     return inside * inside;
 }
 
-// Share of its intensity that a light has in this direction from it, unit: smooth from 1 to 0 at the edge of its cone.
+// Share of a light's intensity in this direction from it (unit): smooth from 1 to 0 at the edge of its cone.
 float localCone(LocalLightEntry light, vec3 fromLight)
 {
     float share = clamp(1.0 - (light.coneCosine - dot(light.axis, fromLight)) * light.coneScale, 0.0, 1.0);
     return share * share;
 }
 
-// Both, at a place: 0 where none of its light can arrive.
+// Product of range and cone falloff at a place: 0 where its light cannot reach.
 float localReach(LocalLightEntry light, vec3 place)
 {
     vec3 away = place - light.position;
@@ -31,16 +31,16 @@ float localReach(LocalLightEntry light, vec3 place)
     return localWindow(distance, light.range) * localCone(light, away / distance);
 }
 
-// Form factor of a sphere seen from a surface: irradiance over pi times its radiance, 0 to 1. `cosine` between the
-// normal and the direction of its middle, `distance` to the middle. Part of it may lie below the surface's horizon.
-// Snyder 1996, "Area Light Sources for Real-Time Graphics", in the form of Quilez, "Sphere - Occlusion"; 1 from inside
-// the sphere.
+// Form factor of a sphere seen from a surface: irradiance over pi times its radiance, 0 to 1. `cosine` is between the
+// normal and the direction to its center, `distance` to its center. Part of the sphere may lie below the surface's
+// horizon. Snyder 1996, "Area Light Sources for Real-Time Graphics", in the form of Quilez, "Sphere - Occlusion". 1
+// inside the sphere.
 float sphereFormFactor(float cosine, float distance, float radius)
 {
     if (distance <= radius) return 1.0;
     float h2 = distance / radius * (distance / radius);
     float c = clamp(cosine, -1.0, 1.0);
-    float below = 1.0 - h2 * c * c;   // Above 0: the horizon cuts the sphere.
+    float below = 1.0 - h2 * c * c;   // Above 0: the horizon intersects the sphere.
     if (below <= 0.0) return c > 0.0 ? c / h2 : 0.0;
     float sine = safeSqrt(1.0 - c * c);
     float root = safeSqrt(h2 - 1.0);
@@ -57,7 +57,7 @@ vec3 localIrradiance(LocalLightEntry light, vec3 place, vec3 normal)
     float reach = localReach(light, place);
     if (reach <= 0.0) return vec3(0.0);
     float cosine = dot(towards, normal) / distance;
-    // A sphere as small as this is a point to float32.
+    // A sphere as small as this equals a point in float32.
     bool isPoint = light.radius < 1.0e-3 * distance;
     float geometry = max(cosine, 0.0) / squared;
     if (!isPoint) geometry = sphereFormFactor(cosine, distance, light.radius) / (light.radius * light.radius);
@@ -65,7 +65,8 @@ vec3 localIrradiance(LocalLightEntry light, vec3 place, vec3 normal)
     return light.intensity * (geometry * reach);
 }
 
-// Which of the six shadow maps of a light, in OpenGL's order of cube faces, sees a place in this direction from it.
+// Index of the shadow map, among the six of a light, that contains this direction from it. OpenGL's order of cube
+// faces.
 int localShadowFace(vec3 fromLight)
 {
     vec3 size = abs(fromLight);
@@ -74,7 +75,8 @@ int localShadowFace(vec3 fromLight)
     return fromLight.z > 0.0 ? 4 : 5;
 }
 
-// Where it is in that map: xy texture coordinates, z reversed depth. The maps are drawn by render/scene/cube_views.h.
+// Coordinates in that map: xy texture coordinates, z reversed depth. render/scene/cube_views.h gives the views that
+// draw the maps.
 vec3 localShadowPosition(vec3 fromLight, float nearPlane)
 {
     int face = localShadowFace(fromLight);

@@ -1,5 +1,5 @@
-// The local lights of a frame: lamps, candles. Who includes this binds the block (render/plan/local_lights.h) and, with
-// LOCAL_SHADOWS defined, the shadow maps at UNIT_LOCAL_SHADOWS.
+// Local lights of a frame: lamps, candles. A pass that includes this binds the block (render/plan/local_lights.h) and,
+// with LOCAL_SHADOWS defined, the shadow maps at UNIT_LOCAL_SHADOWS.
 #include "lib/bindings.glsl"
 #include "lib/local_light.glsl"
 
@@ -10,7 +10,7 @@ layout(std140, binding = BLOCK_LOCAL_LIGHTS) uniform LocalLights {
 #ifdef LOCAL_SHADOWS
 layout(binding = UNIT_LOCAL_SHADOWS) uniform sampler2DArrayShadow localShadows;
 
-// 1 where nothing stands between the light and a place that is lifted off its surface along `normal`.
+// Visibility of the light: 1 if nothing lies between it and the place, which is lifted off its surface along `normal`.
 float localVisibility(LocalLightEntry light, vec3 place, vec3 normal)
 {
     if (!light.castsShadow) return 1.0;
@@ -28,7 +28,7 @@ float localVisibility(LocalLightEntry light, vec3 place, vec3 normal)
 }
 #endif
 
-// Irradiance of one of them on a surface, shadow included.
+// Irradiance of one light on a surface, shadow included.
 vec3 localLit(LocalLightEntry light, vec3 place, vec3 normal)
 {
     vec3 irradiance = localIrradiance(light, place, normal);
@@ -36,7 +36,7 @@ vec3 localLit(LocalLightEntry light, vec3 place, vec3 normal)
     return irradiance * localVisibility(light, place, normal);
 }
 
-// Irradiance of all of them on a surface at `place` with unit `normal`.
+// Irradiance of all lights on a surface at `place` with unit `normal`.
 vec3 localLightIrradiance(vec3 place, vec3 normal)
 {
     vec3 sum = vec3(0.0);

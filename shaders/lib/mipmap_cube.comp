@@ -1,4 +1,4 @@
-// The next level of a cube map's mipmaps, all faces at once: the mean of four texels each. Sides are powers of two.
+// Makes the next mip level of a cube map, all faces at once: the mean of four texels each. Sizes are powers of two.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba16f, binding = 0) uniform readonly imageCube larger;

@@ -1,17 +1,17 @@
 // Noise on a lattice of unit cells: value and gradient noise in two, three and four dimensions, with derivatives.
 // Simplex and cellular noise: lib/noise_simplex.glsl, lib/noise_cellular.glsl; sums of octaves: lib/noise_sums.glsl.
 //
-// A point is given as the integer cell that holds it and its place in that cell, 0 to 1 along each axis. So noise is
-// the same far from the origin as near it: what is lost there is lost by whoever adds cell and place into one float.
-// `period` is the number of cells after which the noise repeats to the bit along each axis, 0 for never; `seed` chooses
-// one of many. Values lie in [-1, 1], their mean is 0.
+// A point is given as the integer cell that contains it and its place in that cell, 0 to 1 along each axis. So noise is
+// equally precise near and far from the origin; only adding cell and place to one float loses precision. `period` is
+// the number of cells after which the noise repeats bit by bit along each axis, 0 for never. `seed` selects one of many
+// noises. Values lie in [-1, 1] with mean 0.
 //
 // GLSL 4.50 and C++ (render/glsl/cpu.h).
 #ifndef __cplusplus
 #include "lib/hash.glsl"
 #endif
 
-// The value and its derivative along each axis, per unit cell.
+// Value and its derivative along each axis, per cell.
 struct Noise2 {
     float value;
     vec2 slope;
@@ -25,7 +25,7 @@ struct Noise4 {
     vec4 slope;
 };
 
-// One coordinate of a lattice that repeats. % of a negative number is undefined in GLSL.
+// Wraps one coordinate of a periodic lattice. % of a negative number is undefined in GLSL.
 int noiseWrap(int cell, int period)
 {
     if (period <= 0) return cell;
@@ -48,7 +48,7 @@ ivec4 noiseWrap(ivec4 cell, ivec4 period)
                  noiseWrap(cell.w, period.w));
 }
 
-// Random bits of a lattice point: the same for the same point, period and seed on every machine.
+// Random bits of a lattice point: the same on every machine for the same point, period and seed.
 uint noiseBits(ivec2 cell, ivec2 period, uint seed)
 {
     ivec2 c = noiseWrap(cell, period);
@@ -67,8 +67,8 @@ uint noiseBits(ivec4 cell, ivec4 period, uint seed)
     return pcg4d(uvec4(uint(c.x), uint(c.y), uint(c.z), uint(c.w)) ^ s).x;
 }
 
-// From 0 to 1 with two derivatives that are 0 at both ends, and its own derivative.
-// Perlin 2002, "Improving Noise".
+// Fade curve from 0 to 1: first and second derivative are 0 at both ends. noiseFadeSlope is its derivative. Perlin
+// 2002, "Improving Noise".
 float noiseFade(float x)
 {
     return x * x * x * (x * (x * 6.0 - 15.0) + 10.0);
@@ -89,7 +89,7 @@ float noiseSign(uint bits)
     return (bits & 1u) != 0u ? -1.0 : 1.0;
 }
 
-// One of eight directions of length 1, none along an axis.
+// One of eight unit directions, none along an axis.
 vec2 noiseDirection2(uint bits)
 {
     float a = noiseSign(bits) * 0.92387953251128674;
@@ -97,8 +97,8 @@ vec2 noiseDirection2(uint bits)
     return (bits & 4u) != 0u ? vec2(b, a) : vec2(a, b);
 }
 
-// One of the twelve middles of a cube's edges, length sqrt(2); four of them twice, which prefer no direction.
-// Perlin 2002.
+// One of the twelve midpoints of a cube's edges, length sqrt(2). Four of them occur twice, chosen so that no direction
+// is preferred. Perlin 2002.
 vec3 noiseDirection3(uint bits)
 {
     uint h = bits >> 28u;
@@ -109,7 +109,7 @@ vec3 noiseDirection3(uint bits)
     return vec3(0.0, h >= 12u ? -1.0 : a, h == 14u ? 1.0 : (h == 15u ? -1.0 : b));
 }
 
-// One of the 32 middles of a hypercube's edges, length sqrt(3).
+// One of the 32 midpoints of a hypercube's edges, length sqrt(3).
 vec4 noiseDirection4(uint bits)
 {
     uint h = bits >> 27u;
@@ -199,12 +199,12 @@ Noise4 valueNoise(ivec4 cell, vec4 place, ivec4 period, uint seed)
 
 // ---- Gradient noise (Perlin 2002): a random slope at every lattice point, where the noise is 0.
 
-// Make the largest value that any choice of directions gives 1.
+// Scales the largest value that any choice of directions gives to 1.
 const float GRADIENT_SCALE_2 = 1.5132;
 const float GRADIENT_SCALE_3 = 0.9649;
 const float GRADIENT_SCALE_4 = 0.6507;
 
-// What one corner adds: weights and their slopes are products over the axes.
+// Sum over the corners of the cell: weights, and their derivatives, are products over the axes.
 Noise2 gradientNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
 {
     vec2 u = vec2(noiseFade(place.x), noiseFade(place.y));

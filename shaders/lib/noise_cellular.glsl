@@ -1,14 +1,14 @@
-// Cellular noise (Worley 1996, "A Cellular Texture Basis Function") in two, three and four dimensions: one point
-// anywhere in each cell, and the distance to the nearest. Distances above 1 count as 1, which makes the search among
-// the neighbors of a cell exact: what lies beyond them is farther than that. Points, periods and seeds are those of
-// lib/noise.glsl.
+// Cellular noise (Worley 1996, "A Cellular Texture Basis Function") in two, three and four dimensions: one random point
+// in each cell, and the distance to the nearest. Distances above 1 count as 1, so that a search of the neighboring
+// cells is exact: other points are farther than that. Points, periods and seeds are those of lib/noise.glsl.
 //
 // GLSL 4.50 and C++ (render/glsl/cpu.h).
 #ifndef __cplusplus
 #include "lib/noise.glsl"
 #endif
 
-// `value` is 1 on a cell's point and falls to -1 at a distance of 1: like the other kinds, in [-1, 1].
+// `value` is 1 at a cell's point and falls to -1 at a distance of 1, so that it lies in [-1, 1] as for the other
+// noises.
 Noise2 cellularNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
 {
     float nearest = 1.0;

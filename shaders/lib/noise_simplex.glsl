@@ -1,29 +1,30 @@
-// Simplex noise (Perlin 2001, "Noise hardware") in two, three and four dimensions: n + 1 lattice points around every
-// point instead of the 2^n of a cell, and no axis that it prefers. Points, periods and seeds are those of
+// Simplex noise (Perlin 2001, "Noise hardware") in two, three and four dimensions: it sums over the n + 1 corners of a
+// simplex instead of the 2^n corners of a cell, and prefers no axis. Points, periods and seeds are those of
 // lib/noise.glsl.
 //
-// The lattices are chosen so that the unit steps along x, y, z and w belong to them: noise then repeats along these
-// axes, as lib/noise.glsl's does (Gustavson and McEwan 2022, "Tiling Simplex Noise and Flow Noise in Two and Three
-// Dimensions"). In two dimensions rows are shifted by half a cell, so that the period along y has to be even; in three,
-// it is the body-centered cubic lattice, whose simplices are all alike; in four, lattice points lie at the thirds of a
-// cell's diagonal. Lattice points are handled as integers, in whatever part of a cell makes them so.
+// The lattices contain the unit steps along x, y, z and w, so that the noise repeats along these axes, as that of
+// lib/noise.glsl does (Gustavson and McEwan 2022, "Tiling Simplex Noise and Flow Noise in Two and Three Dimensions").
+// In two dimensions, each row is shifted by half a cell, so the period along y must be even. In three dimensions, it is
+// the body-centered cubic lattice, whose simplices are congruent. In four, lattice points divide a cell's diagonal into
+// thirds. Lattice points are stored as integers, in units of half or a third of a cell as needed.
 //
 // GLSL 4.50 and C++ (render/glsl/cpu.h).
 #ifndef __cplusplus
 #include "lib/noise.glsl"
 #endif
 
-// The square of a lattice point's reach: that of the lowest height of a simplex, so that its weight is 0 on the face
-// opposite.
+// Squared radius of influence of a lattice point: the squared lowest height of a simplex, so that its weight is 0 on
+// the opposite face.
 const float SIMPLEX_REACH_2 = 0.8;
 const float SIMPLEX_REACH_3 = 0.5;
 const float SIMPLEX_REACH_4 = 0.33333333333333331;
-// Make the largest value that any choice of directions gives 1.
+// Scales the largest value that any choice of directions gives to 1.
 const float SIMPLEX_SCALE_2 = 6.316;
 const float SIMPLEX_SCALE_3 = 31.259;
 const float SIMPLEX_SCALE_4 = 88.04;
 
-// What a lattice point with slope `g` adds at `d` from it: its ramp times the cube of what is left of its reach.
+// Contribution of a lattice point with gradient `g` at offset `d`: its ramp times the cube of the remaining squared
+// radius.
 Noise2 simplexPart(vec2 g, vec2 d)
 {
     float w = max(SIMPLEX_REACH_2 - dot(d, d), 0.0);
@@ -56,7 +57,7 @@ Noise4 simplexPart(vec4 g, vec4 d)
 
 Noise2 simplexNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
 {
-    // Halves of a cell along x: row y begins y halves to the left. The row of the cell may be odd.
+    // In half cells along x: row y begins y halves further left. The cell may lie in an odd row.
     int odd = cell.y & 1;
     vec2 skewed = vec2(place.x + 0.5 * (place.y + float(odd)), place.y);
     vec2 base = floor(skewed);
@@ -67,7 +68,7 @@ Noise2 simplexNoise(ivec2 cell, vec2 place, ivec2 period, uint seed)
     n.slope = vec2(0.0);
     for (int i = 0; i < 3; ++i) {
         vec2 s = base + (i == 0 ? vec2(0.0) : (i == 1 ? mid : vec2(1.0)));
-        // From the corner of the cell.
+        // Offset from the corner of the cell.
         vec2 corner = vec2(s.x - 0.5 * (s.y + float(odd)), s.y);
         ivec2 halves = ivec2(2 * cell.x + int(floor(2.0 * corner.x + 0.5)), cell.y + int(s.y));
         uint bits = noiseBits(halves, ivec2(2 * period.x, period.y), seed);
@@ -85,7 +86,7 @@ Noise3 simplexNoise(ivec3 cell, vec3 place, ivec3 period, uint seed)
     vec3 skewed = vec3(place.y + place.z, place.x + place.z, place.x + place.y);
     vec3 base = floor(skewed);
     vec3 f = skewed - base;
-    // Along the largest part first, along the smallest last.
+    // Steps along the largest component first, along the smallest last.
     vec3 order = vec3(float(f.x >= f.y) + float(f.x >= f.z), float(f.y > f.x) + float(f.y >= f.z),
                       float(f.z > f.x) + float(f.z > f.y));
     Noise3 n;

@@ -1,5 +1,5 @@
 // Sums of octaves of noise in three dimensions: fractal Brownian motion, ridged, billow and turbulence (Musgrave, in
-// Ebert et al. 2003, "Texturing and Modeling"), and a domain warped by them. With derivatives, by the chain rule.
+// Ebert et al. 2003, "Texturing and Modeling"), and domain warping. With derivatives, by the chain rule.
 //
 // GLSL 4.50 and C++ (render/glsl/cpu.h).
 #ifndef __cplusplus
@@ -26,7 +26,7 @@ Noise3 noiseOfKind(int kind, ivec3 cell, vec3 place, ivec3 period, uint seed)
     return gradientNoise(cell, place, period, seed);
 }
 
-// At a point near the origin of its lattice, or, with `cell` and `place`, near that point of it.
+// Noise at a point near the origin of its lattice, or near the lattice point given by `cell` and `place`.
 Noise3 noiseNear(int kind, vec3 p, ivec3 cell, vec3 place, ivec3 period, uint seed)
 {
     vec3 q = p + place;
@@ -34,7 +34,7 @@ Noise3 noiseNear(int kind, vec3 p, ivec3 cell, vec3 place, ivec3 period, uint se
     return noiseOfKind(kind, cell + ivec3(base), q - base, period, seed);
 }
 
-// No noise of this kind is steeper than this per cell, whatever its seed.
+// Upper bound on the slope of this kind of noise per cell, for any seed.
 float noiseSteepest(int kind)
 {
     if (kind == NOISE_VALUE) return 3.75;
@@ -43,7 +43,7 @@ float noiseSteepest(int kind)
     return 3.619;
 }
 
-// The most that its derivative changes along any line, per cell; 0 where it has creases.
+// Upper bound on the second derivative along any line, per cell; 0 for noise with creases.
 float noiseMostCurved(int kind)
 {
     if (kind == NOISE_VALUE) return 14.07;
@@ -52,8 +52,8 @@ float noiseMostCurved(int kind)
     return 13.97;
 }
 
-// How far noise that is looked up in a volume with 8 texels along a cell, linear between them, is off at most: 3e-3 of
-// it for filters that weigh in 256 steps.
+// Upper bound on the error of noise that is stored in a volume with 8 texels per cell and interpolated linearly. 3e-3
+// of it is for texture filters with 256 steps.
 float noiseLookedUpError(int kind)
 {
     if (kind == NOISE_VALUE) return 0.058;
@@ -62,7 +62,7 @@ float noiseLookedUpError(int kind)
     return 0.051;
 }
 
-// What a sum makes of the noise of one octave: again in [-1, 1], turbulence in [0, 1].
+// Applies the shape of a sum to the noise of one octave: the result is in [-1, 1], for turbulence in [0, 1].
 Noise3 noiseShaped(int sum, Noise3 n)
 {
     Noise3 shaped;
@@ -83,21 +83,21 @@ Noise3 noiseShaped(int sum, Noise3 n)
     return shaped;
 }
 
-// By how much that makes noise steeper at most.
+// Upper bound on the factor by which that steepens the noise.
 float noiseShapedSteepest(int sum)
 {
     return sum == NOISE_RIDGED ? 4.0 : (sum == NOISE_BILLOW ? 2.0 : 1.0);
 }
 
-// How much of an octave is left for a pixel that covers `footprint` of its cells: all of it up to a quarter of a cell,
-// nothing from half a cell on, where its waves would come out as others.
+// Weight of an octave for a pixel that covers `footprint` of its cells: 1 up to a quarter of a cell, 0 from half a cell
+// on, where it would alias.
 float noiseFootprintFade(float footprint)
 {
     float x = clamp(footprint * 4.0 - 1.0, 0.0, 1.0);
     return 1.0 - x * x * (3.0 - 2.0 * x);
 }
 
-// By `angle` radians about an axis that lies along no lattice direction.
+// Rotation by `angle` radians around an axis that is parallel to no lattice direction.
 mat3 noiseRotation(float angle)
 {
     vec3 a = vec3(0.48, 0.6, 0.64);
@@ -120,8 +120,8 @@ struct NoiseSum {
     uint seed;
 };
 
-// The sum at a point, in cells of the first octave, over the sum of its amplitudes; so in [-1, 1]. `footprint` is the
-// width of a pixel there, in the same cells; 0 leaves out nothing.
+// Sum of octaves at a point (in cells of the first octave), divided by the sum of amplitudes; so in [-1, 1].
+// `footprint` is the width of a pixel there, in the same cells; 0 omits no octave.
 Noise3 noiseSum(NoiseSum s, vec3 p, float footprint)
 {
     mat3 turn = noiseRotation(s.rotation) * s.lacunarity;
@@ -145,15 +145,15 @@ Noise3 noiseSum(NoiseSum s, vec3 p, float footprint)
         amplitude *= s.gain;
         frequency *= s.lacunarity;
     }
-    if (amplitudes > 0.0) {  // Of no octaves, the sum is 0.
+    if (amplitudes > 0.0) {  // Without octaves, the sum is 0.
         total.value /= amplitudes;
         total.slope = total.slope / amplitudes;
     }
     return total;
 }
 
-// The sum at a point that three further sums have moved by up to `warp` cells along each axis.
-// Quilez 2002, "Domain warping"; the derivative is exact.
+// Sum at a point that three further sums displace by up to `warp` cells along each axis. Quilez 2002, "Domain warping";
+// the derivative is exact.
 Noise3 noiseWarpedSum(NoiseSum s, vec3 p, float warp, float footprint)
 {
     NoiseSum other = s;

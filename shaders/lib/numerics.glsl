@@ -1,5 +1,5 @@
-// Arithmetic that stays defined where GLSL leaves it open. Each function names the symptom it guards
-// against; "llvmpipe" means Mesa 22.3.6, and the same inputs misbehave differently elsewhere.
+// Arithmetic that is defined for inputs where GLSL's is not. Each comment names the symptom that the function avoids;
+// "llvmpipe" means Mesa 22.3.6. Other drivers misbehave differently for the same inputs.
 //
 // This file is GLSL 4.50 and C++ (render/glsl/cpu.h): no swizzles beyond one component, no `inout`,
 // literals with a point.
@@ -14,13 +14,13 @@ vec3 safeNormalize(vec3 v, vec3 fallback)
     return squared > 1.0e-30 ? v * inversesqrt(squared) : fallback;
 }
 
-// Square root, 0 below 0. Guards: 1 - c*c comes out as -1e-7 for a unit vector; its root is NaN.
+// Square root, 0 below 0. Guards: 1 - c*c can be -1e-7 for a unit vector; its root is NaN.
 float safeSqrt(float x)
 {
     return sqrt(max(x, 0.0));
 }
 
-// Angle in [0, pi] of a cosine that rounding may have pushed past 1.
+// Angle in [0, pi] of a cosine that rounding may have moved above 1.
 // Guards: acos(1 + 1e-7) is NaN; acos near 1 loses half its digits, and llvmpipe's polynomial is off by
 // 6e-5 even at 0.5. The two-argument arc tangent has neither fault.
 float safeAcos(float cosine)
@@ -35,7 +35,7 @@ float angleOf(float y, float x)
     return x == 0.0 && y == 0.0 ? 0.0 : atan(y, x);
 }
 
-// base^exponent with everything at or below zero counted as zero: 0^0 = 1, 0^e = 0 for e > 0.
+// base^exponent; a base at or below zero counts as zero: 0^0 = 1, 0^e = 0 for e > 0.
 // Guards: llvmpipe gives pow(0, 0) = 0 and pow(-1, 2) = NaN; C gives 1 and 1.
 float powPositive(float base, float exponent)
 {
@@ -58,8 +58,8 @@ float lerpExact(float a, float b, float t)
     return a * (1.0 - t) + b * t;
 }
 
-// Reflectance of a smooth surface, 1 at grazing. Schlick 1994, with the cosine clamped and the power
-// multiplied out. Guards: pow(1 - cosine, 5) is NaN when rounding makes the cosine 1 + 1e-7.
+// Reflectance of a smooth surface, 1 at grazing angles. Schlick 1994, with the cosine clamped and the power multiplied
+// out. Guards: pow(1 - cosine, 5) is NaN if rounding makes the cosine 1 + 1e-7.
 float schlick(float cosine, float atNormalIncidence)
 {
     float m = clamp(1.0 - cosine, 0.0, 1.0);
@@ -67,9 +67,9 @@ float schlick(float cosine, float atNormalIncidence)
     return atNormalIncidence + (1.0 - atNormalIncidence) * (m2 * m2 * m);
 }
 
-// Share of the light that a clear surface mirrors, for both polarizations alike: 0 to 1. `cosine` of the
-// incoming ray, 0 to 1; `index` of the far side over that of the near side. 1 on total reflection, 0 for index 1.
-// Cook and Torrance 1982, "A Reflectance Model for Computer Graphics".
+// Reflectance of a transparent surface for unpolarized light, 0 to 1. `cosine` of the incoming ray, 0 to 1; `index`:
+// refractive index of the far side over that of the near side. 1 on total reflection, 0 for index 1. Cook and Torrance
+// 1982, "A Reflectance Model for Computer Graphics".
 float fresnelDielectric(float cosine, float index)
 {
     float g2 = index * index - 1.0 + cosine * cosine;

@@ -1,4 +1,4 @@
-// Copies display-referred linear light to the window, encoded as sRGB, scaled where the sizes differ.
+// Copies display-referred linear light to the window, encoded as sRGB, scaled if the sizes differ.
 #include "lib/bindings.glsl"
 #include "lib/hash.glsl"
 
@@ -16,7 +16,7 @@ vec3 encodeSrgb(vec3 linear)
 void main()
 {
     vec4 color = textureLod(source, textureCoordinate, 0.0);
-    // One level of triangular noise would hide banding; half a level is enough and stays quiet.
+    // Dithering: triangular noise of one level would hide banding completely; half a level is enough and less visible.
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     float noise = float(pcg(pixel.x + 4096u * pixel.y) & 0xFFFFu) / 65535.0 - 0.5;
     encoded = vec4(encodeSrgb(color.rgb) + noise / 255.0, 1.0);

@@ -1,9 +1,9 @@
-// Signed distance to solids: meters, negative inside, positive outside.
+// Signed distance to solids, in meters: negative inside, positive outside.
 //
 // Each function says what it returns:
 //   exact   the Euclidean distance to the surface, everywhere unless a region is named;
 //   bound   never farther than the surface; 1-Lipschitz unless a constant is given.
-// Sizes are not negative (tables and loaders see to that); a size of zero gives the point, segment or
+// Sizes are not negative (the parameters' ranges and loaders ensure that). A size of zero gives the point, segment or
 // disk that the solid shrinks to, and every finite input gives a finite distance.
 //
 // The formulas are known ones, mostly collected by Inigo Quilez ("Distance functions", 2008 to 2023),
@@ -12,9 +12,9 @@
 // GLSL 4.50 and C++ at float64 and float32 (render/glsl/cpu.h): no swizzles beyond one component, no
 // `inout`, literals with a point. Tests: tests/stability.
 
-// Far beyond any scene, yet its square still fits float32. Sizes are cut to it before they are squared.
+// Far beyond any scene, yet its square still fits float32. Sizes are clamped to it before they are squared.
 const float SDF_LARGEST = 1.0e15;
-// Radii that are divided by are kept at least this large (a thousandth of a millimeter).
+// Minimum of radii that are divided by (a thousandth of a millimeter).
 const float SDF_SMALLEST = 1.0e-6;
 
 float squaredLength(vec2 v)
@@ -36,22 +36,22 @@ float sdfRectangle(vec2 p, vec2 halfSize)
     return length(max(q, vec2(0.0))) + min(max(q.x, q.y), 0.0);
 }
 
-// Exact. Rectangle with corners rounded by `above` for y > 0 and `below` elsewhere; the roundings are
-// cut to the half size. `halfSize` is of the outline.
+// Exact. Rectangle with corners rounded by `above` for y > 0 and `below` elsewhere; both are clamped to the half size.
+// `halfSize` is that of the outline.
 float sdfRoundRectangle(vec2 p, vec2 halfSize, float above, float below)
 {
     float rounding = min(p.y > 0.0 ? above : below, min(halfSize.x, halfSize.y));
     return sdfRectangle(p, halfSize - vec2(rounding)) - rounding;
 }
 
-// Exact. Equilateral triangle around its center, a corner up; `inradius` is from the center to an edge.
+// Exact. Equilateral triangle around its center, a corner up; `inradius` is the distance from the center to an edge.
 float sdfTriangleProfile(vec2 p, float inradius)
 {
     float root3 = 1.7320508075688772;
     float halfEdge = inradius * root3;
     float x = abs(p.x) - halfEdge;
     float y = p.y + inradius;
-    if (x + root3 * y > 0.0) {  // Nearer a slanted edge: reflect it onto the base.
+    if (x + root3 * y > 0.0) {  // Closer to a slanted edge: reflect it onto the base.
         float folded = 0.5 * (x - root3 * y);
         y = -0.5 * (root3 * x + y);
         x = folded;
@@ -86,7 +86,7 @@ float sdfBox(vec3 p, vec3 halfSize)
     return sdfBoxCorner(abs(p) - halfSize);
 }
 
-// Exact. `halfSize` is of the outside; `rounding` is cut to its smallest component.
+// Exact. `halfSize` is that of the outside; `rounding` is clamped to its smallest component.
 float sdfRoundBox(vec3 p, vec3 halfSize, float rounding)
 {
     float r = min(rounding, min(halfSize.x, min(halfSize.y, halfSize.z)));
@@ -130,7 +130,7 @@ float sdfLink(vec3 p, float halfLength, float majorRadius, float minorRadius)
     return length(vec2(length(vec2(p.x, y)) - majorRadius, p.z)) - minorRadius;
 }
 
-// Exact. Endless, around the y axis.
+// Exact. Infinite cylinder around the y axis.
 float sdfInfiniteCylinder(vec3 p, float radius)
 {
     return length(vec2(p.x, p.z)) - radius;
@@ -142,7 +142,7 @@ float sdfCylinder(vec3 p, float radius, float halfHeight)
     return sdfRectangle(vec2(length(vec2(p.x, p.z)), p.y), vec2(radius, halfHeight));
 }
 
-// Exact. Around the y axis; sizes are of the outside, `rounding` is cut to the smaller of them.
+// Exact. Around the y axis; sizes are those of the outside, `rounding` is clamped to the smaller of them.
 float sdfRoundCylinder(vec3 p, float radius, float halfHeight, float rounding)
 {
     return sdfRoundRectangle(vec2(length(vec2(p.x, p.z)), p.y), vec2(radius, halfHeight), rounding, rounding);
@@ -182,7 +182,7 @@ float sdfCone(vec3 p, float radius, float height)
 }
 
 // Exact. Convex hull of two balls on the y axis: `bottomRadius` at the origin, `topRadius` at `height`.
-// When one ball holds the other it is that ball.
+// If one ball contains the other, it is that ball.
 float sdfRoundCone(vec3 p, float bottomRadius, float topRadius, float height)
 {
     float lean = bottomRadius - topRadius;
@@ -192,16 +192,15 @@ float sdfRoundCone(vec3 p, float bottomRadius, float topRadius, float height)
     float s = lean / height;            // Sine of the angle between the side and the axis.
     float c = sqrt((1.0 - s) * (1.0 + s));
     vec2 q = vec2(length(vec2(p.x, p.z)), p.y);
-    float along = q.y * c - q.x * s;    // How far along the side, from the bottom ball's tangent point.
+    float along = q.y * c - q.x * s;    // Position along the side, from the bottom ball's tangent point.
     if (along < 0.0) return length(q) - bottomRadius;
     if (along > c * height) return length(q - vec2(0.0, height)) - topRadius;
     return q.x * c + q.y * s - bottomRadius;
 }
 
-// Bound when traced from outside, but steep: at an aspect of 7 its slope reaches 15 outside, and inside it has
-// no bound near the center; so it may not be mixed, blended, used for pruning or traced from inside.
-// -(smallest radius) at the center.
-// Quilez 2008, distance to the level of the gradient-scaled implicit form.
+// Bound when traced from outside, but steep: at an aspect of 7 its slope reaches 15 outside, and inside it is unbounded
+// near the center. So it must not be mixed, blended, used for pruning or traced from inside. Returns -(smallest radius)
+// at the center. Quilez 2008, gradient-scaled implicit form.
 float sdfEllipsoid(vec3 p, vec3 radii)
 {
     vec3 r = max(radii, vec3(SDF_SMALLEST));
@@ -212,7 +211,7 @@ float sdfEllipsoid(vec3 p, vec3 radii)
     return level * (level - 1.0) / slope;
 }
 
-// Bound. The ellipsoid that may be mixed, blended and pruned; loose by the aspect ratio.
+// Bound. Ellipsoid that may be mixed, blended and pruned; too small by up to the aspect ratio.
 float sdfEllipsoidBound(vec3 p, vec3 radii)
 {
     vec3 r = max(radii, vec3(SDF_SMALLEST));
@@ -236,7 +235,7 @@ float sdfOctahedron(vec3 p, float radius)
 }
 
 // Exact. Regular hexagon in the xy plane (flat sides up and down, `inradius` from center to side),
-// drawn out along z.
+// extruded along z.
 float sdfHexPrism(vec3 p, float inradius, float halfHeight)
 {
     vec2 fold = vec2(-0.86602540378443865, 0.5);
@@ -248,14 +247,14 @@ float sdfHexPrism(vec3 p, float inradius, float halfHeight)
     return length(max(d, vec2(0.0))) + min(max(d.x, d.y), 0.0);
 }
 
-// Exact. Equilateral triangle in the xy plane, a corner up, drawn out along z.
+// Exact. Equilateral triangle in the xy plane, a corner up, extruded along z.
 float sdfTriangularPrism(vec3 p, float inradius, float halfHeight)
 {
     vec2 d = vec2(sdfTriangleProfile(vec2(p.x, p.y), inradius), abs(p.z) - halfHeight);
     return length(max(d, vec2(0.0))) + min(max(d.x, d.y), 0.0);
 }
 
-// Exact. Ball of `radius` cut by the cone of half angle `halfAngle` (0 to pi) around +y: a scoop.
+// Exact. Intersection of a ball of `radius` with the cone of half angle `halfAngle` (0 to pi) around +y: a scoop.
 float sdfSolidAngle(vec3 p, float halfAngle, float radius)
 {
     vec2 q = vec2(length(vec2(p.x, p.z)), p.y);
@@ -266,7 +265,7 @@ float sdfSolidAngle(vec3 p, float halfAngle, float radius)
     return max(ball, q.x * edge.y > q.y * edge.x ? toSide : -toSide);
 }
 
-// Exact. Ball with everything above y = `height` cut off; |height| is cut to the radius.
+// Exact. Ball with everything above y = `height` cut off; |height| is clamped to the radius.
 float sdfCutSphere(vec3 p, float radius, float height)
 {
     float h = clamp(height, -radius, radius);
@@ -279,8 +278,8 @@ float sdfCutSphere(vec3 p, float radius, float height)
     return q.x <= rim ? face : length(q - vec2(rim, h));
 }
 
-// Unsigned, exact. Sheet: the triangle abc, zero thick. Round it to give it thickness. A triangle without
-// area is its longest edge.
+// Unsigned, exact. The triangle abc without thickness; round it to give it thickness. A triangle without area is its
+// longest edge.
 float sdfTriangle(vec3 p, vec3 a, vec3 b, vec3 c)
 {
     vec3 normal = cross(b - a, c - a);

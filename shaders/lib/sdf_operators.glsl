@@ -1,12 +1,12 @@
-// What may be done to signed distances and to the points they are asked at.
+// Operators on signed distances and on the points at which they are evaluated.
 //
-// "Keeps 1" means: 1-Lipschitz fields in, 1-Lipschitz field out, so that sphere tracing, mixing and
-// pruning stay safe. Exactness is lost by all of them except where stated.
+// "Keeps 1" means: if the input fields are 1-Lipschitz, so is the output, so that sphere tracing, mixing and pruning
+// stay safe. All of them lose exactness except where stated.
 //
 // GLSL 4.50 and C++ (render/glsl/cpu.h).
 
-// A blend wider than a scene would swallow it; a narrower one than the second value has no effect and
-// would divide by numbers that GPUs flush to zero.
+// Limits of a blend's width. A wider one would swallow the scene; a narrower one has no effect and would divide by
+// numbers that GPUs flush to zero.
 const float SDF_WIDEST_BLEND = 1000.0;
 const float SDF_NARROWEST_BLEND = 1.0e-20;
 
@@ -24,29 +24,28 @@ float sdfIntersection(float a, float b)
     return max(a, b);
 }
 
-// a without b. Bound. Where a face of b lies on a face of a, a sheet of distance zero is left behind:
-// see sdfCleanSubtraction.
+// a without b. Bound. If a face of b coincides with a face of a, a sheet of distance zero remains: see
+// sdfCleanSubtraction.
 float sdfSubtraction(float a, float b)
 {
     return max(a, -b);
 }
 
-// a without b grown by `gap`: coinciding faces leave nothing behind (a minus a is nowhere nearer than
-// gap / 2). A gap of twice the hit tolerance or more keeps the sheet out of the picture.
+// a without b grown by `gap`: coinciding faces leave nothing behind (a minus a is nowhere closer than gap / 2). A gap
+// of at least twice the hit tolerance makes the sheet invisible.
 float sdfCleanSubtraction(float a, float b, float gap)
 {
     return max(a, gap - b);
 }
 
-// In one, but not in both.
+// Points in exactly one of the two.
 float sdfXor(float a, float b)
 {
     return max(min(a, b), -max(a, b));
 }
 
-// Union with a fillet that starts where the two distances differ by k meters, and adds at most k / 4.
-// k = 0 (or less) is the hard union, bitwise; k is cut to SDF_WIDEST_BLEND. Quilez 2013, "Smooth
-// minimum", quadratic.
+// Union with a fillet that starts where the two distances differ by k meters, and adds at most k / 4. k = 0 (or less)
+// is the hard union, bitwise; k is clamped to SDF_WIDEST_BLEND. Quilez 2013, "Smooth minimum", quadratic.
 float sdfSmoothUnion(float a, float b, float k)
 {
     if (!(k > SDF_NARROWEST_BLEND)) return min(a, b);
@@ -55,7 +54,7 @@ float sdfSmoothUnion(float a, float b, float k)
     return min(a, b) - h * h * width * 0.25;
 }
 
-// As above, a without b and a with b.
+// The same for a without b, and for a with b.
 float sdfSmoothSubtraction(float a, float b, float k)
 {
     return -sdfSmoothUnion(-a, b, k);
@@ -66,7 +65,7 @@ float sdfSmoothIntersection(float a, float b, float k)
     return -sdfSmoothUnion(-a, -b, k);
 }
 
-// Cubic fillet: curvature is continuous where it begins; adds at most k / 6.
+// Cubic fillet: curvature is continuous at its edge; adds at most k / 6.
 float sdfSmoothUnionCubic(float a, float b, float k)
 {
     if (!(k > SDF_NARROWEST_BLEND)) return min(a, b);
@@ -75,8 +74,8 @@ float sdfSmoothUnionCubic(float a, float b, float k)
     return min(a, b) - h * h * h * width * (1.0 / 6.0);
 }
 
-// -k log2(2^(-a/k) + 2^(-b/k)): the same whatever the order of three or more; adds at most k. Written
-// around the smaller value, because 2^(|a|/k) overflows float32 once |a| / k exceeds 128.
+// -k log2(2^(-a/k) + 2^(-b/k)): independent of the order of three or more operands; adds at most k. Computed relative
+// to the smaller value, because 2^(|a|/k) overflows float32 once |a| / k exceeds 128.
 float sdfSmoothUnionExponential(float a, float b, float k)
 {
     if (!(k > SDF_NARROWEST_BLEND)) return min(a, b);
@@ -84,8 +83,8 @@ float sdfSmoothUnionExponential(float a, float b, float k)
     return min(a, b) - width * log2(1.0 + exp2(max(-abs(a - b) / width, -126.0)));
 }
 
-// Between two fields: exactly a at t = 0 and b at t = 1, bitwise. Outside [0, 1] the result is divided by
-// |1 - t| + |t|, the slope that extrapolation could reach, so that it keeps 1 there as well.
+// Interpolates two fields: exactly a at t = 0 and b at t = 1, bitwise. Outside [0, 1] the result is divided by |1 - t|
+// + |t|, the slope that extrapolation could reach, so that it keeps 1 there as well.
 float sdfMix(float a, float b, float t)
 {
     if (t == 0.0) return a;
@@ -101,27 +100,27 @@ float sdfOnion(float d, float thickness)
     return abs(d) - 0.5 * thickness;
 }
 
-// Grown by `radius`, edges rounded. Exact where d is exact outside.
+// Grows the solid by `radius` with rounded edges. Exact where d is exact outside.
 float sdfRound(float d, float radius)
 {
     return d - radius;
 }
 
-// A field asked at p / scale, scaled back. `scale` > 0; exact stays exact.
+// Scales a field that was evaluated at p / scale. `scale` > 0; exact stays exact.
 float sdfScaled(float d, float scale)
 {
     return d * scale;
 }
 
-// A field asked at p / scale with a different scale per axis: a bound that the smallest one sets.
-// Without this correction the slope is largest / smallest and rays pass through surfaces.
+// The same with a different scale per axis: a bound by the smallest scale. Without this correction the slope is largest
+// / smallest and rays pass through surfaces.
 float sdfScaledBound(float d, vec3 scale)
 {
     vec3 s = abs(scale);
     return d * min(s.x, min(s.y, s.z));
 }
 
-// The solid that a profile in the plane sweeps from -halfHeight to +halfHeight. Exact if the profile is.
+// Extrudes a profile in the plane from -halfHeight to +halfHeight. Exact if the profile is.
 float sdfExtrude(float profile, float z, float halfHeight)
 {
     vec2 d = vec2(profile, abs(z) - halfHeight);
@@ -130,14 +129,15 @@ float sdfExtrude(float profile, float z, float halfHeight)
 
 // ---- Changing the point: keep 1 ------------------------------------------------------------------
 
-// Draws a solid apart along the axes by `halfSize` each way; flat pieces fill the gap. Exact outside for
-// solids that are symmetric about the origin.
+// Stretches a solid along the axes by `halfSize` each way; flat pieces fill the gap. Exact outside for solids that are
+// symmetric about the origin.
 vec3 sdfElongate(vec3 p, vec3 halfSize)
 {
     return p - clamp(p, -halfSize, halfSize);
 }
 
-// The profile's plane for a solid of revolution around y, the profile moved out by `offset`.
+// Maps a point to the plane of the profile of a solid of revolution around y. The profile is moved outwards by
+// `offset`.
 vec2 sdfRevolve(vec3 p, float offset)
 {
     return vec2(length(vec2(p.x, p.z)) - offset, p.y);

@@ -1,4 +1,5 @@
-// What lies beyond the hall: a clear sky by the height of the sun over the grounds, the studio, or the user's panorama.
+// Background outside the hall: a clear sky that depends on the sun's height, with scenery, or the studio, or the user's
+// panorama.
 #include "lib/light.glsl"
 #include "lib/grounds.glsl"
 #include "lib/panorama.glsl"
@@ -16,13 +17,13 @@ float softBox(vec3 d, vec3 center, vec2 size)
     return edge.x * edge.y;
 }
 
-// Where an exhibit stands alone: a gray room with a large key, a rim and a low fill.
+// Background of an exhibit that is shown alone: a gray room with a large key, a rim and a low fill light.
 vec3 studioRadiance(vec3 d)
 {
     vec3 room = mix(vec3(0.10, 0.098, 0.095), vec3(0.62, 0.63, 0.66), smoothstep(-0.6, 0.9, d.y));
     room *= 0.8 + 0.2 * d.z;
 #ifndef CAPTURE
-    return room * 0.55;  // The lamps stay out of the picture.
+    return room * 0.55;  // The lamps are not visible in the picture.
 #endif
     vec3 key = vec3(7.0, 6.6, 6.0) * softBox(d, vec3(0.75, 0.75, 0.6), vec2(0.55, 0.4));
     vec3 rim = vec3(3.6, 4.0, 4.6) * softBox(d, vec3(-0.9, 0.35, -0.5), vec2(0.22, 0.9));
@@ -30,18 +31,18 @@ vec3 studioRadiance(vec3 d)
     return room + key + rim + fill;
 }
 
-// The clear sky without a sun in it.
+// Clear sky without the sun's disk.
 vec3 clearSky(vec3 d)
 {
     float up = max(d.y, 0.0);
     float haze = exp2(-4.0 * up);
     vec3 sky = mix(light.skyZenith, light.skyHorizon, haze);
-    // Low over the place where the sun stands or has set, the air glows.
+    // The air glows at the horizon above the sun's position, also after sunset.
     vec2 level = safeNormalize(vec3(d.x, 0.0, d.z), vec3(0.0, 0.0, -1.0)).xz;
     vec2 sunLevel = safeNormalize(vec3(light.sunDirection.x, 0.0, light.sunDirection.z), vec3(0.0, 0.0, -1.0)).xz;
     float beside = 0.5 + 0.5 * dot(level, sunLevel);
     sky += light.skySunward * (beside * beside * exp2(-9.0 * up));
-    // Thin cloud in streaks, so that a window shows weather and not paper. They take the sun's color where it is low.
+    // Thin streaks of cloud, so that the window does not look like paper. A low sun colors them.
     vec2 high = d.xz / (up + 0.12) * 1.7;
     float streaks = 0.5 + 0.5 * sin(high.x * 1.3 + 1.7 * sin(high.y * 0.7) + 0.6 * sin(high.x * 3.1 - high.y * 1.9));
     return sky * mix(0.72, 1.0, streaks) + light.skySunward * (0.35 * (1.0 - streaks) * beside * exp2(-3.0 * up));
@@ -52,7 +53,8 @@ vec3 clearSky(vec3 d)
 #endif
 
 #ifndef CAPTURE
-const float SKY_PANE = 0.4;  // To the eye, the panes of a tall old window dim the sky; what lights the room is not dimmed.
+// Transmittance of the panes of a tall old window, for the view only; light that enters the room is not dimmed.
+const float SKY_PANE = 0.4;
 #else
 const float SKY_PANE = 1.0;
 #endif
@@ -66,7 +68,7 @@ vec3 skyThroughPanes(vec3 d)
 }
 #endif
 
-// From `direction`, for a pixel that is `angle` radians wide.
+// Radiance from `direction`, for a pixel that is `angle` radians wide.
 vec3 skyRadiance(vec3 direction, float angle)
 {
     vec3 d = normalize(direction);
@@ -79,7 +81,7 @@ vec3 skyRadiance(vec3 direction, float angle)
 #endif
 }
 
-// The same where what is seen is blurred by far more than a tree is wide.
+// The same for views that are blurred by far more than a tree's width.
 vec3 blurredSkyRadiance(vec3 direction, float angle)
 {
 #if BACKGROUND == BACKGROUND_SKY

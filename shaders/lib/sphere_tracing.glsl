@@ -15,10 +15,10 @@
 // In C++: `Tracer` in render/glsl/cpu.h. `direction` has unit length everywhere, in the field's space. pixelCone =
 // tan(fovY / 2) / height in pixels: half a pixel's width at distance 1.
 //
-// fieldDistance must be 1-Lipschitz (lib/sdf.glsl says which are); a steeper one is divided by its constant first.
-// Where that makes it rough, FIELD_LEVEL names a smooth function with the same zeros and signs, of which normals and
-// occlusion are taken, and FIELD_CLEARANCE(d) its value where fieldDistance gave d last, by which soft shadows are
-// estimated. Every `evaluations` counts calls of fieldDistance, exactly.
+// fieldDistance must be 1-Lipschitz (lib/sdf.glsl says which functions are); a steeper one must be divided by its
+// Lipschitz constant first. If that makes it rough, define FIELD_LEVEL, a smooth function with the same zeros and
+// signs, for normals and occlusion. Also define FIELD_CLEARANCE(d), its value at the point of fieldDistance's last
+// result d, for the estimate of soft shadows. Every `evaluations` counts calls of fieldDistance, exactly.
 //
 // GLSL 4.50 and C++: no swizzles beyond one component, no `inout`, literals with a point.
 
@@ -43,9 +43,9 @@ const int NORMAL_CENTRAL = 2;
 
 // ---- Bounds --------------------------------------------------------------------------------------
 
-// Where a ray is inside a box: (entry, exit), entry >= 0; entry > exit when it never is. An origin inside
-// starts at 0, so it makes no difference whether the camera, or the near plane, is inside the box.
-// Kay and Kajiya 1986, slabs; a direction parallel to a slab is kept from 0 * inf = NaN.
+// Interval of a ray inside a box: (entry, exit), entry >= 0; entry > exit if it misses the box. The interval starts at
+// 0 for an origin inside, so that the camera or the near plane may be inside the box. Kay and Kajiya 1986, slabs; a
+// direction parallel to a slab avoids 0 * inf = NaN.
 vec2 rayBox(vec3 origin, vec3 direction, vec3 low, vec3 high)
 {
     vec3 inverse = vec3(1.0e20, 1.0e20, 1.0e20);
@@ -66,21 +66,22 @@ struct MarchSettings {
     float tMax;
     float pixelCone;       // Half a pixel's width at distance 1.
     float traveled;       // Length of the path before this ray: 0 from the eye, more after reflections.
-    float tolerance;       // In half pixels: a point this near the surface is on it.
-    float toleranceFloor;  // Meters; the least tolerance. Above the rounding of positions in the scene.
+    float tolerance;       // Hit tolerance, in half pixels.
+    // Meters; minimum of the tolerance. Must exceed the rounding error of positions in the scene.
+    float toleranceFloor;
     int stepLimit;
     int relaxation;        // RELAXATION_...
     float omega;           // RELAXATION_FIXED: steps are this many distances long, 1 to 2.
-    float side;            // 1 outside the solid, -1 inside it (refraction), 0: as the start finds itself.
+    float side;            // 1 outside the solid, -1 inside it (refraction), 0: determined at the start.
 };
 
 struct March {
     bool hit;
     float t;          // Meters along the ray; where it ended if it did not hit.
-    float distance;   // Of the field there; negative inside the solid.
-    float side;       // -1 if the ray traveled inside the solid: the normal then faces away from it.
+    float distance;   // Value of the field there; negative inside the solid.
+    float side;       // -1 if the ray traveled inside the solid: the outward normal then points away from the viewer.
     int steps;        // Points accepted.
-    int evaluations;  // Points asked: more than steps where relaxed steps had to be taken back.
+    int evaluations;  // Points evaluated: more than `steps` if relaxed steps had to be taken back.
     bool exhausted;   // The step limit ended the ray; a hit is then the best candidate.
 };
 
@@ -100,14 +101,14 @@ MarchSettings marchSettings(float tMin, float tMax, float pixelCone)
     return s;
 }
 
-// What counts as "on the surface" at t: half a pixel, seen from the eye. An absolute tolerance is finer
-// than float32 far away, where thin wires would be missed, and wasteful everywhere else.
+// Hit tolerance at t: half a pixel, as seen from the eye. An absolute tolerance would be finer than float32 far away,
+// so that thin wires are missed, and wasteful everywhere else.
 float hitTolerance(float t, MarchSettings s)
 {
     return max(s.pixelCone * (t + s.traveled) * s.tolerance, s.toleranceFloor);
 }
 
-// The next step from a point at distance `radius`, given the slope of the distance along the ray.
+// Length of the next step from a point at distance `radius`, given the slope of the distance along the ray.
 //
 // RELAXATION_AUTOMATIC steps to where the unbounding sphere beyond would just touch this one if the slope
 // stayed: 2 r / (1 - slope). Valasek and Balint 2023, "Automatic Step Size Relaxation in Sphere Tracing".
@@ -118,17 +119,17 @@ float relaxedStep(float radius, float slope, MarchSettings s)
     return radius;
 }
 
-// The first surface along the ray. Hart 1996, "Sphere Tracing"; relaxed steps are taken back when the
-// unbounding spheres at their ends do not touch (Keinert et al. 2014, "Enhanced Sphere Tracing"), so that
-// no surface is ever stepped over.
+// Finds the first surface along the ray. Hart 1996, "Sphere Tracing". Relaxed steps are taken back if the unbounding
+// spheres at their ends do not touch (Keinert et al. 2014, "Enhanced Sphere Tracing"), so that no surface is ever
+// stepped over.
 //
-// Departures. A ray that starts at its origin (tMin = 0) on the surface, within the tolerance, first leaves
-// it: it cannot hit until it has been off it once, or is deeper inside than the tolerance. If its origin is
-// inside the solid it travels to the exit. A ray that starts later (tMin > 0, at the face of a box) inside
-// the solid hits there: a box that is too small shows a cut.
-// A ray out of steps hits when its closest approach so far, as seen from the eye, was within a pixel,
-// or when it was still closing in and the field, asked once more, says that it would have arrived: grazing views get no
-// holes.
+// Special starts. A ray that starts at its origin (tMin = 0) on the surface, within the tolerance, first leaves it: it
+// cannot hit before it has left the surface, or is deeper inside than the tolerance. If its origin is inside the solid,
+// it travels to the exit. A ray that starts later (tMin > 0, at the face of a box) inside the solid hits there: a box
+// that is too small shows a cut.
+// A ray that reaches the step limit still hits in two cases: if its closest approach was within a pixel, as seen from
+// the eye, or if it was still approaching and one more evaluation of the field confirms that it would have arrived. So
+// grazing views have no holes.
 March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
 {
     March march;
@@ -142,16 +143,17 @@ March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
     if (!(s.tMin <= s.tMax)) return march;
 
     float radius = 0.0;      // Distance at march.t, positive on the side we travel.
-    float stepLength = 0.0;  // On trial, from march.t.
+    float stepLength = 0.0;  // Step on trial, from march.t.
     float slope = -1.0;
-    bool free = s.tMin > 0.0;  // Off the surface that the ray started on.
+    bool free = s.tMin > 0.0;  // The ray has left the surface that it started on.
     float candidateCone = 1.0e30;
     float candidateT = s.tMin;
     float candidateDistance = 0.0;
     float pixel = s.pixelCone * s.tolerance;
 
     for (int i = 0; i <= s.stepLimit; ++i) {
-        // The field is asked at one place of the program: a SIMD processor without branches would pay for another one.
+        // The field is evaluated at one place of the code: a SIMD processor without branches would pay for a second
+        // one.
         bool outOfSteps = i == s.stepLimit;
         if (outOfSteps) {
             march.exhausted = true;
@@ -176,7 +178,7 @@ March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
         float d = march.side * value;
 
         if (free && stepLength > radius && (d < 0.0 || stepLength > radius + d)) {
-            stepLength = radius;  // Too long: something may lie between the spheres.
+            stepLength = radius;  // Too long: the spheres do not touch, so a surface may lie between them.
             slope = -1.0;
             continue;
         }
@@ -228,20 +230,20 @@ March sphereTrace(vec3 origin, vec3 direction, MarchSettings s)
 
 struct ConeMarch {
     bool empty;       // No ray of the cone meets the field before tMax.
-    float t;          // Else: no ray of the cone meets it before t.
+    float t;          // Otherwise: no ray of the cone meets it before t.
     int evaluations;
 };
 
-// How far the directions of a bundle lie from its axis: the largest of these over the bundle's corners is
-// the `chord` of coneMarch. Samples anywhere inside the pixels are covered when the corners are those of
-// the block of pixels, not the centers of its outer pixels.
+// Distance of a direction from a bundle's axis; the largest one over the bundle's corners is the `chord` of coneMarch.
+// Use the corners of the block of pixels, not the centers of its outer pixels, to cover samples anywhere inside the
+// pixels.
 float coneChord(vec3 axis, vec3 direction)
 {
     return length(direction - axis);
 }
 
-// Where the rays of a bundle may start, from a march along its axis: at every t they are within chord * t
-// of it. One such march for a block of 8 x 8 pixels saves each of them all the steps through free space.
+// Returns where the rays of a bundle may start, by a march along its axis; at every t they are within chord * t of it.
+// One such march for a block of 8 x 8 pixels saves each of them all the steps through free space.
 //
 // The ball of the field's radius f at t frees all rays of the bundle from (t - f) / (1 - chord) to
 // (t + f) / (1 + chord); relaxed steps must keep these spans touching. `s` as for the rays, tMin and tMax
@@ -256,8 +258,8 @@ ConeMarch coneMarch(vec3 origin, vec3 axis, float chord, MarchSettings s)
         cone.empty = true;
         return cone;
     }
-    float freeTo = s.tMin;   // Rays are free up to here.
-    float t = s.tMin;        // Where the last accepted ball is.
+    float freeTo = s.tMin;   // Rays are free of surfaces up to here.
+    float t = s.tMin;        // Position of the last accepted ball.
     float radius = 0.0;
     float slope = -1.0;
     float next = s.tMin;
@@ -280,14 +282,14 @@ ConeMarch coneMarch(vec3 origin, vec3 axis, float chord, MarchSettings s)
             cone.empty = true;
             return cone;
         }
-        // The ball hardly clears the bundle any more: the rays go on alone, and faster.
+        // The ball is hardly larger than the bundle: single rays are faster from here on.
         if (f < 1.5 * chord * t || !(gain > 0.0)) return cone;
         next = max(freeTo, min(t + relaxedStep(radius - chord * t, slope, s), s.tMax));
     }
     return cone;
 }
 
-// Where a bundle may be inside a box: as rayBox, for all its rays at once.
+// Interval of a bundle inside a box: as rayBox, for all its rays at once.
 vec2 coneBox(vec3 origin, vec3 axis, float chord, vec3 low, vec3 high)
 {
     vec3 farthest = max(abs(low - origin), abs(high - origin));
@@ -297,17 +299,17 @@ vec2 coneBox(vec3 origin, vec3 axis, float chord, vec3 low, vec3 high)
 
 // ---- Normals -------------------------------------------------------------------------------------
 
-// The step for differences at distance t: a quarter of the hit tolerance's scale, never below `3e-4` of
-// a meter-sized object, under which float32 cancellation outweighs the truncation it saves.
+// Step of the differences at distance t: a quarter of the hit tolerance's scale, but at least `3e-4` of a meter-sized
+// object. Below that, float32 cancellation outweighs the smaller truncation error.
 float normalStep(float t, MarchSettings s)
 {
     return max(3.0e-4, 0.25 * s.pixelCone * (t + s.traveled));
 }
 
-// Unit vector up the field, or `fallback` (minus the ray's direction) where the field has no slope: on the
-// ridge between two parts, where differences cancel, and inside a step that is wider than the solid.
-// Costs 4, 4 and 6 evaluations. Central differences are the default: only their error falls with the square
-// of the step, and within a step of a crease, where all methods lean over it, they lean least.
+// Unit gradient of the field, or `fallback` (minus the ray's direction) if the field has no slope: on the ridge between
+// two parts, where differences cancel, and if the step is wider than the solid. Costs 4, 4 and 6 evaluations. Central
+// differences are the default: only their error is of second order in the step. Near a crease, where all methods blur
+// the normal, they blur it least.
 vec3 fieldNormal(vec3 p, float h, int method, vec3 fallback)
 {
     vec3 gradient = vec3(0.0);
@@ -334,16 +336,16 @@ vec3 fieldNormal(vec3 p, float h, int method, vec3 fallback)
 // ---- Shadows -------------------------------------------------------------------------------------
 
 struct Shadow {
-    float visibility;  // Of the light: 0 hidden, 1 all of it.
+    float visibility;  // Visible share of the light: 0 hidden, 1 fully visible.
     int evaluations;
 };
 
-// All shadow functions: `p` on the surface and not behind the light (test n.l > 0 first: a ray towards a
-// light behind the surface costs steps and gives acne), `tMin` > 0 off the surface, `tMax` to the light or
-// the end of the field. `tanRadius` is the tangent of the light's half angle as seen from p.
-// tMin is kept above 1e-5, since the soft methods divide by the distance traveled.
+// Arguments of all shadow functions: `p` is on the surface, and the light is in front of it. Test n.l > 0 first: a ray
+// towards a light behind the surface costs steps and causes shadow acne. `tMin` > 0 is off the surface, `tMax` at the
+// light or the end of the field. `tanRadius` is the tangent of the light's half angle as seen from p. tMin is at least
+// 1e-5, because the soft methods divide by the distance traveled.
 
-// A light without extent.
+// Shadow of a point light.
 Shadow shadowHard(vec3 p, vec3 toLight, float tMin, float tMax, int stepLimit)
 {
     Shadow shadow;
@@ -362,8 +364,8 @@ Shadow shadowHard(vec3 p, vec3 toLight, float tMin, float tMax, int stepLimit)
     return shadow;
 }
 
-// The smallest angle by which the ray clears the solid. Quilez 2010, "Soft shadows in raymarched SDFs".
-// Softens only outward of the hard edge, so the light seems larger and brighter than it is.
+// Soft shadow by the smallest angle between the ray and the solid. Quilez 2010, "Soft shadows in raymarched SDFs". The
+// penumbra lies only outside the hard edge, so the light seems larger and brighter than it is.
 Shadow shadowClassic(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMax, int stepLimit)
 {
     Shadow shadow;
@@ -411,12 +413,12 @@ Shadow shadowAaltonen(vec3 p, vec3 toLight, float tanRadius, float tMin, float t
     return shadow;
 }
 
-// Default. The ray goes on through the solid as deep as the light is wide: the signed clearance in light
-// radii, -1 to 1, is how far the solid's edge has moved across the light's disk. Umbra and penumbra lie
-// where a real disk puts them. Form with inner penumbra: Quilez, "Soft shadows", after Bandi's signed
-// variant; here without the upper limit on steps that is usually copied along with it and triples the cost.
-// Limit: the clearance inside a part ends at half its thickness, so a sheet thinner than the light's disk
-// lets up to half of the light through. shadowArea does not.
+// Default. The ray continues through the solid as deep as the light is wide. The signed clearance in light radii, -1 to
+// 1, says how far the solid's edge has moved across the light's disk. Umbra and penumbra are where a real disk has
+// them. Form with inner penumbra: Quilez, "Soft shadows", after Bandi's signed variant; without the usual upper limit
+// on steps, which triples the cost.
+// Limit: the clearance inside a part ends at half its thickness, so a sheet thinner than the light's disk lets up to
+// half of the light through. shadowArea does not have this error.
 Shadow shadowSigned(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMax, int stepLimit)
 {
     Shadow shadow;
@@ -429,14 +431,14 @@ Shadow shadowSigned(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMa
         shadow.evaluations = i + 1;
         clearance = min(clearance, FIELD_CLEARANCE(d) / (width * t));
         if (clearance < -1.0) break;
-        t += max(abs(d), 0.25 * width * t + 1.0e-3);  // Through the band where d is about 0.
+        t += max(abs(d), 0.25 * width * t + 1.0e-3);  // Steps through the band where d is about 0.
     }
     shadow.visibility = smoothStep(-1.0, 1.0, clearance);
     return shadow;
 }
 
-// Accurate: `rayCount` hard rays over the light's disk in Vogel's sunflower pattern, turned by `rotation`
-// (radians; a different one per pixel, from lib/hash.glsl, trades banding for noise).
+// Accurate: `rayCount` hard rays over the light's disk in Vogel's sunflower pattern, rotated by `rotation` (radians; a
+// different one per pixel, from lib/hash.glsl, replaces banding by noise).
 Shadow shadowArea(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMax, int stepLimit, int rayCount,
                   float rotation)
 {
@@ -465,10 +467,9 @@ Shadow shadowArea(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMax,
 
 // ---- Ambient occlusion ---------------------------------------------------------------------------
 
-// How much of the sky above the normal is open, 0 to 1, from five samples up the normal within `radius`
-// meters (exactly 1 for a radius of 0). 5 evaluations.
-// After Evans 2006, "Fast Approximations for Global Illumination on Dynamic Scenes"; samples at
-// radius k^2 / 25 with weights 1 / k, which halves the error of the usual constants.
+// Unoccluded share of the sky above the normal, 0 to 1, from five samples along the normal within `radius` meters
+// (exactly 1 for a radius of 0). 5 evaluations. After Evans 2006, "Fast Approximations for Global Illumination on
+// Dynamic Scenes"; samples at radius k^2 / 25 with weights 1 / k, which halves the error of the usual constants.
 float fieldOcclusion(vec3 p, vec3 normal, float radius)
 {
     if (!(radius > 0.0)) return 1.0;

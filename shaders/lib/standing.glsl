@@ -1,58 +1,57 @@
-// Things that stand on a polished floor at y = 0, and the window before it: how much they are of what it mirrors.
-// GLSL 4.50 and C++ (render/glsl/cpu.h).
+// Reflections in a polished floor at y = 0: the share of the reflected lobe that objects on the floor, and the window,
+// take up. GLSL 4.50 and C++ (render/glsl/cpu.h).
 #ifndef __cplusplus
 #include "lib/bindings.glsl"
 #include "lib/numerics.glsl"
 #include "lib/standing_block.glsl"
 #endif
 
-// Share of a mirrored lobe on the near side of a straight edge. `inside`: how far the middle of the lobe is on that
-// side; `width`: alpha of the microfacets as the lobe has spread it there. In slopes, the GGX distribution over one
+// Share of a reflected lobe on the near side of a straight edge. `inside`: distance of the lobe's center from the edge
+// on that side. `width`: microfacet alpha times the spread of the lobe there. In slopes, the GGX distribution over one
 // direction is (1 + (m / alpha)^2)^(-3/2), up to a factor (Walter et al. 2007, "Microfacet Models for Refraction
-// through Rough Surfaces", integrated over the other): its integral is closed.
+// through Rough Surfaces", integrated over the other direction). Its integral has this closed form.
 float lobeShare(float inside, float width)
 {
     float w = max(width, 1.0e-5);
     return 0.5 + 0.5 * inside * inversesqrt(inside * inside + w * w);
 }
 
-// Azimuth of a direction (x, z), 0 to 1 all round, by the sum of the components in place of their length: cheap, and as
-// good for telling one from another.
+// Azimuth of a direction (x, z), 0 to 1 for a full turn. Uses the sum of the components instead of their length, which
+// is cheaper and still monotonic.
 float azimuthTurn(vec2 direction)
 {
     float p = direction.y / max(abs(direction.x) + abs(direction.y), 1.0e-12);
     return 0.25 * (1.0 + (direction.x >= 0.0 ? p : 2.0 - p));
 }
 
-// The lobe of a floor at y = 0: where it is mirrored, and how wide.
+// Reflected lobe of a floor at y = 0: position, direction and width.
 struct MirrorLobe {
-    vec2 place;   // x and z, meters
-    vec2 ahead;   // of the mirrored ray in x and z, unit
+    vec2 place;   // reflecting point: x and z, meters
+    vec2 ahead;   // direction of the reflected ray in x and z, unit
     float rise;   // meters that it rises for each meter ahead
-    float slope;  // twice the microfacets' alpha: a facet that leans turns the ray twice as far
+    float slope;  // twice the microfacets' alpha: a tilted facet turns the ray by twice its angle
 };
 
-// What the lobe meets of a shape.
+// Part of the lobe that a shape takes up.
 struct MirroredShape {
-    float share;   // of the lobe, 0 to 1
-    float ahead;   // meters from the place to it, on the floor
-    vec2 outwards; // of its side there, x and z, unit
+    float share;   // share of the lobe, 0 to 1
+    float ahead;   // distance from the place to the shape along the floor, meters
+    vec2 outwards; // outward normal of its side there, x and z, unit
 };
 
-// Half the lobe's width to the sides where it has risen to `height`, meters: a facet that leans to the side turns a
-// grazing ray less.
+// Half the lobe's width to the sides at `height`, meters. A facet that tilts sideways turns a grazing ray less.
 float lobeWidthAside(MirrorLobe lobe, float height)
 {
     return lobe.slope * max(height, 0.0) + 2.0e-3;
 }
 
-// The same upwards, as difference of the tangent.
+// Half the lobe's width upwards, as a difference of the tangent.
 float lobeWidthUp(MirrorLobe lobe)
 {
     return lobe.slope * (1.0 + lobe.rise * lobe.rise);
 }
 
-// Sides and top of a shape are edges of the lobe, each taken alone.
+// Sides and top of a shape are treated as independent straight edges.
 MirroredShape mirroredShape(StandingShape shape, MirrorLobe lobe)
 {
     MirroredShape found;
@@ -71,7 +70,7 @@ MirroredShape mirroredShape(StandingShape shape, MirrorLobe lobe)
         vec2 leaves = to + half2;
         nearest = max(enters.x, enters.y);
         farthest = min(leaves.x, leaves.y);
-        // A ray that misses passes the corner between the two.
+        // A ray that misses passes the corner between the two sides.
         if (nearest > farthest) nearest = farthest = 0.5 * (nearest + farthest);
         halfWidth = shape.halfSize.x * abs(direction.y) + shape.halfSize.y * abs(direction.x);
         found.outwards = enters.x > enters.y ? shape.axis * -sign(direction.x) : across * -sign(direction.y);
@@ -101,14 +100,14 @@ MirroredShape mirroredShape(StandingShape shape, MirrorLobe lobe)
     return found;
 }
 
-// What the lobe meets of a window.
+// Part of the lobe that a window takes up.
 struct MirroredWindow {
-    float share;   // of the lobe that meets its panes, bars left out, 0 to 1
-    vec2 place;    // the middle of the lobe in the plane of the panes: x and y, meters
-    vec2 width;    // half of it there
+    float share;   // share of the lobe that meets its panes, without bars, 0 to 1
+    vec2 place;    // center of the lobe in the plane of the panes: x and y, meters
+    vec2 width;    // half the lobe's width there
 };
 
-// `window`, `windowZ`: as FloorMirrorBlock has them.
+// `window` and `windowZ` are those of FloorMirrorBlock.
 MirroredWindow mirroredWindow(vec4 window, vec2 windowZ, MirrorLobe lobe)
 {
     MirroredWindow found;
@@ -119,11 +118,11 @@ MirroredWindow mirroredWindow(vec4 window, vec2 windowZ, MirrorLobe lobe)
     if (!(window.x < window.y) || lobe.ahead.y >= -0.02 || toPanes <= 0.0) return found;
     float x = lobe.place.x + lobe.ahead.x * toPanes;
     float y = lobe.rise * toPanes;
-    // The panes are seen at an angle from the side, and from the front however high they are.
+    // The panes are seen at an angle sideways; vertically they are seen from the front at any height.
     found.place = vec2(x, y);
     found.width = vec2(lobeWidthAside(lobe, y) / -lobe.ahead.y, lobeWidthUp(lobe) * toPanes);
 
-    // The reveal widens into the room; but the sill, seen from the floor, hides the feet of the panes.
+    // The reveal widens into the room; but seen from the floor, the sill hides the lowest part of the panes.
     float sill = window.z * (windowZ.y - lobe.place.y) / min(windowZ.x - lobe.place.y, -1.0e-3);
     float radius = 0.5 * (window.y - window.x);
     float above = clamp(y - (window.w - radius), 0.0, radius);
@@ -134,21 +133,21 @@ MirroredWindow mirroredWindow(vec4 window, vec2 windowZ, MirrorLobe lobe)
     return found;
 }
 
-// Share of a lobe that meets a bar: `bar` has its middle and half its width along one axis, on which the lobe's middle
-// is at `place`.
+// Share of a lobe that meets a bar. `bar` has its center and half width along one axis; `place` is the lobe's center on
+// that axis.
 float mirroredBar(vec2 bar, float place, float width)
 {
     return lobeShare(bar.x + bar.y - place, width) - lobeShare(bar.x - bar.y - place, width);
 }
 
-// Share of the lobe that leaves through a round opening above: its center, and its radius.
+// Share of the lobe that leaves through a round opening above. `oculus`: its center, and its radius.
 float mirroredOculus(vec4 oculus, MirrorLobe lobe)
 {
     if (oculus.w <= 0.0 || lobe.rise < 0.2) return 0.0;
     float ahead = oculus.y / lobe.rise;
     vec2 offset = lobe.place + lobe.ahead * ahead - vec2(oculus.x, oculus.z);
     float distance = max(length(offset), 1.0e-4);
-    // As wide as the lobe is towards the nearest point of the edge.
+    // Width of the lobe towards the nearest point of the edge.
     float along = dot(offset, lobe.ahead) / distance;
     float aside = (lobe.ahead.x * offset.y - lobe.ahead.y * offset.x) / distance;
     float widthAlong = lobeWidthUp(lobe) * ahead / lobe.rise;

@@ -1,5 +1,5 @@
-// Physically based surface: diffuse and a GGX highlight, lit by sun, baked or probed ambient light, and the
-// probe. Burley 2012 for the roughness scale, Heitz 2014 for the masking term, Schlick 1994 for Fresnel.
+// Physically based surface: diffuse and a GGX highlight, lit by the sun, by baked or probed ambient light, and by the
+// reflection probe. Burley 2012 for the roughness scale, Heitz 2014 for the masking term, Schlick 1994 for Fresnel.
 #include "lib/light.glsl"
 
 struct Surface {
@@ -10,7 +10,7 @@ struct Surface {
     float roughness; // perceptual
     float specular;  // 0.5 is 4 % reflectance at normal incidence
     vec3 ambient;    // irradiance over pi, occlusion included
-    float occlusion; // for reflections, 0 to 1
+    float occlusion; // occlusion of reflections, 0 to 1
 };
 
 vec3 surfaceF0(Surface s)
@@ -31,15 +31,17 @@ vec2 environmentBrdf(float roughness, float cosNV)
 {
     vec4 r = roughness * vec4(-1.0, -0.0275, -0.572, 0.022) + vec4(1.0, 0.0425, 1.04, -0.04);
     float a = min(r.x * r.x, exp2(-9.28 * cosNV)) * r.x + r.y;
-    return max(vec2(-1.04, 1.04) * a + r.zw, vec2(0.0));  // The fit falls to -0.0003 where rough surfaces graze.
+    // The fit falls to -0.0003 for rough surfaces at grazing angles.
+    return max(vec2(-1.04, 1.04) * a + r.zw, vec2(0.0));
 }
 
-// Radiance reflected towards `toEye` of light from the direction `l`, whose irradiance on what faces it is given.
+// Radiance reflected towards `toEye`, for light from direction `l` with this irradiance on a plane that faces it.
 vec3 lightReflected(Surface s, vec3 toEye, vec3 l, vec3 irradiance)
 {
     float cosL = dot(s.normal, l);
     if (cosL <= 0.0) return vec3(0.0);
-    vec3 h = safeNormalize(l + toEye, s.normal);  // Looking into the light through a surface, it is zero.
+    // The half vector is zero if the view direction is opposite to the light.
+    vec3 h = safeNormalize(l + toEye, s.normal);
     float cosV = max(dot(s.normal, toEye), 1e-3);
     float cosH = clamp(dot(s.normal, h), 0.0, 1.0);
     float a = max(s.roughness * s.roughness, 0.003);
@@ -48,11 +50,11 @@ vec3 lightReflected(Surface s, vec3 toEye, vec3 l, vec3 irradiance)
     float v = 0.5 / (cosL * sqrt(cosV * cosV * (1.0 - a2) + a2) + cosV * sqrt(cosL * cosL * (1.0 - a2) + a2));
     vec3 f = fresnelSchlick(surfaceF0(s), clamp(dot(toEye, h), 0.0, 1.0));
     vec3 diffuse = s.baseColor * (1.0 - s.metalness) * (1.0 - f) / PI;
-    // The peak of a near-mirror is bounded: an unbounded sample cannot be averaged away.
+    // The peak of a near-mirror is limited, because averaging cannot remove an unbounded sample.
     return (diffuse + min(f * (d * v), vec3(64.0))) * irradiance * cosL;
 }
 
-// The same of the sun's light.
+// The same for the sun's light.
 vec3 sunReflected(Surface s, vec3 toEye, float visibility)
 {
     if (visibility <= 0.0) return vec3(0.0);
@@ -62,19 +64,19 @@ vec3 sunReflected(Surface s, vec3 toEye, float visibility)
 #ifdef LOCAL_LIGHTS
 #include "lib/local_lights.glsl"
 
-// The same of one lamp. A sphere gleams as its middle would.
+// The same for one lamp. The highlight of a sphere is that of its center.
 vec3 localLightReflected(Surface s, vec3 toEye, LocalLightEntry lamp)
 {
     vec3 irradiance = localLit(lamp, s.position, s.normal);
     vec3 l = safeNormalize(lamp.position - s.position, s.normal);
     float cosL = dot(s.normal, l);
-    // Of a sphere whose middle is below the horizon, a part may be seen.
+    // A part of a sphere may be visible although its center is below the horizon.
     return cosL > 1e-3 ? lightReflected(s, toEye, l, irradiance / cosL)
                        : s.baseColor * (1.0 - s.metalness) / PI * irradiance;
 }
 
-// Of all lamps. Most places are out of the reach of most: the inner loop passes over these, for software renderers leave
-// a loop as soon as no pixel is in it, but run what a branch leaves out.
+// The same for all lamps. Most places are out of reach of most lamps. The inner loop skips these: software renderers
+// leave a loop when no pixel needs it, but execute skipped branches.
 vec3 localLightsReflected(Surface s, vec3 toEye)
 {
     int count = min(localLights.count, MOST_LOCAL_LIGHTS);
@@ -90,7 +92,7 @@ vec3 localLightsReflected(Surface s, vec3 toEye)
 }
 #endif
 
-// Radiance towards the eye without the mirror part.
+// Radiance towards the eye without the reflection.
 vec3 shadeWithoutReflection(Surface s, vec3 toEye, float visibility)
 {
     float cosV = clamp(dot(s.normal, toEye), 0.0, 1.0);
@@ -104,7 +106,7 @@ vec3 shadeWithoutReflection(Surface s, vec3 toEye, float visibility)
     return color;
 }
 
-// What the environment's mirror image is multiplied with.
+// Factor for the reflected radiance of the environment.
 vec3 reflectance(Surface s, vec3 toEye)
 {
     float cosV = clamp(dot(s.normal, toEye), 0.0, 1.0);

@@ -1,5 +1,5 @@
-// What a pass may know of the frames before: for passes that read history images or the results of work over several
-// frames, or that do such work. Filled by the renderer.
+// State of earlier frames, for passes that read history images or outputs of sliced passes, and for sliced passes
+// themselves. Filled by the renderer.
 #include "lib/bindings.glsl"
 #include "lib/temporal_block.glsl"
 
@@ -7,13 +7,13 @@ layout(std140, binding = BLOCK_TEMPORAL) uniform Temporal {
     TemporalBlock temporal;
 };
 
-// Whether history images, and results of work over several frames, hold something that can be used.
+// Returns whether history images, and outputs of sliced passes, have usable content.
 bool temporalIsValid()
 {
     return temporal.isValid;
 }
 
-// Which part of the work this frame does, 0 to temporalParts() - 1.
+// Slice of the pass that this frame draws, 0 to temporalParts() - 1.
 int temporalPart()
 {
     return temporal.part;
@@ -24,8 +24,8 @@ int temporalParts()
     return temporal.parts;
 }
 
-// Where a point of the world was in the history image, as texture coordinates; outside 0 to 1 it was not in view.
-// Points behind the eye come out as (-1, -1).
+// Texture coordinates of a world point in the history image; outside 0 to 1 it was not in view. Points behind the eye
+// give (-1, -1).
 vec2 temporalCoordinate(vec3 worldPosition)
 {
     vec4 clip = temporal.previousClipFromWorld * vec4(worldPosition, 1.0);

@@ -1,4 +1,4 @@
-// Scene-linear radiance to display-referred linear light. Alpha (coverage) is premultiplied in both.
+// Maps scene-linear radiance to display-referred linear light. Alpha (coverage) is premultiplied in both.
 #include "lib/light.glsl"
 #include "lib/tonemap.glsl"
 

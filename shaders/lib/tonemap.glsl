@@ -1,14 +1,14 @@
-// Scene light to display light: a filmic curve that keeps hue. Colors are first drawn a little
-// towards each other (so that a saturated bright color pales instead of clipping), each channel follows a
-// sigmoid in log exposure, and the drawing-together is undone: the idea of AgX (Sobotka 2022) with a
-// Naka-Rushton sigmoid (1966). Its log exposure is bent at both ends: a long shoulder leaves the sunlit floor,
-// which has a hundred times the light of walls in the shade, its stone, and a toe keeps shadows deep.
+// Tone mapping: a filmic curve that keeps hue. Colors are first mixed a little with their other channels, so that a
+// saturated bright color becomes paler instead of clipping. Each channel then follows a sigmoid in log exposure, and
+// the mixing is undone: the idea of AgX (Sobotka 2022) with a Naka-Rushton sigmoid (1966). The log exposure is bent at
+// both ends. A long shoulder keeps detail in the sunlit floor, which is a hundred times brighter than walls in the
+// shade; a toe keeps shadows deep.
 
-const float TONEMAP_INSET = 0.10;      // share of the neighbors mixed into each channel
+const float TONEMAP_INSET = 0.10;      // share of the other channels mixed into each channel
 const float TONEMAP_GRAY = 0.18;       // maps to itself
 const float TONEMAP_CONTRAST = 1.25;   // slope of the sigmoid in log-log at middle gray
-const float TONEMAP_SHOULDER = 0.36;   // share of that slope that is left far above middle gray
-const float TONEMAP_TOE = 0.08;        // half of what the slope gains for each factor of e below it
+const float TONEMAP_SHOULDER = 0.36;   // share of that slope that remains far above middle gray
+const float TONEMAP_TOE = 0.08;        // half the increase of the slope for each factor of e below it
 
 vec3 tonemapMix(vec3 c, float share)
 {
@@ -18,7 +18,7 @@ vec3 tonemapMix(vec3 c, float share)
 
 vec3 tonemap(vec3 radiance)
 {
-    // Infinite light is white: infinity over infinity below would be NaN.
+    // Infinite light becomes white: infinity over infinity below would be NaN.
     vec3 c = tonemapMix(clamp(radiance, 0.0, 1e9), TONEMAP_INSET);
     vec3 u = log(max(c, vec3(1e-7)) / TONEMAP_GRAY);
     vec3 above = max(u, vec3(0.0));
@@ -28,12 +28,12 @@ vec3 tonemap(vec3 radiance)
     return clamp(tonemapMix(y, -TONEMAP_INSET / (1.0 - TONEMAP_INSET)), 0.0, 1.0);
 }
 
-// Alpha of a pixel whose color is display light already: a debug view, or a picture made of numbers. Saturated bright
-// colors have no scene light of 0 or more that `tonemap` would show as them.
+// Alpha of a pixel whose color is display light already: a debug view, or a data plot. No scene light of 0 or more maps
+// to saturated bright display colors.
 const float DISPLAY_LIGHT = 2.0;
 
-// Display light of a pixel. `exposed`: radiance times exposure, and the alpha that opaque passes and what is blended
-// over them left: 1 is covered by scene light, DISPLAY_LIGHT by display light.
+// Display light of a pixel. `exposed`: radiance times exposure. `alpha`: as opaque passes and blending left it; 1 is
+// scene light, DISPLAY_LIGHT is display light.
 vec3 displayLight(vec3 exposed, float alpha)
 {
     float share = clamp(alpha - 1.0, 0.0, 1.0);
