@@ -1,4 +1,5 @@
-// The picture as everything opaque left it: color, with an alpha of 0 where nothing was drawn, and reversed depth.
+// Copies the picture of all opaque surfaces, as the background for glass: color, with alpha 0 where nothing was drawn,
+// and reversed depth.
 #include "lib/bindings.glsl"
 
 layout(binding = UNIT_BACKDROP) uniform sampler2D radiance;

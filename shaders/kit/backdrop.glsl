@@ -1,12 +1,12 @@
-// What is behind glass: where a ray meets what the picture shows, found in the picture (McGuire and Mara 2014,
-// "Efficient GPU Screen-Space Ray Tracing"), and the probe where it meets nothing of it.
+// Screen-space refraction (McGuire and Mara 2014, "Efficient GPU Screen-Space Ray Tracing"): marches a ray behind glass
+// in the depth buffer. If it hits nothing there, the probe is used.
 layout(binding = UNIT_BACKDROP) uniform sampler2D backdrop;
 layout(binding = UNIT_BACKDROP_DEPTH) uniform sampler2D backdropDepth;
 
 const int BACKDROP_STEPS = 40;
 const int BACKDROP_HALVINGS = 5;
 
-// Along it, place in the picture and the reciprocal of the depth are linear.
+// Ray in the picture. Position and reciprocal of the depth are linear along it.
 struct ScreenRay {
     vec2 uv, uvStep;
     float inverseDepth, inverseDepthStep;  // 1/m
@@ -17,8 +17,8 @@ vec2 onScreen(vec4 clip)
     return clip.xy / clip.w * 0.5 + 0.5;
 }
 
-// From `world` until it leaves the picture or is as near to the eye's plane as can be drawn; to infinity where it goes
-// away from it.
+// Returns the ray from `world` to where it leaves the picture, or comes as close to the eye's plane as can be drawn. A
+// ray that goes away from the eye ends at infinity.
 ScreenRay screenRay(vec3 world, vec3 direction)
 {
     vec4 start = frame.clipFromWorld * vec4(world, 1.0);
@@ -42,7 +42,7 @@ ScreenRay screenRay(vec3 world, vec3 direction)
     return ray;
 }
 
-// How far the ray is behind what is drawn there, meters; negative before it.
+// Distance of the ray behind the surface drawn there, meters; negative in front of it.
 float depthBehind(ScreenRay ray, float t)
 {
     float drawn = frameViewDepth(textureLod(backdropDepth, ray.uv + t * ray.uvStep, 0.0).r);
@@ -50,11 +50,11 @@ float depthBehind(ScreenRay ray, float t)
     return inverse > 0.0 ? 1.0 / inverse - drawn : (isinf(drawn) ? -1.0 : 1e9);
 }
 
-// Share of the way at which the ray meets what is drawn; negative where it meets nothing of it.
+// Parameter (0 to 1) at which the ray hits the drawn surfaces; negative if it hits none.
 float screenHit(ScreenRay ray)
 {
     if (any(lessThan(ray.uv, vec2(0.0))) || any(greaterThan(ray.uv, vec2(1.0))) || !(ray.inverseDepth > 0.0)) return -1.0;
-    // Where it moves by less than a pixel, nothing else can be seen.
+    // A ray that moves by less than a pixel can only see what is drawn in its pixel.
     vec2 pixels = ray.uvStep * vec2(textureSize(backdrop, 0));
     if (dot(pixels, pixels) < 1.0) return 0.0;
     bool before = depthBehind(ray, 0.0) <= 0.0;
@@ -69,7 +69,7 @@ float screenHit(ScreenRay ray)
                 else near = middle;
             }
             float inverse = ray.inverseDepth + far * ray.inverseDepthStep;
-            // A ray that passes behind an edge has not met it.
+            // A ray that passes behind an edge has not hit the surface.
             if (depthBehind(ray, far) * inverse < 0.06) return far;
         }
         before = !behind;
@@ -77,17 +77,17 @@ float screenHit(ScreenRay ray)
     return before && ray.inverseDepth + ray.inverseDepthStep <= 1e-6 ? 1.0 : -1.0;
 }
 
-// Radiance from `direction` on `world`; `blur` is the tangent of half the angle over which rough glass spreads the ray.
+// Radiance from `direction` at `world`. `blur` is the tangent of half the angle by which rough glass spreads the ray.
 vec3 backdropRadiance(vec3 world, vec3 direction, float roughness, float blur)
 {
     ScreenRay ray = screenRay(world, direction);
     float t = screenHit(ray);
     if (t < 0.0) return probeRadiance(world, direction, roughness);
     float inverse = ray.inverseDepth + t * ray.inverseDepthStep;
-    // Width of the blur where it falls, over that of a pixel there.
+    // Width of the blur at the hit, divided by the width of a pixel there.
     float way = max(1.0 - inverse / ray.inverseDepth, 0.0);
     float level = log2(max(2.0 * blur * way / frame.pixelAngle, 1.0));
     vec4 shown = textureLod(backdrop, ray.uv + t * ray.uvStep, level);
-    // Nothing may be drawn there, where only the exhibit is asked for.
+    // The pixel may be empty if only the exhibit is drawn.
     return shown.a < 1.0 ? mix(probeRadiance(world, direction, roughness), shown.rgb, shown.a) : shown.rgb;
 }

@@ -1,4 +1,4 @@
-// Positions only: for shadow maps.
+// Outputs positions only: for shadow maps.
 #include "lib/frame.glsl"
 #include "kit/surface_object.glsl"
 

@@ -1,4 +1,4 @@
-// Color, opacity and emission of a glTF material, for every renderer that draws models. After a block with
+// Color, opacity and emission of a glTF material, for every shader that draws models. Include it after a block with
 // `SurfaceObject object`, before main. Permutations: BASE_COLOR_MAP, VERTEX_COLOR, EMISSIVE_MAP.
 layout(binding = UNIT_BASE_COLOR) uniform sampler2D baseColorMap;
 layout(binding = UNIT_EMISSIVE) uniform sampler2D emissiveMap;
@@ -6,7 +6,7 @@ layout(binding = UNIT_EMISSIVE) uniform sampler2D emissiveMap;
 in vec4 vertexColor;  // linear Rec. 709; a: opacity
 #endif
 
-// Linear Rec. 709; a: opacity.
+// Base color, linear Rec. 709; a: opacity.
 vec4 materialColor(vec2 uv)
 {
     vec4 base = object.baseColor;
@@ -19,7 +19,7 @@ vec4 materialColor(vec2 uv)
     return base;
 }
 
-// Radiance.
+// Emitted radiance.
 vec3 materialEmission(vec2 uv)
 {
     vec3 emitted = object.emissive;

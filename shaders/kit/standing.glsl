@@ -1,5 +1,5 @@
-// A polished floor at y = 0 with things that stand on it: POLISHED_FLOOR of kit/surface.frag. Permutations:
-// CONTACT_SHADOWS, MIRROR_SHAPES.
+// A polished floor at y = 0 with objects on it: POLISHED_FLOOR of kit/surface.frag. Permutations: CONTACT_SHADOWS,
+// MIRROR_SHAPES.
 #include "lib/standing.glsl"
 #include "kit/floor_block.glsl"
 #ifdef MIRROR_SHAPES
@@ -13,7 +13,7 @@ layout(std140, binding = BLOCK_EXHIBIT) uniform FloorMirror {
 #ifdef CONTACT_SHADOWS
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D contactMap;
 
-// Share of the ambient light that what stands around leaves to a point of the floor.
+// Share of the ambient light that reaches a point of the floor past the objects around it.
 float contactLight(vec3 position)
 {
     vec4 area = floorMirror.mapArea;
@@ -23,7 +23,7 @@ float contactLight(vec3 position)
 #endif
 
 #ifdef MIRROR_SHAPES
-// Share of the lobe that meets an upright bar of the window.
+// Share of the lobe that meets a vertical bar of the window.
 float windowBars(MirroredWindow window)
 {
     float bars = 0.0;
@@ -32,7 +32,7 @@ float windowBars(MirroredWindow window)
     return clamp(bars, 0.0, 1.0);
 }
 
-// What the lobe meets of all shapes, mixed by their shares, the near before the far.
+// Part of the lobe that all shapes take up, weighted by their shares; near shapes hide far ones.
 struct MirroredShapes {
     float share;
     float ahead;    // times share
@@ -40,9 +40,9 @@ struct MirroredShapes {
     vec3 color;     // times share
 };
 
-// A ray that the floor mirrors stays in the upright plane through the eye: of all shapes, it may meet those alone that
-// the eye has in this direction. A loop over these and not a test for each: llvmpipe runs both sides of an `if` for
-// every pixel, but leaves a loop when no pixel of a group has anything left.
+// A ray that the floor reflects stays in the vertical plane through the eye. So it can only hit shapes that the eye has
+// in this direction. A loop over these is used, not a test for each: llvmpipe executes both sides of an `if` for every
+// pixel, but leaves a loop when no pixel of a group needs it.
 MirroredShapes mirroredShapes(MirrorLobe lobe)
 {
     MirroredShapes all = MirroredShapes(0.0, 0.0, vec2(0.0), vec3(0.0));
@@ -59,7 +59,7 @@ MirroredShapes mirroredShapes(MirrorLobe lobe)
     return all;
 }
 
-// Radiance of these times their share. They stand in the light that the floor has before them.
+// Radiance of the shapes times their share. They are assumed to be lit like the floor in front of them.
 vec3 shapesRadiance(MirroredShapes all, MirrorLobe lobe, Surface s, vec3 roomAmbient)
 {
     vec3 normal = safeNormalize(vec3(all.outwards.x, 0.0, all.outwards.y), vec3(0.0, 1.0, 0.0));
@@ -78,7 +78,8 @@ vec3 shapesRadiance(MirroredShapes all, MirrorLobe lobe, Surface s, vec3 roomAmb
     return all.color * lit;
 }
 
-// Radiance that the floor mirrors: the shapes, before window and oculus, before the room as the probe has it.
+// Radiance that the floor reflects: the shapes, in front of window and oculus, in front of the room as captured by the
+// probe.
 vec3 floorMirrored(Surface s, vec3 toEye, vec3 roomAmbient)
 {
     vec3 mirrored = vec3(-toEye.x, max(toEye.y, 1e-3), -toEye.z);
@@ -86,7 +87,7 @@ vec3 floorMirrored(Surface s, vec3 toEye, vec3 roomAmbient)
     MirrorLobe lobe =
         MirrorLobe(s.position.xz, mirrored.xz * perMeter, mirrored.y * perMeter, 2.0 * s.roughness * s.roughness);
 
-    // Edges are cut out exactly; what is left to the probe are the room's soft colors.
+    // Shapes and window have exact edges; the probe supplies only the soft colors of the room.
     vec3 radiance = probeRadiance(s.position, mirrored, 0.5 * s.roughness) * s.occlusion;
     MirroredWindow window = mirroredWindow(floorMirror.window, floorMirror.windowZ, lobe);
     float oculus = mirroredOculus(floorMirror.oculus, lobe);
@@ -100,7 +101,8 @@ vec3 floorMirrored(Surface s, vec3 toEye, vec3 roomAmbient)
 }
 #endif
 
-// Radiance towards the eye; `roomAmbient`: of the probe, irradiance over pi for the floor's normal. Polish mirrors what is far and dim, and wears off for what would burn out in it: the sun.
+// Radiance towards the eye. `roomAmbient`: irradiance over pi of the probe for the floor's normal. Distant, dim light
+// is reflected as by polish. The sun's highlight uses a higher roughness, because it would otherwise saturate.
 vec3 shadeFloor(Surface s, vec3 toEye, vec3 roomAmbient)
 {
     Surface worn = s;

@@ -1,6 +1,6 @@
-// A mesh with a material. Permutations: those of kit/material.glsl, NORMAL_MAP, ORM_MAP, OCCLUSION_MAP, ALPHA_MASK,
-// BLENDED (opacity in alpha), LIGHTMAP, BOUNCED_LIGHT (the sun's, with LIGHTMAP), LAMP_LIGHT (of the vault, with
-// LIGHTMAP), FLAT_PROBE (for the probe's own capture: no mirror image), WRITE_NORMAL, WRITE_EVALUATIONS, and
+// Shades a mesh with a material. Permutations: those of kit/material.glsl, NORMAL_MAP, ORM_MAP, OCCLUSION_MAP,
+// ALPHA_MASK, BLENDED (opacity in alpha), LIGHTMAP, BOUNCED_LIGHT (of the sun, with LIGHTMAP), LAMP_LIGHT (of the
+// vault, with LIGHTMAP), FLAT_PROBE (for the probe's own capture: no reflections), WRITE_NORMAL, WRITE_EVALUATIONS, and
 // POLISHED_FLOOR with those of kit/standing.glsl.
 #include "lib/frame.glsl"
 #include "lib/surface.glsl"
@@ -55,7 +55,7 @@ void main()
 #endif
 
     vec3 toEye = normalize(frame.eye - worldPosition);
-    vec3 n = safeNormalize(worldNormal, toEye);  // A visitor's file may hold normals without length.
+    vec3 n = safeNormalize(worldNormal, toEye);  // A user's file may contain normals of length 0.
     if (!gl_FrontFacing) n = -n;
 #ifdef NORMAL_MAP
     vec3 t = worldTangent.xyz - n * dot(n, worldTangent.xyz);
@@ -86,7 +86,8 @@ void main()
     s.roughness = clamp(s.roughness, 0.045, 1.0);
 #ifdef LIGHTMAP
     s.ambient = bakedAmbient();
-    // The probe stands for the whole room; where the baked light is far below the room's, so is the mirror image.
+    // The probe represents the whole room. Where the baked light is far below the room's mean, the reflection is
+    // darkened, too.
     float local = dot(s.ambient, vec3(0.3333)) / max(dot(roomAmbient, vec3(0.3333)), 1e-4);
     s.occlusion *= mix(1.0, clamp(local, 0.15, 1.0), light.bakedOcclusion * (0.35 + 0.65 * s.roughness));
 #else
@@ -112,7 +113,7 @@ void main()
 #else
     float opacity = 1.0;
 #endif
-    // Half floats end at 65504, and infinity is NaN in every average after it.
+    // Half floats end at 65504, and infinity would become NaN in every average.
     radiance = vec4(min(color + materialEmission(tileUv), vec3(6e4)), opacity);
 #ifdef WRITE_NORMAL
     normalOut = vec4(n, 1.0);

@@ -1,4 +1,4 @@
-// A mesh with a material. Permutations: VERTEX_COLOR, LIGHTMAP, POLISHED_FLOOR.
+// Transforms a mesh with a material. Permutations: VERTEX_COLOR, LIGHTMAP, POLISHED_FLOOR.
 #include "lib/frame.glsl"
 #if defined(LIGHTMAP) || defined(POLISHED_FLOOR)
 #define ROOM_AMBIENT
@@ -22,7 +22,7 @@ out vec4 worldTangent;
 out vec2 tileUv;
 out vec2 atlasUv;
 #ifdef ROOM_AMBIENT
-out vec3 roomAmbient;  // Irradiance over pi, as the probe has it for a face of this normal.
+out vec3 roomAmbient;  // Irradiance over pi of the probe for this normal.
 #endif
 
 void main()

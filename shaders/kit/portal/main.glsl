@@ -1,6 +1,6 @@
-// One ray per pixel into the world beyond. The depth is the opening's; with ALONE, that of what is seen.
-// Permutations: ALONE, WRITE_NORMAL, WRITE_EVALUATIONS; PORTAL_DISPLAY_LIGHT, which the shader that includes this file
-// defines: what is seen are colors of a display.
+// Traces one ray per pixel into the world behind a portal. The depth is that of the opening; with ALONE, that of the
+// hit. Permutations: ALONE, WRITE_NORMAL, WRITE_EVALUATIONS. The including shader defines PORTAL_DISPLAY_LIGHT if it
+// returns display colors.
 #include "lib/tonemap.glsl"
 
 layout(location = 0) out vec4 radiance;
@@ -14,7 +14,7 @@ layout(location = WRITE_EVALUATIONS) out vec4 evaluationsOut;
 void main()
 {
     if (portal.side != 0.0) {
-        // Both halves compute the very same number, so that each pixel is in one of them.
+        // Both halves compute exactly the same number, so that each pixel belongs to one of them.
         precise float right = dot(cross(portal.dividerAt - frame.eye, portal.dividerUp), frameRay(gl_FragCoord.xy));
         if ((right >= 0.0) != (portal.side > 0.0)) discard;
     }
@@ -32,7 +32,7 @@ void main()
     evaluationsOut = vec4(seen.evaluations, 0.0, 0.0, 1.0);
 #endif
 #ifdef ALONE
-    // Along the view axis. Never 0, which is where nothing was drawn.
+    // Depth along the view axis. It is never 0, which marks empty pixels.
     float perDepth = length(frameRay(gl_FragCoord.xy)) * portal.workPerMeter;
     gl_FragDepth = clamp(frame.nearPlane * perDepth / max(seen.distance, 1e-6), 1e-12, 1.0);
 #endif

@@ -1,4 +1,4 @@
-// Rays of the eye that look through an opening, in the world beyond. A shader includes this file, defines
+// Camera rays through a portal, in the space of the world behind it. A shader includes this file, defines
 //
 //     PortalSeen portalSeen(PortalRay ray)
 //
@@ -12,24 +12,24 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
     PortalBlock portal;
 };
 
-// Of the hall: its maps are not bound, for its light does not reach the world beyond.
+// Light of the hall. Its maps are not bound, because its light does not reach the world behind the portal.
 layout(std140, binding = BLOCK_LIGHT) uniform Light {
     LightBlock light;
 };
 
 struct PortalRay {
-    vec3 origin;      // the eye; lengths in meters of the world beyond
+    vec3 origin;      // the eye; lengths in meters of the world behind the portal
     vec3 direction;   // unit
-    float start;      // distance to the opening: what is nearer is not seen
+    float start;      // distance to the opening: closer surfaces are not visible
     float footprint;  // width of a pixel at distance 1
-    vec2 pixel;       // of the whole picture
+    vec2 pixel;       // position in the whole picture
 };
 
 struct PortalSeen {
-    vec3 radiance;      // as the film sees it: 1 is bright; with PORTAL_DISPLAY_LIGHT, display light, 0 to 1
-    vec3 normal;        // unit, in the world beyond; 0 where nothing solid is seen
-    float distance;     // from the eye; at least 1e20 where nothing is seen
-    float evaluations;  // of whatever the shader counts
+    vec3 radiance;      // radiance times exposure: 1 is bright; with PORTAL_DISPLAY_LIGHT, display light, 0 to 1
+    vec3 normal;        // unit, in the world behind the portal; 0 if no surface was hit
+    float distance;     // distance from the eye; at least 1e20 if nothing was hit
+    float evaluations;  // number of evaluations, as the shader counts them
 };
 
 PortalRay portalRay(vec2 fragCoord)

@@ -1,4 +1,4 @@
-// The opening; with ALONE, the whole picture.
+// Draws the opening; with ALONE, the whole picture.
 #include "lib/frame.glsl"
 #include "kit/portal/portal_block.glsl"
 

@@ -1,4 +1,4 @@
-// The bounding mesh: a box from -1 to 1, stretched to the object's box.
+// Draws the bounding mesh: a box from -1 to 1, scaled to the object's box.
 #include "kit/sdf/object.glsl"
 
 layout(location = 0) in vec3 position;

@@ -1,5 +1,5 @@
-// One cone for each block of CONE_PREPASS x CONE_PREPASS pixels: where the rays of the block may start. x: local distance,
-// beyond everything for an empty block; y: evaluations spent.
+// Traces one cone for each block of CONE_PREPASS x CONE_PREPASS pixels, to find where the rays of the block may start.
+// x: local distance, beyond everything for an empty block; y: evaluations used.
 #include "kit/sdf/ray.glsl"
 
 layout(location = 0) out vec4 start;

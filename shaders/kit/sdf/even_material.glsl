@@ -1,4 +1,4 @@
-// One material everywhere: that of SdfMaterialRows.
+// Uniform material: that of SdfMaterialRows.
 
 FieldMaterial fieldMaterial(vec3 p)
 {

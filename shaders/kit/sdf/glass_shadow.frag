@@ -1,12 +1,12 @@
-// What the object, where it is glass, leaves of the sun's light, by the sun's own parallel rays: color, and the depth
-// from which on it does. Light that the glass bends away is lost to its shadow; where it gathers is not known.
+// Shadow of a glass object in the sun's light, by the sun's parallel rays: transmitted color, and the depth from which
+// it applies. Light that the glass refracts strongly is missing in its shadow; caustics are not computed.
 #include "kit/sdf/sun_ray.glsl"
 #include "kit/sdf/glass_path.glsl"
 
 layout(location = 0) out vec4 transmitted;
 
-// Cosines of the angles from the sun's own direction: bent by less, light falls where the shadow is, and by more, it
-// falls elsewhere.
+// Cosines of the deflection of sunlight. With a smaller angle, light still falls into the shadow; with a larger angle,
+// it falls elsewhere.
 const float BENT_LITTLE = 0.97;
 const float BENT_FAR = 0.80;
 

@@ -1,13 +1,13 @@
-// What a ray finds, and the next ray from there.
+// Hit of a ray, and the next ray from there.
 
 int evaluations;  // Calls of fieldDistance for this pixel.
 
 struct Hit {
-    vec3 local;        // on the surface, in the object's own space
+    vec3 local;        // hit point, in the object's own space
     vec3 localNormal;  // facing the ray
     vec3 world;
     vec3 worldNormal;
-    float tolerance;   // local
+    float tolerance;   // in local units
     float traveled;   // local length of the path so far
 };
 
@@ -27,14 +27,14 @@ Hit findHit(vec3 origin, vec3 direction, March march, MarchSettings settings)
     vec3 n = fieldNormal(hit.local, step_, parameters.normalMethod, -direction * march.side);
     fieldPart = part;
     evaluations += parameters.normalMethod == NORMAL_CENTRAL ? 6 : 4;
-    // A ray inside the solid meets the surface from behind.
+    // A ray inside the solid hits the surface from behind.
     hit.localNormal = n * march.side;
     hit.world = (object.worldFromLocal * vec4(hit.local, 1.0)).xyz;
     hit.worldNormal = worldNormalOf(hit.localNormal);
     return hit;
 }
 
-// The next surface along a ray that starts on a surface. `side`: 1 outside the solid, -1 inside.
+// Finds the next surface along a ray that starts on a surface. `side`: 1 outside the solid, -1 inside.
 March onward(vec3 start, vec3 direction, float side, MarchSettings settings, float traveled)
 {
     float tMax = rayBox(start, direction, object.boxLow, object.boxHigh).y;

@@ -1,7 +1,7 @@
-// The object, one ray per pixel, inside its bounding mesh, with the depth of what the ray found.
-// Permutations: CONE_PREPASS (pixels along a side of its blocks), GLASS, BACKDROP (seen through it), HEAT_MAP, WRITE_NORMAL, COUNT (writes evaluations, discards nothing),
-// DEPTH_ONLY (shades nothing), OTHERS_SHADOWS, PIXEL_CENTERS,
-// SHADOW_METHOD (of the table), BOUNCES (some are asked for).
+// Sphere traces the object, one ray per pixel inside its bounding mesh, and writes the depth of the hit. Permutations:
+// CONE_PREPASS (pixels along a side of its blocks), GLASS, BACKDROP (visible through glass), HEAT_MAP, WRITE_NORMAL,
+// COUNT (writes evaluations, discards nothing), DEPTH_ONLY (no shading), OTHERS_SHADOWS, PIXEL_CENTERS, SHADOW_METHOD
+// (the parameter's number), BOUNCES (if any are set).
 #include "kit/sdf/ray.glsl"
 #include "kit/sdf/shade.glsl"
 #include "lib/heat_color.glsl"
@@ -18,7 +18,7 @@ layout(location = 1) out vec4 normalOut;
 layout(depth_any) out float gl_FragDepth;
 #endif
 
-// Radiance whose exposed color is the view's.
+// Returns the radiance that the exposure maps to the heat map's color.
 vec3 heat(March march, Hit hit)
 {
     vec3 shown;

@@ -1,4 +1,5 @@
-// A mesh in place of the marched body: the same material, without what a march finds out. Permutations: WRITE_NORMAL, DEPTH_ONLY (shades nothing).
+// Draws a mesh instead of the marched body, with the same material, but without the effects that need a march.
+// Permutations: WRITE_NORMAL, DEPTH_ONLY (no shading).
 #include "kit/sdf/object.glsl"
 #include "lib/surface.glsl"
 
@@ -14,7 +15,7 @@ void main()
 {
 #ifndef DEPTH_ONLY
     turnDisk(framePixel(gl_FragCoord.xy));
-    fieldDistance(localPosition);  // Finds the part.
+    fieldDistance(localPosition);  // Sets fieldPart.
     FieldMaterial material = fieldMaterial(localPosition);
     Surface s;
     s.position = (object.worldFromLocal * vec4(localPosition, 1.0)).xyz;

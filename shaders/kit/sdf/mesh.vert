@@ -1,4 +1,4 @@
-// The mesh that the marched body is compared with.
+// Draws the mesh that the marched body is compared with.
 #include "kit/sdf/object.glsl"
 
 layout(location = 0) in vec3 position;

@@ -1,4 +1,4 @@
-// The body at its place, its field and its material.
+// Transform, field and material of the body.
 #include "lib/bindings.glsl"
 #include "lib/frame.glsl"
 #include "kit/sdf/object_block.glsl"
@@ -8,14 +8,14 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
 };
 
 struct FieldMaterial {
-    vec3 baseColor;         // linear; of glass: what 10 cm of it leave of white
+    vec3 baseColor;         // linear; for glass: color of white light after 10 cm
     float metalness;        // 0 to 1
     float roughness;        // perceptual, 0 to 1
     float specular;         // 0.5 is 4 % reflectance at normal incidence
-    float refractiveIndex;  // of glass
+    float refractiveIndex;  // for glass
 };
 
-// Which part of the body fieldDistance found last, where the field tells parts: the material of a hit reads that of its
+// Part of the body that fieldDistance found last, if the field has several parts. A hit's material uses the part of its
 // march.
 int fieldPart = 0;
 
@@ -23,14 +23,14 @@ int fieldPart = 0;
 #include "kit/sdf/material.glsl"
 #include "lib/sphere_tracing.glsl"
 
-// Normals go by the inverse transpose, or a scaled object would be lit as if it were not.
+// Transforms a normal by the inverse transpose, as scaled objects need.
 vec3 worldNormalOf(vec3 localNormal)
 {
     return normalize(transpose(mat3(object.localFromWorld)) * localNormal);
 }
 
-// The table's accuracy, for a ray that spans [tMin, tMax] in the object's own space. `halfPixel` is half a
-// pixel's width at distance 1 there.
+// Returns the accuracy set by the parameters, for a ray over [tMin, tMax] in the object's own space. `halfPixel` is
+// half a pixel's width at distance 1 there.
 MarchSettings tableSettings(float tMin, float tMax, float halfPixel)
 {
     MarchSettings s = marchSettings(tMin, tMax, halfPixel);

@@ -1,8 +1,8 @@
-// A body that is marched: where it stands, and the box in which it is looked for. GLSL and C++: render/glsl/std140.h.
+// A marched body: its transform, and the box that bounds it. GLSL and C++: render/glsl/std140.h.
 #define SDF_OBJECT_FIELDS(FIELD, ARRAY) \
     FIELD(mat4, worldFromLocal) \
     FIELD(mat4, localFromWorld) \
     FIELD(vec3, boxLow)         /* meters, in the body's own space */ \
-    FIELD(float, largestScale)  /* of worldFromLocal */ \
+    FIELD(float, largestScale)  /* largest scale of worldFromLocal */ \
     FIELD(vec3, boxHigh)
 BLOCK_STRUCT(SdfObject, SDF_OBJECT_FIELDS)

@@ -1,4 +1,4 @@
-// The hall's light and nothing else.
+// Shading by the hall's light only.
 
 vec3 exhibitLight(Surface s, Hit hit, vec3 toEye)
 {

@@ -1,4 +1,4 @@
-// The eye's rays in the object's own space.
+// Camera rays in the object's own space.
 #include "kit/sdf/object.glsl"
 
 struct LocalRay {
@@ -6,21 +6,21 @@ struct LocalRay {
     vec3 direction;   // unit length
     float perDepth;   // local length per meter along the view axis
     float halfPixel;  // half a pixel's width at local distance 1, never too large
-    vec2 span;        // where the ray is inside the box, from the near plane on
+    vec2 span;        // interval of the ray inside the box, from the near plane on
 };
 
 LocalRay localRay(vec2 fragCoord)
 {
     LocalRay r;
 #ifdef PIXEL_CENTERS
-    fragCoord -= frame.tileOrigin - frameTile();  // Every sample the same: stairs at edges.
+    fragCoord -= frame.tileOrigin - frameTile();  // All samples at the same position: aliased edges.
 #endif
     vec3 world = frameRay(fragCoord);
     vec3 d = mat3(object.localFromWorld) * world;
     r.perDepth = length(d);
     r.direction = d / r.perDepth;
     r.origin = (object.localFromWorld * vec4(frame.eye, 1.0)).xyz;
-    // A world width shrinks by at most the largest scale on its way into the object's space.
+    // A width in world space shrinks by at most the largest scale when it is transformed to the object's space.
     r.halfPixel = 0.5 * frame.pixelAngle / (r.perDepth * object.largestScale);
     r.span = rayBox(r.origin, r.direction, object.boxLow, object.boxHigh);
     r.span.x = max(r.span.x, frame.nearPlane * r.perDepth);
@@ -28,10 +28,10 @@ LocalRay localRay(vec2 fragCoord)
 }
 
 #ifdef CONE_PREPASS
-// Pixels along a side of the block that one cone covers; blocks lie on the grid of the whole picture.
+// Side of the block of pixels that one cone covers; blocks lie on the grid of the whole picture.
 const float BLOCK = float(CONE_PREPASS);
 
-// Where the tile begins within its first block.
+// Position of the tile within its first block.
 vec2 tileInBlock()
 {
     return mod(frameTile(), BLOCK);

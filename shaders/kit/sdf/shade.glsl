@@ -1,5 +1,5 @@
-// What a ray that hit the object sees there: sun with the object's own shadow, the hall's light, mirror
-// images of the object in itself, glass.
+// Shading of a hit on the object: sun with the object's own shadow, the hall's light, reflections of the object in
+// itself, glass.
 #include "lib/surface.glsl"
 #include "lib/hash.glsl"
 #include "kit/sdf/shadow_method.glsl"
@@ -11,11 +11,11 @@
 #include "kit/backdrop.glsl"
 #endif
 
-// Light that the exhibit adds to the hall's, towards the eye: SdfShaders::shading.
+// Light towards the eye that the exhibit adds to the hall's: SdfShaders::shading.
 vec3 exhibitLight(Surface s, Hit hit, vec3 toEye);
 
-// Share of a light that the object leaves at a point (local) in the direction `toLight`, from tMin to tMax along the way, by
-// the table's method.
+// Visibility of a light past the object, from a point (local) in the direction `toLight`, over tMin to tMax, by the
+// method that the parameters choose.
 float fieldVisibility(vec3 p, vec3 toLight, float tMin, float tMax)
 {
     float width = tan(0.5 * parameters.sunWidth);
@@ -26,7 +26,7 @@ float fieldVisibility(vec3 p, vec3 toLight, float tMin, float tMax)
     return s.visibility;
 }
 
-// Share of a light in the direction `toLight` (local, unit length) that the object leaves itself.
+// Visibility of a light in the direction `toLight` (local, unit length) past the object itself.
 float selfVisibility(Hit hit, vec3 toLight)
 {
     if (parameters.shadowMethod == shadowMethod_none) return 1.0;
@@ -35,9 +35,8 @@ float selfVisibility(Hit hit, vec3 toLight)
     return fieldVisibility(start, toLight, 0.004, rayBox(start, toLight, object.boxLow, object.boxHigh).y);
 }
 
-// Share of the sun that the other exhibits leave: looked up beside the nearest corner of the object's box to the sun,
-// where nothing of its own shadow lies, however wide the filter looks around.
-// 1 where it is not `wanted`.
+// Visibility of the sun past the other exhibits. It is looked up next to the corner of the object's box that is closest
+// to the sun. There the object's own shadow does not reach, however wide the filter is. 1 if not `wanted`.
 float othersVisibility(Hit hit, bool wanted)
 {
 #ifdef OTHERS_SHADOWS
@@ -49,7 +48,7 @@ float othersVisibility(Hit hit, bool wanted)
 #endif
 }
 
-// Walls and what else stands in the sun's way, then the object itself.
+// Visibility of the sun: past walls and other objects, then past the object itself.
 float sunReaches(Hit hit)
 {
     if (dot(hit.worldNormal, light.sunDirection) <= 0.0 || dot(light.sunIrradiance, vec3(1.0)) <= 0.0) return 0.0;
@@ -58,7 +57,7 @@ float sunReaches(Hit hit)
     return visible > 0.0 ? visible * selfVisibility(hit, normalize(mat3(object.localFromWorld) * light.sunDirection)) : 0.0;
 }
 
-// In no light from around it, with nothing near it.
+// Returns the surface without ambient light and occlusion.
 Surface bareSurface(Hit hit, FieldMaterial material)
 {
     Surface s;
@@ -84,8 +83,8 @@ Surface surfaceOf(Hit hit, FieldMaterial material)
     return s;
 }
 
-// Recursive reflection without recursion: each bounce adds what its surface sends, weakened by all
-// surfaces before it; a ray that leaves the object sees the hall.
+// Iterative reflection: each bounce adds the light of its surface, weakened by all surfaces before it. A ray that
+// leaves the object sees the hall.
 vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
 {
     vec3 color = vec3(0.0);
@@ -93,7 +92,7 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
 #ifdef BOUNCES
     const int most = 4;
 #else
-    const int most = 0;  // Nothing of a second surface is compiled.
+    const int most = 0;  // The code for a second surface is compiled out.
 #endif
     for (int bounce = 0; bounce <= most; ++bounce) {
         Surface s = surfaceOf(hit, fieldMaterial(hit.local));
@@ -109,7 +108,7 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
         if (!last) march = onward(start, direction, 1.0, settings, hit.traveled);
 #endif
         if (!march.hit) {
-            // With no bounce left to find it, what the object hides from itself is only darkened.
+            // Without a further bounce, self-occlusion only darkens the reflection.
             float open = last ? mix(1.0, s.occlusion, 0.7) : 1.0;
             return color + throughput * probeRadiance(hit.world, mirrored, s.roughness) * open;
         }
@@ -122,8 +121,8 @@ vec3 shadeOpaque(vec3 toEye, Hit hit, MarchSettings settings)
 }
 
 #ifdef GLASS
-// What a ray sees that has left the glass. What rough glass spreads, grows with the index, to all of its roughness at
-// 1.5 (Khronos, KHR_materials_transmission, "Refraction").
+// Radiance along a ray that has left the glass. The blur of rough glass grows with the index, up to its full roughness
+// at 1.5 (Khronos, KHR_materials_transmission, "Refraction").
 vec3 seenThrough(vec3 world, vec3 direction, float roughness, float index)
 {
     float spread = roughness * clamp(2.0 * index - 2.0, 0.0, 1.0);
@@ -134,18 +133,18 @@ vec3 seenThrough(vec3 world, vec3 direction, float roughness, float index)
 #endif
 }
 
-// The sun's gleam: Fresnel's own share in place of Schlick's, which mirrors even where the index is 1.
+// Highlight of the sun with exact Fresnel reflectance instead of Schlick's, which reflects even for an index of 1.
 vec3 sunOnGlass(Surface s, vec3 toEye, float index, float visibility)
 {
     vec3 halfway = safeNormalize(light.sunDirection + toEye, s.normal);
     float cosine = clamp(dot(toEye, halfway), 0.0, 1.0);
     float share = fresnelDielectric(cosine, index) / fresnelSchlick(vec3(0.04), cosine).r;
-    // Not in the shadow that it throws.
+    // Glass does not lie in its own shadow.
     return lightReflected(s, toEye, light.sunDirection, light.sunIrradiance * visibility) * share;
 }
 
-// Through every wall, in and out: Fresnel splits off a mirror image at the first, the rest goes on.
-// Beer's law colors it, and the material is that of the first surface.
+// Light through every wall, in and out. Fresnel splits off a reflection at the first wall; the rest goes on. Beer's law
+// colors it; the material is that of the first surface.
 vec3 shadeGlass(vec3 toEye, Hit hit, MarchSettings settings)
 {
     FieldMaterial material = fieldMaterial(hit.local);

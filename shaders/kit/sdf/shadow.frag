@@ -1,5 +1,5 @@
-// The object in the sun's depth map, by the sun's own parallel rays; depth is where they hit, not where
-// the bounding mesh is.
+// Draws the object into the sun's shadow map, by the sun's parallel rays. The depth is that of the hit, not of the
+// bounding mesh.
 #include "kit/sdf/sun_ray.glsl"
 
 layout(depth_any) out float gl_FragDepth;

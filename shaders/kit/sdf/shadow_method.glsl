@@ -1,8 +1,8 @@
-// One of the ways of lib/sphere_tracing.glsl to find a shadow, by the number of a table's choice: SHADOW_METHOD, 1 to 5, is
-// known when the shader is compiled, since five ways to ask the field would be compiled otherwise. 0: no shadow.
+// One of the shadow methods of lib/sphere_tracing.glsl. SHADOW_METHOD is the number of the parameter's option, 1 to 5;
+// 0: no shadow. It is a compile-time constant, because otherwise the field would be compiled five times.
 //
-// `tanRadius`: tangent of half the angle that the light takes; `rayCount` and `turn` (radians) are of the method with
-// many rays.
+// `tanRadius`: tangent of half the light's apparent angle. `rayCount` and `turn` (radians) are used only by the method
+// with many rays.
 Shadow shadowByMethod(vec3 p, vec3 toLight, float tanRadius, float tMin, float tMax, int stepLimit, int rayCount, float turn)
 {
 #if SHADOW_METHOD == 1
