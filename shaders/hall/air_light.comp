@@ -1,5 +1,6 @@
-// Light in the air of the sky and, with BOUNCED_LIGHT, of the sun and, with LAMP_LIGHT, of the vault's lamps: irradiance
-// over pi on six sides of each point, the sides one behind the other. lib/light.glsl reads it for what has no lightmap.
+// Light of the sky in the air and, with BOUNCED_LIGHT, of the sun and, with LAMP_LIGHT, of the vault's lamps.
+// Irradiance over pi on six sides of each point, the sides one behind the other. lib/light.glsl reads it for surfaces
+// without lightmap.
 #include "lib/bindings.glsl"
 #include "hall/air_light_block.glsl"
 

@@ -1,9 +1,9 @@
-// The running mean of a picture in motion. Each frame draws another sample of its pixels; what the frames before showed is
-// looked up where it was, brought near to what is there now, and mixed with it.
+// Temporal antialiasing: the running mean of a picture in motion. Each frame draws another sample of its pixels. The
+// result of earlier frames is reprojected, clamped to the colors around the pixel, and mixed with the new sample.
 //
-// The box that holds the past is that of mean and deviation of the pixel and its neighbors (Salvi 2016, "An Excursion in
-// Temporal Supersampling"), in YCoCg (Karis 2014); the whole is as in Yang, Liu, Salvi 2020, "A Survey of Temporal
-// Antialiasing Techniques".
+// The clamping box is given by mean and deviation of the pixel and its neighbors (Salvi 2016, "An Excursion in Temporal
+// Supersampling"), in YCoCg (Karis 2014). For the method see Yang, Liu, Salvi 2020, "A Survey of Temporal Antialiasing
+// Techniques".
 #include "lib/frame.glsl"
 #include "hall/antialiasing_block.glsl"
 #include "lib/history.glsl"
@@ -13,12 +13,12 @@ layout(std140, binding = BLOCK_EXHIBIT) uniform Antialiasing {
     AntialiasingBlock antialiasing;
 };
 layout(binding = UNIT_SOURCE) uniform sampler2D source;
-layout(binding = UNIT_EXHIBIT_A) uniform sampler2D history;  // Alpha: of how many frames it is the mean.
+layout(binding = UNIT_EXHIBIT_A) uniform sampler2D history;  // Alpha: number of frames that it is the mean of.
 layout(binding = UNIT_EXHIBIT_B) uniform sampler2D depths;
 layout(location = 0) out vec4 kept;
 layout(location = 1) out vec4 shown;
 
-// Catmull-Rom over 4 x 4 texels by bilinear look-ups, without the corners.
+// Catmull-Rom filter over 4 x 4 texels by bilinear lookups, without the corners.
 vec4 sharpHistory(vec2 at)
 {
     vec2 size = vec2(textureSize(history, 0));
@@ -54,7 +54,7 @@ void main()
     vec3 sum = vec3(0.0);
     vec3 squares = vec3(0.0);
     float nearest = 0.0;
-    for (int i = 0; i < 9; ++i) {  // The nearest of the pixel and its diagonal neighbors tells how an edge moves.
+    for (int i = 0; i < 9; ++i) {  // The closest of the pixel and its diagonal neighbors gives the motion of an edge.
         ivec2 at = clamp(pixel + ivec2(i % 3, i / 3) - 1, ivec2(0), last);
         vec3 c = ycocgOf(texelFetch(source, at, 0).rgb);
         sum += c;

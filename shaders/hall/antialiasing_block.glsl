@@ -1,4 +1,4 @@
-// Of a picture in motion. GLSL and C++: render/glsl/std140.h.
+// Constants of temporal antialiasing. GLSL and C++: render/glsl/std140.h.
 #define ANTIALIASING_FIELDS(FIELD, ARRAY) \
-    FIELD(float, frames)        /* at most, that a pixel is the mean of; that it is, where one begins */
+    FIELD(float, frames)        /* most frames that a pixel is the mean of; keep_history.frag: their number */
 BLOCK_STRUCT(AntialiasingBlock, ANTIALIASING_FIELDS)

@@ -1,5 +1,5 @@
-// The sun's bounced light in the air: what its sources send to six sides of each point, summed up. The sides lie one
-// behind the other, each with all points. Irradiance over pi, of a sun of irradiance 1: rgb in color, a without.
+// Bounced sunlight in the air: the sum of all sources on six sides of each point. The sides lie one behind the other,
+// each with all points. Irradiance over pi, for a sun of irradiance 1: rgb with color, a without.
 #include "lib/bindings.glsl"
 #include "hall/bounce_block.glsl"
 

@@ -1,5 +1,5 @@
-// The sun's bounced light on a texel of the hall's lightmap: the air's, times what is there of it for all suns together.
-// Irradiance over pi, of a sun of irradiance 1.
+// Bounced sunlight on a texel of the hall's lightmap: the light of the air there, times the texel's factor for all suns
+// together. Irradiance over pi, for a sun of irradiance 1.
 #include "lib/bindings.glsl"
 #include "lib/air_light.glsl"
 #include "hall/bounce_block.glsl"

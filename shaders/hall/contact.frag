@@ -1,4 +1,4 @@
-// How much of the floor's ambient light one shape takes: as opacity, so that what several leave is multiplied.
+// Share of the floor's ambient light that one shape blocks, written as opacity, so that several shapes multiply.
 #include "lib/contact.glsl"
 #include "kit/floor_block.glsl"
 

@@ -1,4 +1,4 @@
-// One shape's part of the floor in the map of contact shadows: a triangle that covers it.
+// Covers the part of the contact shadow map that one shape affects with a triangle.
 #include "lib/bindings.glsl"
 #include "kit/floor_block.glsl"
 

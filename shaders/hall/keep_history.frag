@@ -1,4 +1,5 @@
-// A picture at rest as what a motion begins with: each pixel stands for as many frames as the block says.
+// Turns a converged picture into the history that a motion begins with: each pixel counts as the number of frames in
+// the block.
 #include "lib/bindings.glsl"
 #include "hall/antialiasing_block.glsl"
 

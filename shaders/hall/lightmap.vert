@@ -1,4 +1,4 @@
-// A mesh laid out on the hall's lightmap.
+// Draws a mesh at its position in the hall's lightmap.
 #include "kit/surface_object.glsl"
 
 layout(location = 0) in vec3 position;

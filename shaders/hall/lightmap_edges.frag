@@ -1,4 +1,5 @@
-// Texels beside the charts of a lightmap, which a linear filter reads, too: the mean of their neighbors on a chart.
+// Fills texels beside the charts of a lightmap, which a linear filter also reads, with the mean of their neighbors on a
+// chart.
 #include "lib/bindings.glsl"
 
 layout(binding = UNIT_SOURCE) uniform sampler2D drawn;

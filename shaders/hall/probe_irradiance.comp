@@ -1,6 +1,6 @@
-// Nine spherical-harmonic coefficients of the irradiance around the probe, over pi, folded with the basis
-// constants and the cosine lobe so that lib/light.glsl evaluates a plain polynomial of the normal.
-// Ramamoorthi and Hanrahan 2001. One group of 64 threads walks one small mip level.
+// Computes nine spherical-harmonic coefficients of the irradiance over pi around the probe. Basis constants and cosine
+// lobe are folded in, so that lib/light.glsl evaluates a plain polynomial of the normal. Ramamoorthi and Hanrahan 2001.
+// One group of 64 threads reads one small mip level.
 #include "lib/bindings.glsl"
 #include "lib/cube.glsl"
 #include "hall/probe_block.glsl"

@@ -1,6 +1,6 @@
-// One level of a reflection probe: the captured cube convolved with a GGX lobe whose normal and view
-// direction are the lookup direction (Karis 2013), by importance sampling that reads the mip level
-// whose texels are as wide as the samples are apart (Krivanek and Colbert 2008).
+// Computes one mip level of a reflection probe: the captured cube map convolved with a GGX lobe whose normal and view
+// direction are the lookup direction (Karis 2013). Importance sampling reads the mip level whose texels are as wide as
+// the distance between samples (Krivanek and Colbert 2008).
 #include "lib/bindings.glsl"
 #include "lib/cube.glsl"
 #include "lib/hash.glsl"

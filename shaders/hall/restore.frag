@@ -1,4 +1,4 @@
-// What stands still, put back into the sun's depth map.
+// Copies the depth of static objects back into the sun's shadow map.
 #include "lib/bindings.glsl"
 
 layout(binding = UNIT_SOURCE) uniform sampler2D still;

@@ -1,4 +1,4 @@
-// Sky where nothing else was drawn: at the far plane, so the depth test does the masking.
+// Draws the sky where nothing else was drawn: at the far plane, so that the depth test masks it.
 #include "lib/frame.glsl"
 #include "lib/sky.glsl"
 

@@ -14,7 +14,8 @@ layout(location = 0) out vec4 radiance;
 void main()
 {
     float d = texture(font, glyphUv).r - 0.5;
-    // Half a screen pixel of blur on either side of the outline, and never sharper than the field resolves.
+    // Half a screen pixel of blur on either side of the outline, and never sharper than the distance field's
+    // resolution.
     float width = clamp(length(fwidth(glyphUv) * vec2(textureSize(font, 0))) * 0.7 / object.fontSpread, 0.01, 0.5);
     float coverage = smoothstep(-width, width, d);
     if (coverage <= 0.003) discard;
@@ -28,6 +29,6 @@ void main()
     s.ambient = ambientAt(s.position, s.normal);
     s.occlusion = 1.0;
     vec3 toEye = normalize(frame.eye - worldPosition);
-    // Premultiplied.
+    // Premultiplied alpha.
     radiance = vec4(shadeSurface(s, toEye), 1.0) * coverage * object.baseColor.a;
 }

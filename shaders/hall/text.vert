@@ -1,4 +1,4 @@
-// Letters of a plaque: quads in world space, texture coordinates of the font's distance field.
+// Draws the letters of a plaque: quads in world space, texture coordinates of the font's distance field.
 #include "lib/frame.glsl"
 #include "kit/surface_object.glsl"
 
