@@ -1,5 +1,5 @@
-// The torus-mug of this moment as a field for the kit's march. Its shape comes ready made: the rows of the table that it
-// was made of are in `parameters`, too, and nothing here reads them.
+// Current shape of the torus-mug as a field for the kit's march. The shape is precomputed; the parameters that it was
+// made from are in `parameters`, too, but not used here.
 #include "lib/bindings.glsl"
 #include "sdf_morph/torus_mug.glsl"
 

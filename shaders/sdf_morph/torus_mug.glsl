@@ -1,16 +1,16 @@
-// The solid that melts from a torus into a mug and back: one body with one hole at every moment.
+// Solid that morphs from a torus into a mug and back: one body with one hole at every moment.
 //
-// A mixture of the two distance fields would let the mug's thin wall flash up only in the last few
-// percent. Instead this is the melt that topologists draw: the tube swells on one side into a solid cup
-// while the rest of the ring shrinks to its handle, then the top sinks in and leaves the wall standing.
-// The hole of the torus becomes the hole of the handle and never closes; its axis stays parallel to z.
+// A mixture of the two distance fields would show the mug's thin wall only in the last few percent. Instead this
+// follows the deformation that topologists draw. The tube swells on one side into a solid cup while the rest of the
+// ring shrinks to its handle; then the top sinks in and leaves the wall standing. The hole of the torus becomes the
+// hole of the handle and never closes; its axis stays parallel to z.
 //
-// Everything between the ends is a union and a subtraction of 1-Lipschitz fields, hence a bound,
-// 1-Lipschitz for every morph. At morph 0 the field is `sdfTorus` itself (exact); at 1, `sdfMug`.
+// All shapes in between are unions and subtractions of 1-Lipschitz fields, hence a bound, 1-Lipschitz for every morph.
+// At morph 0 the field is `sdfTorus` itself (exact); at 1, `sdfMug`.
 //
-// Frame: y up. The torus stands upright around the z axis, its center at the origin. While it melts, the
-// solid is carried along so that it keeps standing on the same ground, y = -(majorRadius + minorRadius),
-// and stays centered on x = z = 0. Melting at a steady pace looks eased already: the phases are.
+// Frame: y up. The torus stands upright around the z axis, its center at the origin. During the morph, the solid is
+// moved so that it stays on the same ground, y = -(majorRadius + minorRadius), and centered on x = z = 0. A linear
+// morph already looks eased, because its phases are.
 //
 // GLSL 4.50 and C++ (exhibits/sdf_morph/torus_mug_cpu.h).
 
@@ -22,14 +22,14 @@
 #include "lib/sdf_operators.glsl"
 #endif
 
-// Meters, all > 0 but morph and blend.
+// Meters, all > 0 except morph and blend.
 struct TorusMug {
-    float morph;            // 0 torus, 1 mug; cut to [0, 1].
+    float morph;            // 0 torus, 1 mug; clamped to [0, 1].
     float majorRadius;      // Of the torus: center to the middle of the tube. Good: 0.35.
-    float minorRadius;      // Of its tube. Good: 0.12.
+    float minorRadius;      // Radius of its tube. Good: 0.12.
     float mugRadius;        // Outside of the cup. Good: 0.28.
     float mugHeight;        // Ground to lip. Good: 0.66.
-    float wallThickness;    // Good: 0.045. Cut to the mug's radius.
+    float wallThickness;    // Good: 0.045. Clamped to the mug's radius.
     float handleRadius;     // Center to the middle of the handle. Good: 0.155.
     float handleThickness;  // Diameter of the handle. Good: 0.09.
     float blend;            // Width of the fillet between handle and cup. Good: 0.06.
@@ -42,7 +42,7 @@ float torusMugBottom(TorusMugShape s)
                min(-s.bodyHalfHeight, s.footHeight - s.footTube));
 }
 
-// Where the foot's bead sits under the rounded bottom: `sunk` of its radius above the bottom's surface.
+// Height of the foot's bead under the rounded bottom, sunk by `sunk` times its radius into the body.
 float torusMugFootHeight(TorusMugShape s, float sunk)
 {
     float below = min(s.bodyRoundingBelow, min(s.bodyRadius, s.bodyHalfHeight));
@@ -50,7 +50,7 @@ float torusMugFootHeight(TorusMugShape s, float sunk)
     return below - safeSqrt((below - over) * (below + over)) + sunk * s.footTube - s.bodyHalfHeight;
 }
 
-// Puts the shape on the ground and in the middle.
+// Translation that puts the shape on the ground and centers it.
 vec3 torusMugStand(TorusMugShape s, float ground)
 {
     float reach = s.ringRadius + s.ringTube;
@@ -59,7 +59,7 @@ vec3 torusMugStand(TorusMugShape s, float ground)
     return vec3(-0.5 * (left + right), ground - torusMugBottom(s), 0.0);
 }
 
-// The torus, with a cup hidden in the left of its tube.
+// Shape of the torus, with a cup hidden in the left of its tube.
 TorusMugShape torusShape(TorusMug m)
 {
     TorusMugShape s;
@@ -84,7 +84,7 @@ TorusMugShape torusShape(TorusMug m)
     return s;
 }
 
-// The mug.
+// Shape of the mug.
 TorusMugShape mugShape(TorusMug m)
 {
     TorusMugShape s;
@@ -110,8 +110,8 @@ TorusMugShape mugShape(TorusMug m)
     return s;
 }
 
-// The shape for `m.morph`. Three overlapping phases, each exactly 0 at morph 0 and exactly 1 at morph 1:
-// the swelling of the cup, the drawing in of the ring, the hollowing.
+// Shape for `m.morph`, in three overlapping phases, each exactly 0 at morph 0 and exactly 1 at morph 1: the cup swells,
+// the ring contracts, the cup is hollowed.
 TorusMugShape torusMugShape(TorusMug m)
 {
     float t = clamp(m.morph, 0.0, 1.0);
@@ -120,12 +120,12 @@ TorusMugShape torusMugShape(TorusMug m)
     if (t == 0.0) return a;
     if (t == 1.0) return b;
 
-    float stretch = smoothStep(0.0, 0.5, t);  // The swelling first runs along the tube, then outward.
+    float stretch = smoothStep(0.0, 0.5, t);  // The swelling runs along the tube first, then outward.
     float swell = smoothStep(0.0, 0.62, t);
     float draw = smoothStep(0.0, 0.8, t);
     float hollow = smoothStep(0.22, 1.0, t);
     float polish = smoothStep(0.55, 1.0, t);  // Edges become crisp only towards the end.
-    float soft = 4.0 * t * (1.0 - t);         // While melting, blends are wider.
+    float soft = 4.0 * t * (1.0 - t);         // Blends are wider during the morph.
 
     TorusMugShape s;
     s.morph = t;
@@ -151,7 +151,7 @@ TorusMugShape torusMugShape(TorusMug m)
     return s;
 }
 
-// Bound. Cup, handle and foot of a shape; `q` is relative to the body's center.
+// Cup, handle and foot of a shape; bound. `q` is relative to the body's center.
 float sdfCupWithHandle(vec3 q, TorusMugShape s)
 {
     vec2 profile = vec2(length(vec2(q.x, q.z)), q.y);
@@ -165,7 +165,7 @@ float sdfCupWithHandle(vec3 q, TorusMugShape s)
     float ring = length(vec2(length(vec2(r.x, y)) - s.ringRadius, q.z)) - s.ringTube;
     float solid = sdfSmoothUnion(body, ring, s.joint);
 
-    // The cavity is open above: only its walls, its floor and the rounding between them count.
+    // The cavity is open above: only walls, floor and the rounding between them matter.
     float rounding = min(s.cavityRounding, s.cavityRadius);
     vec2 c = vec2(profile.x - s.cavityRadius + rounding, s.cavityBottom + rounding - profile.y);
     float cavity = length(max(c, vec2(0.0))) + min(max(c.x, c.y), 0.0) - rounding;
@@ -192,7 +192,7 @@ float sdfTorusMug(vec3 p, TorusMugShape shape)
     return sdfCupWithHandle(p - shape.bodyCenter, shape);
 }
 
-// Half the size of a box around the shape, and its center. Nothing of the solid is outside.
+// Box around the shape: center and half size. All of the solid lies inside.
 struct TorusMugBox {
     vec3 center;
     vec3 halfSize;
@@ -211,7 +211,7 @@ TorusMugBox torusMugBox(TorusMugShape s)
     return box;
 }
 
-// The same around all morphs: where the bounding mesh must be when the morph is animated.
+// The same for all morphs: bounds of the mesh when the morph is animated.
 TorusMugBox torusMugBoxOverMorph(TorusMug m)
 {
     TorusMugShape a = torusShape(m);
