@@ -1,4 +1,4 @@
-// Shapes that were asked for this pixel: counted for whoever defines COUNT_SHAPES.
+// Counter of primitive evaluations for this pixel; active with COUNT_SHAPES.
 int shapesAsked = 0;
 #ifdef COUNT_SHAPES
 #define SCENE_ASKED(isShape) shapesAsked += (isShape) ? 1 : 0;

@@ -1,22 +1,22 @@
-// What surrounds a scene: three colors from the ground up, or a picture of all directions.
+// Environment of a scene: three colors from the ground up, or a panorama.
 
 #ifdef PANORAMA
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D panorama;
 
-// About 1.5 texels at level 0, all of it at the last one.
+// Radiance of the panorama, blurred over `width`: about 1.5 texels at level 0, the whole picture at the last level.
 vec3 panoramaAt(vec3 d, float width)
 {
     bool pole = abs(d.x) + abs(d.z) < 1e-6;
     float u = pole ? 0.5 : fract(atan(d.x, -d.z) / (2.0 * PI) + 0.5 + stage.environmentRotation / (2.0 * PI));
     float height = float(textureSize(panorama, 0).y);
     float level = log2(max(width * height / PI, 1.0));
-    // The picture repeats downwards, too: what is above its first row is not its last one.
+    // The texture repeats vertically, too, so the lookup must not mix the first row with the last one.
     float edge = min(0.5 * exp2(ceil(level)) / height, 0.5);
     vec3 seen = textureLod(panorama, vec2(u, clamp(acos(clamp(d.y, -1.0, 1.0)) / PI, edge, 1.0 - edge)), level).rgb;
     return max(seen, vec3(0.0)) * stage.environmentBrightness;
 }
 #else
-// Mean of the sky over all directions around `up`, weighted by their cosine; closed forms fitted to the sky below.
+// Cosine-weighted mean of the sky over the hemisphere around `up`; closed forms fitted to the sky below.
 vec3 skyAround(float up)
 {
     float above = 0.5 + 0.5 * up;
@@ -26,7 +26,7 @@ vec3 skyAround(float up)
 }
 #endif
 
-// Radiance from a direction, blurred by `roughness` (perceptual, 0 to 1).
+// Radiance of the environment from a direction, blurred by `roughness` (perceptual, 0 to 1).
 vec3 environmentLight(vec3 d, float roughness)
 {
 #ifdef PANORAMA
@@ -40,7 +40,7 @@ vec3 environmentLight(vec3 d, float roughness)
 #endif
 }
 
-// Irradiance over pi of all that surrounds the scene.
+// Irradiance over pi of the whole environment.
 vec3 environmentAround(vec3 n)
 {
 #ifdef PANORAMA

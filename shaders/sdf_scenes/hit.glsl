@@ -1,4 +1,4 @@
-// Where rays meet the scene.
+// Intersections of rays with the scene.
 
 struct SceneHit {
     vec3 position;
@@ -9,9 +9,9 @@ struct SceneHit {
 
 struct SceneSeen {
     vec3 radiance;
-    vec3 normal;     // of the first surface; 0 where there is none
-    float distance;  // of the same; at least 1e20
-    int steps;       // of the eye's ray
+    vec3 normal;     // normal of the first surface; 0 if there is none
+    float distance;  // distance to it; at least 1e20 if there is none
+    int steps;       // steps of the camera ray
 };
 
 MarchSettings sceneSettings(float tMin, float footprint)
@@ -22,8 +22,8 @@ MarchSettings sceneSettings(float tMin, float footprint)
     return s;
 }
 
-// The first surface along a ray, within the box that holds everything; planes that are known as such are met in closed
-// form, if the ray starts outside of them.
+// Finds the first surface along a ray, within the bounding box of the scene. Planes are intersected in closed form if
+// the ray starts outside of them.
 March sceneMarch(vec3 origin, vec3 direction, MarchSettings settings)
 {
     MarchSettings s = settings;
@@ -36,7 +36,7 @@ March sceneMarch(vec3 origin, vec3 direction, MarchSettings settings)
 #endif
     if (s.tMin > 0.0) s.tMin = max(s.tMin, span.x);
     s.tMax = min(s.tMax, span.y);
-    // Floats are coarser far from the origin.
+    // Floats are less precise far from the origin.
     s.toleranceFloor = 1e-5 + 4e-7 * length(origin);
     March march = sphereTrace(origin, direction, s);
     evaluations += march.evaluations;

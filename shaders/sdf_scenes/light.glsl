@@ -1,6 +1,6 @@
-// What lights a point of a scene, and what keeps it away.
+// Lights of a scene, and their occlusion at a point.
 
-// SHADOWS is one of the kit's methods, or the source's.
+// SHADOWS is one of the kit's methods, or that of the reference.
 #define SHADOWS_SOURCE 6
 #ifdef SHADOWS
 #if SHADOWS != SHADOWS_SOURCE
@@ -14,7 +14,7 @@
 #define OCCLUSION_HEMISPHERE 3
 #define OCCLUSION_CONES 4
 
-// Another number for every pixel and supersample, 0 to 1.
+// Random number for each pixel and supersample, 0 to 1.
 float pixelNumber(uint salt)
 {
     uvec2 pixel = uvec2(framePixel(gl_FragCoord.xy));
@@ -23,10 +23,10 @@ float pixelNumber(uint salt)
 
 #ifdef LIGHTS
 struct SceneLight {
-    vec3 direction;  // towards it, unit
-    vec3 arriving;   // irradiance over pi on what faces it
-    float distance;  // to it
-    float width;     // tangent of half the angle that it takes
+    vec3 direction;  // towards the light, unit
+    vec3 arriving;   // irradiance over pi on a plane that faces it
+    float distance;  // distance to it
+    float width;     // tangent of half its apparent angle
 };
 
 SceneLight sceneLight(int i, vec3 p)
@@ -48,7 +48,7 @@ SceneLight sceneLight(int i, vec3 p)
 #ifdef SOURCE_LOOK
     l.arriving = color.rgb;
 #else
-    // No nearer than its own size.
+    // The distance is clamped to the lamp's own size.
     l.arriving = color.rgb / max(squared, parameters.lampSize * parameters.lampSize + 1e-4);
 #endif
     l.width = parameters.lampSize / l.distance;
@@ -58,7 +58,7 @@ SceneLight sceneLight(int i, vec3 p)
         vec3 along = stage.lightAlong[i].xyz;
         vec3 facing = cross(across, along);
         float half_ = sqrt(length(facing));
-        // As a disk of its area (Snyder 1996): at any distance no brighter than a sky of its radiance.
+        // Treated as a disk of its area (Snyder 1996): at any distance no brighter than a sky of its radiance.
         float area = 4.0 * length(facing);
         float shown = max(-dot(l.direction, safeNormalize(facing, vec3(0.0, 1.0, 0.0))), 0.0);
         l.arriving = color.rgb * (area * shown / (PI * squared + area));
@@ -69,7 +69,7 @@ SceneLight sceneLight(int i, vec3 p)
 }
 
 #ifdef SHADOWS
-// Share of a light that shapes leave at `p`, which lies beside a surface.
+// Visibility of a light past the scene's shapes from `p`, a point next to a surface.
 float sceneVisibility(vec3 p, SceneLight l, uint salt)
 {
     float tMax = min(l.distance, rayBox(p, l.direction, stage.boxLow, stage.boxHigh).y);
@@ -82,8 +82,8 @@ float sceneVisibility(vec3 p, SceneLight l, uint salt)
 #if SHADOWS != SHADOWS_SOURCE
     Shadow s = shadowByMethod(p, l.direction, l.width, tMin, tMax, steps, parameters.shadowRays, 2.0 * PI * pixelNumber(salt));
 #else
-    // The source's: the narrowest clearance k d / t from 0.1 on, smoothed, and hard for k = 0. Unlike there, what is
-    // behind the light keeps nothing away.
+    // Method of the reference: the narrowest clearance k d / t from 0.1 on, smoothed, and hard for k = 0. Unlike the
+    // reference, shapes behind the light cast no shadow.
     Shadow s = shadowClassic(p, l.direction, stage.softShadows > 0.0 ? 1.0 / stage.softShadows : 1e-4, 0.1, tMax, steps);
     s.visibility = stage.softShadows > 0.0 ? smoothStep(0.0, 1.0, s.visibility) : step(1e-3, s.visibility);
 #endif
@@ -94,7 +94,7 @@ float sceneVisibility(vec3 p, SceneLight l, uint salt)
 #endif
 
 #ifdef OCCLUSION
-// Orthonormal axes around a direction: Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
+// Orthonormal basis around a direction: Duff et al. 2017, "Building an Orthonormal Basis, Revisited".
 mat3 axesAround(vec3 n)
 {
     float s = n.z >= 0.0 ? 1.0 : -1.0;
@@ -104,7 +104,7 @@ mat3 axesAround(vec3 n)
 }
 
 #if OCCLUSION == OCCLUSION_HEMISPHERE || OCCLUSION == OCCLUSION_SOURCE
-// Share of rays that find something within the range, which counts less towards its end.
+// Share of rays that hit something within the range; distant hits count less.
 float hemisphereHidden(vec3 p, vec3 n, int rays, float range)
 {
     mat3 axes = axesAround(n);
@@ -113,7 +113,8 @@ float hemisphereHidden(vec3 p, vec3 n, int rays, float range)
     for (int k = 0; k < rays; ++k) {
         float share = (float(k) + 0.5) / float(rays);
 #if OCCLUSION == OCCLUSION_SOURCE
-        // The source's angles are even in the polar angle, and the same for all pixels; here they turn.
+        // The angles of the reference are uniform in the polar angle, and the same for all pixels; here they are
+        // rotated per pixel.
         float polar = 0.5 * PI * fract(float(k) * 0.754877666 + 0.5);
         float sine = sin(polar);
 #else
@@ -139,8 +140,8 @@ float hemisphereHidden(vec3 p, vec3 n, int rays, float range)
 #endif
 
 #if OCCLUSION == OCCLUSION_CONES
-// Six cones of 30 degrees cover the hemisphere: one up the normal and five around it (Crassin et al. 2011, "Interactive
-// Indirect Illumination Using Voxel Cone Tracing"), weighted by their cosine.
+// Occlusion by six cones of 30 degrees that cover the hemisphere: one along the normal and five around it (Crassin et
+// al. 2011, "Interactive Indirect Illumination Using Voxel Cone Tracing"), weighted by their cosine.
 float conesHidden(vec3 p, vec3 n, float range)
 {
     mat3 axes = axesAround(n);
@@ -163,7 +164,7 @@ float conesHidden(vec3 p, vec3 n, float range)
 }
 #endif
 
-// Share of the light around a point that shapes keep away.
+// Share of the ambient light at a point that shapes block.
 float sceneHidden(vec3 p, vec3 n)
 {
 #if OCCLUSION == OCCLUSION_TAPS

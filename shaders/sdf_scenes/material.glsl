@@ -1,20 +1,20 @@
-// What a surface of a scene is made of, for both ways to light it, and how two of them blend.
+// Surface material of a scene for both shading models, and the blend of two materials.
 //
 // GLSL 4.50 and C++ (exhibits/sdf_scenes/scene_functions_cpu.h).
 
 struct SceneMaterial {
-    vec3 color;             // linear; what both ways have in common
-    float ambient;          // Phong: shares of the color
+    vec3 color;             // linear; used by both shading models
+    float ambient;          // Phong: share of the color in ambient light
     float diffuse;
-    float specular;         // Phong: of the highlight, white
+    float specular;         // Phong: strength of the white highlight
     float shininess;        // Phong: exponent of the highlight
-    float mirror;           // Phong: share that is reflected
+    float mirror;           // Phong: reflected share
     float metalness;        // 0 to 1
     float roughness;        // perceptual, 0 to 1
     float reflectance;      // 0.5 is 4 % at normal incidence
-    float refractiveIndex;  // of glass
+    float refractiveIndex;  // for glass
     float transmission;     // 0 is opaque, 1 is clear glass
-    float emission;         // light of its own, in colors
+    float emission;         // emitted light as a multiple of the color
 };
 
 struct SceneSurface {
@@ -22,7 +22,7 @@ struct SceneSurface {
     SceneMaterial material;
 };
 
-// From the numbers in the order above; d.z and d.w only fill up.
+// Makes a material from the numbers in the order above; d.z and d.w are padding.
 SceneMaterial sceneMaterial(vec4 a, vec4 b, vec4 c, vec4 d)
 {
     SceneMaterial m;
@@ -41,7 +41,7 @@ SceneMaterial sceneMaterial(vec4 a, vec4 b, vec4 c, vec4 d)
     return m;
 }
 
-// a at 0 and b at 1, both bitwise.
+// Interpolates: exactly a at 0 and b at 1, bitwise.
 SceneMaterial sceneBlend(SceneMaterial a, SceneMaterial b, float share)
 {
     if (share <= 0.0) return a;

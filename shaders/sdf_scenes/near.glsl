@@ -1,4 +1,4 @@
-// What is near a point: a grid of cells, each with the list of steps that matter in it, and planes that lie in no cell.
+// Acceleration grid: for each cell, the list of steps that can matter there. Infinite planes are stored separately.
 
 #define SCENE_MOST_PLANES 4
 
@@ -10,24 +10,24 @@ layout(std430, binding = STORAGE_EXHIBIT_B) readonly buffer SceneLists {
     uvec4 sceneLists[];
 };
 
-// exhibits/sdf_scenes/near_scene.h writes it.
+// Filled by exhibits/sdf_scenes/near_scene.h.
 layout(std430, binding = STORAGE_EXHIBIT_C) readonly buffer SceneNear {
-    vec4 low;                           // of the grid; w: cells per meter along x, ...
+    vec4 low;                           // low corner of the grid; w: cells per meter along x, ...
     vec4 high;                          // ... y ...
-    vec4 heldLow;                       // ... and z. All that is not a plane is in this box.
+    vec4 heldLow;                       // ... and z. Box of everything except the planes.
     vec4 heldHigh;
-    uvec4 count;                        // of cells; w: 0 where there are none, and all steps matter everywhere
+    uvec4 count;                        // number of cells; w: 0 without a grid, when all steps matter everywhere
     vec4 planes[SCENE_MOST_PLANES];     // normal and height
     uint planeMaterials[SCENE_MOST_PLANES];
-    uvec2 cells[];                      // the first step, or none; the distance at the center
+    uvec2 cells[];                      // first step of the list, or none; distance at the cell's center
 } sceneNear;
 
-// Added to the distances of planes: a march that meets them in closed form keeps them out of the field.
+// Added to the distances of planes: excludes them from the field while a march intersects them in closed form.
 float scenePlanesAway = 0.0;
 
 struct SceneCell {
-    uint first;       // its list
-    bool near;        // without, no surface is within `clearance` of the point
+    uint first;       // first step of its list
+    bool near;        // false: no surface lies within `clearance` of the point
     float clearance;  // negative inside
 };
 
@@ -42,7 +42,7 @@ SceneCell sceneCellAt(vec3 p)
     uvec2 found = sceneNear.cells[(index.z * sceneNear.count.y + index.y) * sceneNear.count.x + index.x];
     cell.near = found.x != 0xFFFFFFFFu;
     cell.first = cell.near ? found.x : 0u;
-    // Rounding of float32, a few times over.
+    // Accounts for a few times the rounding error of float32.
     vec3 center = sceneNear.low.xyz + (at + 0.5) / perMeter;
     float d = uintBitsToFloat(found.y);
     float sure = max(abs(d) * (1.0 - 2e-6) - distance(p, center), 0.0);
@@ -60,7 +60,7 @@ SceneMaterial sceneMaterialAt(uint record)
     return sceneMaterial(sceneRecords[record], sceneRecords[record + 1u], sceneRecords[record + 2u], sceneRecords[record + 3u]);
 }
 
-// Where a ray that starts outside of all planes meets the first of them; below 0 where it starts inside of one.
+// Distance at which a ray that starts outside of all planes hits the first of them; below 0 if it starts inside one.
 float scenePlaneAhead(vec3 origin, vec3 direction, int planes)
 {
     float first = 1e30;

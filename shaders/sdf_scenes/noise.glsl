@@ -1,4 +1,4 @@
-// Noise for scene files, with a proven slope.
+// Noise for scene files, with a proven bound on its slope.
 //
 // GLSL 4.50 and C++ (exhibits/sdf_scenes/scene_functions_cpu.h).
 
@@ -6,14 +6,14 @@
 #include "lib/noise_sums.glsl"
 #endif
 
-// Value noise of the library, whose bound on the slope is `noiseSteepest`.
+// Value noise of the library, whose slope is at most `noiseSteepest`.
 float sceneValueNoise(vec3 p)
 {
     vec3 q = clamp(p, vec3(-1.0e6), vec3(1.0e6));
     return noiseNear(NOISE_VALUE, q, ivec3(0), vec3(0.0), ivec3(0), 0x5ce9e5u).value;
 }
 
-// Octaves of it, each twice as fine and `gain` times as strong as the one before.
+// Sum of octaves, each with twice the frequency and `gain` times the amplitude of the one before.
 float sceneFractalNoise(vec3 p, float octaves, float gain)
 {
     float sum = 0.0;
@@ -27,7 +27,7 @@ float sceneFractalNoise(vec3 p, float octaves, float gain)
     return sum;
 }
 
-// Its slope at most.
+// Upper bound on its slope.
 float sceneFractalSlope(float octaves, float gain)
 {
     float sum = 0.0;
@@ -39,7 +39,7 @@ float sceneFractalSlope(float octaves, float gain)
     return sum;
 }
 
-// Bound. Where the noise is below `level`.
+// Solid where the noise is below `level`; bound.
 float sceneNoiseSolid(vec3 p, float frequency, float level, float octaves, float gain, vec3 shift)
 {
     float noise = sceneFractalNoise((p + shift) * frequency, octaves, gain);
@@ -51,7 +51,7 @@ float sceneDisplacementSlope(float amplitude, float frequency, float octaves, fl
     return 1.0 + amplitude * frequency * sceneFractalSlope(octaves, gain);
 }
 
-// Bound. A surface moved in and out by the noise times `amplitude`.
+// Surface displaced by the noise times `amplitude`; bound.
 float sceneDisplaced(float d, vec3 p, float amplitude, float frequency, float octaves, float gain, vec3 shift)
 {
     float moved = d + amplitude * sceneFractalNoise((p + shift) * frequency, octaves, gain);

@@ -1,8 +1,8 @@
-// What scene files do to distances and points, beside lib/sdf_operators.glsl. Every function keeps fields 1-Lipschitz:
-// where an operation stretches space, the distance is divided here by as much as it may have grown.
+// Operators of scene files on distances and points, in addition to lib/sdf_operators.glsl. Every function keeps fields
+// 1-Lipschitz: if an operation stretches space, the distance is divided by the largest stretch.
 //
-// A blend of two fields has a share as well: how much of the second is in the result, 0 to 1. It is the derivative of
-// the blended distance by the second one, so that materials turn where the surface does.
+// A blend of two fields also has a share: the weight of the second one in the result, 0 to 1. It is the derivative of
+// the blended distance with respect to the second, so that materials change where the surface does.
 //
 // GLSL 4.50 and C++ (exhibits/sdf_scenes/scene_functions_cpu.h).
 
@@ -12,14 +12,13 @@
 #include "lib/sdf_operators.glsl"
 #endif
 
-// Which profile a blend has; all begin where the two distances differ by `k`, but the exponential one, which has no
-// end.
+// Profiles of a blend. All begin where the two distances differ by `k`, except the exponential one, which has no end.
 const int SCENE_QUADRATIC = 0;
 const int SCENE_CUBIC = 1;
 const int SCENE_CIRCULAR = 2;
 const int SCENE_EXPONENTIAL = 3;
 
-// Union with the arc of a circle between perpendicular faces; adds at most 0.3 k. k = 0 is the hard union. Quilez 2023,
+// Union with a circular arc between perpendicular faces; adds at most 0.3 k. k = 0 is the hard union. Quilez 2023,
 // "Smooth minimum", circular geometrical.
 float sceneSmoothUnionCircular(float a, float b, float k)
 {
@@ -48,7 +47,7 @@ float sceneSubtraction(float a, float b, float k, int profile)
     return -sceneUnion(-a, b, k, profile);
 }
 
-// In one, but not in both.
+// Points in exactly one of the two.
 float sceneXor(float a, float b, float k, int profile)
 {
     return sceneSubtraction(sceneUnion(a, b, k, profile), sceneIntersection(a, b, k, profile), k, profile);
@@ -58,7 +57,7 @@ float sceneUnionShare(float a, float b, float k, int profile)
 {
     if (!(k > SDF_NARROWEST_BLEND)) return b < a ? 1.0 : 0.0;
     float width = min(k, SDF_WIDEST_BLEND);
-    float farther;  // The share of the greater one.
+    float farther;  // Weight of the greater distance.
     if (profile == SCENE_EXPONENTIAL) {
         float weight = exp2(max(-abs(a - b) / width, -126.0));
         farther = weight / (1.0 + weight);
@@ -96,25 +95,25 @@ float sceneMixShare(float t)
 
 // ---- Places --------------------------------------------------------------------------------------
 
-// Into a space whose axes are these, each of unit length.
+// Transforms a point to a space with these unit axes.
 vec3 sceneTurned(vec3 p, vec3 x, vec3 y, vec3 z)
 {
     return vec3(dot(p, x), dot(p, y), dot(p, z));
 }
 
-// The half that is kept is that of positive coordinates; an axis of 0 mirrors nothing.
+// Mirrors: the half with positive coordinates is kept. Axes with 0 are not mirrored.
 vec3 sceneMirror(vec3 p, vec3 axes)
 {
     return vec3(axes.x > 0.5 ? abs(p.x) : p.x, axes.y > 0.5 ? abs(p.y) : p.y, axes.z > 0.5 ? abs(p.z) : p.z);
 }
 
-// The profile is what the child has in its plane z = 0.
+// Extrudes the child's cross section at z = 0.
 vec3 sceneFlat(vec3 p)
 {
     return vec3(p.x, p.y, 0.0);
 }
 
-// Around the y axis, the profile moved out by `offset`.
+// Revolves the profile around the y axis, moved out by `offset`.
 vec3 sceneRevolve(vec3 p, float offset)
 {
     return vec3(length(vec2(p.x, p.z)) - offset, p.y, 0.0);
@@ -127,13 +126,13 @@ vec3 sceneTurnY(vec3 p, float angle)
     return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x);
 }
 
-// Turned about the y axis by `rate` radians for each meter of height.
+// Rotates around the y axis by `rate` radians per meter of height.
 vec3 sceneTwist(vec3 p, float rate)
 {
     return sceneTurnY(p, rate * p.y);
 }
 
-// Turned about the z axis by `rate` radians for each meter of x.
+// Rotates around the z axis by `rate` radians per meter of x.
 vec3 sceneBend(vec3 p, float rate)
 {
     float c = cos(rate * p.x);
@@ -141,9 +140,9 @@ vec3 sceneBend(vec3 p, float rate)
     return vec3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
 }
 
-// The largest s for which a field that grows by at most 1 + rate * radius per meter at `radius` from an axis cannot
-// pass zero within s: s (1 + rate (radius + s)) = d. It is itself 1-Lipschitz: its differential is at most (1 + rate
-// radius + rate s) / (1 + rate radius + 2 rate s).
+// Safe distance in a twisted or bent space. The field grows by at most 1 + rate * radius per meter at `radius` from the
+// axis. Returns the largest s within which it cannot pass zero: s (1 + rate (radius + s)) = d. The result is
+// 1-Lipschitz: its differential is at most (1 + rate radius + rate s) / (1 + rate radius + 2 rate s).
 float sceneSheared(float d, float radius, float rate)
 {
     float slope = 1.0 + abs(rate) * radius;
@@ -162,11 +161,12 @@ float sceneBent(float d, vec3 p, float rate)
 }
 
 // ---- Repetition ----------------------------------------------------------------------------------
-// The nearest copy is found by asking as many of them as the content is wide, from the first one that may be nearest.
-
-// Along one axis: the copies are `spacing` apart, `count` of them around the origin or endless for 0, or there is one
-// for a spacing of 0. Of the `asked` ones, by `i` from 0, the first is that whose content, which ends at `high`, is
+// The nearest copy is found by evaluating as many copies as the content is wide, from the first one that may be
 // nearest.
+
+// Coordinate in copy `i` along one axis. Copies are `spacing` apart: `count` of them around the origin, or infinitely
+// many for 0. A spacing of 0 means a single copy. Of the `asked` copies to evaluate, copy 0 is the one whose content,
+// which ends at `high`, is nearest.
 float sceneCell(float x, float i, float spacing, float count, float high, float asked)
 {
     if (!(spacing > 0.0)) return x;
@@ -185,7 +185,7 @@ vec3 sceneRepeated(vec3 p, int i, vec3 spacing, vec3 count, vec3 high, vec3 aske
                 sceneCell(p.z, float(i / (nx * ny)), spacing.z, count.z, high.z, asked.z));
 }
 
-// Around the y axis: `count` copies, the first toward +x; the content ends at the angle `high`.
+// Rotates to copy `i` of `count` around the y axis, the first towards +x; the content ends at the angle `high`.
 vec3 sceneRepeatedAround(vec3 p, int i, float count, float high)
 {
     float sector = 2.0 * PI / count;
@@ -193,15 +193,15 @@ vec3 sceneRepeatedAround(vec3 p, int i, float count, float high)
     return sceneTurnY(p, cell * sector);
 }
 
-// The distance of a copy whose content lies in a box: not less than that of the box, and not above `cap`, so that a
-// copy beyond it need not be asked. A cap of 0 leaves it as it is.
+// Limits the distance of a copy whose content lies in a box: at least the distance to the box, and at most `cap`, so
+// that copies beyond it need no evaluation. A cap of 0 changes nothing.
 float sceneCapped(float d, vec3 p, float cap, vec3 center, vec3 halfSize)
 {
     if (!(cap > 0.0)) return d;
     return min(max(d, sdfBox(p - center, halfSize)), cap);
 }
 
-// Far from all copies, which lie in a box, the distance is not kept below the cap.
+// Removes the cap far from all copies, which lie in a box.
 float sceneBeyond(float d, vec3 p, float cap, vec3 center, vec3 halfSize)
 {
     return cap > 0.0 ? max(d, sdfBox(p - center, halfSize)) : d;

@@ -1,6 +1,6 @@
-// Metal, glaze and glass in the light of lamps and of all that surrounds the scene; in linear light.
+// Physically based shading: metal, glaze and glass, lit by lamps and the environment; in linear light.
 
-#define ROUGHEST_MIRROR 0.35  // Rougher ones show the environment, blurred, in place of mirror images.
+#define ROUGHEST_MIRROR 0.35  // Rougher surfaces show the blurred environment instead of traced reflections.
 
 vec3 reflectanceOf(SceneMaterial m)
 {
@@ -16,8 +16,8 @@ vec2 mirrorShare(float roughness, float cosine)
     return max(vec2(-1.04, 1.04) * a + r.zw, vec2(0.0));
 }
 
-// Of light from l that arrives with irradiance pi: Burley 2012, Heitz 2014, Schlick 1994. `width`: tangent of half the
-// angle that the light takes, by which highlights are no narrower (Karis 2013, "Real Shading in Unreal Engine 4").
+// Reflected light for light from l with irradiance pi: Burley 2012, Heitz 2014, Schlick 1994. `width`: tangent of half
+// the light's apparent angle, which is the least width of highlights (Karis 2013, "Real Shading in Unreal Engine 4").
 vec3 lightReflected(SceneMaterial m, vec3 n, vec3 toEye, vec3 l, float width)
 {
     float cosL = dot(n, l);
@@ -56,7 +56,7 @@ vec3 allLights(SceneHit hit, SceneMaterial m, vec3 n, vec3 toEye)
     return sum;
 }
 
-// What a ray sees that leaves the scene: what surrounds it, and suns.
+// Radiance of the background for a ray that leaves the scene: environment and suns.
 vec3 beyond(vec3 d, float roughness)
 {
     vec3 light_ = environmentLight(d, roughness);
@@ -73,7 +73,7 @@ vec3 beyond(vec3 d, float roughness)
 }
 
 #ifdef LAMPS
-// Areas that shine, seen themselves before `t`.
+// Radiance of area lights that are directly visible before `t`.
 vec3 lampsSeen(vec3 origin, vec3 d, float t)
 {
     vec3 sum = vec3(0.0);
@@ -102,12 +102,12 @@ SceneSeen sceneSeen(PortalRay ray)
     vec3 direction = ray.direction;
     vec3 color = vec3(0.0);
     vec3 share = vec3(1.0);
-    float side = 1.0;  // -1 within glass
+    float side = 1.0;  // -1 inside glass
     float roughness = 0.0;
     int bounces = 0;
 #if defined(GLASS)
     const int most = 14;
-    // The mirror image at the first side of glass, which is followed when the way through it has ended.
+    // The reflection at the first side of glass. It is traced after the path through the glass has ended.
     bool waits = false;
     bool waited = false;
     vec3 waitingOrigin = vec3(0.0);
@@ -147,7 +147,7 @@ SceneSeen sceneSeen(PortalRay ray)
             continue;
         }
         SceneHit hit = sceneHit(origin, direction, march, settings);
-        // Endless floors fade into what surrounds them before rays run out of steps.
+        // Infinite floors fade into the background before rays reach the step limit.
         float haze = smoothstep(0.05, 0.5, hit.traveled / stage.farthest);
         color += share * haze * beyond(direction, roughness);
         share *= 1.0 - haze;
@@ -167,7 +167,7 @@ SceneSeen sceneSeen(PortalRay ray)
         settings.tMin = 0.0;
         settings.traveled = hit.traveled;
 #ifdef GLASS
-        // Through glass, and then to what it mirrors at its first side; of later ones, the environment alone.
+        // Traces through glass, and then the reflection at its first side; later sides reflect only the environment.
         if (side < 0.0) share *= exp(log(clamp(m.color, 0.02, 1.0)) * (march.t * 10.0));
         if (m.transmission > 0.5) {
             float index = side > 0.0 ? m.refractiveIndex : 1.0 / m.refractiveIndex;
@@ -221,7 +221,7 @@ SceneSeen sceneSeen(PortalRay ray)
 #endif
         share *= mirrors;
         if (last) {
-            // What shapes would hide of the image only darkens it.
+            // Shapes that would occlude the reflection only darken it.
             color += share * beyond(image, m.roughness) * mix(1.0, open, 0.8);
             ended = true;
             continue;

@@ -1,6 +1,6 @@
-// A scene behind the frame: its field is generated, everything around it is here.
-// Permutations: SOURCE_LOOK; LIGHTS, SHADOWS (a method), OCCLUSION (a method), MIRRORS, GLASS, GLOWS, LAMPS, PANORAMA, as far as the scene
-// has any; HEAT_MAP, COUNT_SHAPES (in place of evaluations).
+// Draws a scene behind the portal: its field is generated, the rest is here. Permutations: SOURCE_LOOK; LIGHTS, SHADOWS
+// (a method), OCCLUSION (a method), MIRRORS, GLASS, GLOWS, LAMPS, PANORAMA, if the scene has any; HEAT_MAP,
+// COUNT_SHAPES (instead of evaluations).
 #if defined(SOURCE_LOOK) || defined(HEAT_MAP)
 #define PORTAL_DISPLAY_LIGHT
 #endif

@@ -1,7 +1,7 @@
-// As the source lights its scenes: Phong with a mirror, light from everywhere counted twice, numbers shown as they are.
+// Shading of the reference: Phong with reflections, ambient light counted twice, values displayed without tone mapping.
 // Akgul, Boucher and El Hajal, "Ray Marching and Ambient Occlusion Rendering".
 
-// Display light of a number that a screen shows without a curve.
+// Linear display light of a value that a screen shows directly, without tone curve.
 vec3 asShown(vec3 color)
 {
     vec3 c = clamp(color, 0.0, 1.0);
