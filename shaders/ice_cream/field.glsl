@@ -1,5 +1,5 @@
-// The ice cream of this moment as a field for the kit's march. Its numbers come ready made: the rows of the table that
-// they were made of are in `parameters`, too, and nothing here reads them. Permutation: SPRINKLES.
+// Current ice cream as a field for the kit's march. Its numbers are precomputed; the parameters that they were made
+// from are in `parameters`, too, but not used here. Permutation: SPRINKLES.
 #include "lib/bindings.glsl"
 #include "ice_cream/ice_cream_block.glsl"
 #include "lib/numerics.glsl"
@@ -41,7 +41,7 @@ vec4 sprinkleFinish(int i) { return vec4(0.0); }
 
 #include "ice_cream/solids.glsl"
 
-// Normals, occlusion and soft shadows are those of the level: a bound on the way has edges where the shape has none.
+// Normals, occlusion and soft shadows use the level: the distance bound has creases where the shape has none.
 #define FIELD_LEVEL iceCreamLevel
 #define FIELD_CLEARANCE(d) levelHere
 

@@ -1,4 +1,5 @@
-// The sand around the ice cream, and the black beyond it: a plane, found without a march. Permutation: WRITE_NORMAL.
+// Draws the sand around the ice cream, and the black beyond it: a plane, intersected without a march. Permutation:
+// WRITE_NORMAL.
 #include "kit/sdf/ray.glsl"
 #include "kit/sdf/shade.glsl"
 #include "kit/sdf/shading.glsl"
@@ -9,8 +10,8 @@ layout(location = 1) out vec4 normalOut;
 #endif
 layout(depth_any) out float gl_FragDepth;
 
-// The sun's share at a point of the ground. Rays that pass the box farther away than half the sun is wide there meet
-// nothing.
+// Visibility of the sun at a point of the ground. A ray hits nothing if it passes the box at a distance of more than
+// half the sun's width there.
 float groundVisibility(vec3 p, vec3 toSun)
 {
     if (parameters.shadowMethod == shadowMethod_none) return 1.0;
@@ -27,7 +28,7 @@ void main()
     LocalRay ray = localRay(gl_FragCoord.xy);
     float t = -ray.origin.y / ray.direction.y;
     bool below = ray.direction.y < 0.0 && ray.origin.y > 0.0;
-    // Beyond this the fog leaves nothing; depth 0 is the sky's.
+    // Beyond this distance the fog is complete; depth 0 belongs to the sky.
     float farthest = 1.0e4;
     gl_FragDepth = max(frame.nearPlane / ((below ? min(t, farthest) : farthest) / ray.perDepth), 1.0e-9);
     radiance = vec4(0.0, 0.0, 0.0, 1.0);
@@ -45,7 +46,8 @@ void main()
     s.roughness = 0.9;
     s.specular = 0.0;
     s.ambient = vec3(0.0);
-    // The ground's own share of the occlusion: a point as high above it as it is away from it.
+    // Occlusion by the body, near its box only. The ground occludes nothing of itself: a sample is as far from it as it
+    // is high.
     bool near = length(max(max(object.boxLow - p, p - object.boxHigh), vec3(0.0))) < 0.6;
     s.occlusion = near ? sourceOcclusion(p, n) : 1.0;
     s.specular = shape.stage < STAGE_SPECULAR ? 0.0 : 0.5;

@@ -1,4 +1,4 @@
-// What each part is made of: fieldPart says which part the ray found.
+// Material of each part; fieldPart is the part that the ray hit.
 
 vec3 sprinkleColor(int kind)
 {

@@ -1,7 +1,7 @@
-// The ice cream in the hall's light and that of a lamp of its own, or in the light of the source.
+// Shading of the ice cream by the hall's light and a lamp of its own, or by the light of the reference.
 #include "ice_cream/source_light.glsl"
 
-// The lamp before the niche. It lights nothing else, so no other exhibit pays for it.
+// Light of the lamp in front of the niche. It lights nothing else, so it costs other exhibits nothing.
 vec3 exhibitLight(Surface s, Hit hit, vec3 toEye)
 {
     if (parameters.lamp <= 0.0) return vec3(0.0);

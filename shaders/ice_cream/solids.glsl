@@ -1,17 +1,16 @@
-// The solids of an ice cream and their union, each evaluated only where it decides.
+// Solids of an ice cream and their union. Each solid is evaluated only where it affects the result.
 //
-// What surrounds this file supplies `shape` (IceCreamShape), `fieldPart`, `solids` (counts the solids that were
-// evaluated), `levelHere`, `unlisted`, and of the sprinkles sprinkleClear(cell), sprinkleFirst(cell),
-// sprinkleEnd(cell), sprinkleStart(i) with the number of a color, and sprinkleFinish(i). In C++ it is the body of a
-// class: exhibits/ice_cream/ice_cream_cpu.h.
+// The including code supplies `shape` (IceCreamShape), `fieldPart`, `solids` (counts the solids evaluated), `levelHere`
+// and `unlisted`. For the sprinkles it supplies sprinkleClear(cell), sprinkleFirst(cell), sprinkleEnd(cell),
+// sprinkleStart(i) with the number of a color, and sprinkleFinish(i). In C++ this file is the body of a class:
+// exhibits/ice_cream/ice_cream_cpu.h.
 //
-// Two functions of a point are made of them. The level is what the shape is defined by: its twisted layers are
-// steeper than 1. The distance is a bound on the way to the surface, below the level wherever a twist makes that
-// necessary. A solid is left out only where a bound on its distance shows that it changes neither; cheap bounds from
-// above come first, so that no order of the solids is needed: drivers that follow both sides of every branch go
-// through each once.
+// They define two functions of a point. The level defines the shape; its twisted layers have a slope above 1. The
+// distance is a bound for marching, smaller than the level wherever a twist requires that. A solid is skipped only if a
+// bound on its distance shows that it affects neither. Cheap upper bounds come first, so that the solids need no order:
+// drivers that execute both sides of every branch evaluate each solid once.
 
-// The level before candies are put on, in two halves: only the cream is steep. A half that is left out is a bound.
+// The level without candies, in two halves: only the cream is steep. A half that was skipped is a bound.
 struct IceCreamCore {
     float wafer;
     float cream;
@@ -39,7 +38,7 @@ float frustumDistance(vec3 p, float low, float high, float bottomRadius, float t
     return sdfCappedCone(p - vec3(0.0, 0.5 * (low + high), 0.0), 0.5 * (high - low), bottomRadius, topRadius);
 }
 
-// Exact. A ball around (0, bowl.y, 0) between two heights, both below its center or not.
+// Exact. Part of a ball around (0, bowl.y, 0) between two heights, which may both be below its center.
 float bowlDistance(vec2 profile, vec4 bowl)
 {
     solids += 1;
@@ -53,13 +52,13 @@ float bowlDistance(vec2 profile, vec4 bowl)
     if (inside <= 0.0) return inside;
     if (q.y < low && q.x <= lowEdge.x) return low - q.y;
     if (q.y > high && q.x <= highEdge.x) return q.y - high;
-    // Seen from the center, between the two edges.
+    // Seen from the center, the point lies between the two edges.
     bool abreast = q.y * lowEdge.x >= lowEdge.y * q.x && q.y * highEdge.x <= highEdge.y * q.x;
     if (abreast) return ball;
     return sqrt(min(squaredLength(q - lowEdge), squaredLength(q - highEdge)));
 }
 
-// Exact. Rings lie evenly along the side of the foot, so the nearest one is found without looking at the others.
+// Exact. Rings are evenly spaced along the side of the foot, so the nearest one is found directly.
 float ringDistance(vec2 profile)
 {
     solids += 1;
@@ -71,7 +70,7 @@ float ringDistance(vec2 profile)
     return length(profile - bottom - side * nearest) - shape.ringTube;
 }
 
-// Exact. Bars stand evenly around the axis, each in a plane through it, so the nearest one is the one abreast.
+// Exact. Bars are evenly spaced around the axis, each in a plane through it, so the nearest one has the nearest angle.
 float barDistance(vec3 p)
 {
     solids += 1;
@@ -83,7 +82,7 @@ float barDistance(vec3 p)
     return sdfCapsule(q, vec3(shape.foot.x, 0.0, 0.0), vec3(shape.foot.y, shape.foot.z, 0.0), shape.barRadius);
 }
 
-// The foot with its relief. `best` is what the rest of the wafer comes to.
+// Level of the foot with its relief. `best` is the level of the rest of the wafer.
 float footLevel(vec3 p, vec2 profile, float best)
 {
     float foot = hasPart(PART_FOOT) ? frustumDistance(p, 0.0, shape.foot.z, shape.foot.x, shape.foot.y) : 1.0e9;
@@ -94,7 +93,7 @@ float footLevel(vec3 p, vec2 profile, float best)
         return foot;
     }
     float blends = 0.25 * (shape.footBlend + shape.reliefBlend);
-    // The relief stands out of the foot's surface by no more than its own thickness.
+    // The relief rises above the foot's surface by no more than its own thickness.
     if (hasPart(PART_FOOT) && foot - max(shape.ringTube, shape.barRadius) - blends >= best) return foot;
     float ring = rings ? ringDistance(profile) : 1.0e9;
     float bar = bars ? barDistance(p) : 1.0e9;
@@ -104,8 +103,8 @@ float footLevel(vec3 p, vec2 profile, float best)
     return level;
 }
 
-// No less than the distance to foot, collar and bowl, from cylinders within them; a hundredth of a millimeter more, or
-// rounding would leave out a solid whose bounds from both sides agree.
+// Upper bound on the distance to foot, collar and bowl, from cylinders inside them. A hundredth of a millimeter is
+// added, or rounding would skip a solid whose two bounds coincide.
 float waferAtMost(vec2 profile)
 {
     float most = 1.0e9;
@@ -127,8 +126,8 @@ float waferAtMost(vec2 profile)
     return most + 1.0e-5;
 }
 
-// `most` as waferAtMost. Foot, collar and bowl stand on one another: the gap to the heights of each bounds its
-// distance.
+// Level of the wafer; `most` is that of waferAtMost. Foot, collar and bowl stand on each other: the vertical gap to
+// each bounds its distance.
 float waferLevel(vec3 p, vec2 profile, float most)
 {
     float level = 1.0e9;
@@ -159,9 +158,9 @@ float lobeDistance(CreamLayer layer, vec3 p)
     return sdfCappedCone(vec3(away, along - layer.halfHeight, 0.0), layer.halfHeight, layer.radius, 0.0) - layer.corner;
 }
 
-// Union of the two nearest cones of a layer, in its untwisted space; `angle` of the point about the axis. Cones are
-// taken in the order in which balls that hold them lie around the axis; when the next ball is too far to hold one of
-// the two nearest, the rest are.
+// Union of the two nearest cones of a layer, in its untwisted space; `angle` is that of the point around the axis.
+// Cones are visited in the order of their bounding balls around the axis. If the next ball is too far to contain one of
+// the two nearest cones, so are the rest.
 float layerLevel(CreamLayer layer, vec3 p, float angle)
 {
     float turn = 2.0 * PI / float(layer.lobes);
@@ -185,7 +184,7 @@ float layerLevel(CreamLayer layer, vec3 p, float angle)
     return sdfSmoothUnion(nearest, second, layer.blend);
 }
 
-// No less than the level of a layer: the way through the axis to the middle of a cone at this height.
+// Upper bound on the level of a layer: the way through the axis to the middle of a cone at this height.
 float layerAtMost(CreamLayer layer, vec2 profile)
 {
     float length_ = 2.0 * layer.halfHeight;
@@ -195,8 +194,8 @@ float layerAtMost(CreamLayer layer, vec2 profile)
     return length(vec2(profile.x + length(vec2(middle.x, middle.z)), profile.y - middle.y));
 }
 
-// Union of the layers; `most` is a bound from above on what else there is. A twist turns heights about the axis, so
-// that it leaves every hull where it is.
+// Union of the layers; `most` is an upper bound on the level of the other solids. A twist rotates around the axis, so
+// that every hull stays in place.
 float creamLevel(vec3 p, vec2 profile, vec2 hulls, float most)
 {
     float angle = angleOf(p.z, p.x);
@@ -214,8 +213,8 @@ float creamLevel(vec3 p, vec2 profile, vec2 hulls, float most)
     return level;
 }
 
-// How much steeper than 1 the cream is at most, at this radius: the largest singular value of a twist's derivative,
-// a shear by twist times radius.
+// Upper bound on the slope of the cream at this radius: the largest singular value of a twist's derivative, a shear by
+// twist times radius.
 float twistSlope(float radius)
 {
     float x = 0.5 * shape.steepest * min(radius, shape.outermost);
@@ -253,8 +252,9 @@ float coreLevel(IceCreamCore core)
     return sdfSmoothUnion(core.wafer, core.cream, shape.waferBlend);
 }
 
-// A ball of this radius around p is free of the core, or inside it: wafer 1-Lipschitz, cream as steep as its twist.
-// Each of the bounds holds by itself; where the two are blended the first is the best, elsewhere one of the others.
+// Returns the radius of a ball around p that contains no surface of the core. The wafer is 1-Lipschitz; the cream's
+// slope depends on its twist. Each of the bounds is valid alone; where the two are blended, the first is the best,
+// elsewhere one of the others.
 float coreDistance(IceCreamCore core, vec3 p)
 {
     float blend = shape.waferBlend;
@@ -281,8 +281,8 @@ float candyDistance(int i, vec3 p)
     return sdfRoundBox(q, shape.candies[i].halfSize, shape.candies[i].corner);
 }
 
-// `d` united with the sprinkles that are near: capsules in a grid. A cell lists those that come near it, and says
-// how far all others are at least, which becomes `unlisted`; its outermost cells list none.
+// Unites `d` with the sprinkles nearby: capsules in a grid. A cell lists those that come near it, and a lower bound on
+// the distance of all others, which becomes `unlisted`. The outermost cells list none.
 float withSprinkles(vec3 p, float d)
 {
     vec3 high = shape.gridLow + shape.gridCell * vec3(shape.gridCells);
@@ -308,10 +308,10 @@ float withSprinkles(vec3 p, float d)
     return all;
 }
 
-// `d` united with what lies on the cream and under the wafer: candies, sprinkles, plinth.
+// Unites `d` with the objects on the cream and under the wafer: candies, sprinkles, plinth.
 float withToppings(vec3 p, float d)
 {
-    int near = 0;  // Bits of the candies that may be nearer.
+    int near = 0;  // Bits of the candies that may be closer.
     for (int i = 0; i < CANDIES; ++i) {
         vec3 v = p - shape.candies[i].center;
         float reach = d + shape.candies[i].reach;
@@ -341,7 +341,7 @@ float iceCreamLevel(vec3 p)
     return withToppings(p, coreLevel(iceCreamCore(p)));
 }
 
-// Leaves the level in `levelHere`.
+// Returns the distance; stores the level in `levelHere`.
 float iceCreamDistance(vec3 p)
 {
     IceCreamCore core = iceCreamCore(p);

@@ -1,13 +1,14 @@
-// The light of the source: one sun, a warm ambient light, five samples of occlusion, fog that fades to black. All of it
-// in the body's own space, where the sun stands still while the camera goes round.
+// Light of the reference: one sun, a warm ambient light, five occlusion samples, fog that fades to black. All in the
+// body's own space, where the sun is fixed while the camera moves.
 
 vec3 sourceSun()
 {
     return parameters.sourceSun * inversesqrt(dot(parameters.sourceSun, parameters.sourceSun));
 }
 
-// Share of the ambient light: `occlusionTaps` samples up the normal, each with half the weight of one a quarter of the way
-// before it. Five are those of the source, after Quilez 2008, "Rendering Worlds with Two Triangles"; more keep their sum.
+// Ambient occlusion: `occlusionTaps` samples along the normal, each with half the weight of the sample a quarter of the
+// way before it. Five samples are those of the reference, after Quilez 2008, "Rendering Worlds with Two Triangles";
+// more samples keep the sum of weights.
 float sourceOcclusion(vec3 p, vec3 n)
 {
     if (!parameters.ambientOcclusion) return 1.0;
@@ -28,7 +29,8 @@ float sourceOcclusion(vec3 p, vec3 n)
     return clamp(1.0 - 1.5 * hidden * 1.9375 / weights, 0.0, 1.0);
 }
 
-// Light that a surface sends to the eye. `toEye` and `s.normal` in the body's own space, `visible` the sun's share there.
+// Radiance of a surface towards the eye. `toEye` and `s.normal` in the body's own space; `visible` is the sun's
+// visibility.
 vec3 sourceReflected(Surface s, vec3 toEye, float visible)
 {
     vec3 l = sourceSun();
@@ -41,11 +43,12 @@ vec3 sourceReflected(Surface s, vec3 toEye, float visible)
         float shine = powPositive(clamp(dot(safeNormalize(l + toEye, s.normal), s.normal), 0.0, 1.0), exp2(10.0 * (1.0 - s.roughness)));
         direct = (s.baseColor + (s.specular > 0.0 ? shine : 0.0)) * sunLight * diffuse;
     }
-    // More from above than from below.
+    // More ambient light from above than from below.
     return direct + s.baseColor * parameters.sourceAmbient * (s.occlusion * clamp(0.5 + 0.5 * s.normal.y, 0.0, 1.0));
 }
 
-// `t` meters from the eye. The hall's exposure is taken back: the numbers are the source's.
+// Applies fog at `t` meters from the eye. Divides by the hall's exposure, because the values are those of the
+// reference.
 vec3 sourceFogged(vec3 color, float t)
 {
     return color * exp(-parameters.sourceFog * t * t * t) / light.exposure;
