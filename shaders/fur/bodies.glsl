@@ -1,11 +1,11 @@
-// All bodies at once, for what looks from one to another.
+// Data of all bodies, for occlusion of one by another.
 #include "fur/body.glsl"
 
 layout(std140, binding = BLOCK_OBJECT) uniform Object {
     FurBodies fur;
 };
 
-// Nearest point to `p` of the line that a body is thick around: a point, a straight line, or a ring.
+// Point nearest to `p` on the spine of a body: a point, a straight line, or a ring.
 vec3 spinePoint(FurBody b, vec3 p)
 {
     if (b.ringRadius > 0.0) {
@@ -15,9 +15,9 @@ vec3 spinePoint(FurBody b, vec3 p)
     return vec3(clamp(p.x, -b.halfLength, b.halfLength), 0.0, 0.0);
 }
 
-// What one body leaves of the light at a point: of the sky over a surface with unit `normal`, and of a lamp
-// towards unit `l`. Both from spheres on its spine: for the sky the nearest one, by the cosine-weighted solid
-// angle it takes (Quilez 2006, "Sphere ambient occlusion"); for the lamp the one its ray passes nearest.
+// Unoccluded share of light at a point past one body. x: of the sky over a surface with unit `normal`; y: of a lamp in
+// unit direction `l`. Both use spheres on the body's spine. For the sky it is the nearest one, by its cosine-weighted
+// solid angle (Quilez 2006, "Sphere ambient occlusion"); for the lamp the one that its ray passes closest.
 vec2 openTo(FurBody b, vec3 world, vec3 normal, vec3 l)
 {
     vec3 p = (b.bodyFromWorld * vec4(world, 1.0)).xyz;
@@ -36,12 +36,12 @@ vec2 openTo(FurBody b, vec3 world, vec3 normal, vec3 l)
         t = max(dot(nearest - p, d), 0.0);
     }
     float away = length(p + d * t - nearest);
-    // A fringe half as wide as the fur is long lets light through; the lamp is no point either.
+    // A fringe half as wide as the fur is long lets light through; the lamp is not a point either.
     float soft = 0.5 * b.strandLength + 0.06 * t + 0.01;
     return vec2(1.0 - cosine * cosine * share, smoothStep(skin + 0.3 * b.strandLength - soft, skin + 0.5 * b.strandLength + soft, away));
 }
 
-// Unit vector towards the lamp in the vault above the pit, and its irradiance on what faces it.
+// Unit vector towards the lamp in the vault above the pit, and its irradiance on a plane that faces it.
 vec3 lampDirection()
 {
     return normalize(mat3(fur.worldFromPit) * parameters.lampDirection);
@@ -52,8 +52,8 @@ vec3 lampLight()
     return vec3(1.0, 0.86, 0.68) * parameters.lamp;
 }
 
-// Share of the hall, and not of the wall and floor of the pit, in what lies behind a point along unit `d`: 0 to 1. All
-// in the pit's space; its padded edge is not sharp.
+// Share of the hall in the background of a point along unit `d`, 0 to 1; the rest is wall and floor of the pit. All in
+// the pit's space; its padded edge is not sharp.
 float hallBehind(vec3 p, vec3 d)
 {
     float inside = fur.pitRadius * fur.pitRadius - dot(p.xz, p.xz);

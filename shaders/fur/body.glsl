@@ -1,11 +1,11 @@
-// One body and its coat.
+// Data of one body and its coat.
 #include "lib/bindings.glsl"
 #include "lib/numerics.glsl"
 #include "lib/hash.glsl"
 #include "fur/strand.glsl"
 #include "fur/body_block.glsl"
 
-// Height of shell `i`, the outermost being 0 and the skin the last, before `distanceAttenuation`.
+// Height of shell `i` before `distanceAttenuation`. The outermost shell is 0, the skin the last one.
 float shellHeight(float i, float count)
 {
     return count > 1.0 ? max(1.0 - i / (count - 1.0), 0.0) : 0.0;

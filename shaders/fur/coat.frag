@@ -1,5 +1,5 @@
-// Which strand, if any, the eye meets from halfway to the shell outside to halfway to the one inside. Permutations: FIN
-// and BY_ANGLE as in coat.vert, CLUMPS, CURLS, SHADOW (depth alone), WRITE_NORMAL.
+// Finds the strand that the camera ray hits between the midpoints to the next outer and the next inner shell.
+// Permutations: FIN and BY_ANGLE as in coat.vert, CLUMPS, CURLS, SHADOW (depth only), WRITE_NORMAL.
 #include "lib/frame.glsl"
 #include "fur/body.glsl"
 #include "fur/found.glsl"
@@ -26,13 +26,13 @@ in vec3 strandTurn;
 #endif
 
 #ifndef SHADOW
-layout(location = 0) out vec4 found;  // as packed by fur/found.glsl
+layout(location = 0) out vec4 found;  // packed by fur/found.glsl
 #ifdef WRITE_NORMAL
 layout(location = 1) out vec4 normalOut;
 #endif
 #endif
 
-// `shrink`: of lengths across the strands here against those on the skin at rest.
+// `shrink`: scale of lengths across the strands here relative to the skin at rest.
 CoatStrands strandsSeen(float distance_, float shrink)
 {
     CoatStrands c;
@@ -41,7 +41,8 @@ CoatStrands strandsSeen(float distance_, float shrink)
     c.widest = body.strandRadius / body.cellSize;
     c.girths = parameters.thicknessVariation;
     c.roundness = parameters.strandRoundness;
-    // Strands that stand alone keep within their cells, which cut them off; where they overlap, that is not seen.
+    // Separate strands stay inside their cells, which would cut them off. Where strands overlap, the cut is not
+    // visible.
     c.jitter = mix(clamp(1.0 - 2.0 * c.widest, 0.3, 0.8), 0.8, smoothStep(0.45, 0.65, c.widest));
     c.tuft = parameters.clumpSize;
     c.clump = 0.0;
@@ -52,7 +53,7 @@ CoatStrands strandsSeen(float distance_, float shrink)
     c.shuffle = 0.0;
 #else
     c.pixel = 0.5 * frame.pixelAngle * distance_ * shrink / body.cellSize;
-    // Other strands in every supersample: on average each is as thick as it is. By the golden ratio, evenly.
+    // Other strands in every supersample, so that the average thickness is right. The golden ratio spreads them evenly.
     c.shuffle = 0.618033989 * float(frame.sampleIndex & 1023);
 #endif
 #ifdef CLUMPS
@@ -65,7 +66,7 @@ CoatStrands strandsSeen(float distance_, float shrink)
     return c;
 }
 
-// Where the ray along unit `v` is on the skin and over it; of the shell, where it is not walked along.
+// Returns root and height along the ray of unit direction `v`. FIN and BY_ANGLE do not traverse the space between shells.
 CoatRay rayHere(vec3 n, vec3 v)
 {
     ShellPoint s;
@@ -89,14 +90,14 @@ CoatRay rayHere(vec3 n, vec3 v)
     return coatRay(s, v, max(body.strandLength, 1e-6));
 }
 
-// Its stretch that is looked into from this shell, meters.
+// Returns the interval of the ray that this shell covers, meters.
 vec2 stretchHere(CoatRay ray, float distance_)
 {
 #if defined(FIN) || defined(BY_ANGLE)
     return vec2(0.0);
 #else
     if (body.samplesBetween <= 1) return vec2(0.0);
-    // The next shell is taken to be a little deeper than it is: rather look twice into what lies between than never.
+    // The next shell is assumed to be a little deeper: the space between may be searched twice, but never missed.
     vec2 stretch = coatStretch(ray, above, below, 2.3 * below);
     float most = 14.0 * body.cellSize / max(length(ray.passing), 1e-3);
     return vec2(max(stretch.x, -min(most, 0.99 * distance_)), min(stretch.y, most));
@@ -104,7 +105,7 @@ vec2 stretchHere(CoatRay ray, float distance_)
 }
 
 #ifdef CURLS
-// Direction of a strand that winds about its way.
+// Direction of a curled strand.
 vec3 curled(CoatRay ray, CoatStrands c, vec3 n, MetStrand met, float shrink)
 {
     vec3 p = ray.skin + (ray.passing + ray.bending * met.t) * met.t;
@@ -131,13 +132,13 @@ void main()
     CoatStrands strands = strandsSeen(distance_, shrink);
     StrandLattice lattice = strandLattice(n, body.seed);
     CoatRay ray = rayHere(n, v);
-    // Strands of length 0 are bare skin: none is looked for.
+    // Strands of length 0 are bare skin, which needs no search.
     bool bald = body.strandLength <= 0.0;
     MetStrand met = walkStrands(ray, strands, lattice, n, stretchHere(ray, distance_), bald ? 0 : body.samplesBetween);
     if (!met.met && height > 0.0) discard;
 
 #ifndef SHADOW
-    // As in walkStrands: no work where nothing is kept.
+    // As in walkStrands: skips work for discarded fragments.
     bool kept = met.met || height <= 0.0;
     found = vec4(0.0);
     for (int once = 0; once < 1 && kept; ++once) {
@@ -150,7 +151,7 @@ void main()
         seen.height = met.height;
         seen.body = body.number;
         seen.viewDepth = (1.0 + met.t / distance_) / gl_FragCoord.w;
-        // What is thinner than two pixels is no longer seen as round, nor as a strand of its own.
+        // A strand thinner than two pixels is shaded neither as round nor with an individual rank.
         float known = bald ? 0.0 : clamp(0.5 * met.radius / max(strands.pixel, 1e-6), 0.0, 1.0);
         seen.rank = 0.5 + (met.strand.rank - 0.5) * known;
         vec3 outwards = strandOffset(lattice, met.strand, known / max(met.radius, 1e-6));

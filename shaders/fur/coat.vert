@@ -1,6 +1,6 @@
-// A shell of the coat, or a fin along an edge of the mesh (FIN): the skin, carried outwards along bent
-// strands. One instance per shell. BY_ANGLE n: the more a place is turned away from the eye, the more
-// shells it has, up to n times as many; they lie the closer, and all end on the skin.
+// A shell of the coat, or a fin along an edge of the mesh (FIN): the skin, moved outwards along bent strands. One
+// instance per shell. With BY_ANGLE n, places that are turned away from the eye have more shells, up to n times as
+// many. They lie closer together, and all end on the skin.
 #include "lib/frame.glsl"
 #include "fur/body.glsl"
 
@@ -10,12 +10,12 @@ layout(std140, binding = BLOCK_OBJECT) uniform Object {
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
-layout(location = 4) in vec2 form;  // x: mean curvature of the skin, 1/meter; y: height, of a fin
+layout(location = 4) in vec2 form;  // x: mean curvature of the skin, 1/meter; y: height of a fin
 
 out vec3 skin;       // at rest, body space
 out vec3 skinNormal;
-out vec3 coatNormal; // of the surface under the coat as it would be out here, smooth
-out vec3 strandWay;  // change of the place here over height, strand lengths: a unit vector but for the mix of matrices
+out vec3 coatNormal; // smooth normal of the skin, moved out to this shell
+out vec3 strandWay;  // derivative of the place by height, strand lengths: a unit vector except for the matrix mix
 out float curvature;
 out vec3 place;      // body space
 flat out vec3 eye;   // body space
@@ -26,12 +26,12 @@ flat out vec3 eye;   // body space
 out float height;
 #else
 flat out float height;
-flat out float above;  // height halfway to the next shell outwards over that of this one, and
-flat out float below;  // down to halfway to the next one inwards
-out vec3 strandTurn;   // change of strandWay from down there to up there
+flat out float above;  // from this shell up to the midpoint to the next outer one, in height
+flat out float below;  // from this shell down to the midpoint to the next inner one, in height
+out vec3 strandTurn;   // change of strandWay from the lower to the upper midpoint
 #endif
 
-// Smooth and never the same twice within a body: what makes a coat lie in swirls.
+// Smooth vector noise that does not repeat within a body: makes the coat swirl.
 vec3 swirl(vec3 p)
 {
     return vec3(sin(p.y * 1.7 + 2.1 * sin(p.z * 1.3 + 0.4)), sin(p.z * 1.9 + 1.8 * sin(p.x * 1.1 + 1.9)), sin(p.x * 1.6 + 2.3 * sin(p.y * 1.2 + 3.1)));
@@ -58,7 +58,7 @@ void main()
         vec4 plane = body.planes[i];
         float room = (dot(plane.xyz, root) - plane.w) / max(strandLength, 1e-6);
         tip = strandPressed(n, tip, plane.xyz, room);
-        // What lies on the ground is bent from the root on.
+        // A strand that lies on the ground is bent from its root on.
         float pressed = clamp(1.0 - max(room, 0.0), 0.0, 1.0) * clamp(-dot(n, plane.xyz), 0.0, 1.0);
         bend *= 1.0 - 0.85 * pressed * pressed;
     }
@@ -73,7 +73,7 @@ void main()
     if (BY_ANGLE > 1 && count > 1.0) count *= clamp(1.0 / max(abs(dot(n, safeNormalize(fromEye, n))), 1e-3), 1.0, float(BY_ANGLE));
     height = powPositive(shellHeight(float(shell), count), parameters.distanceAttenuation);
 #if BY_ANGLE > 1
-    // The first shell that lies on the skin all over a triangle is the last one drawn of it.
+    // The first shell that lies on the skin everywhere in a triangle is the last one drawn of it.
     gl_CullDistance[0] = shell == 0 || float(shell) < count ? 1.0 : -1.0;
 #else
     float attenuation = parameters.distanceAttenuation;

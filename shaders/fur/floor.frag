@@ -1,4 +1,5 @@
-// What the bodies hide from the floor's light, laid over it; alone (ALONE), the floor itself, fading out.
+// Darkens the floor by the light that the bodies block, blended over it; with ALONE, draws the floor itself, fading
+// out.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "fur/bodies.glsl"
@@ -23,7 +24,7 @@ void main()
     vec3 color = vec3(0.34, 0.31, 0.28) * (ambient * open + light.sunIrradiance * sunThroughGlass(world) * (lit / PI) + lamp);
     radiance = vec4(color, 1.0) * there;
 #else
-    // The hall has lit it with both: what the bodies leave of that.
+    // The hall has lit the floor with both lights. The result is the share that the bodies leave.
     vec3 gray = vec3(0.2126, 0.7152, 0.0722);
     float all = dot(ambient + lampOnFloor, gray);
     float there = dot(ambient * open + lamp, gray);

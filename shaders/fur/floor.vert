@@ -1,4 +1,4 @@
-// The floor of the pit, under the bodies, and what they leave of its light: soft enough for its vertices.
+// Floor of the pit under the bodies, with their occlusion, which is smooth enough to be computed per vertex.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "fur/bodies.glsl"
@@ -6,9 +6,9 @@
 layout(location = 0) in vec3 position;
 
 out vec3 world;
-out vec2 left;  // x: of the sky, y: of the lamp
+out vec2 left;  // visible share, x: of the sky, y: of the lamp
 flat out vec3 upwards;
-flat out vec3 ambient;  // from the room, on what faces up
+flat out vec3 ambient;  // from the room, on a surface that faces up
 flat out vec3 lampOnFloor;
 
 void main()

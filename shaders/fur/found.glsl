@@ -1,20 +1,20 @@
-// What the shells leave of a strand for the pass that lights it: four floats for a pixel, each a whole number below
-// 2^24 but the last. Nothing found: all 0.
+// Strand data that the shells pass to the lighting pass: four floats per pixel, each an integer below 2^24 except the
+// last. All 0 if nothing was found.
 //   x: the strand's direction, y: the normal of the coat, body space; z: height, rank, place across and number of the
 //   body; w: distance along the view axis, meters
 
 struct FoundStrand {
-    vec3 along;      // the strand, from root to tip
+    vec3 along;      // direction of the strand, from root to tip
     vec3 coatNormal;
     float height;    // 0 to 1, in steps of 1/1023; 0: bare skin
     float rank;      // 0 to 1, in steps of 1/64
-    float across;    // of the strand's radius, from its middle along cross(along, ray): -1 to 1, in steps of 2/63
+    float across;    // in strand radii from its center along cross(along, ray): -1 to 1, in steps of 2/63
     int body;        // from 1; 0: nothing
     float viewDepth;
 };
 
-// Unit vectors as points of an octahedron, unfolded (Meyer et al. 2010, "On Floating-Point Normal Vectors"), 12 bits
-// each way: within 0.05 degrees.
+// Packs a unit vector as a point of an unfolded octahedron (Meyer et al. 2010, "On Floating-Point Normal Vectors"), 12
+// bits per coordinate: accurate to 0.05 degrees.
 float packedNormal(vec3 n)
 {
     vec2 p = n.xy / (abs(n.x) + abs(n.y) + abs(n.z));
@@ -36,7 +36,7 @@ vec4 packedStrand(FoundStrand s)
 {
     uint across = uint(clamp(s.across * 0.5 + 0.5, 0.0, 1.0) * 63.0 + 0.5);
     uint rank = uint(clamp(s.rank, 0.0, 0.999) * 64.0);
-    // No strand's height is that of the skin.
+    // Height 0 is reserved for the skin.
     uint height = s.height > 0.0 ? uint(clamp(s.height * 1023.0 + 0.5, 1.0, 1023.0)) : 0u;
     uint marks = uint(s.body) + 4u * (across + 64u * (rank + 64u * height));
     return vec4(packedNormal(s.along), packedNormal(s.coatNormal), float(marks), s.viewDepth);

@@ -1,18 +1,18 @@
-// How a hair, and a coat of hairs, sends light on.
+// Scattering by a hair, and by a coat of hairs.
 //
 // GLSL 4.50 and C++ (exhibits/fur/strand_cpu.h).
 
-// Directions of light and eye, unit vectors away from the hair, as a hair sees them.
+// Directions of light and eye (unit vectors away from the hair) as angles relative to the hair.
 struct HairAngles {
-    float sinThetaI;     // of the light with the plane across the hair
-    float sinThetaO;     // of the eye
-    float cosHalfThetaD; // of half the difference of the two
-    float cosPhi;        // of the angle between them around the hair
-    float cosine;        // of the angle between them
+    float sinThetaI;     // of the light to the plane across the hair
+    float sinThetaO;     // of the eye to that plane
+    float cosHalfThetaD; // half the difference of these two angles
+    float cosPhi;        // angle between light and eye around the hair
+    float cosine;        // angle between light and eye
 };
 
-// What a hair makes of one direction, 1/steradian: light that its surface mirrors, that crosses it, and that is
-// mirrored inside it.
+// Scattering lobes of a hair for one pair of directions, 1/steradian: light reflected at the surface (R), transmitted
+// (TT), and reflected inside (TRT).
 struct HairLobes {
     float r;
     vec3 tt;
@@ -27,7 +27,7 @@ HairAngles hairAngles(vec3 along, vec3 toLight, vec3 toEye)
     float cosThetaI = safeSqrt(1.0 - a.sinThetaI * a.sinThetaI);
     float cosThetaO = safeSqrt(1.0 - a.sinThetaO * a.sinThetaO);
     a.cosine = clamp(dot(toLight, toEye), -1.0, 1.0);
-    // cos(x/2) of the difference x of two angles within a quarter turn, from its cosine.
+    // cos(x/2) of the difference x of two angles within a quarter turn, computed from its cosine.
     a.cosHalfThetaD = max(safeSqrt(0.5 + 0.5 * (cosThetaI * cosThetaO + a.sinThetaI * a.sinThetaO)), 0.05);
     a.cosPhi = clamp((a.cosine - a.sinThetaI * a.sinThetaO) / max(cosThetaI * cosThetaO, 1.0e-3), -1.0, 1.0);
     return a;
@@ -44,10 +44,11 @@ vec3 positivePower(vec3 base, float exponent)
     return exp(log(max(base, vec3(1.0e-5))) * exponent);
 }
 
-// The lobes R, TT and TRT of a hair with scales (Marschner et al. 2003, "Light Scattering from Human Hair Fibers") in
-// the fit of Karis 2016, "Physically Based Hair Shading in Unreal": cones shifted by the tilt of the scales, 2 degrees,
-// index 1.55, azimuths in closed form. `roughness` 0 to 1; `color`: what a hair leaves of white light, linear. Times
-// the irradiance across the light it is radiance; the sum of all three over the sphere is 1 at most.
+// Lobes R, TT and TRT of a hair with scales (Marschner et al. 2003, "Light Scattering from Human Hair Fibers") in the
+// fit of Karis 2016, "Physically Based Hair Shading in Unreal": cones shifted by the tilt of the scales, 2 degrees,
+// index 1.55, azimuths in closed form. `roughness` 0 to 1; `color`: white light after passing a hair, linear.
+// Multiplied by the irradiance on a plane that faces the light, the result is radiance. The sum of all three over the
+// sphere is at most 1.
 HairLobes hairLobes(HairAngles a, vec3 color, float roughness)
 {
     const float tilt = 0.035;     // radians
@@ -78,24 +79,24 @@ HairLobes hairLobes(HairAngles a, vec3 color, float roughness)
     return lobes;
 }
 
-// Share of a coat that strands cover, 0 to 1, from what a line along the skin would cross of them: 0 where there are
-// none to speak of, and the skin lies open. `cellSize`: of strandCellSize; all lengths in meters.
+// Share of the skin that strands cover, 0 to 1, from the number of strands that a line along the skin would cross; 0
+// for almost no strands. `cellSize`: that of strandCellSize; all lengths in meters.
 float coatCover(float cellSize, float strandRadius, float strandLength)
 {
     float crossed = 2.0 * strandRadius * strandLength / (1.7320508075688772 * cellSize * cellSize);
     return 1.0 - exp(-0.7 * crossed);
 }
 
-// Of the light that came through `crossed` layers of hairs of this color, none scattered by 1/e each, what arrives
-// scattered forwards by them: light hair glows where dark hair is dark (after Zinke et al. 2008, "Dual Scattering
-// Approximation for Fast Multiple Scattering in Hair", whose forward attenuation is the color's mean over the hair).
+// Forward-scattered light behind `crossed` layers of hairs of this color, of light of which each layer leaves 1/e
+// unscattered. Light hair glows where dark hair is dark (after Zinke et al. 2008, "Dual Scattering Approximation for
+// Fast Multiple Scattering in Hair", whose forward attenuation is the mean color of the hair).
 vec3 forwardScattered(float crossed, vec3 color)
 {
     return exp((sqrt(color) * 0.5 - vec3(1.0)) * crossed);
 }
 
-// Share of the light from all around that reaches a place of which `open`, 0 to 1, is not hidden: what is hidden is
-// hidden by hairs of the same color, which send some of it on. Never nothing, and 1 where open is 1.
+// Share of the ambient light that reaches a place whose unoccluded share is `open`, 0 to 1. The occluders are hairs of
+// the same color, which scatter some of it on. Always above 0, and 1 for open = 1.
 vec3 scatteredOcclusion(float open, vec3 color)
 {
     const float least = 0.1;

@@ -1,4 +1,4 @@
-// Light on the strands of one body (the first of the block) that the shells found, once for every pixel.
+// Lights the strands of one body (the first of the block) that the shells found, once per pixel.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "fur/bodies.glsl"
@@ -13,19 +13,19 @@ flat in float cover;
 
 layout(location = 0) out vec4 radiance;
 
-// What is seen of the coat in a pixel; directions in the world.
+// Visible point of the coat in a pixel; directions in world space.
 struct HairPoint {
     vec3 albedo;
-    vec3 normal;      // of the coat, turned some way towards the side of the strand that is seen
+    vec3 normal;      // of the coat, turned partly towards the visible side of the strand
     vec3 coatNormal;
     vec3 along;
     vec3 toEye;
     float height;
-    float open;       // share that the coat leaves of the light from all around
-    bool bare;        // the skin, and no strand
+    float open;       // share of the ambient light past the coat
+    bool bare;        // true: skin without a strand
 };
 
-// One comparison in each map: the edge of a shadow frays by itself where it falls on fur.
+// One comparison in each map: fur makes the edge of a shadow irregular anyway.
 float sunOnFur(vec3 world)
 {
     float visible = 1.0;
@@ -34,13 +34,13 @@ float sunOnFur(vec3 world)
     return visible;
 }
 
-// Light from one direction. Between the strands it is scattered on and on: half Lambert, colored and weakened on its
-// way into the coat. What reaches a strand straight is mirrored by it, and lets a thin fringe glow from behind.
+// Light from one direction. Multiple scattering between the strands is half Lambert, colored and weakened on its way
+// into the coat. Direct light is reflected by a strand, and makes a thin fringe glow from behind.
 vec3 directLight(vec3 irradiance, vec3 l, HairPoint p)
 {
     float slant = dot(p.coatNormal, l);
     float crossed = (1.0 - p.height) * parameters.selfShadow * cover * 2.2 / max(slant + 0.35, 0.15);
-    // The body itself is in the way of what faces far off the light, but not of its fringe.
+    // The body blocks light for parts that face far away from it, but not for its fringe.
     vec3 lit = irradiance * smoothStep(-0.55 - 0.35 * p.height, 0.25 - 0.35 * p.height, slant);
     vec3 color = p.albedo * lit * forwardScattered(crossed, p.albedo) * scatteredOcclusion(p.open, p.albedo) * (halfLambert(dot(p.normal, l)) / PI);
     if (p.bare) return color;
@@ -61,7 +61,7 @@ HairPoint hairPoint(FoundStrand found, vec3 toEye)
     p.coatNormal = normalize(outwards * found.coatNormal);
     p.along = normalize(mat3(fur.bodies[0].worldFromBody) * found.along);
     p.toEye = toEye;
-    // A strand is round: its sides face aside.
+    // A strand is round: its sides face sideways.
     vec3 aside = cross(mat3(fur.bodies[0].bodyFromWorld) * toEye, found.along);
     vec3 across = safeNormalize(mat3(fur.bodies[0].worldFromBody) * aside, vec3(0.0)) * found.across;
     p.normal = p.bare ? p.coatNormal : normalize(p.coatNormal + across * 0.5 + p.along * 0.25);
@@ -69,7 +69,7 @@ HairPoint hairPoint(FoundStrand found, vec3 toEye)
     return p;
 }
 
-// What the other bodies, the floor and the wall of the pit leave of the light from all around, x, and of the lamp, y.
+// Visible share past the other bodies, the floor and the wall of the pit: of ambient light, x, and of the lamp, y.
 vec2 openAround(HairPoint p, vec3 world, vec3 inPit)
 {
     vec2 left = vec2(1.0);
@@ -81,10 +81,10 @@ vec2 openAround(HairPoint p, vec3 world, vec3 inPit)
     return left;
 }
 
-// Light from the room: through the coat, mirrored along the strands, and through the fringe from what lies behind.
+// Ambient light of the room: through the coat, reflected along the strands, and through the fringe from the background.
 vec3 roomLight(HairPoint p, vec3 world, vec3 inPit, float open)
 {
-    // A coat is thick: what faces away from that side gets its light through more hair.
+    // A coat is thick: parts that face away from that side get its light through more hair.
     float wrapped = 0.5 + 0.5 * dot(p.normal, keyDirection);
     vec3 ambient = probeAmbient(p.normal) * (open * mix(1.0, 1.7 * wrapped * wrapped, parameters.contrast * cover));
     vec3 color = p.albedo * ambient * scatteredOcclusion(p.open, p.albedo);
@@ -113,7 +113,7 @@ void main()
     vec2 left = openAround(p, world, inPit);
     vec3 color = roomLight(p, world, inPit, left.x);
     if (dot(light.sunIrradiance, vec3(1.0)) > 0.0) {
-        // Looked up a little towards the sun, so that a strand is not kept off the light by its own shell.
+        // The lookup is moved a little towards the sun, so that a strand is not shadowed by its own shell.
         float visible = sunOnFur(world + light.sunDirection * 0.012);
         if (visible > 0.0) color += directLight(light.sunIrradiance * sunThroughGlass(world) * visible, light.sunDirection, p);
     }

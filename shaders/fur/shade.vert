@@ -1,4 +1,4 @@
-// The box that one body's fur may fill, so that no other pixel is asked, and what is the same all over it.
+// Draws the box around one body's fur, so that no other pixel is shaded, and computes values that are constant over it.
 #include "lib/frame.glsl"
 #include "lib/light.glsl"
 #include "fur/bodies.glsl"
@@ -6,9 +6,9 @@
 
 layout(location = 0) in vec3 position;
 
-flat out vec3 keyDirection;  // the side from which most of the hall's light comes
+flat out vec3 keyDirection;  // direction of most of the hall's light
 flat out vec3 toLamp;
-flat out float cover;        // share of the skin that the coat hides
+flat out float cover;        // share of the skin that the coat covers
 
 vec3 firstOrder(int coefficient)
 {
@@ -17,7 +17,7 @@ vec3 firstOrder(int coefficient)
 
 void main()
 {
-    // The first-order coefficients point there (Sloan 2008, "Stupid Spherical Harmonics Tricks").
+    // The first-order coefficients give this direction (Sloan 2008, "Stupid Spherical Harmonics Tricks").
     keyDirection = vec3(0.0, 1.0, 0.0);
     if (light.hasProbe) {
         vec3 weights = vec3(0.2126, 0.7152, 0.0722);

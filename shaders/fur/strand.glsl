@@ -1,9 +1,9 @@
-// Strands of a coat: where they are rooted, how thick they are, how they bend. Lengths in meters on the
-// skin at rest; heights along a strand from 0 (skin) to 1 (tip of the longest).
+// Strands of a coat: roots, thickness and bending. Lengths in meters on the skin at rest; heights along a strand from 0
+// (skin) to 1 (tip of the longest).
 //
-// Roots lie on a lattice in the plane that the surface faces most (Lagae and Dutre 2005 hash cells the same
-// way), one per cell. A cell seen at an angle covers more surface, so cells are dropped at random where the
-// surface faces its plane squarely: the density is the same everywhere, on any mesh, without poles or seams.
+// Roots lie on a lattice, one per cell, in the coordinate plane that the surface faces most (Lagae and Dutre 2005 hash
+// cells the same way). A cell seen at an angle covers more surface. So cells are dropped at random where the surface
+// faces its plane directly: the density is the same everywhere, on any mesh, without poles or seams.
 //
 // GLSL 4.50 and C++ (exhibits/fur/strand_cpu.h).
 
@@ -13,36 +13,36 @@ const int STRAND_SLERP = 2;
 
 struct Strand {
     vec3 offset;        // from the root to the point, in the surface's tangent plane
-    float rank;         // [0, 1), for the strand's length
-    float tint;         // [0, 1), for its color and whatever else differs
-    bool rooted;        // false: the cell holds no strand
+    float rank;         // [0, 1), determines the strand's length
+    float tint;         // [0, 1), determines its color and other variation
+    bool rooted;        // false: the cell contains no strand
 };
 
-// The plane that roots lie on near a point of the skin, as a ray needs it that looks into many cells.
+// Lattice of the roots near a point of the skin, in the form that a ray through many cells needs.
 struct StrandLattice {
-    int axis;           // of the plane's normal
-    vec2 slope;         // of the surface over the plane
-    float facing;       // 1 where the surface faces the plane, 1/sqrt(3) at least
-    uint layer;         // the two sides of a body have lattices of their own
+    int axis;           // axis of the plane's normal
+    vec2 slope;         // slope of the surface relative to the plane
+    float facing;       // 1 if the surface faces the plane, at least 1/sqrt(3)
+    uint layer;         // the two sides of a body have separate lattices
 };
 
-// A strand as seen on its lattice: lengths in cells.
+// A strand relative to its lattice: lengths in cells.
 struct RootedStrand {
     vec2 offset;        // on the plane, from the root
     float along;        // along the plane's normal, so that the offset stays in the surface's tangent plane
     float rank;
     float tint;
-    float girth;        // [0, 1), for its thickness
+    float girth;        // [0, 1), determines its thickness
     bool rooted;
 };
 
-// Cells of this side, one strand in each that is kept, give `density` strands per square meter.
+// Size of cells that give `density` strands per square meter, with one strand in each kept cell.
 float strandCellSize(float density)
 {
     return inversesqrt(1.7320508075688772 * density);
 }
 
-// `n`: unit normal of the skin.
+// Returns the lattice for the skin's unit normal `n`.
 StrandLattice strandLattice(vec3 n, uint seed)
 {
     vec3 a = abs(n);
@@ -55,14 +55,14 @@ StrandLattice strandLattice(vec3 n, uint seed)
     return l;
 }
 
-// The two coordinates of `v` that lie in the lattice's plane.
+// Returns the two coordinates of `v` in the lattice's plane.
 vec2 onLattice(StrandLattice l, vec3 v)
 {
     return l.axis == 0 ? vec2(v.y, v.z) : l.axis == 1 ? vec2(v.z, v.x) : vec2(v.x, v.y);
 }
 
-// The strand of a cell, `cell` its lower corner. `offset` is where its root lies from the cell's middle; `jitter` 0 to
-// 1: how far roots stray from there.
+// Returns the strand of a cell, given by its lower corner. `offset` is the position of its root relative to the cell's
+// center. `jitter` 0 to 1: how far roots deviate from the center.
 RootedStrand strandOfCell(StrandLattice l, vec2 cell, float jitter)
 {
     uvec3 bits = pcg3d(uvec3(uint(int(cell.x)), uint(int(cell.y)), l.layer));
@@ -70,14 +70,14 @@ RootedStrand strandOfCell(StrandLattice l, vec2 cell, float jitter)
     s.offset = (vec2(unitFromBits(bits.x), unitFromBits(bits.y)) - 0.5) * jitter;
     s.along = 0.0;
     s.rank = unitFromBits(bits.z);
-    // The low halves of words whose high halves are the root's place and the rank: nothing is seen of what they share.
+    // The low halves of words whose high halves give the root's place and the rank. Their correlation is not visible.
     s.tint = float(bits.x & 65535u) * (1.0 / 65536.0);
     s.girth = float(bits.z & 65535u) * (1.0 / 65536.0);
     s.rooted = float(bits.y & 65535u) * (1.0 / 65536.0) * l.facing < 0.5773502691896258;
     return s;
 }
 
-// The strand whose cell `q` lies in, q on the lattice's plane, in cells, seen from there.
+// Returns the strand of the cell that contains `q`, relative to `q`. `q` is on the lattice's plane, in cells.
 RootedStrand strandInCell(StrandLattice l, vec2 q, float jitter)
 {
     vec2 cell = floor(q);
@@ -87,7 +87,7 @@ RootedStrand strandInCell(StrandLattice l, vec2 q, float jitter)
     return s;
 }
 
-// From the root to the point, meters.
+// Returns the vector from the root to the point, meters.
 vec3 strandOffset(StrandLattice l, RootedStrand s, float cellSize)
 {
     vec3 cells = l.axis == 0 ? vec3(s.along, s.offset.x, s.offset.y)
@@ -95,7 +95,7 @@ vec3 strandOffset(StrandLattice l, RootedStrand s, float cellSize)
     return cells * cellSize;
 }
 
-// The strand whose cell `q` lies in. `q`: on the skin, `n`: unit normal there.
+// Returns the strand of the cell that contains `q`. `q`: on the skin, `n`: unit normal there.
 Strand strandAt(vec3 q, vec3 n, float cellSize, float jitter, uint seed)
 {
     StrandLattice l = strandLattice(n, seed);
@@ -108,46 +108,45 @@ Strand strandAt(vec3 q, vec3 n, float cellSize, float jitter, uint seed)
     return s;
 }
 
-// Radius at height `h`, against that at the root, of a strand that ends at `end`. `roundness` 0 is a cone,
-// towards 1 a cylinder with a blunt tip. 0 from the tip on.
+// Radius at height `h`, relative to that at the root, of a strand that ends at `end`. `roundness` 0 gives a cone,
+// towards 1 a cylinder with a blunt tip. 0 beyond the tip.
 float strandTaper(float h, float end, float roundness)
 {
     if (!(h < end)) return 0.0;
     return powPositive(1.0 - h / end, 1.0 - roundness);
 }
 
-// Half Lambert: 1 where a surface faces the light, 1/4 from the terminator on (Mitchell, McTaggart and Green
-// 2006, "Shading in Valve's Source Engine", with the cosine clamped).
+// Half Lambert: 1 where a surface faces the light, 1/4 beyond the terminator (Mitchell, McTaggart and Green 2006,
+// "Shading in Valve's Source Engine", with the cosine clamped).
 float halfLambert(float cosine)
 {
     float facing = max(cosine, 0.0) * 0.5 + 0.5;
     return facing * facing;
 }
 
-// Share of the light that reaches height `h` of a coat from all around: 0 at the root, 1 at the tip, lifted by
-// `bias`; the higher `attenuation`, the higher the dark reaches.
+// Share of the ambient light at height `h` of a coat: 0 at the root, 1 at the tip, raised by `bias`. A larger
+// `attenuation` extends the dark part upwards.
 float coatOcclusion(float h, float attenuation, float bias)
 {
     return clamp(powPositive(h, attenuation) + bias, 0.0, 1.0);
 }
 
-// Angle between unit vectors, exact near 0 and pi where the arc cosine is not.
+// Angle between unit vectors, accurate near 0 and pi, unlike the arc cosine.
 float angleBetween(vec3 a, vec3 b)
 {
     return 2.0 * angleOf(length(a - b), length(a + b));
 }
 
-// Any unit vector at a right angle to unit `n`, the same for the same n.
+// Returns a unit vector perpendicular to unit `n`; deterministic.
 vec3 perpendicularTo(vec3 n)
 {
     return abs(n.x) < 0.6 ? safeNormalize(cross(n, vec3(1.0, 0.0, 0.0)), vec3(0.0, 1.0, 0.0))
                           : safeNormalize(cross(n, vec3(0.0, 1.0, 0.0)), vec3(0.0, 0.0, 1.0));
 }
 
-// Direction of a strand that leaves the skin along `root` and ends along `tip` (unit vectors), after share
-// `k` (0 to 1) of the turn. The mix shortens what it turns, down to nothing at 180 degrees; nlerp keeps the
-// length but not the pace; slerp (Shoemake 1985) keeps both. At 180 degrees slerp and nlerp take one way
-// of many, always the same.
+// Direction of a strand that leaves the skin along `root` and ends along `tip` (unit vectors), after share `k` (0 to 1)
+// of the rotation. The mix shortens the vector, down to 0 at 180 degrees. nlerp keeps the length but not the angular
+// speed; slerp (Shoemake 1985) keeps both. At 180 degrees slerp and nlerp choose one way of many, always the same.
 vec3 strandDirection(vec3 root, vec3 tip, float k, int model)
 {
     vec3 mixed = root * (1.0 - k) + tip * k;
@@ -159,8 +158,8 @@ vec3 strandDirection(vec3 root, vec3 tip, float k, int model)
     return root * cos(k * theta) + across * sin(k * theta);
 }
 
-// Where height `h` of a strand of length 1 lies, from its root: the integral of its direction, in 4-point
-// Gauss-Legendre quadrature. `curvature`: how late it bends; the share of the turn at height h is h^curvature.
+// Point at height `h` of a strand of length 1, relative to its root: the integral of its direction, by 4-point
+// Gauss-Legendre quadrature. `curvature`: how late it bends; the share of the rotation at height h is h^curvature.
 vec3 strandPoint(vec3 root, vec3 tip, float h, float curvature, int model)
 {
     vec3 sum = vec3(0.0);
@@ -173,7 +172,7 @@ vec3 strandPoint(vec3 root, vec3 tip, float h, float curvature, int model)
     return sum * h;
 }
 
-// `v` turned by a unit quaternion (x, y, z, w).
+// Rotates `v` by a unit quaternion (x, y, z, w).
 vec3 turned(vec4 q, vec3 v)
 {
     vec3 axis = vec3(q.x, q.y, q.z);
@@ -181,8 +180,8 @@ vec3 turned(vec4 q, vec3 v)
     return v + t * q.w + cross(axis, t);
 }
 
-// Tip direction of a strand pressed against a plane that its root is `gap` strand lengths away from: turned
-// aside until the tip reaches no deeper. `away`: the plane's unit normal on the free side.
+// Tip direction of a strand pressed against a plane that is `gap` strand lengths away from its root: rotated until the
+// tip is no deeper. `away`: the plane's unit normal on the free side.
 vec3 strandPressed(vec3 root, vec3 tip, vec3 away, float gap)
 {
     float deepest = clamp(gap, 0.0, 1.0);

@@ -1,15 +1,15 @@
-// A ray's way through a coat, from halfway to the shell outside to halfway to the one inside, and the strand that it
-// meets there first. On the lattice of the roots (fur/strand.glsl) all strands stand upright; it is the ray that bends.
-// Heights along a strand from 0 (skin) to 1 (tip of the longest).
+// Traversal of a coat by a ray, between the midpoints to the next outer and the next inner shell, and the first strand
+// that it hits. On the lattice of the roots (fur/strand.glsl) all strands are straight and vertical; the ray is curved
+// instead. Heights along a strand from 0 (skin) to 1 (tip of the longest).
 //
 // GLSL 4.50 and C++ (exhibits/fur/strand_cpu.h).
 
-// A point of a shell, body space, and how it changes along two ways, X and Y, over the shell.
+// A point of a shell, body space, with its derivatives along two directions, X and Y, over the shell.
 struct ShellPoint {
-    vec3 skin;      // where the strand is rooted, meters, skin at rest
+    vec3 skin;      // root of the strand, meters, skin at rest
     vec3 normal;    // unit, of the skin
-    vec3 way;       // change of the place over height, strand lengths
-    vec3 turn;      // change of `way` over height
+    vec3 way;       // derivative of the place by height, strand lengths
+    vec3 turn;      // derivative of `way` by height
     float height;
     vec3 placeX, placeY;    // meters, and so on
     vec3 skinX, skinY;
@@ -17,7 +17,7 @@ struct ShellPoint {
     vec3 wayX, wayY;
 };
 
-// What a ray passes t meters after it has met a shell: the root `skin + passing t + bending t^2` at the height
+// Root and height along a ray, t meters after it hits a shell: the root `skin + passing t + bending t^2` at the height
 // `height + falling t + bulge t^2`.
 struct CoatRay {
     vec3 skin;
@@ -28,18 +28,18 @@ struct CoatRay {
     float bulge;
 };
 
-// What the strands of a coat share. Lengths in cells of the lattice but for the first.
+// Common properties of the strands of a coat. Lengths in cells of the lattice except the first.
 struct CoatStrands {
     float cellSize;     // meters
-    float leastLength;  // of a strand against the longest, 0 to 1
-    float widest;       // radius at the root of the thickest
-    float girths;       // share by which the others may be thinner
-    float roundness;    // as in strandTaper
-    float pixel;        // half as wide as a pixel: what is thinner is drawn so wide, but only some of it
-    float shuffle;      // any number: chooses which
-    float jitter;       // as in strandOfCell
-    float clump;        // 0 to below 1: how far strands draw together towards their tips
-    float tuft;         // cells along a side of one tuft
+    float leastLength;  // shortest strand relative to the longest, 0 to 1
+    float widest;       // radius of the thickest strand at its root
+    float girths;       // share by which others may be thinner
+    float roundness;    // that of strandTaper
+    float pixel;        // half the width of a pixel: thinner strands are drawn this wide, but only a part of them
+    float shuffle;      // any number: selects which
+    float jitter;       // that of strandOfCell
+    float clump;        // 0 to below 1: how far strands converge towards their tips
+    float tuft;         // cells along a side of a tuft
     float curl;         // radius of the curls
     float curlTurns;
 };
@@ -52,8 +52,8 @@ struct MetStrand {
     float t;        // meters along the ray
 };
 
-// To the second order in t, from the shell's first derivatives alone: within a triangle of the shells it lacks only the
-// change of `turn`. Between triangles the surface bulges by the curvature of its normals. `v`: the ray, unit.
+// Second-order expansion in t, from the shell's first derivatives alone. Within a triangle of the shells it neglects
+// only the change of `turn`. Between triangles the surface bulges by the curvature of its normals. `v`: the ray, unit.
 CoatRay coatRay(ShellPoint s, vec3 v, float strandLength)
 {
     CoatRay ray;
@@ -69,8 +69,8 @@ CoatRay coatRay(ShellPoint s, vec3 v, float strandLength)
     float y = dot(cross(s.placeX, aside), facet) / area;
     ray.passing = s.skinX * x + s.skinY * y;
     ray.falling = into / strandLength;
-    // What the first order leaves over after t meters, by t^2: strands that bend on their way in, and that spread
-    // aside.
+    // Second-order remainder of the first-order expansion after t meters: strands bend on their way in, and spread
+    // sideways.
     vec3 left = (s.turn * (0.5 * into / strandLength) + s.wayX * x + s.wayY * y) * into;
     float lifted = dot(left, up) / rise;
     vec3 shifted = s.way * lifted - left;
@@ -80,9 +80,8 @@ CoatRay coatRay(ShellPoint s, vec3 v, float strandLength)
     return ray;
 }
 
-// From where to where, meters along the ray, it belongs to this shell: x, y. It comes in `above` over the shell and
-// leaves `below` under it, but one that turns back before it meets the next shell, `gap` under this one, goes on until
-// it is out again.
+// Interval along the ray, meters, that belongs to this shell. It enters `above` over the shell and leaves `below` under
+// it. A ray that turns back before it hits the next shell, `gap` under this one, continues until it is outside again.
 vec2 coatStretch(CoatRay ray, float above, float below, float gap)
 {
     float a = max(-ray.falling, 1.0e-4);
@@ -92,27 +91,27 @@ vec2 coatStretch(CoatRay ray, float above, float below, float gap)
     return vec2(start, 0.5 * (a + sqrt(a * a + 4.0 * ray.bulge * above)) / ray.bulge);
 }
 
-// Like sin(pi x), from parabolas.
+// Approximates sin(pi x) by parabolas.
 vec3 tuftWave(vec3 x)
 {
     vec3 t = x - floor(x * 0.5 + 0.5) * 2.0;
     return t * (vec3(1.0) - abs(t)) * 4.0;
 }
 
-// Where strands draw together: a smooth field of directions with sinks, of slope 1 at most, so that nothing folds.
+// Field of directions along which strands converge: smooth, with sinks, of slope at most 1, so that nothing folds.
 vec3 tuftField(vec3 p)
 {
     return tuftWave(p + tuftWave(vec3(p.y, p.z, p.x) * 0.71 + vec3(0.1, 0.6, 1.3)) * 0.5 +
                     tuftWave(vec3(p.z, p.x, p.y) * 0.53 + vec3(0.7, 0.2, 1.7)) * 0.41);
 }
 
-// Radians of the lattice's waves for each meter of skin.
+// Radians of the tuft field's waves per meter of skin.
 float tuftWaves(CoatStrands c)
 {
     return 2.0 / (c.cellSize * c.tuft * 1.3);
 }
 
-// Which root, in cells of the lattice, the strand has that the ray passes after t meters.
+// Root of the strand that the ray passes after t meters, in cells of the lattice.
 vec2 rootPassed(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, float t)
 {
     vec3 p = ray.skin + (ray.passing + ray.bending * t) * t;
@@ -124,7 +123,7 @@ vec2 rootPassed(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, float t)
     vec3 tuft = field - n * dot(n, field);
     if (c.clump > 0.0) q += onLattice(l, tuft) * (0.25 / waves / c.cellSize * c.clump * at);
     if (c.curl > 0.0) {
-        // A tuft's curls turn together.
+        // Curls of one tuft rotate together.
         float phase = tuft.x + 6.2831853 * c.curlTurns * at;
         vec3 side = perpendicularTo(n);
         q += onLattice(l, side * cos(phase) + cross(n, side) * sin(phase)) * (c.curl * at);
@@ -132,25 +131,25 @@ vec2 rootPassed(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, float t)
     return q;
 }
 
-// Squared radius, cells, of a strand that is `own` thick at its root, where `left` of its length is left to the tip:
-// strandTaper's.
+// Squared radius (cells) by strandTaper, of a strand with radius `own` at its root and share `left` of its length left
+// to the tip.
 float squaredRadius(CoatStrands c, float left, float own)
 {
     return own * own * pow(clamp(left, 1.0e-8, 1.0), 2.0 - 2.0 * c.roundness);
 }
 
-// Where on a straight stretch of the ray, 0 to 1 of it, a strand is met first; 2: nowhere. `offset`: of the stretch's
-// beginning from the strand, cells; `pace`: to its end; `from`, `to`: heights; `end`: of the strand; `own`: its radius
-// at the root. Its squared radius is taken to change evenly over the stretch: a quadratic.
+// Position on a straight segment of the ray, 0 to 1, where a strand is hit first; 2: never. `offset`: from the strand
+// to the segment's start, cells; `pace`: to its end; `from`, `to`: heights; `end`: of the strand; `own`: its radius at
+// the root. The squared radius is assumed to be linear over the segment, which gives a quadratic equation.
 float strandEntry(CoatStrands c, StrandLattice l, vec2 offset, vec2 pace, float from, float to, float end, float own)
 {
-    // The part of it that lies below the tip.
+    // The part of it below the tip.
     float sinks = to - from;
     float tip = clamp((end - from) / (abs(sinks) > 1.0e-6 ? sinks : 1.0e-6), 0.0, 1.0);
     float first = from < end ? 0.0 : tip;
     float last = to < end ? 1.0 : tip;
-    // Radii at both ends from that at the lower one: x^e is near ((1 - e) + (1 + e) x) / ((1 + e) + (1 - e) x), exact
-    // for e = 0 and 1 (Pade's approximant about x = 1).
+    // Radii at both ends relative to the lower one: x^e is approximately ((1 - e) + (1 + e) x) / ((1 + e) + (1 - e) x),
+    // exact for e = 0 and 1 (Pade approximant at x = 1).
     float low = end - (from + sinks * (sinks < 0.0 ? last : first));
     float high = end - (from + sinks * (sinks < 0.0 ? first : last));
     float e = 2.0 - 2.0 * c.roundness;
@@ -172,8 +171,8 @@ float strandEntry(CoatStrands c, StrandLattice l, vec2 offset, vec2 pace, float 
     return meets && min(from, to) < end && entry <= last ? entry : 2.0;
 }
 
-// The first strand that the ray meets between t = stretch.x and stretch.y, looking into no more than `cells` cells. Its
-// way over the lattice is taken as the parabola through three places, exact ones, and followed from cell to cell (after
+// Finds the first strand that the ray hits between t = stretch.x and stretch.y, within at most `cells` cells. Its path
+// over the lattice is approximated by the parabola through three exact points, and followed from cell to cell (after
 // Amanatides and Woo 1987, "A Fast Voxel Traversal Algorithm for Ray Tracing"), straight within each.
 MetStrand walkStrands(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, vec2 stretch, int cells)
 {
@@ -197,7 +196,7 @@ MetStrand walkStrands(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, vec2 
     float met = 2.0;
     vec2 cell = floor(start);
     for (int i = 0; i < cells; ++i) {
-        // On to just behind the nearest side of the cell.
+        // Advance to just behind the nearest side of the cell.
         vec2 way = slope + bend * (2.0 * u);
         vec2 base = floor(q);
         vec2 room = vec2(way.x < 0.0 ? q.x - base.x : base.x + 1.0 - q.x,
@@ -229,7 +228,7 @@ MetStrand walkStrands(CoatRay ray, CoatStrands c, StrandLattice l, vec3 n, vec2 
     found.radius = 1.0;
     found.height = 0.0;
     found.t = 0.0;
-    // llvmpipe runs both sides of every `if`, but no loop that none of its eight pixels enters.
+    // llvmpipe executes both sides of every `if`, but skips a loop that none of its eight pixels enters.
     for (int once = 0; once < 1 && met <= 1.0; ++once) {
         found.strand = strandOfCell(l, cell, c.jitter);
         found.strand.offset = start + (slope + bend * met) * met - cell - 0.5 - found.strand.offset;
