@@ -66,7 +66,7 @@ CoatStrands strandsSeen(float distance_, float shrink)
     return c;
 }
 
-// Returns root and height along the ray of unit direction `v`. FIN and BY_ANGLE do not traverse the space between shells.
+// Returns root and height along the ray of unit direction `v`. FIN and BY_ANGLE do not traverse between shells.
 CoatRay rayHere(vec3 n, vec3 v)
 {
     ShellPoint s;
