@@ -1,4 +1,4 @@
-// The drawn depth, which is reversed 32-bit, as a buffer of another kind would hold it.
+// Converts the drawn depth (reversed, 32-bit) to the precision and range of another depth buffer.
 #include "lib/bindings.glsl"
 #include "pixel_art/pixel_block.glsl"
 

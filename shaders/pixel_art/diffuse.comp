@@ -1,5 +1,5 @@
-// The palette by error diffusion (Floyd and Steinberg 1976, "An adaptive algorithm for spatial grayscale"). An invocation
-// takes a row, two texels behind the row above it, from which it hears all that it needs.
+// Maps to the palette by error diffusion (Floyd and Steinberg 1976, "An adaptive algorithm for spatial grayscale").
+// Each invocation processes a row, two texels behind the row above, which supplies all errors that it needs.
 #include "lib/bindings.glsl"
 #include "pixel_art/palette.glsl"
 
@@ -7,7 +7,8 @@ layout(local_size_x = 256) in;
 layout(rgba16f, binding = 0) uniform writeonly image2D shown;
 layout(binding = UNIT_SOURCE) uniform sampler2D litPicture;
 layout(std430, binding = STORAGE_EXHIBIT_A) buffer Errors {
-    vec4 errors[]; // what row i of the 256 hands down, at i + 1; the last one's is the first one's of the next 256
+    // errors passed down by row i of 256, at i + 1; those of the last row go to the first of the next 256
+    vec4 errors[];
 };
 
 void main()

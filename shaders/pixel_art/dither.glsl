@@ -1,13 +1,13 @@
-// The palette, with ordered or blue-noise dithering: sixteen colors whose mean is the one asked for, of which the texel's
-// place in a pattern takes one, in order of luminance (Knoll 1999, US patent 6,606,166, expired). Permutations: ORDERED,
-// BLUE_NOISE; with neither, the nearest color.
+// Maps to the palette with ordered or blue-noise dithering. Sixteen palette colors have the requested color as their
+// mean. In order of luminance, a pattern selects one of them for the texel (Knoll 1999, US patent 6,606,166, expired).
+// Permutations: ORDERED, BLUE_NOISE; with neither, the nearest color.
 #include "pixel_art/palette.glsl"
 
 layout(binding = UNIT_EMISSIVE) uniform sampler2D blueNoise;
 
 const int DITHER_COLORS = 16;
 
-// 0 to 15, each once in 4 x 4 texels.
+// Bayer matrix: 0 to 15, each once in 4 x 4 texels.
 int bayer(ivec2 p)
 {
     int x = p.x & 3;
@@ -25,8 +25,8 @@ int rankAt(ivec2 p)
 #endif
 }
 
-// The palette's color whose light is nearest: by it, what the last color leaves of the mean is as often too much as too
-// little. The others are nearest to the eye.
+// Index of the palette color with the nearest linear light. Used for the last of the sixteen, so that the remaining
+// error of the mean is balanced. The others are nearest perceptually.
 int nearestLight(vec3 light)
 {
     int best = 0;
@@ -41,7 +41,7 @@ int nearestLight(vec3 light)
     return best;
 }
 
-// Which of the palette shows a color at this texel.
+// Index of the palette color for a color at this texel.
 int ditheredIndex(vec3 color, ivec2 p)
 {
 #if !defined(ORDERED) && !defined(BLUE_NOISE)

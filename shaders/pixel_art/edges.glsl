@@ -1,25 +1,25 @@
-// Outlines, highlights and creases of one texel. After pixel_art/picture.glsl; `Surface surfaceAt(ivec2)` is defined
-// before.
+// Outlines, highlights and creases of one texel. Include it after pixel_art/picture.glsl, with `Surface
+// surfaceAt(ivec2)` defined before.
 
 struct Edges {
     float outline;    // 1 on the near side of a step in depth, or between objects
-    float highlight;  // 1 on edges that face the light and the eye
-    float crease;     // 1 in the corner where two faces meet that look at each other
+    float highlight;  // 1 on edges that face light and eye
+    float crease;     // 1 in a concave corner
 };
 
 const vec3 HIGHLIGHT_BIAS = vec3(1.0, 1.0, 1.0);
 
-// How much farther from the eye a point is than the plane through another one, of which it lies `away`, in widths of a
-// texel. Positive: the plane is on the near side. In perspective the plane goes on while the ray to the point turns: to
-// first order, over one texel.
+// Distance of a point behind the plane through another point, in texel widths. `away` is the vector between the points.
+// Positive: the plane is on the near side. In perspective this is a first-order approximation over one texel, because
+// the ray to the point turns.
 float gapTo(vec3 away, vec3 n, float width)
 {
     float predicted = -(n.x * away.x + n.y * away.y) / max(n.z, 0.12);
     return (predicted - away.z) / width;
 }
 
-// A texel beyond the border of the picture is the one at it, from which nothing sets it off. All four neighbors are read
-// before anything is decided.
+// Computes the edges. A texel beyond the picture's border equals the border texel, so there is no edge between them.
+// All four neighbors are read before any decision.
 Edges ourEdges(DepthLens lens, ivec2 p, Surface surface)
 {
     Edges e = Edges(0.0, 0.0, 0.0);
@@ -36,7 +36,7 @@ Edges ourEdges(DepthLens lens, ivec2 p, Surface surface)
         vec3 away = there - place;
         float gap = gapTo(away, n, width);
         float back = gapTo(vec3(0.0) - away, m, width);
-        // Both planes have to miss: the fold of a roof is no step.
+        // Both planes must miss the other point: a fold, as of a roof, is no depth step.
         bool nothing = isSky(lens, other.depth);
         bool apart = min(abs(gap), abs(back)) > parameters.outlineGap;
         bool named = parameters.objectOutlines && other.id != surface.id;
@@ -53,7 +53,7 @@ Edges ourEdges(DepthLens lens, ivec2 p, Surface surface)
     return e;
 }
 
-// The formulas that the source had from others: sums of absolute differences in meters, smoothed steps.
+// Formulas that the reference takes from others: sums of absolute differences in meters, smoothed steps.
 Edges sourceEdges(DepthLens lens, ivec2 p, Surface surface)
 {
     vec3 n = surface.normal;

@@ -1,13 +1,13 @@
-// The small world's light. After pixel_art/picture.glsl and the exhibit's parameters. Permutation: SHADOWS.
+// Light of the small world. Include it after pixel_art/picture.glsl and the exhibit's parameters. Permutation: SHADOWS.
 #ifdef SHADOWS
 layout(binding = UNIT_SHADOW_EXHIBITS) uniform sampler2DShadow shadowMap;
 #endif
 
-// `place` and `n` in view space; `width` of a texel, meters.
+// Visibility of the sun. `place` and `n` in view space; `width` of a texel, meters.
 float sunlit(vec3 place, vec3 n, float width)
 {
 #ifdef SHADOWS
-    // Out of the surface by more than the map's texel is wide.
+    // Offset out of the surface by more than the width of a shadow map texel.
     vec4 at = pixel.shadowFromView * vec4(place + n * (0.6 * width + 0.02) + pixel.sun * 0.02, 1.0);
     float reached = texture(shadowMap, at.xyz);
     bool beyond = any(lessThan(at.xyz, vec3(0.0))) || any(greaterThan(at.xy, vec2(1.0)));
@@ -17,7 +17,7 @@ float sunlit(vec3 place, vec3 n, float width)
 #endif
 }
 
-// Light in so many even tones: the darkest is none, the brightest all.
+// Quantizes light to `bands` even steps; the darkest is 0, the brightest 1.
 float banded(float light)
 {
     int bands = parameters.bands;
@@ -26,13 +26,13 @@ float banded(float light)
     return min(floor(light * float(bands)), steps) / steps;
 }
 
-// How much of the sun a surface reflects, 0 to 1.
+// Share of the sun that a surface reflects, 0 to 1.
 float sunOn(vec3 place, vec3 n, float width)
 {
     return banded(clamp(dot(n, pixel.sun), 0.0, 1.0) * sunlit(place, n, width));
 }
 
-// A color in the sun's light and that of the sky.
+// Color lit by the sun and the sky.
 vec3 shaded(vec3 base, vec3 n, float light)
 {
     float up = 0.5 + 0.5 * dot(n, pixel.up);

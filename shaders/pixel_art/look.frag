@@ -1,8 +1,9 @@
-// The finished look, or a view of what it is made of. Linear display light; a: 1 where anything is seen. Before the
-// palette, a is 2 in what is no finished picture and keeps its own colors. Permutations: LEFT_VIEW and RIGHT_VIEW,
-// numbers of the row `view`; LINES, EDGES_OF_THE_SOURCE, SHADOWS, EMISSION, TRANSLUCENT, DEPTH_ALONE (`surfaces` is the
-// depth: no view has normals); SHOWN and LIT, locations of the picture with the palette and of the one before; PALETTE,
-// and those of pixel_art/dither.glsl. No branch stands where a program may know: some processors run both sides.
+// Draws the finished picture, or a debug view of its inputs. Linear display light; a: 1 where anything is visible.
+// Before the palette, a is 2 for views that keep their own colors. Permutations: LEFT_VIEW and RIGHT_VIEW, values of
+// the parameter `view`; LINES, EDGES_OF_THE_SOURCE, SHADOWS, EMISSION, TRANSLUCENT, DEPTH_ALONE (`surfaces` is the
+// depth: no view needs normals); SHOWN and LIT, output locations of the picture with the palette and before it;
+// PALETTE, and those of pixel_art/dither.glsl. Compile-time choices replace branches, because some processors execute
+// both sides.
 #include "pixel_art/picture.glsl"
 #include "pixel_art/surface.glsl"
 #include "lib/heat_color.glsl"
@@ -14,7 +15,7 @@ layout(binding = UNIT_ORM) uniform sampler2D trueNormals;
 layout(binding = UNIT_SOURCE) uniform sampler2D emissions;
 #endif
 #ifdef TRANSLUCENT
-layout(binding = UNIT_BACKDROP) uniform sampler2D translucent;  // premultiplied
+layout(binding = UNIT_BACKDROP) uniform sampler2D translucent;  // premultiplied alpha
 #endif
 
 #ifdef SHOWN
@@ -91,7 +92,7 @@ vec3 finished(ivec2 p, DepthLens lens, Surface surface)
 #endif
 }
 
-// `view` is known to the program: the other views are not in it.
+// `view` is a compile-time constant, so the other views are compiled out.
 vec4 viewOf(int view, ivec2 p, DepthLens lens, Surface surface)
 {
     bool sky = isSky(lens, surface.depth);

@@ -1,5 +1,5 @@
-// Surfaces with normals by the methods of both halves. Permutations: LEFT_METHOD and RIGHT_METHOD, numbers of the row
-// `method`.
+// Computes surfaces with normals by the methods of both halves of the picture. Permutations: LEFT_METHOD and
+// RIGHT_METHOD, values of the parameter `method`.
 #include "pixel_art/picture.glsl"
 #include "pixel_art/surface.glsl"
 

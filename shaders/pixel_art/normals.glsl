@@ -1,24 +1,24 @@
-// Normals from a depth buffer. GLSL and C++ (exhibits/pixel_art/normals_cpu.h): whoever includes this file defines
-// `float depthAt(ivec2)`, the stored value of a texel within the picture, before.
+// Normals from a depth buffer. GLSL and C++ (exhibits/pixel_art/normals_cpu.h). The including file first defines `float
+// depthAt(ivec2)`, which returns the stored depth of a texel inside the picture.
 //
-// Methods by the number of texels they look at: 3 and 4 are differences to fixed neighbors; 5 takes the nearer
-// neighbor of each axis (Turanszki 2019, "Improved normal reconstruction from depth"); 9 the one on whose line the
-// texel lies (Wu 2021, "Accurate Normal Reconstruction from Depth Buffer"), in stored depth, which is affine on every
-// plane; 9+ chooses before it unprojects. Where a neighbor is outside the picture, the other side counts.
+// Methods by the number of texels that they read. 3 and 4 are differences to fixed neighbors. 5 takes the nearer
+// neighbor of each axis (Turanszki 2019, "Improved normal reconstruction from depth"). 9 takes the neighbor on whose
+// line the texel lies (Wu 2021, "Accurate Normal Reconstruction from Depth Buffer"), in stored depth, which is affine
+// on every plane. 9+ chooses before it unprojects. If a neighbor is outside the picture, the other side is used.
 
 struct DepthLens {
-    vec2 halfExtent;    // of the picture: meters, or tangents in perspective
+    vec2 halfExtent;    // half size of the picture: meters, or tangents in perspective
     float nearPlane;    // meters
     float farPlane;
     bool orthographic;
     bool standardDepth; // near 0, far 1; else near 1, far 0
     ivec2 size;         // texels
-    float quantum;      // of stored depth; 0: of floats
+    float quantum;      // step of stored depth; 0: floats
 };
 
-// Beyond any error that two texels can have.
+// Larger than any error between two texels.
 const float DEPTH_UNKNOWN = 8.0;
-// What rounding to 32-bit floats can make of a line's error, of reversed depth.
+// Upper bound on a line's error in reversed depth that rounding to 32-bit floats causes.
 const float DEPTH_NOISE = 6e-7;
 
 bool isSky(DepthLens lens, float depth)
@@ -33,7 +33,7 @@ float viewDistance(DepthLens lens, float depth)
     return lens.orthographic ? lens.farPlane - d * span : lens.nearPlane * lens.farPlane / (lens.nearPlane + d * span);
 }
 
-// View space, meters; `texel` is its middle when it ends in a half.
+// View-space position, meters. A texel's center has coordinates ending in one half.
 vec3 viewPosition(DepthLens lens, vec2 texel, float depth)
 {
     float z = viewDistance(lens, depth);
@@ -65,7 +65,7 @@ vec3 unitOrFacing(vec3 n)
     return square > 1e-30 && square < 1e30 ? n * (1.0 / sqrt(square)) : vec3(0.0, 0.0, 1.0);
 }
 
-// A step along one axis: `side` -1 or 1, and the position there.
+// Vector of a step along one axis to the side `side`, -1 or 1.
 vec3 stepTo(DepthLens lens, ivec2 p, ivec2 axis, int side, float depth, vec3 center)
 {
     vec3 there = positionAt(lens, p + axis * side, depth);
@@ -88,7 +88,7 @@ vec3 normal3Tap(DepthLens lens, ivec2 p)
     return unitOrFacing(cross(h, v));
 }
 
-// Both neighbors of an axis; at the border, the texel itself in place of the one that is missing.
+// Vector between both neighbors on an axis; at the border, the texel itself replaces the missing one.
 vec3 across(DepthLens lens, ivec2 p, ivec2 axis, float c)
 {
     ivec2 low = isInside(lens, p - axis) ? p - axis : p;
@@ -120,7 +120,7 @@ vec3 normal5Tap(DepthLens lens, ivec2 p)
         cross(nearerStep(lens, p, ivec2(1, 0), c, center), nearerStep(lens, p, ivec2(0, 1), c, center)));
 }
 
-// How far the line through two texels of one side misses the middle one.
+// Distance by which the line through two texels of one side misses the middle texel.
 float lineError(DepthLens lens, ivec2 p, ivec2 stride, float c)
 {
     ivec2 first = p + stride;
@@ -130,8 +130,8 @@ float lineError(DepthLens lens, ivec2 p, ivec2 stride, float c)
     return abs(2.0 * depthAt(first) - depthAt(second) - c);
 }
 
-// How much better a side has to be: what is less decides nothing, so that the choice on a plane stays when the camera
-// moves by whole texels and depths come out a rounding apart.
+// Margin by which one side must be better. Smaller differences are ignored, so that the choice on a plane is stable
+// when the camera moves by whole texels and depths differ by rounding.
 float certainty(DepthLens lens, float c)
 {
     return DEPTH_NOISE * (lens.standardDepth ? 1.0 - c : c);
@@ -142,7 +142,7 @@ int lineSide(DepthLens lens, ivec2 p, ivec2 axis, float c)
     return lineError(lens, p, ivec2(0) - axis, c) + certainty(lens, c) < lineError(lens, p, axis, c) ? -1 : 1;
 }
 
-// As it was first written: both steps of each axis, then one of them.
+// Original form: computes both steps of each axis, then chooses one.
 vec3 normal9Tap(DepthLens lens, ivec2 p)
 {
     float c = depthAt(p);
@@ -158,17 +158,17 @@ vec3 normal9Tap(DepthLens lens, ivec2 p)
 
 struct Side {
     int way;     // -1 or 1
-    float first; // stored depth of the texel there, ...
-    float second; // ... and of the one beyond it; the line through middle and first where that is outside
-    float error; // as `lineError`
-    float other; // stored depth of the texel on the other side; the parabola through these three where that is outside
+    float first; // stored depth of the next texel on that side, ...
+    float second; // ... and of the one after it; extrapolated by the line through middle and first if that is outside
+    float error; // see `lineError`
+    // stored depth of the texel on the other side; extrapolated by the parabola through these three if that is outside
+    float other;
 };
 
 Side sideAt(DepthLens lens, ivec2 p, ivec2 axis, int way, float c)
 {
     Side side;
-    // Of the axis alone: across it the texel is inside anyway. What lies beyond the border is read at the texel
-    // itself.
+    // Only the axis's own coordinate can leave the picture. Texels beyond the border are replaced by the texel itself.
     int before = p.x * axis.x + p.y * axis.y;
     int room = way < 0 ? before : (lens.size.x - 1) * axis.x + (lens.size.y - 1) * axis.y - before;
     bool one = room >= 1;
@@ -182,7 +182,7 @@ Side sideAt(DepthLens lens, ivec2 p, ivec2 axis, int way, float c)
     return side;
 }
 
-// It knows the texel on the other side, where there is one.
+// Sets the depth on the other side, if there is such a texel.
 Side withOther(Side side, Side other)
 {
     if (other.error < 1.5 * DEPTH_UNKNOWN) side.other = other.first;
@@ -212,12 +212,11 @@ vec3 normal9TapPlus(DepthLens lens, ivec2 p)
                               stepTo(lens, p, ivec2(0, 1), v.way, v.first, center)));
 }
 
-// Change of stored depth over one texel to that side, at the middle and not half a texel beyond it: of the parabola
-// through three texels. It bends no more than that around the middle, and not at all where that bends the other way:
-// the edge of a box may lie between the two texels (the minmod of both: Roe 1986, "Characteristic-based schemes for
-// the Euler equations"). The more the correction is of the difference, the likelier an edge lies two texels away:
-// beyond three tenths it falls, and from six on there is none. On planes it is 0, for what rounding can bend does not
-// count.
+// Change of stored depth per texel towards that side at the middle, from the parabola through three texels. Its
+// curvature is limited to the curvature around the middle, and is 0 if the signs differ, because an edge may lie
+// between the two texels (the minmod of both: Roe 1986, "Characteristic-based schemes for the Euler equations"). A
+// large correction relative to the difference indicates an edge two texels away. So it decreases above a ratio of 0.3,
+// and is 0 from 0.6 on. On planes it is 0, because curvature within rounding is ignored.
 float slopeAt(DepthLens lens, Side side, float c)
 {
     float first = side.first - c;
@@ -236,15 +235,15 @@ vec3 normalOfSides(DepthLens lens, ivec2 p, float c, Side h, Side v)
                               stepTo(lens, p, ivec2(0, 1), v.way, c + slopeAt(lens, v, c), center)));
 }
 
-// 9+ with the slope of a parabola in place of a line.
+// Method 9+ with the slope of a parabola instead of a line.
 vec3 normalCurved(DepthLens lens, ivec2 p)
 {
     float c = depthAt(p);
     return normalOfSides(lens, p, c, chosenSide(lens, p, ivec2(1, 0), c), chosenSide(lens, p, ivec2(0, 1), c));
 }
 
-// How many of the eight texels around lie on the plane that these two sides span, within 0.3 % of their distance:
-// `around` has their distances, row by row, negative where there is none.
+// Number of the eight surrounding texels that lie on the plane of these two sides, within 0.3 % of their distance.
+// `around` contains their distances, row by row, negative if there is none.
 int planeVotes(DepthLens lens, float around[9], float c, Side h, Side v)
 {
     int votes = 0;
@@ -259,7 +258,7 @@ int planeVotes(DepthLens lens, float around[9], float c, Side h, Side v)
     return votes;
 }
 
-// Whether a line of three texels goes through the middle one, within 0.3 % of its distance.
+// Returns whether a line of three texels passes through the middle one, within 0.3 % of its distance.
 bool isOnLine(DepthLens lens, Side side, float c)
 {
     float there = viewDistance(lens, c);
@@ -267,8 +266,8 @@ bool isOnLine(DepthLens lens, Side side, float c)
            abs(viewDistance(lens, 2.0 * side.first - side.second) - there) < 0.003 * abs(there);
 }
 
-// Where a texel lies on no line of three, as on bars of one and two texels, both axes' sides are chosen together by
-// what the texels around say. Ties go to the smaller error of the lines.
+// If a texel lies on no line of three, as on bars of one and two texels, the sides of both axes are chosen together by
+// a vote of the surrounding texels. Ties go to the smaller line error.
 vec3 normalVoted(DepthLens lens, ivec2 p)
 {
     float c = depthAt(p);
@@ -299,7 +298,7 @@ vec3 normalVoted(DepthLens lens, ivec2 p)
             bestV = v;
         }
     }
-    // Where no line of three goes on, what lies beyond bends nothing.
+    // Without a continuing line of three texels, the texel beyond does not bend the slope.
     if (!isOnLine(lens, bestH, c)) bestH.second = 2.0 * bestH.first - c;
     if (!isOnLine(lens, bestV, c)) bestV.second = 2.0 * bestV.first - c;
     return normalOfSides(lens, p, c, bestH, bestV);

@@ -1,4 +1,4 @@
-// One part of the small world. Its `object` is what every surface has, as in kit/surface_object.glsl.
+// Uniforms of a part of the small world. `object` has the fields of kit/surface_object.glsl.
 #include "lib/bindings.glsl"
 #include "pixel_art/object_block.glsl"
 

@@ -1,4 +1,4 @@
-// Colors of a palette, sorted by luminance, and which of them is nearest to a color.
+// Colors of a palette, sorted by luminance, and the search for the nearest one.
 #include "lib/bindings.glsl"
 
 layout(binding = UNIT_EXHIBIT_B) uniform sampler2D paletteColors;       // linear light

@@ -1,4 +1,4 @@
-// What is painted on the small world's surfaces: flat tones and few marks, each as large as a texel or more.
+// Painted patterns of the small world's surfaces: flat tones and a few marks, each at least as large as a texel.
 #define PATTERN_PLAIN 0
 #define PATTERN_CHECKER 1
 #define PATTERN_GRASS 2
@@ -18,7 +18,7 @@ float cellHash(ivec3 cell)
     return float(pcg(uint(cell.x) * 73856093u ^ uint(cell.y) * 19349663u ^ uint(cell.z) * 83492791u) & 0xFFFFu) / 65535.0;
 }
 
-// Smooth between cells of size 1, 0 to 1.
+// Smooth noise between cells of size 1, 0 to 1.
 float patchNoise(vec2 p)
 {
     vec2 c = floor(p);
@@ -43,7 +43,7 @@ vec3 grassColor(vec3 color, vec3 p)
     return color;
 }
 
-// Shallow by the shore, deep farther out; lines of foam that breathe, and glints in rows.
+// Water: shallow near the shore, deep farther out, with pulsing lines of foam and rows of glints.
 PatternedColor waterColor(vec3 color, vec3 p, vec2 shore, float time)
 {
     PatternedColor made;
@@ -56,7 +56,7 @@ PatternedColor waterColor(vec3 color, vec3 p, vec2 shore, float time)
     float line = abs(away - 0.42 - 1.3 * wave);
     float broken = patchNoise(vec2(around * 26.0, time * 0.5));
     if (away < 0.14 + wave || (line < 0.035 && broken > 0.42)) made.color = vec3(0.78, 0.92, 0.88);
-    // Glints: short dashes across the view, in the light's beat.
+    // Glints: short dashes across the view, which blink periodically.
     ivec3 cell = ivec3(floor(vec3((p.x - p.z) * 1.9, 0.0, (p.x + p.z) * 5.0)));
     float h = cellHash(cell);
     float beat = fract(h * 61.0 + time / 4.0);

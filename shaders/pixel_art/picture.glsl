@@ -1,5 +1,5 @@
-// The small picture's lens and stored depth. Permutations: ORTHOGRAPHIC, STANDARD_DEPTH. What a program knows from the
-// start costs its texels nothing.
+// Projection and stored depth of the small picture. Permutations: ORTHOGRAPHIC, STANDARD_DEPTH. These are compile-time
+// constants, so that they cost nothing per texel.
 #include "lib/bindings.glsl"
 #include "pixel_art/pixel_block.glsl"
 

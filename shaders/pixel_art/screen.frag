@@ -1,4 +1,4 @@
-// The small picture on its screen, every texel a sharp square. Permutations: those of kit/portal.
+// Shows the small picture on its screen, every texel a sharp square. Permutations: those of kit/portal.
 #define PORTAL_DISPLAY_LIGHT
 #include "kit/portal/portal.glsl"
 #include "pixel_art/pixel_block.glsl"
@@ -10,7 +10,7 @@ layout(std140, binding = BLOCK_EXHIBIT) uniform Exhibit {
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D shownPicture;
 
 const vec2 SCREEN_HALF = vec2(1.12, 0.63);  // meters, 16 : 9
-const float SCREEN_BEHIND = 0.05;           // the opening
+const float SCREEN_BEHIND = 0.05;           // meters behind the opening
 
 vec3 bezel(vec2 beyond)
 {
@@ -18,7 +18,7 @@ vec3 bezel(vec2 beyond)
     return edge < 0.012 ? vec3(0.006, 0.006, 0.007) : vec3(0.020, 0.019, 0.018);
 }
 
-// Display light where `at` is in texels and `wide` texels fall on a pixel of the visitor's picture.
+// Display light at `at`, in texels; `wide` texels cover a pixel of the final picture.
 vec3 screenLight(vec2 at, float wide)
 {
     vec2 size = vec2(pixel.size);

@@ -1,5 +1,5 @@
-// What a model's mask cuts out throws no shadow. After pixel_art/shadow.vert with MASKED. Permutations: those of
-// kit/material.glsl.
+// Discards fragments that a model's alpha mask removes, so that they cast no shadow. Use it with pixel_art/shadow.vert
+// and MASKED. Permutations: those of kit/material.glsl.
 #include "pixel_art/object.glsl"
 #include "kit/material.glsl"
 

@@ -1,5 +1,5 @@
-// A part of the small world as its sun sees it. Permutations: MASKED, a part has a mask (pixel_art/shadow.frag), and with
-// it VERTEX_COLOR.
+// Transforms a part of the small world for the sun's shadow map. Permutations: MASKED, if the part has an alpha mask
+// (pixel_art/shadow.frag), and with it VERTEX_COLOR.
 #include "lib/frame.glsl"
 #include "pixel_art/object.glsl"
 

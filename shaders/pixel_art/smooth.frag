@@ -1,11 +1,11 @@
-// Faceted normals made smooth: the mean of those around that lie on nearly the same plane and look nearly the same way.
+// Smooths faceted normals: the mean over nearby texels on nearly the same plane with nearly the same normal.
 #include "pixel_art/picture.glsl"
 #include "pixel_art/surface.glsl"
 
 layout(binding = UNIT_NORMAL) uniform sampler2D facets;
 layout(location = 0) out vec4 surfaceOut;
 
-// How much a texel counts: by its distance, where its plane and that of the middle are of one curve.
+// Weight of a texel: by its distance, if its plane and that of the middle texel belong to one curved surface.
 float weightOf(DepthLens lens, ivec2 q, Surface there, vec3 middle, vec3 place, float width)
 {
     if (there.id < 0.5) return 0.0;
@@ -29,7 +29,7 @@ void main()
     float width = texelWidth(lens, middle.depth);
     int radius = parameters.smoothing;
     vec3 sum = middle.normal;
-    // Opposite texels count together or not at all: at a border, those of one side alone would turn the mean.
+    // Opposite texels are used in pairs only: at a border, texels of one side alone would turn the mean.
     for (int y = 0; y <= radius; ++y) {
         for (int x = -radius; x <= radius; ++x) {
             if (y == 0 && x <= 0) continue;

@@ -1,16 +1,16 @@
-// What is known of a texel, in one fetch: its normal and number, as half-floats would hold them, and its stored depth.
-// The normal's x and y share a float; its bit 30, which no half-float below 2 has in its upper half, is set so that it is
-// an ordinary number. C++: exhibits/pixel_art/pixel_passes.cpp, `normalsOf`.
+// Surface data of a texel in one fetch: its normal and object number with half-float precision, and its stored depth.
+// The normal's x and y share one float. Bit 30 of it is set, which is never set in the upper half of a half-float below
+// 2, so that it is an ordinary number. C++: exhibits/pixel_art/pixel_passes.cpp, `normalsOf`.
 
 struct Surface {
     vec3 normal; // view space; 0: none
-    float id;    // of the object; 0: nothing is seen
+    float id;    // number of the object; 0: empty
     float depth; // as stored
 };
 
 const uint ORDINARY_NUMBER = 0x40000000u;
 
-// To the nearest half-float, even ones of two: `packHalf2x16` may cut off.
+// Rounds to the nearest half-float, ties to even; `packHalf2x16` may truncate.
 vec3 asHalf(vec3 n)
 {
     uvec3 bits = floatBitsToUint(n);

@@ -1,4 +1,4 @@
-// Translucent parts of a visitor's model, lit, each over those behind it. Permutations: those of
+// Draws translucent parts of a user's model, lit and blended from back to front. Permutations: those of
 // pixel_art/picture.glsl, pixel_art/light.glsl and kit/material.glsl.
 #include "pixel_art/picture.glsl"
 #include "pixel_art/object.glsl"
@@ -9,9 +9,9 @@ in vec3 modelPosition;
 in vec3 viewNormal;
 in vec2 uvAt;
 
-layout(location = 0) out vec4 colorOut;   // premultiplied; a: opacity
-layout(location = 1) out vec4 normalOut;  // view space, of the nearest
-layout(location = 2) out vec4 depthOut;   // reversed, of the nearest
+layout(location = 0) out vec4 colorOut;   // premultiplied alpha; a: opacity
+layout(location = 1) out vec4 normalOut;  // view space, of the nearest part
+layout(location = 2) out vec4 depthOut;   // reversed depth, of the nearest part
 
 void main()
 {
@@ -25,7 +25,7 @@ void main()
     float width = 2.0 * pixel.halfExtent.y * wide / float(pixel.size.y);
     vec3 lit = shaded(base.rgb, n, sunOn(place, n, width)) + materialEmission(uvAt);
     colorOut = vec4(clamp(lit, 0.0, 1.0) * base.a, base.a);
-    // Blended with an opacity of 1, these two replace what is behind.
+    // Blended with an opacity of 1, so that these two replace the values behind.
     normalOut = vec4(n, 1.0);
     depthOut = vec4(gl_FragCoord.z, 0.0, 0.0, 1.0);
 }

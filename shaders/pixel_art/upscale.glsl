@@ -1,6 +1,6 @@
-// Where to sample a picture with linear filtering so that its texels are squares whose borders are smoothed over one
-// pixel of the larger picture: no texel is wider than another, and none shimmers when the picture slides. `at` in
-// texels; a pixel is `wide` texels wide, below 1.
+// Returns where to sample a picture with linear filtering, so that its texels appear as squares with borders that are
+// smoothed over one pixel of the larger picture. All texels have the same width, and none shimmers when the picture
+// moves. `at` in texels; a pixel is `wide` texels wide, below 1.
 vec2 sharpTexel(vec2 at, float wide)
 {
     vec2 base = floor(at);

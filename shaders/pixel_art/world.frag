@@ -1,5 +1,5 @@
-// What the small world is made of: color with glow, the true normal with the object's number, and what its materials
-// emit. Permutations: those of kit/material.glsl, EMISSION.
+// Writes the surfaces of the small world: color with glow, exact normal with the object's number, and emission.
+// Permutations: those of kit/material.glsl, EMISSION.
 #include "lib/hash.glsl"
 #include "pixel_art/object.glsl"
 #include "pixel_art/pixel_block.glsl"
@@ -16,7 +16,7 @@ in vec2 uvAt;
 flat in vec4 paintColor;
 flat in vec2 paintExtra;
 
-layout(location = 0) out vec4 colorOut;   // a: 1, and glow on top of it
+layout(location = 0) out vec4 colorOut;   // a: 1 plus glow
 layout(location = 1) out vec4 normalOut;  // view space; a: the object's number, from 1
 #ifdef EMISSION
 layout(location = 2) out vec4 emissionOut;
@@ -24,7 +24,7 @@ layout(location = 2) out vec4 emissionOut;
 
 void main()
 {
-    // A visitor's model may have normals of no length.
+    // A user's model may have normals of length 0.
     vec3 n = dot(viewNormal, viewNormal) > 0.0 ? normalize(viewNormal) : vec3(0.0, 0.0, 1.0);
     float id = part.id;
     vec3 color;

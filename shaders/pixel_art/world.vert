@@ -1,4 +1,4 @@
-// A part of the small world. Normals in view space. Permutation: VERTEX_COLOR.
+// Transforms a part of the small world. Normals in view space. Permutation: VERTEX_COLOR.
 #include "lib/frame.glsl"
 #include "pixel_art/object.glsl"
 #include "pixel_art/pixel_block.glsl"
