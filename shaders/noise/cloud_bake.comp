@@ -1,4 +1,4 @@
-// The clouds' noise into a volume that repeats.
+// Bakes the clouds' noise into a periodic volume texture.
 #include "lib/noise_sums.glsl"
 #include "noise/cloud_noise.glsl"
 

@@ -1,7 +1,7 @@
-// Light in a cloud of droplets that swallow nothing. GLSL 4.50 and C++ (exhibits/noise/noise_cpu.h); needs
+// Scattering in a cloud of droplets that absorb nothing. GLSL 4.50 and C++ (exhibits/noise/noise_cpu.h); needs
 // lib/numerics.glsl.
 
-// Henyey and Greenstein 1941, "Diffuse Radiation in the Galaxy": per steradian, integrates to 1.
+// Phase function, per steradian, integrates to 1. Henyey and Greenstein 1941, "Diffuse Radiation in the Galaxy".
 float cloudLobe(float cosine, float g)
 {
     float g2 = g * g;
@@ -9,29 +9,31 @@ float cloudLobe(float cosine, float g)
     return (1.0 - g2) / (4.0 * PI * b * sqrt(b));
 }
 
-// Two lobes: `forward` ahead, and the share `backward` of the light in one back, half as narrow. Integrates to 1.
+// Phase function of two lobes: `forward`, and with share `backward` a second one backwards with half the anisotropy.
+// Integrates to 1.
 float cloudPhase(float cosine, float forward, float backward)
 {
     return lerpExact(cloudLobe(cosine, forward), cloudLobe(cosine, -0.5 * forward), backward);
 }
 
-// What comes through the optical depth; less than none is none, or the cloud would glow.
+// Transmittance of an optical depth. A negative depth counts as 0, or the cloud would glow.
 float cloudThrough(float depth)
 {
     return exp(-max(depth, 0.0));
 }
 
-// Light that a stretch of optical depth `depth` adds to a ray when each part of it sends `source` towards the eye per
-// unit of its own depth: the integral in closed form, so that the number of stretches does not matter (Hillaire 2015,
-// "Physically Based and Unified Volumetric Rendering in Frostbite"). Times what comes through the cloud before it.
+// Light that a segment of optical depth `depth` adds to a ray, if each part sends `source` towards the eye per unit of
+// its depth. The integral in closed form, so that the result does not depend on the number of segments (Hillaire 2015,
+// "Physically Based and Unified Volumetric Rendering in Frostbite"). Multiply by the transmittance of the cloud in
+// front of it.
 float cloudAdded(float source, float depth)
 {
     return source * (1.0 - cloudThrough(depth));
 }
 
-// Sunlight of irradiance 1 that reaches a place under the optical depth `depth` and leaves it towards the eye, after 1
-// to `orders` scatterings, per unit of optical depth. Each order counts 3/4 of the one before, sees half of its depth
-// and scatters half as much ahead (Wrenninge, Kulla and Lundqvist 2013, "Oz: The Great and Volumetric").
+// Sunlight scattered towards the eye per unit of optical depth, at a place under the optical depth `depth`, for a sun
+// of irradiance 1 and 1 to `orders` scatterings. Each order has 3/4 of the weight of the one before, half its depth and
+// half its anisotropy (Wrenninge, Kulla and Lundqvist 2013, "Oz: The Great and Volumetric").
 float cloudSunlight(float cosine, float depth, float forward, float backward, int orders)
 {
     float sum = 0.0;

@@ -1,5 +1,5 @@
-// The noise of which clouds are made, over one repeat: 0 to 1 along each axis. Large lumps, and fine ones that eat away
-// their edges. Needs lib/noise_sums.glsl.
+// Noise of the clouds over one period: 0 to 1 along each axis. Large lumps, and fine ones that erode their edges. Needs
+// lib/noise_sums.glsl.
 
 const float CLOUD_TOP = 1400.0;  // meters above the base
 
@@ -17,7 +17,7 @@ NoiseSum cloudSum(int kind, int octaves, int period, uint seed)
     return sum;
 }
 
-// Shape and edges: gradient noise that is lumpy by cellular noise, and cellular noise alone; each about 0 to 1.
+// Shape and edges: gradient noise mixed with cellular noise, and cellular noise alone; each about 0 to 1.
 vec2 cloudNoiseAt(vec3 p, uint seed, int octaves)
 {
     NoiseSum wide = cloudSum(NOISE_GRADIENT, octaves + 1, 4, seed);

@@ -1,5 +1,5 @@
-// Clouds: rays through a layer of noise, lit by the sun through the cloud itself and by the sky.
-// Permutations: BAKED; SOURCE; EVEN_STEPS, which skip nothing and are summed plainly.
+// Clouds: marches rays through a layer of noise, lit by the sun through the cloud itself and by the sky. Permutations:
+// BAKED; SOURCE; EVEN_STEPS (no empty-space skipping, plain sums).
 #include "noise/work.glsl"
 #include "noise/cloud_noise.glsl"
 #include "noise/cloud_medium.glsl"
@@ -10,7 +10,7 @@ layout(binding = UNIT_EXHIBIT_A) uniform sampler3D bakedNoise;
 layout(binding = UNIT_EXHIBIT_B) uniform sampler2D blueNoise;
 
 const float CLOUD_FARTHEST = 32000.0;
-const float CLOUD_GROUND = -1100.0;  // meters, under the base
+const float CLOUD_GROUND = -1100.0;  // meters, relative to the cloud base
 
 float evaluations = 0.0;
 
@@ -24,20 +24,20 @@ vec2 noiseOfClouds(vec3 p, float repeat)
 #endif
 }
 
-// How clouded it is over a place of the ground: 0 to 1.
+// Cloud coverage over a place of the ground: 0 to 1.
 float weatherAt(vec3 p)
 {
     float wide = noiseOfClouds(vec3(p.x, 1700.0, p.z) * WEATHER_SCALE + work.weatherShift, CLOUD_REPEAT).x;
     return clamp(parameters.coverage + (wide - 0.5) * 1.5, 0.0, 1.0);
 }
 
-// Extinction per meter. `fine`: with what eats away the edges.
+// Extinction per meter. `fine`: with eroded edges.
 float cloudDensity(vec3 p, float weather, bool fine)
 {
     float h = p.y / CLOUD_TOP;
     if (h <= 0.0 || h >= 1.0) return 0.0;
     float top = mix(0.2, 0.98, weather * weather);
-    // Nothing above it, whatever the noise.
+    // Above its top there is no cloud, for any noise value.
     if (h >= top) return 0.0;
     float profile = smoothstep(0.0, 0.09, h) * (1.0 - smoothstep(0.35 * top, top, h));
     float shape = noiseOfClouds(p + work.cloudShift, CLOUD_REPEAT).x;
@@ -46,21 +46,22 @@ float cloudDensity(vec3 p, float weather, bool fine)
     d = min(d, 1.0);
     if (fine && parameters.erosion > 0.0) {
         float edges = noiseOfClouds(p + work.fineShift, CLOUD_FINE_REPEAT).y;
-        // Wisps below, lumps above.
+        // Wisps at the bottom, lumps at the top.
         float eaten = mix(edges, 1.0 - edges, clamp(h * 4.0, 0.0, 1.0));
         d = clamp((d - parameters.erosion * eaten * (1.0 - 0.5 * d)) / (1.0 - 0.5 * parameters.erosion), 0.0, 1.0);
     }
-    // Droplets grow on the way up.
+    // Droplets grow with height.
     return d * parameters.density * mix(0.55, 1.0, clamp(h * 2.0, 0.0, 1.0));
 }
 
-// `count` is 0 where no one asks: an empty loop costs less than a branch of which drivers run both sides.
+// Optical depth towards the sun. `count` is 0 if it is not needed: an empty loop costs less than a branch, whose both
+// sides some drivers execute.
 float depthToSun(vec3 p, float weather, float shift, int count)
 {
     float depth = 0.0;
     float last = 0.0;
     float steps = float(parameters.lightSteps);
-    // Out of the layer, or 1.2 km far: what is beyond adds little.
+    // To the end of the layer, at most 1.2 km: the rest adds little.
     float reach = min(1200.0, (CLOUD_TOP - p.y) / max(work.sunDirection.y, 0.05));
     for (int i = 0; i < count; ++i) {
         float end = reach * pow((float(i) + 1.0) / steps, 1.7);
@@ -108,9 +109,10 @@ PortalSeen ourClouds(PortalRay ray)
     vec3 glowBefore = vec3(0.0);
     float fineLeft = 0.0;
     float begun = shift;
-    // As many steps as long ones take through clear air; in clouds, where they are short, up to three times as many.
+    // Up to three times `cloudSteps`, because steps inside clouds are shorter.
     for (int i = 0; i < 3 * parameters.cloudSteps && through > 0.01 && t < end; ++i) {
-        // Twice the root of the way is the stride that takes all of it in as many steps; in a cloud, a third of that.
+        // A stride of twice the root of the distance covers the whole ray in `cloudSteps` steps; inside a cloud it is
+        // about a third.
         float stretch = max(2.0 * sqrt((end - first) * (t - first)), 60.0) / float(parameters.cloudSteps) + 4.0;
         if (fineLeft > 0.0) stretch *= 0.35;
         stretch = min(stretch * begun, end - t);
@@ -121,7 +123,7 @@ PortalSeen ourClouds(PortalRay ray)
 #ifdef EVEN_STEPS
         bool back = false;
 #else
-        // A cloud begins within a long stride: take it again in short ones.
+        // A cloud begins within a long stride: repeat it with short ones.
         bool back = density > 0.0 && fineLeft == 0.0;
         fineLeft = density > 0.0 ? 5.0 : max(fineLeft - 1.0, 0.0);
 #endif
@@ -134,7 +136,7 @@ PortalSeen ourClouds(PortalRay ray)
         t = at;
         float h = p.y / CLOUD_TOP;
         vec3 source = sun * cloudSunlight(cosine, toSun, parameters.forward, parameters.backward, parameters.scatterings);
-        // The sky from above, less of it deep within; what ground and haze send back from below.
+        // Sky light from above, weaker deep inside; light reflected from ground and haze from below.
         source += mix(below, above, smoothstep(0.0, 0.8, h)) * mix(1.0, 0.35, clamp(density / parameters.density, 0.0, 1.0));
         vec3 glow = source * density;
 #ifdef EVEN_STEPS
@@ -143,7 +145,7 @@ PortalSeen ourClouds(PortalRay ray)
         sum += source * added;
         through *= max(1.0 - depth, 0.0);
 #else
-        // Between two places, density and what it sends to the eye are taken as linear.
+        // Between two sample points, density and emitted light are interpolated linearly.
         float densities = density + densityBefore;
         float depth = 0.5 * densities * stretch;
         float added = through * cloudAdded(1.0, depth);
@@ -155,7 +157,7 @@ PortalSeen ourClouds(PortalRay ray)
         densityBefore = density;
         glowBefore = glow;
     }
-    // What is left where the steps stop counts as nothing.
+    // The remaining transmittance at the step limit counts as 0.
     through = through > 0.01 ? (through - 0.01) / 0.99 : 0.0;
     if (weight > 0.0) {
         float reach = mix(60000.0, 7000.0, sqrt(parameters.haze));

@@ -1,23 +1,25 @@
-// Blobs of noise: marched by the bounds of field.glsl, lit by sun and sky and through thin parts, fading into bright air.
-// Permutations: those of field.glsl, SOURCE; COUNT_LOOKUPS, in place of evaluations; HALVED, steps of half the value; DERIVATIVE, of which normals are made.
+// Blobs of noise: marched with the bounds of field.glsl, lit by sun and sky, with light through thin parts, fading into
+// bright air. Permutations: those of field.glsl, SOURCE; COUNT_LOOKUPS, instead of evaluations; HALVED, steps of half
+// the value; DERIVATIVE, for normals.
 #include "noise/work.glsl"
 #include "noise/field.glsl"
 
 const float FIELD_FARTHEST = 60.0;
-const float LEAST_LOOKED_STRIDE = 0.002;  // cells: by less, evaluated noise gets on better
+const float LEAST_LOOKED_STRIDE = 0.002;  // cells: for shorter strides, evaluating the noise is faster
 
-// Positive in a cone around the way in, so that nothing stands before the eye: the source's.
+// Widened free space: positive in a cone around the entry ray, so that nothing is directly in front of the eye. From
+// the reference.
 float clearing(float t)
 {
     return clamp(1.0 - t * CLEARING_SLOPE, 0.0, 1.0);
 }
 
-// Along the ray to where the field may be, by what is looked up: nothing is evaluated in empty space.
+// Advances the ray through empty space by lookups alone, without evaluating noise.
 float throughEmptySpace(PortalRay ray, float from, float farthest, bool wanted)
 {
     float t = from;
 #ifdef BAKED
-    // No step is cheaper than a branch of which drivers on processors run both sides.
+    // A loop without steps is cheaper than a branch, whose both sides some processors execute.
     int steps = wanted ? parameters.stepLimit : 0;
     for (int i = 0; i < steps && t < farthest; ++i) {
         float footprint = t * ray.footprint;
@@ -29,8 +31,8 @@ float throughEmptySpace(PortalRay ray, float from, float farthest, bool wanted)
     return t;
 }
 
-// What a ray has found, step by step. Every step evaluates the field once, at one place of the shader, whether it looks
-// for the surface or, there, for normal, sky and sun: compiled once, not nine times.
+// State machine of a ray. Each step evaluates the field once, at one place of the shader: for the surface or, there,
+// for normal, sky and sun. So the field is compiled once, not nine times.
 const int FIELD_MARCH = 0;
 const int FIELD_NORMAL = 1;
 const int FIELD_SKY = 2;
@@ -45,15 +47,15 @@ const int NORMAL_STEPS = 6;
 
 struct FieldSearch {
     int phase;
-    int index;      // within the phase
-    float t;        // along the eye's ray
-    bool away;      // from the surface, as far as look-ups can tell
-    float sunT;     // along that to the sun
-    vec3 position;  // of the surface
+    int index;      // index within the phase
+    float t;        // distance along the camera ray
+    bool away;      // away from the surface, as far as lookups can tell
+    float sunT;     // distance along the ray to the sun
+    vec3 position;  // position on the surface
     vec3 normal;
-    float open;     // share of the sky that is seen, 0 to 1
-    float inside;   // sum of the field on the way to the sun, where it is solid
-    float lit;      // least that was open towards the sun
+    float open;     // visible share of the sky, 0 to 1
+    float inside;   // sum of the field inside the solid, on the way to the sun
+    float lit;      // smallest clearance towards the sun
 };
 
 vec3 differenceStep(int index, float h)
@@ -63,7 +65,7 @@ vec3 differenceStep(int index, float h)
     return e;
 }
 
-// Where the next evaluation is.
+// Point of the next evaluation.
 vec3 searchPoint(FieldSearch s, PortalRay ray, float footprint)
 {
     float cell = 1.0 / parameters.frequency;
@@ -79,7 +81,7 @@ FieldSearch withNormal(FieldSearch found, vec3 slope, PortalRay ray)
     FieldSearch s = found;
     s.phase = FIELD_SKY;
     s.index = 0;
-    // What is cut open near the eye faces it.
+    // A surface that is cut open near the eye faces it.
     s.normal = safeNormalize(s.t - ray.start < 6.0 ? slope - ray.direction * CLEARING_SLOPE : slope, -ray.direction);
     return s;
 }
@@ -95,13 +97,13 @@ FieldSearch searchFurther(FieldSearch before, FieldPoint f, PortalRay ray, float
 #else
         float stride = max(f.stride, 0.5 * footprint * min(parameters.hitTolerance, 1.0));
 #endif
-        // Out of steps, a ray is near the surface that it grazes.
+        // At the step limit, the ray is near a surface that it grazes.
         if (f.outside < footprint * parameters.hitTolerance * parameters.frequency || s.index >= parameters.stepLimit) {
             s.phase = FIELD_NORMAL;
             s.index = 0;
             s.position = ray.origin + ray.direction * s.t;
             s.normal = vec3(0.0);
-            // The last step has seen all octaves, and their slope, unless it was one too many.
+            // The last step evaluated all octaves and their slope, unless the step limit was exceeded.
             if (NORMAL_STEPS == 1 && f.complete) s = withNormal(s, f.slope, ray);
         } else {
             s.t += stride;
@@ -158,10 +160,10 @@ vec3 shadeField(FieldSearch s, vec3 direction)
     float lit = smoothstep(0.0, 1.0, s.lit) * max(dot(n, work.sunDirection), 0.0);
     float through = exp(-9.0 * s.inside) * (work.octaves == 1 ? 1.0 : 0.3);
     vec3 sun = sunLight();
-    // Hollows are deeper in color than ridges.
+    // Cavities have a deeper color than ridges.
     vec3 color = mix(parameters.albedo * parameters.albedo, parameters.albedo, smoothstep(0.1, 0.8, s.open));
     vec3 radiance = color * (skyAmbient(n.y) * mix(0.15, 1.0, s.open) + sun * 0.3183 * lit);
-    // Light that has gone through wax takes its color twice.
+    // Light that passes through wax is colored twice.
     vec3 tint = parameters.albedo * mix(parameters.albedo, vec3(1.0), 0.3);
     radiance += tint * sun * (0.3183 * through * (0.35 + 0.65 * clamp(dot(direction, work.sunDirection), 0.0, 1.0)));
     vec3 h = safeNormalize(work.sunDirection - direction, n);
@@ -202,7 +204,7 @@ PortalSeen ourField(PortalRay ray)
     return seen;
 }
 
-// As the source draws it: half the value as a step, colors by height, and the number of steps as its fog.
+// Draws as the reference does: steps of half the value, colors by height, and fog by the number of steps.
 PortalSeen sourceField(PortalRay ray)
 {
     PortalSeen seen = nothingSeen();
@@ -229,7 +231,7 @@ PortalSeen sourceField(PortalRay ray)
         seen.normal = safeNormalize(fieldAt(p, ray.direction, 0.0, 0.0, true, false).slope, -ray.direction);
         seen.distance = t + ray.start;
     }
-    // The source shows its numbers as they are; film sees their square.
+    // The reference displays its values directly; exposed values are their square.
     seen.radiance = color * color * 0.8;
     seen.evaluations = evaluations;
     return seen;

@@ -1,17 +1,17 @@
-// The field: noise, or a sum of octaves, that is solid above a threshold. How far a ray may go without meeting it follows
-// from bounds of the noise's slope and curvature, octave by octave: far from the solid, the first octaves are enough.
+// The field: noise, or a sum of octaves, that is solid above a threshold. The safe step along a ray follows from bounds
+// on the noise's slope and curvature, octave by octave: far from the solid, the first octaves are sufficient.
 
-// Permutations: FIELD_KIND, a NOISE_ kind; FIELD_SUM, a NOISE_ sum; WARP; BAKED, with an octave in a volume. Drivers on processors run both sides of a
-// branch, so that what is not asked for must not be there.
+// Permutations: FIELD_KIND, a NOISE_ kind; FIELD_SUM, a NOISE_ sum; WARP; BAKED, with an octave in a volume texture.
+// These are compile-time choices, because software drivers execute both sides of a branch.
 
-float evaluations = 0.0;  // of octaves
+float evaluations = 0.0;  // number of octaves evaluated
 float lookups = 0.0;
 
 #ifdef BAKED
 layout(binding = UNIT_EXHIBIT_A) uniform sampler3D bakedNoise;
 #endif
 
-// An octave at a point of its lattice. All have the same noise, each elsewhere in it, and turned.
+// One octave at a point of its lattice. All octaves use the same noise, with an offset and a rotation for each.
 Noise3 fieldOctave(vec3 p, int octave, const bool looked)
 {
     Noise3 n;
@@ -28,13 +28,13 @@ Noise3 fieldOctave(vec3 p, int octave, const bool looked)
 }
 
 struct FieldPoint {
-    float outside;  // threshold less noise: positive where space is empty
+    float outside;  // threshold minus noise: positive in empty space
     vec3 slope;
-    float stride;   // along the ray, for which it stays so; 0 where that is not known
-    bool complete;  // whether it is of all octaves
+    float stride;   // safe step along the ray; 0 if unknown
+    bool complete;  // true if all octaves were evaluated
 };
 
-// Moves the point by up to `warp` cells of the first octave; with the derivative's transpose.
+// Displaces the point by up to `warp` cells of the first octave. Also returns the transposed derivative.
 vec3 warpedPoint(vec3 p, out mat3 jacobian)
 {
     jacobian = mat3(1.0);
@@ -51,7 +51,7 @@ vec3 warpedPoint(vec3 p, out mat3 jacobian)
     return moved;
 }
 
-// The most by which that stretches.
+// Upper bound on the stretch of that displacement.
 float warpStretch()
 {
 #ifdef WARP
@@ -61,14 +61,15 @@ float warpStretch()
 #endif
 }
 
-// How far the sum is off at most where it is looked up.
+// Upper bound on the error of the sum if it is looked up.
 float lookedUpError()
 {
     return noiseLookedUpError(FIELD_KIND) * noiseShapedSteepest(FIELD_SUM);
 }
 
-// `all`: every octave, for the value and slope; else only as many as show how far one may go. `clear` is what is added
-// to the empty side, and falls by no more than CLEARING_SLOPE per meter. `looked`: look octaves up, which tells no slope.
+// Evaluates the field. `all`: all octaves, for value and slope; otherwise only as many as needed for the safe step.
+// `clear` is added to the empty side, and falls by at most CLEARING_SLOPE per meter. `looked`: uses lookups, which give
+// no slope.
 const float CLEARING_SLOPE = 1.0 / 6.0;
 
 FieldPoint fieldAt(vec3 p, vec3 direction, float footprint, float clear, bool all, const bool looked)
@@ -82,7 +83,7 @@ FieldPoint fieldAt(vec3 p, vec3 direction, float footprint, float clear, bool al
     float steepest = noiseSteepest(FIELD_KIND) * noiseShapedSteepest(FIELD_SUM) * stretch;
     float amplitude = 1.0 / work.amplitudes;
     float frequency = parameters.frequency;
-    // What the octaves that are not known yet may add, and what known ones are off.
+    // Upper bound on octaves not evaluated yet, and on the error of the others.
     float rest = 1.0 + (looked ? lookedUpError() : 0.0);
     float fall = clear > 0.0 ? CLEARING_SLOPE : 0.0;
     float slopeBound = fall;
@@ -107,7 +108,7 @@ FieldPoint fieldAt(vec3 p, vec3 direction, float footprint, float clear, bool al
         if (!all && empty > 0.0) {
             float stride = empty / (slopeBound * parameters.boundShare);
             if (curveBound > 0.0) {
-                // No curve bends down more: f + f' t - c t^2 / 2 is still positive.
+                // Worst case of the curvature: f + f' t - c t^2 / 2 is still positive.
                 float along = dot(found.slope, direction) - fall;
                 float curve = curveBound * parameters.boundShare;
                 stride = max(stride, (along + sqrt(along * along + 2.0 * curve * empty)) / curve);

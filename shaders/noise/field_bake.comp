@@ -1,4 +1,4 @@
-// One octave of the field's noise into a volume that repeats.
+// Bakes one octave of the field's noise into a periodic volume texture.
 #include "lib/noise_sums.glsl"
 #include "lib/bindings.glsl"
 #include "noise/noise_block.glsl"

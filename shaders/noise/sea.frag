@@ -1,30 +1,30 @@
-// The sea: waves that roll as gravity makes them, in the light of the sky. Permutations: SOURCE; HEIGHT_STEPS,
-// as long as the height above the water; COUNT_MARCH, what light takes is not counted.
+// The sea: gravity waves in the light of the sky. Permutations: SOURCE; HEIGHT_STEPS, step length equal to the height
+// above the water; COUNT_MARCH, counts only the march, not the lighting.
 #include "noise/work.glsl"
 
 float evaluations = 0.0;
 
-// How much of a wave is left where a pixel covers `footprint` meters: noise/work.glsl's octaves, for its length.
+// Weight of a wave for a pixel that covers `footprint` meters, by its wavelength; see lib/noise_sums.glsl.
 float waveFade(vec2 k, float footprint)
 {
     return noiseFootprintFade(footprint * length(k) / (2.0 * PI));
 }
 
-// Standard deviations that count as the bound of slopes and curvatures, all of it: more than waves of even phases are
-// met with.
+// Number of standard deviations that serve as bound of slopes and curvatures. Random phases do not exceed it in
+// practice.
 const float SEA_BOUND = 5.5;
 
-// The tall waves around a place, as they are there: moved to the side as Gerstner's are (1809).
+// Tall waves at a place, with the horizontal displacement of Gerstner waves (1809).
 struct TallWater {
     float height;
     vec2 slope;
-    vec2 moved;       // from where that water rests
+    vec2 moved;       // displacement from the water's rest position
     float top;        // SEA_HIGHEST
-    float steepest;   // the bound of the slope along any direction, ...
+    float steepest;   // bound of the slope along any direction, ...
     float curvature;  // ... and of its change per meter
 };
 
-// One evaluation of them: where the water rests is found by one step of Newton's, from `moved` on.
+// One evaluation. The rest position of the water is improved by one Newton step from `moved`.
 TallWater tallWaterAt(vec2 p, vec2 moved, float footprint)
 {
     vec2 q = p - moved;
@@ -49,7 +49,7 @@ TallWater tallWaterAt(vec2 p, vec2 moved, float footprint)
         squares += orders * orders;
     }
     evaluations += 1.0;
-    // How p moves with q is a symmetric matrix, near the identity but where the water folds over.
+    // The derivative of p by q is a symmetric matrix, close to the identity unless the water folds over.
     vec3 m = vec3(1.0, 1.0, 0.0) - stretch;
     float area = max(m.x * m.y - m.z * m.z, 0.1);
     mat2 back = mat2(m.y, -m.z, -m.z, m.x) / area;
@@ -67,9 +67,9 @@ TallWater tallWaterAt(vec2 p, vec2 moved, float footprint)
 
 struct Water {
     vec3 normal;
-    float folded;   // 1 where the surface is not drawn together; below 0 it turns over
-    float resolved; // mean square slope of what a pixel resolves, ...
-    float hidden;   // ... and of what it does not
+    float folded;   // 1 where the surface is not compressed; below 0 it folds over
+    float resolved; // mean square slope of resolved waves, ...
+    float hidden;   // ... and of unresolved ones
     float height;
 };
 
@@ -97,7 +97,7 @@ Water waterAt(vec2 p, vec2 moved, float footprint)
         height += a * c;
     }
     evaluations += 1.0;
-    // The sides of a patch of water as it is moved, and how much of its area is left.
+    // Tangents of the displaced water surface, and the remaining area.
     vec3 east = vec3(1.0 - stretch.x, slope.x, -stretch.z);
     vec3 south = vec3(-stretch.z, slope.y, 1.0 - stretch.y);
     Water water;
@@ -111,8 +111,8 @@ Water waterAt(vec2 p, vec2 moved, float footprint)
 }
 
 struct SeaHit {
-    float distance;  // along the ray; negative: none
-    vec2 moved;      // tallWaterAt's
+    float distance;  // distance along the ray; negative: none
+    vec2 moved;      // see tallWaterAt
 };
 
 SeaHit seaHit(PortalRay ray)
@@ -135,7 +135,7 @@ SeaHit seaHit(PortalRay ray)
         float gap = p.y - water.height;
         if (gap < 0.0 && i == 0) return SeaHit(t, water.moved);
 #ifndef HEIGHT_STEPS
-        // However the water bends it meets the ray: from here on by Newton's steps, until the next would be too short.
+        // The ray certainly hits the water here. Newton steps follow, until the next one would be too short.
         float closing = dot(water.slope, d.xz) - d.y;
         float bend = max(water.curvature * along * along, 1e-6);
         met = met || (closing > 0.0 && closing * closing > 2.0 * bend * gap);
@@ -148,7 +148,7 @@ SeaHit seaHit(PortalRay ray)
             continue;
         }
 #endif
-        // Between the last two points, as if the water were straight there.
+        // Between the last two points, by linear interpolation.
         if (gap < 0.0) return SeaHit(mix(last, t, gapBefore / max(gapBefore - gap, 1e-6)), water.moved);
         if (d.y > 0.0 && p.y > water.top) return SeaHit(-1.0, vec2(0.0));
         if (t > 2e4) break;
@@ -158,25 +158,25 @@ SeaHit seaHit(PortalRay ray)
         if (gap < tolerance) return SeaHit(t, water.moved);
         float stride = gap;
 #else
-        // No sooner than the steepest water rises to the ray, or the one most bent, from its slope here on.
+        // Lower bound on the distance at which water could reach the ray, by its greatest slope or greatest curvature.
         float stride = gap / (water.steepest * along + max(-d.y, 0.0));
         stride = max(stride, (sqrt(closing * closing + 2.0 * bend * gap) - closing) / bend);
 #endif
         stride = max(stride, 0.35 * tolerance);
-        // The water has moved less than it is away from where the stride ends.
+        // The change of the displacement is less than the stride.
         moved = water.moved * exp2(-stride);
         t += stride;
 #ifndef HEIGHT_STEPS
-        // Down to where crests can be.
+        // Skip down to the height of the crests.
         if (d.y < 0.0) t = max(t, (water.top - ray.origin.y) / d.y);
 #endif
     }
     if (d.y >= 0.0) return SeaHit(-1.0, vec2(0.0));
-    // Out of steps: where the last height would be met.
+    // At the step limit: intersect a plane at the last height.
     return SeaHit(min(last + gapBefore / -d.y, bottom), moved);
 }
 
-// Light of the sun that waves too fine to see mirror towards the eye: Beckmann's distribution of their slopes.
+// Sunlight reflected by unresolved waves: Beckmann distribution of slopes.
 float glitter(vec3 n, vec3 toEye, float slopes)
 {
     vec3 h = safeNormalize(work.sunDirection + toEye, n);
@@ -187,34 +187,34 @@ float glitter(vec3 n, vec3 toEye, float slopes)
     return f * d / (4.0 * max(dot(n, toEye), 0.08));
 }
 
-// Ripples finer than the last wave: noise that has as much slope as is hidden, as far as a pixel resolves it.
+// Ripples finer than the last wave: noise with the hidden mean square slope, as far as a pixel resolves it.
 vec2 ripples(vec2 p, float footprint, float slopes)
 {
     NoiseSum s = NoiseSum(NOISE_GRADIENT, NOISE_FBM, 3, 0.55, 2.0, 0.0, NOISE_PERIOD, 31u);
     Noise3 n = noiseSum(s, vec3(p.x * 3.0, work.foamTime * 4.0, p.y * 3.0), footprint * 3.0);
     evaluations += 3.0;
-    // The mean square slope of that sum is 0.55 along each axis.
+    // The mean square slope of this sum is 0.55 along each axis.
     return n.slope.xz * sqrt(0.5 * slopes / 0.55);
 }
 
-// Foam where crests are drawn together, and the lace that they leave on the side that the wind comes from.
+// Foam at compressed crests, and the lace of old foam on their windward side.
 float foamAt(vec2 p, Water water, float footprint)
 {
     if (parameters.foam <= 0.0) return 0.0;
     vec2 wind = vec2(sin(parameters.windDirection), -cos(parameters.windDirection));
-    // Wind draws it out along itself.
+    // Wind stretches the foam along itself.
     vec2 q = vec2(dot(p, wind) * 0.7, dot(p, vec2(-wind.y, wind.x)) * 1.5);
     NoiseSum s = NoiseSum(NOISE_GRADIENT, NOISE_BILLOW, 4, 0.62, 2.0, 0.0, NOISE_PERIOD, 77u);
     float grain = -noiseSum(s, vec3(q.x, work.foamTime, q.y), footprint * 1.5).value;
     evaluations += 4.0;
-    // Octaves that have faded count as their mean.
-    float amplitude = 0.45;  // Of the first one over that of all.
+    // Octaves that have faded are replaced by their mean.
+    float amplitude = 0.45;  // Amplitude of the first octave relative to the sum.
     for (int i = 0; i < 4; ++i) {
         grain += 0.5 * amplitude * (1.0 - noiseFootprintFade(footprint * 1.5 * exp2(float(i))));
         amplitude *= 0.62;
     }
-    // How far it is drawn together, in standard deviations of the slope; stronger wind breaks more of the crests
-    // (Monahan and O'Muircheartaigh 1980, "Optimal Power-Law Description of Oceanic Whitecap Coverage", gives the share).
+    // Compression in standard deviations of the slope; stronger wind breaks more of the crests (Monahan and
+    // O'Muircheartaigh 1980, "Optimal Power-Law Description of Oceanic Whitecap Coverage", gives the share).
     float together = (1.0 - water.folded) / max(sqrt(water.resolved), 0.01);
     float least = max(2.6 - 0.1 * (parameters.windSpeed - 7.5) + 2.0 * (0.5 - parameters.foam), 0.5);
     float breaking = smoothstep(least - 0.3, least + 0.9, together);
@@ -231,7 +231,7 @@ vec3 waterLight(PortalRay ray, SeaHit hit)
     float t = hit.distance;
     vec3 p = ray.origin + ray.direction * t;
     vec3 toEye = -ray.direction;
-    // A pixel is longer along the view where the water is seen at a graze; half of that is resolved by the sampling.
+    // A pixel is stretched along the view direction at grazing angles; sampling resolves half of that.
     float footprint = t * ray.footprint * clamp(0.25 / max(toEye.y, 0.02), 1.0, 3.0);
     Water water = waterAt(p.xz, hit.moved, footprint);
     vec3 n = water.normal;
@@ -241,7 +241,8 @@ vec3 waterLight(PortalRay ray, SeaHit hit)
     float cosine = dot(n, toEye);
     if (cosine < 0.02) n = safeNormalize(n + toEye * (0.02 - cosine), vec3(0.0, 1.0, 0.0));
     cosine = max(dot(n, toEye), 0.02);
-    // Where slopes are unresolved, those that face the eye are seen more: they mirror a higher sky, less of it.
+    // Among unresolved slopes, those that face the eye are more visible. They reflect a higher part of the sky, and
+    // less of it.
     float rough = sqrt(water.hidden);
     float fresnel = schlick(clamp(cosine + 0.55 * rough, 0.0, 1.0), 0.02);
     vec3 mirrored = reflect(-toEye, n);
@@ -249,7 +250,7 @@ vec3 waterLight(PortalRay ray, SeaHit hit)
     vec3 sky = skyLight(normalize(mirrored));
     vec3 sun = sunLight();
     vec3 day = skyAmbient(1.0) + sun * max(work.sunDirection.y, 0.0) * 0.35;
-    // Light that has gone through a crest, seen against the sun.
+    // Light through a crest, seen against the sun.
     float thin = smoothstep(0.0, work.seaTop, water.height) * pow(clamp(dot(-toEye, work.sunDirection) * 0.5 + 0.5, 0.0, 1.0), 3.0);
     vec3 body = parameters.water * (day * 0.9 + sun * thin * 1.6) * (1.0 + 0.35 * clamp(water.height / work.seaTop, -1.0, 1.0));
     vec3 color = mix(body, sky, fresnel);
@@ -260,7 +261,7 @@ vec3 waterLight(PortalRay ray, SeaHit hit)
     return throughAir(color, ray.direction, t, mix(40000.0, 1800.0, sqrt(parameters.haze)));
 }
 
-// Thin high clouds in the sky above it.
+// Sky with thin high clouds.
 vec3 highClouds(vec3 d, float footprint)
 {
     vec3 sky = skyLight(d) + sunDisk(d);

@@ -1,4 +1,5 @@
-// Clouds as the source draws them: 65 growing steps, five octaves of value noise at each, five more taps towards the sun.
+// Clouds of the reference: 65 growing steps with five octaves of value noise each, and five more lookups towards the
+// sun.
 
 float sourceCloudDensity(vec3 p)
 {

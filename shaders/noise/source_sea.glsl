@@ -1,4 +1,4 @@
-// The sea as the source draws it: octaves of folded value noise, each turned and twice as fine, on 100 steps; foam of
+// Sea of the reference: octaves of folded value noise, each rotated and of twice the frequency, in 100 steps; foam of
 // sixteen more octaves; a sky of one color.
 
 float sourceOctaves(vec3 p, int count)

@@ -1,4 +1,4 @@
-// What all works share: the portal's rays, the block, and the air.
+// Code shared by all works: the portal's rays, the block, and the atmosphere.
 #include "kit/portal/portal.glsl"
 #include "lib/numerics.glsl"
 #include "lib/noise_sums.glsl"
@@ -8,8 +8,8 @@ layout(std140, binding = BLOCK_EXHIBIT) uniform Exhibit {
     NoiseBlock work;
 };
 
-// Optical depth of clear air straight up, for red, green and blue, and of haze (Bucholtz 1995, "Rayleigh-scattering
-// calculations for the terrestrial atmosphere", at 680, 550 and 440 nm).
+// Vertical optical depth of clear air for red, green and blue (Bucholtz 1995, "Rayleigh-scattering calculations for the
+// terrestrial atmosphere", at 680, 550 and 440 nm). Haze has its own.
 const vec3 AIR_DEPTH = vec3(0.041, 0.098, 0.242);
 
 float hazeDepth()
@@ -17,7 +17,7 @@ float hazeDepth()
     return 0.02 + 0.28 * parameters.haze * parameters.haze;
 }
 
-// Path through the air over that straight up. Kasten and Young 1989; below the horizon as at it.
+// Path length through the air relative to the vertical one. Kasten and Young 1989; below the horizon as at the horizon.
 float airMass(float up)
 {
     float s = max(up, 0.0);
@@ -25,7 +25,7 @@ float airMass(float up)
     return 1.0 / (s + 0.50572 * pow(angle + 6.07995, -1.6364));
 }
 
-// Irradiance of the sun on what faces it, after its way through the air; 0 below the horizon.
+// Irradiance of the sun on a plane that faces it, after absorption by the air; 0 below the horizon.
 vec3 sunLight()
 {
     float up = work.sunDirection.y;
@@ -33,8 +33,9 @@ vec3 sunLight()
     return 5.0 * through * smoothstep(-0.02, 0.03, up);
 }
 
-// Radiance of the clear sky: one scattering in air that is even along the ray (Hoffman and Preetham 2002, "Rendering
-// Outdoor Light Scattering in Real Time"), with light that has come half of the way, and a share that has scattered twice.
+// Radiance of the clear sky: single scattering in air that is uniform along the ray (Hoffman and Preetham 2002,
+// "Rendering Outdoor Light Scattering in Real Time"), with light attenuated over half the path, and a share of double
+// scattering.
 vec3 skyLight(vec3 d)
 {
     float haze = hazeDepth();
@@ -51,7 +52,7 @@ vec3 skyLight(vec3 d)
     return 5.0 * day * sun * scattered * (1.0 - exp(-depth * mass));
 }
 
-// Mean of the sky over all directions above a plane that looks `up`, roughly: what lights shades.
+// Approximate mean of the sky over the hemisphere above a plane with this `up` component: light in shadows.
 vec3 skyAmbient(float up)
 {
     vec3 high = skyLight(vec3(0.0, 0.85, 0.52));
@@ -59,14 +60,14 @@ vec3 skyAmbient(float up)
     return mix(low * 0.75, high, 0.5 + 0.5 * up);
 }
 
-// The sun's disk, widened a little by the air around it.
+// The sun's disk, with a small halo.
 vec3 sunDisk(vec3 d)
 {
     float angle = safeAcos(dot(d, work.sunDirection));
     return sunLight() * (60.0 * (1.0 - smoothstep(0.0045, 0.0075, angle)) + 0.6 * exp(-angle * 38.0));
 }
 
-// What is seen at a distance through the air, whose light there is the horizon's.
+// Applies aerial perspective to radiance seen at a distance; the air's own light is that of the horizon.
 vec3 throughAir(vec3 radiance, vec3 d, float distance, float reach)
 {
     float left = exp(-distance / reach);
