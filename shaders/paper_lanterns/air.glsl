@@ -1,9 +1,9 @@
-// Mist over the lake, thinner the higher, and what lanterns light of it.
+// Mist over the lake, which thins with height, and the light of lanterns in it.
 
-// The color of paper where parts are shown and not the picture.
+// Color of paper in the debug views (SHOW above 0).
 const vec3 PAPER_SHOWN = vec3(0.45, 0.3, 0.1);
 
-// Optical depth of the mist along a ray, in closed form; `t` may be far beyond it.
+// Optical depth of the mist along a ray, in closed form; `t` may extend far beyond the mist.
 float mistDepth(vec3 o, vec3 d, float t)
 {
     float h = parameters.fogHeight;
@@ -22,14 +22,14 @@ float mistLeft(vec3 o, vec3 d, float t)
 #endif
 }
 
-// What the mist sends instead: its own color, and a share of the light of the lanterns within it.
+// Light of the mist itself: its own color, and a share of the light of the lanterns inside it.
 vec3 mistLight()
 {
     return parameters.horizonColor + lake.candle * (lake.fill * 4e-4);
 }
 
-// Light of one lantern that the mist sends along the ray, up to where the ray ends: single scattering of a point, in
-// closed form, and none beyond 0.6 of a cell's width: lanterns that are farther away are not looked at.
+// In-scattered light of one lantern along the ray, up to its end: single scattering of a point light in closed form. It
+// is 0 beyond 0.6 of a cell's width, so that more distant lanterns need no test.
 LanternWalk withAir(LanternWalk before, LanternRay ray, Lantern l, float near)
 {
     LanternWalk walk = before;
@@ -48,15 +48,15 @@ LanternWalk withAir(LanternWalk before, LanternRay ray, Lantern l, float near)
     return walk;
 }
 
-// Overlap of a box of middle width `a` with one of width `w` about a place `x` off its middle, over w.
+// Overlap of a box of half width `a` with a box of width `w` at offset `x`, divided by w.
 float overlap(float x, float a, float w)
 {
     float width = max(w, 1e-4);
     return clamp((a + 0.5 * width - abs(x)) / width, 0.0, min(1.0, 2.0 * a / width));
 }
 
-// A lantern that is too small to be marched, or mirrored by water that is too rough: its paper, spread over the ray's
-// cone, so that it sends as much light as ever.
+// Adds a lantern that is too small to be marched, or that is reflected by rough water: its paper is spread over the
+// ray's cone, with the same total light.
 LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
 {
     LanternWalk walk = before;
@@ -68,7 +68,7 @@ LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
     float y = ray.origin.y + ray.direction.y * near - l.place.y;
     float middle = 0.5 * lake.paperHeight;
     float covered = overlap(aside, lake.paperRadius, widths.x) * overlap(y - middle, middle, widths.y);
-    // Brighter at the flame's height, as far as the cone can tell.
+    // Brighter at the flame's height, if the cone is narrow enough to resolve it.
     float profile = mix(wallDirect(clamp(y, 0.0, lake.paperHeight)) / wallDirectMean(), 1.0, clamp(0.35 + widths.y / lake.paperHeight, 0.0, 1.0));
     float left = mistLeft(ray.origin, ray.direction, near);
 #if SHOW == 0
@@ -78,7 +78,7 @@ LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
 #endif
     walk.glow += walk.left * covered * glow;
     walk.left *= 1.0 - covered;
-    // Its base hides what is behind, and is dark beside the paper.
+    // Its base hides the background, and is dark compared with the paper.
     float base = overlap(aside, 1.2 * lake.baseHalfWidth, widths.x);
     base *= overlap(y, lake.baseHalfHeight + lake.baseHalfWidth * abs(ray.direction.y), widths.y);
     walk.glow += walk.left * base * 0.06 * glow;
@@ -86,8 +86,8 @@ LanternWalk withPoint(LanternWalk before, LanternRay ray, Lantern l, float near)
     return walk;
 }
 
-// What lies beyond the rows that were walked: lanterns as their mean, as far as the ray's cone sees their layer. Light and
-// what it leaves. A few places along the ray, each farther than the last by one ratio.
+// Lanterns beyond the traversed rows: their mean, for the part of the ray's cone inside their layer. Returns light and
+// transmittance. Samples a few places along the ray with geometric spacing.
 vec4 farLanterns(LanternRay ray, float end)
 {
     float farthest = lake.farRow > 0.0 ? lake.farRow : float(lake.cells.y) * lake.cell;
@@ -109,7 +109,7 @@ vec4 farLanterns(LanternRay ray, float end)
     float t = from;
     for (int i = 0; i < places; ++i) {
         float next = t * ratio;
-        // The mean over the way: the cone as wide as it is there, and as the ray goes up or down meanwhile.
+        // Mean over the segment, for the width of the cone there and the height that the ray gains or loses.
         float at = 0.5 * (t + next);
         float tall = coneWidth(ray, at).y + abs(ray.direction.y) * (next - t);
         float y = ray.origin.y + ray.direction.y * at;

@@ -1,9 +1,8 @@
-// Fibers of a lantern's paper. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h), after
+// Fibers of a lantern's paper. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h); include it after
 // lib/noise_sums.glsl.
 
-// How much more or less paper there is at a place of the tube, and by how much that changes per meter around and per
-// meter up. Noise on the paper rolled out, which comes around after whole cells: no seam. Octaves finer than `width`
-// fade.
+// Relative thickness of the paper at a place of the tube, and its change per meter around and per meter up. Noise on
+// the unrolled paper repeats after whole cells, so there is no seam. Octaves finer than `width` fade out.
 vec3 paperFibers(vec3 p, float radius, float width)
 {
     vec3 sum = vec3(0.0);
@@ -25,8 +24,8 @@ vec3 paperFibers(vec3 p, float radius, float width)
     return sum;
 }
 
-// The paper's normal outwards in the lantern's space, tilted by the fibers: `fiber` as above, times how high they
-// stand in meters. The frame of the tube is around, up and outwards, all three of length 1.
+// Outward normal of the paper in the lantern's space, tilted by the fibers. `fiber` is as above, times the height of
+// the fibers in meters. The frame of the tube is around, up and outwards, all unit vectors.
 vec3 paperNormal(vec3 p, vec3 fiber)
 {
     float r = max(length(vec2(p.x, p.z)), 1.0e-6);

@@ -1,4 +1,4 @@
-// Every lantern of the lattice at this moment: where it floats, how it leans, how bright it is.
+// Computes every lantern of the lattice for this frame: position, tilt and brightness.
 #include "paper_lanterns/scene.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,8 +1,8 @@
-// A lake at night: one ray per pixel, which water mirrors on, and one towards the moon from what it ends on; another one
-// from the water that it met first.
-// Permutations: SHOW (0 the picture, 1 heights, 2 normals, 3 parts); LEGS, rays in a row; BOUNCES, of them on water; SOURCE, the source's light;
-// REPETITION, where lanterns are looked for around points; LANTERNS, WAVES, MIST, MOON, STARS,
-// PANORAMA; MOON_ON_WATER, lanterns keep the moon from the water.
+// A lake at night: one ray per pixel, which water reflects further. One ray towards the moon starts where it ends,
+// another one from the water that it hit first. Permutations: SHOW (0 the picture, 1 heights, 2 normals, 3 parts);
+// LEGS, number of rays in sequence; BOUNCES, number of these on water; SOURCE, the shading of the reference;
+// REPETITION, which cells around a point are searched; LANTERNS, WAVES, MIST, MOON, STARS, PANORAMA; MOON_ON_WATER, if
+// lanterns shadow the water from the moon.
 #include "kit/portal/portal.glsl"
 #include "lib/noise_sums.glsl"
 #include "paper_lanterns/scene.glsl"
@@ -40,18 +40,18 @@ vec3 lanternNormal(vec3 p, float width)
     return safeNormalize(n, vec3(0.0, 1.0, 0.0));
 }
 
-// A ray that is followed, and what its light still counts for.
+// A ray segment, and the weight of its light.
 struct Leg {
     LanternRay ray;
     vec3 weight;
-    vec2 blur;      // standard deviations of its direction, up and across
-    bool toMoon;    // it asks whether the moon is seen
-    int mirrored;   // how often the water has
+    vec2 blur;      // standard deviations of its direction, vertical and horizontal
+    bool toMoon;    // tests whether the moon is visible
+    int mirrored;   // number of reflections by water so far
 };
 
 struct Gathered {
     vec3 radiance;
-    vec3 pending;  // if the moon is seen
+    vec3 pending;  // added if the moon is visible
 };
 
 vec3 skyAround(vec3 d, Leg leg, float pixel)
@@ -70,7 +70,7 @@ vec3 partColor(int part)
     return part == PART_PAPER ? 2.0 * PAPER_SHOWN : (part == PART_WOOD ? vec3(0.3, 0.5, 0.2) : vec3(0.3, 0.4, 0.9));
 }
 
-// What a lantern that the ray has met sends; the next ray goes from there to the moon.
+// Adds the light of a lantern that the ray hit; the next ray goes from there to the moon.
 Gathered meetLantern(Gathered before, Leg leg, LanternWalk walk, float pixel)
 {
     Gathered now = before;
@@ -119,7 +119,7 @@ Leg towardsMoon(Leg from, LanternWalk walk)
     return leg;
 }
 
-// From the water: as wide as what the pixel sees of it, and as the moon's disk makes it.
+// Ray from the water to the moon. Its width is the pixel's footprint on the water, its spread that of the moon's disk.
 Leg towardsMoonFrom(vec3 p, vec2 cone, float grazing)
 {
     float along = cone.x + cone.y / grazing * lake.towardsMoon.y;
@@ -127,10 +127,10 @@ Leg towardsMoonFrom(vec3 p, vec2 cone, float grazing)
     return Leg(ray, vec3(1.0), vec2(0.0), true, 0);
 }
 
-// What the water sends, and the ray that it mirrors.
+// Light of the water itself, and the ray that it reflects.
 struct Mirror {
     vec3 body;
-    vec3 byMoon;  // of the moon, if it is seen from there
+    vec3 byMoon;  // light of the moon, if it is visible from there
     vec3 share;
     Leg leg;
     Leg toMoon;
@@ -157,7 +157,7 @@ Mirror meetWater(Leg from, float t, float pixel)
     vec3 body = parameters.waterColor;
     m.byMoon = vec3(0.0);
 #else
-    // Of slopes that are not resolved, those that face the eye are seen more, and mirror less.
+    // Among unresolved slopes, those that face the eye are more visible, and reflect less.
     float fresnel = fresnelDielectric(clamp(cosine + 0.5 * rough.x, 0.0, 1.0), below ? 1.0 / 1.333 : 1.333);
     vec3 body = parameters.waterColor * (nightAir(vec3(0.0, 0.7, -0.714)) * 2.0 + lanternLight(p, n, vec3(1e9)) * 0.6);
     m.byMoon = parameters.waterColor * lake.moonLight * (0.3 * max(lake.towardsMoon.y, 0.0) * (1.0 - fresnel));
@@ -168,7 +168,7 @@ Mirror meetWater(Leg from, float t, float pixel)
     vec3 mirrored = reflect(d, n);
 #ifndef SOURCE
     if (below) {
-        // Out through the surface, where it lets light through; there is nothing to be seen in the deep.
+        // Seen from below: the refracted ray through the surface. Nothing is visible in deep water.
         vec3 through = refract(d, n, 1.333);
         m.share = vec3(1.0 - fresnel) * exp(-WATER_ABSORBS * t);
         m.body = parameters.waterColor * 0.4;
@@ -182,7 +182,7 @@ Mirror meetWater(Leg from, float t, float pixel)
     m.leg.ray.from = 0.0;
     m.leg.blur = sqrt(from.blur * from.blur + vec2(2.0 * rough.x, 2.0 * rough.y * grazing) * vec2(2.0 * rough.x, 2.0 * rough.y * grazing));
     m.leg.ray.width = cone;
-    // As wide as a box of the same variance.
+    // Width of a box with the same variance.
     m.leg.ray.spread = vec2(pixel) + 3.46 * vec2(m.leg.blur.y, m.leg.blur.x);
     m.leg.mirrored = from.mirrored + 1;
     return m;
@@ -249,13 +249,13 @@ PortalSeen portalSeen(PortalRay eye)
     Gathered sum = Gathered(vec3(0.0), vec3(0.0));
     bool under = underWater(eye.origin + eye.direction * eye.start);
     Leg fromWater = leg;
-    vec3 ofWater = vec3(0.0);  // that waits for the moon to be seen from there
+    vec3 ofWater = vec3(0.0);  // depends on the moon being visible from there
     for (int i = 0; i < LEGS; ++i) {
         float t = leg.toMoon ? -1.0 : waterAlong(leg.ray);
         leg.ray.to = t > 0.0 ? t : LAKE_FARTHEST;
         LanternWalk walk = lanternsAlong(leg.ray);
         bool ends = leg.toMoon;
-        // So far away that it is a point, a lantern is not seen through water.
+        // A lantern so far away that it is a point is not visible through water.
         bool through = under && i == 0;
         if (!leg.toMoon && !through) {
             sum.radiance += leg.weight * walk.glow;
@@ -266,7 +266,7 @@ PortalSeen portalSeen(PortalRay eye)
             seen.distance = walk.distance;
             seen.normal = vec3(0.0, 1.0, 0.0);
         }
-        // What is seen in the deep is seen through water; where nothing is, it is dark.
+        // Light from deep water is absorbed on its way; without a hit it is dark.
         if (through && walk.part != PART_NONE) {
             vec3 clear = exp(-WATER_ABSORBS * walk.distance);
             sum.radiance += leg.weight * (parameters.waterColor * 0.4) * (1.0 - clear);

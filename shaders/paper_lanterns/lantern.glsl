@@ -1,31 +1,31 @@
-// One lantern: where it floats, its parts, how bright it is. GLSL 4.50 and C++
-// (exhibits/paper_lanterns/paper_lanterns_cpu.h); who includes this has paper.glsl, `lake` (a LakeBlock),
-// `evaluations` (a count) and `float blueNoiseAt(ivec2 texel)`.
+// One lantern: position, parts and brightness. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h). The
+// including file provides paper.glsl, `lake` (a LakeBlock), `evaluations` (a counter) and `float blueNoiseAt(ivec2
+// texel)`.
 
 struct Lantern {
-    vec3 place;   // middle of its base
+    vec3 place;   // center of its base
     vec2 tilt;    // slope of its base along x and z
-    float turn;   // about its axis, radians
-    float light;  // of its flame over the candle's; below 0: there is no lantern
-    float hue;    // 0 to 1: which color its paper has
+    float turn;   // rotation around its axis, radians
+    float light;  // flame's light relative to the candle's; below 0: no lantern
+    float hue;    // 0 to 1, selects the color of its paper
     vec3 glow;    // mean radiance of paper and frame, seen from outside
 };
 
-// A third of a flame's flicker each, and what they are off zero: 0.198 to 0.85 in all, after 4 s the same again.
+// Flicker of a flame: three cosines with offsets. 0.198 to 0.85 in all, with a period of 4 s.
 float flickerSum(float seconds)
 {
     return 0.15 * (cos(2.0 * PI * seconds) + 2.0) + 0.1 * (cos(3.0 * PI * seconds) + 1.0) +
            0.1 * (cos(2.5 * PI * seconds) + 1.0);
 }
 
-// Brightness of a flame with this share of the period as its phase: 0.399 to 0.725 at full depth.
+// Brightness of a flame with this phase (share of the period): 0.399 to 0.725 at full depth.
 float flickerOf(float phase)
 {
     float mean = 0.55;
     return mix(mean, 0.3 + 0.5 * flickerSum(lake.flickerTime + 4.0 * phase * lake.flickerApart), lake.flickerDepth);
 }
 
-// Absorption times thickness of the paper of a lantern: most alike, some dyed red, rose, gold or amber.
+// Absorption times thickness of a lantern's paper: most are equal, some dyed red, rose, gold or amber.
 vec3 paperAbsorbOf(float hue)
 {
     vec3 dye = vec3(0.0);
@@ -36,7 +36,7 @@ vec3 paperAbsorbOf(float hue)
     return lake.paperAbsorb + dye * (lake.variety * lake.paperScatter);
 }
 
-// Irradiance of a flame of intensity 1 on the inside of the paper at a height, and its mean over all heights.
+// Irradiance of a flame of intensity 1 on the inside of the paper at a height; its mean over all heights is below.
 float wallDirect(float y)
 {
     float r = lake.paperRadius;
@@ -53,18 +53,18 @@ float wallDirectMean()
     return (above / sqrt(r * r + above * above) + below / sqrt(r * r + below * below)) / (r * lake.paperHeight);
 }
 
-// The same of the light that walls and base send to each other, with paper that reflects so much.
+// The same for light reflected between walls and base, for paper of this reflectance.
 float wallIndirect(float reflected)
 {
     float r = lake.paperRadius;
     float h = lake.paperHeight;
-    // Of all that the flame sends out, what does not leave by the opening.
+    // Share of the flame's light that does not leave through the opening.
     float above = h - lake.flameHeight;
     float kept = 0.5 + 0.5 * above / sqrt(r * r + above * above);
     return 4.0 * kept / (2.0 * r * h + r * r) * (tubeGain(reflected, r, h) - 1.0);
 }
 
-// Share of the paper that its frame does not hide: two posts are before it, the lower ring and half of the upper one.
+// Share of the paper that its frame does not hide: two posts in front of it, the lower ring and half of the upper one.
 float paperSeen()
 {
     float posts = 2.0 * lake.postRadius / lake.paperRadius;
@@ -72,7 +72,7 @@ float paperSeen()
     return clamp((1.0 - posts) * (1.0 - rings), 0.1, 1.0);
 }
 
-// Mean radiance of a lantern, its frame included, for a flame of this strength.
+// Mean radiance of a lantern, frame included, for a flame of this strength.
 vec3 paperGlow(float strength, float hue)
 {
     vec3 absorb = paperAbsorbOf(hue);
@@ -84,13 +84,13 @@ vec3 paperGlow(float strength, float hue)
     return lake.candle * glow * (paperSeen() * max(strength, 0.0) / PI);
 }
 
-// Where the lantern of a cell floats, off the middle of the cell; `id` is the cell's number.
+// Offset of a cell's lantern from the center of the cell; `id` is the cell's number.
 vec2 offMiddle(ivec2 id)
 {
     return (vec2(blueNoiseAt(id), blueNoiseAt(id + ivec2(29, 17))) * 2.0 - 1.0) * lake.jitter;
 }
 
-// The lantern of a cell of the lattice, as `float.comp` writes it down for all of them.
+// Computes the lantern of a cell of the lattice; `float.comp` stores the result for all cells.
 Lantern lanternOfCell(ivec2 cell)
 {
     ivec2 id = cell + lake.firstCell;
@@ -109,7 +109,7 @@ Lantern lanternOfCell(ivec2 cell)
     return l;
 }
 
-// From the lantern's own space: x and z along the sides of its base, y up its axis. A rotation.
+// Rotation from the lantern's own space to the lake's: x and z along the sides of its base, y up its axis.
 mat3 lakeFromLantern(Lantern l)
 {
     vec3 up = normalize(vec3(-l.tilt.x, 1.0, -l.tilt.y));
@@ -120,10 +120,10 @@ mat3 lakeFromLantern(Lantern l)
 
 struct LanternPoint {
     float distance;
-    int part;  // PART_: the nearest one
+    int part;  // PART_ number of the nearest part
 };
 
-// Signed distance in the lantern's own space, middle of the base at the origin. Keeps 1.
+// Signed distance in the lantern's own space, with the center of the base at the origin. Keeps 1.
 LanternPoint lanternField(vec3 p)
 {
     evaluations += 1;
@@ -131,7 +131,7 @@ LanternPoint lanternField(vec3 p)
     float top = lake.paperHeight;
     float wall = sdfRectangle(vec2(r - lake.paperRadius, p.y - 0.5 * top), vec2(lake.paperHalf, 0.5 * top));
     float wood = sdfBox(p, vec3(lake.baseHalfWidth, lake.baseHalfHeight, lake.baseHalfWidth));
-    // Of the two rings the nearer one, of the four posts that of this quarter.
+    // Only the nearer one of the two rings, and the post of this quarter, matter.
     float ringHeight = p.y < 0.5 * (top + lake.lowRing) ? lake.lowRing : top;
     float rings = length(vec2(r - lake.paperRadius, p.y - ringHeight)) - lake.ringRadius;
     vec2 post = abs(vec2(p.x, p.z)) - vec2(0.707 * lake.paperRadius);
@@ -143,8 +143,7 @@ LanternPoint lanternField(vec3 p)
     return found;
 }
 
-// Where a ray is inside a box that is even about the y axis, or inside an upright cylinder: first and last distance;
-// none where first > last. `d` may have components of 0.
+// Interval of a ray in a slab: first and last distance; none if first > last. `d` may be 0.
 vec2 slabSpan(float o, float d, float low, float high)
 {
     if (abs(d) < 1.0e-12) return o >= low && o <= high ? vec2(-1.0e9, 1.0e9) : vec2(1.0, -1.0);
@@ -174,8 +173,8 @@ vec2 boxSpan(vec3 o, vec3 d, vec3 halfSize)
     return vec2(max(x.x, max(y.x, z.x)), min(x.y, min(y.y, z.y)));
 }
 
-// Where a ray in the lantern's space may be near it: around the paper with its frame, and around the base. Grown by
-// `margin`, the tolerance of a hit.
+// Interval of a ray in the lantern's space in which it may be close to it: around the paper with its frame, and around
+// the base. Extended by `margin`, the hit tolerance.
 vec2 lanternSpan(vec3 o, vec3 d, float margin)
 {
     float wires = max(lake.ringRadius, max(lake.postRadius, lake.paperHalf));

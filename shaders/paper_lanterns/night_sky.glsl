@@ -1,15 +1,15 @@
-// The sky over the lake: what is left of the day, moon and stars; or the visitor's panorama.
+// The sky over the lake: remaining daylight, moon and stars; or the user's panorama.
 #ifdef PANORAMA
 #include "lib/panorama.glsl"
 
-// Its middle straight ahead through the frame, which is between +x and -z.
+// The panorama's center is straight ahead through the frame, between +x and -z.
 vec3 panoramaSky(vec3 d, float angle)
 {
     return min(panoramaRadiance(vec3(0.70710678 * (d.x + d.z), d.y, 0.70710678 * (d.z - d.x)), angle), vec3(60.0));
 }
 #endif
 
-// Moonlight that comes from around `d`, for a ray that is blurred by these standard deviations, up and across.
+// Moonlight from directions around `d`, for a ray blurred by these standard deviations, vertical and horizontal.
 vec3 moonGlow(vec3 d, vec2 blur)
 {
 #ifdef MOON
@@ -21,13 +21,13 @@ vec3 moonGlow(vec3 d, vec2 blur)
     float r = lake.moonTanRadius;
     vec3 color = lake.moonLight / max(max(lake.moonLight.x, lake.moonLight.z), 1e-6);
     float angle = length(at);
-    // Thin air about it.
+    // Halo in thin mist.
     vec3 around = lake.moonLight * (0.14 * exp(-angle * 9.0) + 0.5 * exp(-angle * 45.0));
     vec2 wide = sqrt(blur * blur + 0.25 * r * r);
     float lobe = exp(-0.5 * dot(at / wide, at / wide)) / (2.0 * PI * wide.x * wide.y);
     vec3 mirrored = min(lake.moonLight * lobe, color * 1.7);
     if (max(blur.x, blur.y) > 0.3 * r) return mirrored + around;
-    // Seas of basalt on its face.
+    // Dark plains (maria) on the moon's face.
     Noise3 n = gradientNoise(ivec3(8), vec3(0.5), ivec3(64), 5u);
     vec2 q = at / r * 1.9 + 7.3;
     n = gradientNoise(ivec3(ivec2(floor(q)), 0), vec3(q - floor(q), 0.3), ivec3(64), 5u);
@@ -42,7 +42,7 @@ vec3 moonGlow(vec3 d, vec2 blur)
 #endif
 }
 
-// One star at most in each cell of a cube's faces, drawn as wide as a pixel, and as bright whatever its width.
+// At most one star in each cell of a cube's faces, drawn as wide as a pixel, with brightness independent of the width.
 vec3 starLight(vec3 d, float pixel)
 {
     const float cells = 84.0;
@@ -63,10 +63,10 @@ vec3 starLight(vec3 d, float pixel)
     float wide = clamp(0.7 * pixel, 1e-5, 0.1 * perCell);
     float lobe = exp(-0.5 * off * off / (wide * wide));
     float u = unitFromBits(bits.z);
-    // Ten times as many for each magnitude and a half.
+    // Ten times as many stars per magnitude and a half.
     float power = min(6.0e-9 / (u * u + 2e-4) / (wide * wide), 1.3);
     float coarse = min(wide / (0.7 * pixel), 1.0);
-    // As many for each piece of the sky: cells are smaller towards a face's edges.
+    // Uniform density over the sky: cells are smaller towards the edges of a face.
     if (unitFromBits(more.y) > largest * largest * largest) return vec3(0.0);
     vec3 tint = mix(vec3(1.0, 0.82, 0.66), vec3(0.72, 0.83, 1.0), unitFromBits(more.x));
     return tint * (power * lobe * coarse * coarse * smoothstep(0.0, 0.25, d.y));
@@ -85,7 +85,7 @@ vec3 nightAir(vec3 d)
     return night + parameters.dusk * day;
 }
 
-// Radiance from a direction; `blur` as above, and the width of a pixel.
+// Radiance of the sky from a direction; `blur` as above, `pixel` is the width of a pixel.
 vec3 skyLight(vec3 d, vec2 blur, float pixel)
 {
 #ifdef PANORAMA
@@ -97,7 +97,7 @@ vec3 skyLight(vec3 d, vec2 blur, float pixel)
 #endif
 #endif
 #ifdef MIST
-    // The mist ends nowhere: all of it above the place.
+    // The whole mist above the place.
     float depth = parameters.fog * parameters.fogHeight / max(d.y, 1e-4);
     float left = exp(-min(depth, 80.0));
     return mix(mistLight(), sky, left);

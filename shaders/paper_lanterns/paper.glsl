@@ -1,15 +1,15 @@
 // A thin translucent sheet. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h).
 
 struct Sheet {
-    float reflected;    // share of the light that comes back from where it came
-    float transmitted;  // share that leaves on the other side; the rest is absorbed
+    float reflected;    // reflectance
+    float transmitted;  // transmittance; the rest is absorbed
 };
 
-// Of diffuse light on a sheet with scattering and absorption, each times its thickness and not negative. Kubelka and
-// Munk 1931, "Ein Beitrag zur Optik der Farbanstriche", in the closed form of Kubelka 1948.
+// Diffuse reflectance and transmittance of a sheet, for scattering and absorption coefficients times its thickness, not
+// negative. Kubelka and Munk 1931, "Ein Beitrag zur Optik der Farbanstriche", in the closed form of Kubelka 1948.
 Sheet sheetOf(float scatter, float absorb)
 {
-    // Nothing scatters: absorption alone.
+    // Without scattering, only absorption remains.
     Sheet sheet;
     sheet.reflected = 0.0;
     sheet.transmitted = exp(-max(absorb, 0.0));
@@ -17,7 +17,7 @@ Sheet sheetOf(float scatter, float absorb)
     float a = 1.0 + max(absorb, 0.0) / scatter;
     float b = sqrt(max(a * a - 1.0, 0.0));
     float x = b * scatter;
-    // sinh(x) / b goes to the scattering as the absorption goes to 0. Both over cosh(x), which may be large.
+    // sinh(x) / b approaches `scatter` as the absorption approaches 0. Both are divided by cosh(x), which may be large.
     float e = exp(-2.0 * x);
     float tanhOverB = x < 1.0e-3 ? scatter * (1.0 - x * x / 3.0) : (1.0 - e) / ((1.0 + e) * b);
     float perCosh = 2.0 * exp(-x) / (1.0 + e);
@@ -27,11 +27,12 @@ Sheet sheetOf(float scatter, float absorb)
     return sheet;
 }
 
-// How much brighter light that stays in an open tube becomes by its walls lighting each other: 1 / (1 - r f), f the
-// share of a wall's light that falls on the walls again. The tube's openings lose the rest.
+// Gain of brightness in an open tube by light that its walls reflect to each other: 1 / (1 - r f). f is the share of a
+// wall's light that hits the walls again; the rest leaves through the openings.
 float tubeGain(float reflected, float radius, float height)
 {
-    float walls = 2.0 * radius * height + radius * radius;  // over pi: the side and the base, which is as bright
+    // areas over pi: the side and the base, which is equally bright
+    float walls = 2.0 * radius * height + radius * radius;
     float open = radius * radius;
     return 1.0 / (1.0 - clamp(reflected, 0.0, 0.999) * walls / (walls + open));
 }

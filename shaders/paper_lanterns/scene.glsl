@@ -1,4 +1,4 @@
-// The lake as shaders read it: the block, the lanterns that float.comp wrote down, and the ray's way among them.
+// The lake as shaders read it: the block, the lanterns stored by float.comp, and the traversal of the lattice.
 #include "lib/bindings.glsl"
 #include "lib/numerics.glsl"
 #include "lib/hash.glsl"

@@ -1,7 +1,7 @@
-// Light as the source reckons it: Lambert and Phong, a candle that shines through paper as if it had two sides and no
-// inside, noise added to normals in world space, a sky of two colors, and water that mirrors as much at any angle.
+// Shading of the reference: Lambert and Phong, a candle that shines through paper as if it had two sides and no inside,
+// noise added to normals in world space, a sky of two colors, and water that reflects equally at any angle.
 
-// The faults are the source's: its noise has a seam where the angle comes around.
+// Noise of the reference, with its fault: a seam where the angle wraps around.
 vec3 sourceNoise(vec3 p)
 {
     vec2 uv = vec2(angleOf(-p.z, p.x) / (2.0 * PI) + 0.5, p.y * 0.5 + 0.5) * vec2(2.0, 1.0) * 12.0;
@@ -36,8 +36,8 @@ Lit sourceLantern(LanternWalk walk, vec3 localNormal, vec3 worldNormal, vec3 loc
 }
 
 #ifdef PANORAMA
-// The level comes with the way from a pixel to the next one in the picture, and so it is the coarsest where the angle
-// comes around: another of its faults.
+// The mip level follows from the change between neighboring pixels, so it is coarsest where the angle wraps around:
+// another fault of the reference.
 vec3 sourcePanorama(vec3 d)
 {
     vec3 ahead = vec3(0.70710678 * (d.x + d.z), d.y, 0.70710678 * (d.z - d.x));

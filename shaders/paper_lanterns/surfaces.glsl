@@ -1,13 +1,13 @@
-// The light that lanterns and water send: ours.
+// Physically based light of lanterns and water.
 
-// What is sent to the eye at once, and what more if the moon is seen from there.
+// Light towards the eye: without the moon, and added if the moon is visible from there.
 struct Lit {
     vec3 radiance;
     vec3 byMoon;
 };
 
-// Irradiance of the lanterns around a place on what faces `n`, of the one that was set free, too; of the lantern that
-// floats at `own` none.
+// Irradiance of the surrounding lanterns at a place, on a plane with normal `n`, the released lantern included. The
+// lantern at `own` is excluded.
 vec3 lanternLight(vec3 p, vec3 n, vec3 own)
 {
     vec3 sum = vec3(0.0);
@@ -18,7 +18,7 @@ vec3 lanternLight(vec3 p, vec3 n, vec3 own)
     float range = lake.cell * (parameters.lightCells > 4 ? 1.3 : (parameters.lightCells > 1 ? 0.9 : 0.5));
     float area = 2.0 * lake.paperRadius * lake.paperHeight;
     for (int i = lake.released.w > 0.0 && parameters.lightCells > 0 ? -1 : 0; i < parameters.lightCells; ++i) {
-        // The four that are nearest, then the other five.
+        // The four nearest cells, then the other five.
         ivec2 off = i < 4 ? ivec2(i & 1, i >> 1) : (i < 7 ? ivec2(-1, i - 5) : ivec2(i - 7, -1));
         ivec2 cell = ivec2(base) + off * towards;
         Lantern l = releasedLantern();
@@ -37,7 +37,8 @@ vec3 lanternLight(vec3 p, vec3 n, vec3 own)
     return sum;
 }
 
-// Irradiance of a wide lit tube on a plane beside it, over the tube's radiant exitance: a strip's, less for its curve.
+// Irradiance of a wide lit tube on a plane next to it, relative to the tube's radiant exitance: that of a strip,
+// reduced for the curvature.
 float tubeFactor(float r, float up)
 {
     float x = max(r - lake.paperRadius, 0.0);
@@ -54,7 +55,7 @@ Lit litPaper(LanternWalk walk, vec3 n, vec3 d, vec3 outer, vec3 moon, float widt
     float more = clamp(1.0 + 1.3 * fiber.x, 0.25, 2.5);
     vec3 absorb = paperAbsorbOf(walk.lantern.hue) * more;
     vec3 reflected, transmitted, within;
-    // From the middle of the sheet, which has no thickness for light.
+    // Measured from the middle of the sheet, which has no thickness in this model.
     vec3 toFlame = vec3(-radial.x * lake.paperRadius, lake.flameHeight - p.y, -radial.y * lake.paperRadius);
     float squared = max(dot(toFlame, toFlame), 0.01);
     vec3 bumped = paperNormal(p, 0.02 * fiber);
@@ -69,7 +70,7 @@ Lit litPaper(LanternWalk walk, vec3 n, vec3 d, vec3 outer, vec3 moon, float widt
     Lit lit;
     vec3 fromOuter = outside ? reflected : transmitted;
     lit.radiance = ((outside ? transmitted : reflected) * within + fromOuter * outer) / PI;
-    // The moon on the side that is seen, or through the paper.
+    // Moonlight reflected on the visible side, or transmitted through the paper.
     float facing = dot(outside ? bumped : -bumped, moon);
     lit.byMoon = (facing > 0.0 ? reflected : transmitted) * abs(facing) * lake.moonLight / PI;
     return lit;
@@ -100,7 +101,7 @@ Lit litFrame(LanternWalk walk, vec3 n, vec3 d, vec3 outer, vec3 moon, float widt
         vec3 h = safeNormalize(l - d, n);
         mirrored = candle * (wood ? 0.02 : 0.5) * pow(max(dot(n, h), 0.0), 60.0) / squared;
     } else {
-        // The glowing paper beside it.
+        // Light of the glowing paper next to it.
         float sideways = wood ? max(n.y, 0.0) + 0.3 * max(1.0 - abs(n.y), 0.0) * step(0.0, p.y) : 1.0;
         light = PI * walk.lantern.glow * tubeFactor(r, max(p.y, 0.0)) * sideways;
         vec2 out2 = p.xz / max(r, 1e-4);
@@ -120,7 +121,7 @@ struct WaterSurface {
     vec2 hidden;  // mean square slope of waves that a pixel does not resolve: along the view and across
 };
 
-// `ahead` is the view's way in the plane, `footprint` a pixel's length along it and its width.
+// `ahead` is the view direction in the plane, `footprint` a pixel's length along it and its width.
 WaterSurface waterSurface(vec2 p, vec2 ahead, vec2 footprint)
 {
     vec2 slope = vec2(0.0);

@@ -1,13 +1,15 @@
-// A ray's way through the lattice of lanterns. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h); who
-// includes this has lantern.glsl, `Lantern lanternAt(ivec2 cell)`, which reads what `lanternOfCell` told, and
+// Traversal of the lattice of lanterns by a ray. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h). The
+// including file provides lantern.glsl, `Lantern lanternAt(ivec2 cell)`, which reads the result of `lanternOfCell`, and
 //
 //     LanternWalk withPoint(LanternWalk, LanternRay, Lantern, float near)
 //     LanternWalk withAir(LanternWalk, LanternRay, Lantern, float near)
 //
-// which add a lantern that is only a glowing point, and what a lantern lights of the air; `near` is where the ray is
-// nearest to its axis.
+// These add a lantern that is only a glowing point, and the light of a lantern in the air; `near` is the ray's distance
+// at its closest approach to the lantern's axis.
 //
-// The ray goes by rows of cells across its main direction. It runs by a cell sideways at most while it crosses a row,
+// The ray passes rows of cells across its main direction. It moves sideways by at most one cell while it crosses a row.
+// So it can only touch the two cells whose centers are nearest to it there. Each lantern stays within its cell, and is
+// marched only inside its own bounds. So no step is too long, whatever the neighbors are.
 // so the two cells whose middles are nearest to it there are all that it can touch; each lantern stays within its
 // cell, and is looked for only where its own bounds are crossed. So no step is too long, whatever the neighbors are.
 
@@ -16,19 +18,19 @@ struct LanternRay {
     vec3 direction;  // unit
     float from;
     float to;
-    vec2 width;      // of the cone about it at its origin, across and up, ...
-    vec2 spread;     // ... and by how much that grows per meter
+    vec2 width;      // width of its cone at the origin, across and up, ...
+    vec2 spread;     // ... and its growth per meter
 };
 
 struct LanternWalk {
-    float distance;   // along the ray to the nearest solid lantern; beyond the ray's end: none
+    float distance;   // distance to the nearest solid lantern; beyond the ray's end: none
     int part;
-    Lantern lantern;  // that one
-    vec3 local;       // the place in its own space
-    vec3 glow;        // radiance of the points in front of it
-    float left;       // share of what is behind the points that is seen
-    float cells;      // that were looked at
-    float end;        // how far along the ray lanterns were looked for
+    Lantern lantern;  // that lantern
+    vec3 local;       // hit point in its own space
+    vec3 glow;        // radiance of the glowing points in front of it
+    float left;       // transmittance of these points
+    float cells;      // number of cells searched
+    float end;        // distance along the ray up to which lanterns were searched
 };
 
 #ifndef __cplusplus
@@ -41,14 +43,14 @@ vec2 coneWidth(LanternRay ray, float t)
     return ray.width + ray.spread * max(t, 0.0);
 }
 
-// Nearest place on the ray to the axis of a lantern, as a distance.
+// Distance along the ray of its closest approach to a lantern's axis.
 float nearestApproach(LanternRay ray, Lantern l)
 {
     vec2 d = vec2(ray.direction.x, ray.direction.z);
     return dot(vec2(l.place.x - ray.origin.x, l.place.z - ray.origin.z), d) / max(dot(d, d), 1.0e-9);
 }
 
-// Marches within the bounds of one lantern.
+// Marches a ray within the bounds of one lantern.
 LanternWalk withSolid(LanternWalk before, LanternRay ray, Lantern l)
 {
     LanternWalk walk = before;
@@ -61,8 +63,8 @@ LanternWalk withSolid(LanternWalk before, LanternRay ray, Lantern l)
     vec2 span = lanternSpan(o, d, margin);
     float t = max(span.x, ray.from);
     float end = min(span.y, walk.distance);
-    // Within the tolerance a ray may still pass: there it goes on, by half of that or half of the thinnest part at
-    // least, until it touches or is out of steps.
+    // Within the tolerance a ray may still pass by. It continues with at least half of that, or half of the thinnest
+    // part, until it touches or reaches the step limit.
     float touch = 0.05 * margin + 1.0e-4;
     float thinnest = min(min(lake.paperHalf, lake.baseHalfHeight), min(lake.ringRadius, lake.postRadius));
     float least = 0.25 * min(margin, thinnest);
@@ -92,7 +94,7 @@ LanternWalk withLantern(LanternWalk before, LanternRay ray, Lantern l)
     return withSolid(walk, ray, l);
 }
 
-// The lantern that was set free.
+// The released lantern.
 Lantern releasedLantern()
 {
     Lantern l;
@@ -105,7 +107,7 @@ Lantern releasedLantern()
     return l;
 }
 
-// Where o + d t is no more than `limit`: first and last t.
+// Interval in which o + d t is at most `limit`: first and last t.
 vec2 belowSpan(float o, float d, float limit)
 {
     if (abs(d) < 1.0e-12) return o <= limit ? vec2(-1.0e9, 1.0e9) : vec2(1.0, -1.0);
@@ -113,7 +115,7 @@ vec2 belowSpan(float o, float d, float limit)
     return d > 0.0 ? vec2(-1.0e9, t) : vec2(t, 1.0e9);
 }
 
-// The part of a ray on which its cone may meet lanterns of the lattice; none where first > last.
+// Interval of a ray in which its cone may hit lanterns of the lattice; none if first > last.
 vec2 latticeSpan(LanternRay ray)
 {
     vec2 size = vec2(float(lake.cells.x), float(lake.cells.y)) * lake.cell;
@@ -127,10 +129,10 @@ vec2 latticeSpan(LanternRay ray)
                 min(min(min(x.y, z.y), min(under.y, over.y)), ray.to));
 }
 
-// The cells of a row that a ray looks at: those whose middles are nearest to it there.
+// Row by row traversal: the cells of a row whose centers are nearest to the ray.
 struct LatticeLine {
-    bool alongX;   // rows are crossed along x; else along z
-    float origin;  // in cells, along the rows' way and across it; both grow with the cell's number
+    bool alongX;   // rows are crossed along x; otherwise along z
+    float origin;  // in cells, along the direction of the rows and across it; both grow with the cell's number
     float across;
     float ahead;   // cells per meter of the ray
     float aside;
@@ -161,7 +163,7 @@ ivec2 lineCell(LatticeLine line, int row, int which)
 {
     float t = (float(row) + 0.5 - line.origin) / line.ahead;
     int low = int(floor(clamp(line.across + line.aside * t, -1.0e6, 1.0e6) - 0.5 * float(lake.looks - 1)));
-    // The one on the side that the ray comes from is first.
+    // The cell on the side that the ray comes from is first.
     int column = low + (line.aside >= 0.0 ? which : lake.looks - 1 - which);
     return line.alongX ? ivec2(row, column) : ivec2(column, row);
 }
@@ -185,18 +187,18 @@ LanternWalk nothingMet(LanternRay ray)
     return walk;
 }
 
-// All lanterns along a ray, the nearest first.
+// Finds all lanterns along a ray, the nearest first.
 LanternWalk walkLanterns(LanternRay ray)
 {
     LanternWalk walk = nothingMet(ray);
     vec2 span = latticeSpan(ray);
     LatticeLine line = latticeLine(ray, span.x);
     int rows = line.alongX ? lake.cells.x : lake.cells.y;
-    // What lights the air is looked for in the rows before and behind, too.
+    // Lanterns that light the air are also searched in the rows before and behind.
     int further = lake.looks > 2 ? 1 : 0;
     line.first -= further * line.stride;
     int looks = span.x < span.y ? lake.looks * (min(lake.rowLimit, rows) + 2 * further) : 0;
-    // The one that is free is looked at before all.
+    // The released lantern is tested first.
     for (int i = lake.released.w < 0.0 ? 0 : -1; i < looks; ++i) {
         Lantern l = releasedLantern();
         if (i >= 0) {
@@ -220,8 +222,9 @@ LanternWalk walkLanterns(LanternRay ray)
     return walk;
 }
 
-// As the source goes: by the least distance to the lanterns of some cells around each point, whatever lies beyond
-// them. `kind` is REPEAT_OWN_CELL, REPEAT_2X2 or REPEAT_3X3. The control, and what the source shows.
+// Traversal of the reference: steps by the least distance to the lanterns of some cells around each point, ignoring
+// lanterns beyond them. `kind` is REPEAT_OWN_CELL, REPEAT_2X2 or REPEAT_3X3. Used as a control, and to show the
+// reference.
 LanternWalk walkNeighbors(LanternRay ray, int kind, int steps)
 {
     LanternWalk walk = nothingMet(ray);
@@ -235,7 +238,7 @@ LanternWalk walkNeighbors(LanternRay ray, int kind, int steps)
         vec2 g = vec2(p.x - lake.corner.x, lake.corner.y - p.z) / lake.cell;
         ivec2 own = ivec2(int(floor(clamp(g.x, -1.0e6, 1.0e6))), int(floor(clamp(g.y, -1.0e6, 1.0e6))));
         ivec2 towards = ivec2(g.x - float(own.x) < 0.5 ? -1 : 1, g.y - float(own.y) < 0.5 ? -1 : 1);
-        // Where there is no lantern near, as far as to the next cells.
+        // Without a lantern nearby, a step reaches at most the next cells.
         float nearest = lake.cell;
         float margin = lake.tolerance * ray.spread.x * t + 1.0e-4;
         for (int j = 0; j < looks; ++j) {

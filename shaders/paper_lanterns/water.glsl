@@ -1,12 +1,12 @@
-// Heights and slopes of the lake: a sum of sines. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h);
-// who includes this has `lake`, a LakeBlock.
+// Heights and slopes of the lake: a sum of sines. GLSL 4.50 and C++ (exhibits/paper_lanterns/paper_lanterns_cpu.h). The
+// including file provides `lake`, a LakeBlock.
 
 struct LakePoint {
     float height;
     vec2 slope;  // along x and z
 };
 
-// Of a point on the water, by the waves that lift it.
+// Height and slope of a point on the water, by the waves that lift it.
 LakePoint lakeAt(vec2 p)
 {
     LakePoint found;
@@ -22,7 +22,7 @@ LakePoint lakeAt(vec2 p)
     return found;
 }
 
-// What a lantern of the lake rides: height and slope of the plane that is nearest to the water over its base.
+// Height and slope of the plane that best fits the water under a lantern's base.
 LakePoint rideAt(vec2 p)
 {
     LakePoint found;
@@ -38,13 +38,13 @@ LakePoint rideAt(vec2 p)
     return found;
 }
 
-// Distance along a ray (unit direction) to the water, from `from` on and no farther than `to`; -1 where it meets
-// none. By bounds of height and slope: the water cannot rise to the ray sooner. `width` of a pixel at distance 1.
+// Distance along a ray (unit direction) to the water, between `from` and `to`; -1 if there is no hit. The step is
+// bounded by the largest height and slope that the water can have. `width` of a pixel at distance 1.
 float waterDistance(vec3 origin, vec3 direction, float from, float to, float width, float tolerance, int steps)
 {
     vec3 d = direction;
     bool inside = origin.y + d.y * from < lakeAt(vec2(origin.x + d.x * from, origin.z + d.z * from)).height;
-    // Seen from below, the same water upside down.
+    // Seen from below, the water is mirrored vertically.
     float up = inside ? -1.0 : 1.0;
     float falling = -d.y * up;
     float along = length(vec2(d.x, d.z));
@@ -65,7 +65,7 @@ float waterDistance(vec3 origin, vec3 direction, float from, float to, float wid
         if (closing <= 1.0e-7) return -1.0;
         t += gap / closing;
     }
-    // Out of steps: where a plane at that height would be met.
+    // At the step limit: intersect a plane at that height.
     if (falling <= 0.0) return -1.0;
     t += gap / falling;
     return t > to ? -1.0 : t;
