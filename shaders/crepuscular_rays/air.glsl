@@ -1,12 +1,12 @@
-// Light that air scatters towards the eye: dust of a density that thins with height, in a box.
+// Light scattered by air towards the eye: dust in a box, whose density decreases with height.
 //
 // This file is GLSL 4.50 and C++ (exhibits/crepuscular_rays/rays_cpu.h); needs lib/numerics.glsl.
 
-// Meters beyond which a ray has left all air: an endless one has a length, too.
+// Meters: upper limit of the length of a ray in the air, also for infinite rays.
 const float AIR_FARTHEST = 1.0e9;
 
-// Share of light scattered into a unit of solid angle, per steradian; integrates to 1. `cosine` between the ways
-// before and after. Henyey and Greenstein 1941, "Diffuse Radiation in the Galaxy".
+// Phase function, per steradian; integrates to 1. `cosine` is between the directions before and after scattering.
+// Henyey and Greenstein 1941, "Diffuse Radiation in the Galaxy".
 float airPhase(float cosine, float anisotropy)
 {
     float g = clamp(anisotropy, -0.999, 0.999);
@@ -15,15 +15,15 @@ float airPhase(float cosine, float anisotropy)
     return (1.0 - g2) / (4.0 * PI * b * sqrt(b));
 }
 
-// (1 - exp(-x)) / x, 1 at 0; exp may not overflow.
+// Returns (1 - exp(-x)) / x, 1 at 0; avoids overflow of exp.
 float airMean(float x)
 {
     if (abs(x) < 1.0e-2) return 1.0 - x * (0.5 - x * (1.0 / 6.0 - x / 24.0));
     return (1.0 - exp(min(-x, 40.0))) / x;
 }
 
-// Optical depth of `way` meters that begin at height `from` and rise `slope` per meter, for an extinction of
-// `density` per meter at height 0 that falls by a factor e every 1 / `thinning` meters. Never negative.
+// Optical depth of `path` meters that begin at height `from` and rise `slope` per meter. The extinction is `density`
+// per meter at height 0 and falls by a factor e every 1 / `thinning` meters. Never negative.
 float airOpticalDepth(float from, float slope, float path, float density, float thinning)
 {
     float atStart = density * exp(clamp(-thinning * from, -40.0, 40.0));
@@ -31,15 +31,15 @@ float airOpticalDepth(float from, float slope, float path, float density, float 
     return clamp(atStart * meters * airMean(thinning * slope * meters), 0.0, 1.0e4);
 }
 
-// Light of radiance 1 from all sides that a stretch of air scatters into a ray and out to the eye, by air that swallows
-// nothing: what the stretch takes out of the ray. `through` and `throughEnd` are the shares of light that come through
-// the air before the stretch and up to its end. However it is cut into steps, they add up to the same.
+// Light that a segment of non-absorbing air scatters into the ray and out to the eye, for uniform surrounding radiance
+// 1. It equals the light that the segment removes from the ray. `through` and `throughEnd` are the transmittances up to
+// the segment's start and end. The sum does not depend on how the ray is divided into segments.
 float airScattered(float through, float throughEnd)
 {
     return max(through - throughEnd, 0.0);
 }
 
-// Entry and exit of a ray in the box, as distances along it; exit < entry where it misses.
+// Entry and exit of a ray in the box, as distances along it; exit < entry if it misses.
 vec2 airBox(vec3 origin, vec3 direction, vec3 low, vec3 high)
 {
     float entry = -1.0e30;
@@ -57,9 +57,9 @@ vec2 airBox(vec3 origin, vec3 direction, vec3 low, vec3 high)
     return vec2(entry, exit);
 }
 
-// The same for the beam that parallel light makes of an opening: the opening's rectangle, flat along `axis` at
-// `plane`, swept along the light. `along` is the way of the light for which `axis` changes by 1. The beam is a box
-// once every point is slid back along the light onto the plane; what is outside `roomLow` to `roomHigh` does not count.
+// The same for the beam of parallel light through an opening: the opening's rectangle, flat along `axis` at `plane`,
+// swept along the light. `along` is the light's direction, scaled so that `axis` changes by 1. When every point is
+// projected along the light onto the plane, the beam becomes a box. Parts outside `roomLow` to `roomHigh` are excluded.
 vec2 airBeam(vec3 origin, vec3 direction, vec3 low, vec3 high, int axis, float plane, vec3 along, vec3 roomLow,
              vec3 roomHigh)
 {

@@ -1,8 +1,8 @@
-// A coarser image of the frame: which depth a cell stands for, and how cells are brought up to pixels again.
+// Downsampled images of the frame: depth of a cell, and depth-aware upsampling to pixels.
 
 layout(binding = UNIT_SOURCE) uniform sampler2D depthOfPicture;
 
-const float COARSE_FARTHEST = 60.0;  // meters: beyond the hall, all depths are alike
+const float COARSE_FARTHEST = 60.0;  // meters: beyond the hall, differences of depth are ignored
 
 float depthAt(vec2 pixel)
 {
@@ -10,8 +10,8 @@ float depthAt(vec2 pixel)
     return min(frameViewDepth(texelFetch(depthOfPicture, inside, 0).r), COARSE_FARTHEST);
 }
 
-// Distance along the view axis of a cell, meters: by turns the nearest and the farthest of its corner pixels, so
-// that along an edge there is always a neighbor on either side of it.
+// Distance of a cell along the view axis, meters: alternately the nearest and the farthest of its corner pixels. So
+// along an edge there is always a neighboring cell on either side of it.
 float coarseDepth(vec2 cell)
 {
     float last = rays.cellSize - 1.0;
@@ -23,8 +23,8 @@ float coarseDepth(vec2 cell)
     return nearest ? min(min(corners.x, corners.y), min(corners.z, corners.w)) : max(max(corners.x, corners.y), max(corners.z, corners.w));
 }
 
-// Light of a coarser image (rgb; its depth in a) at a pixel of the tile: nine cells under a tent of two cells'
-// width, each the less the farther its depth is from the pixel's.
+// Upsamples the light of a downsampled image (rgb; its depth in a) at a pixel of the tile: nine cells with a tent of
+// two cells' width. The weight of a cell decreases with its difference in depth from the pixel.
 vec3 broughtUp(sampler2D coarse, vec2 pixel, float depth)
 {
     ivec2 size = textureSize(coarse, 0);

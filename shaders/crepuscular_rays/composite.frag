@@ -1,6 +1,6 @@
-// Lays the beams over the picture: what they add, and in the alpha what the dust takes out of it. Permutations: SCREEN
-// (a gathered image), POLAR (the running sum, looked up here), HAZE (what the dust hides, and its light of the hall), BEAMS
-// (of the sun, as they were marched), REPLACE (the light alone, or the mask).
+// Blends the beams over the picture: color is the added light, alpha the light that the dust absorbs. Permutations:
+// SCREEN (a gathered image), POLAR (the running sum, looked up here), HAZE (extinction by the dust, and scattered light
+// of the hall), BEAMS (marched sunbeams), REPLACE (shows the added light alone, or the mask).
 #include "lib/light.glsl"
 #include "crepuscular_rays/air.glsl"
 #include "lib/tonemap.glsl"
@@ -13,14 +13,15 @@ layout(binding = UNIT_EXHIBIT_B) uniform sampler2D scattered;
 layout(location = 0) out vec4 over;
 
 #ifdef POLAR
-// Mean of the mask within a share `t` of the way from the sun to `pixel`.
+// Mean of the mask between the sun and share `t` of the way from it to `pixel`.
 vec3 meanWithin(vec2 path, float t)
 {
     vec2 size = vec2(textureSize(mask, 0));
     float radius = length(path) * t;
     // Cell i ends at the radius first * ratio^i.
     float i = (log(max(radius, 1e-3)) - rays.logFirstRadius) / rays.logRadiusSpan * size.x;
-    if (rays.sunIsBeyondEdge && i < 0.0) return vec3(0.0);  // The sun is beyond the edge: nothing shines so near to it.
+    // The sun is beyond the edge: nothing is visible so close to it.
+    if (rays.sunIsBeyondEdge && i < 0.0) return vec3(0.0);
     float angle = angleOf(path.y, path.x);
     float turns = (angle - rays.firstAngle) / (2.0 * PI);
     float line = fract(turns) * 2.0 * PI / rays.angleSpan;

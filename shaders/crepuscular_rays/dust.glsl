@@ -1,13 +1,13 @@
 // The dust in the hall's air.
 
-// The ray inside the air: entry and exit. An exit before its entry is no stretch.
+// Interval of the ray inside the air: entry and exit. Empty if exit < entry.
 vec2 airStretch(vec3 eye, vec3 direction)
 {
     vec2 inside = airBox(eye, direction, rays.airLow, rays.airHigh);
     return vec2(max(inside.x, 0.0), inside.y);
 }
 
-// Share of the light that comes through the air up to `end`, a distance along the ray.
+// Transmittance of the air up to `end`, a distance along the ray.
 float airThrough(vec3 eye, vec3 direction, vec2 stretch, float end)
 {
     return exp(-airOpticalDepth(eye.y + direction.y * stretch.x, direction.y, min(stretch.y, end) - stretch.x, parameters.airDensity, parameters.densityFalloff));
@@ -29,11 +29,11 @@ float dustNoise(vec3 p)
     return mix(y.x, y.y, f.x);
 }
 
-// How much more or less dust than the mean there is at a point; its own mean is 1.
+// Relative density of the dust at a point; its mean is 1.
 float dustDrift(vec3 world)
 {
     if (parameters.densityNoise <= 0.0) return 1.0;
     vec3 p = world - rays.drift;
     float drift = dustNoise(p * vec3(1.1, 1.6, 1.1)) * 0.65 + dustNoise(p * vec3(2.7, 3.7, 2.7) + 19.0) * 0.35;
-    return max(1.0 + parameters.densityNoise * (3.0 * drift - 1.5), 0.0);  // Air can be clear, but no clearer.
+    return max(1.0 + parameters.densityNoise * (3.0 * drift - 1.5), 0.0);  // The density is at least 0.
 }

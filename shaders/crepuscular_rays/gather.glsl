@@ -1,4 +1,4 @@
-// Reading the mask along the way to the sun, and the grain that hides too few samples.
+// Lookups in the mask along the line to the sun, and dithering that hides a low number of samples.
 #include "lib/frame.glsl"
 #include "lib/hash.glsl"
 #include "lib/numerics.glsl"
@@ -8,7 +8,7 @@
 layout(binding = UNIT_EXHIBIT_A) uniform sampler2D mask;
 layout(binding = UNIT_EXHIBIT_C) uniform sampler2D grain;
 
-// Beyond the edge nothing is known, and nothing shines.
+// Mask at a position; 0 beyond the edge, where nothing is known.
 vec3 maskAt(vec2 pixel)
 {
     vec2 size = vec2(textureSize(mask, 0));
@@ -16,7 +16,7 @@ vec3 maskAt(vec2 pixel)
     return textureLod(mask, pixel / size, 0.0).rgb;
 }
 
-// Blue noise of a cell of the whole picture, -0.5 to 0.5, another one for every supersample; 0 when switched off.
+// Blue noise for a cell of the whole picture, -0.5 to 0.5, different for every supersample; 0 if switched off.
 float grainAt(vec2 cell)
 {
     if (!rays.shiftSamples) return 0.0;
@@ -25,7 +25,7 @@ float grainAt(vec2 cell)
     return fract(noise + 0.618033989 * float(frame.sampleIndex)) - 0.5;
 }
 
-// Cell of the whole picture that this fragment of a coarser image stands for, and its middle in mask pixels.
+// Cell of the whole picture for this fragment of a downsampled image, and its center in mask pixels.
 vec2 cellOf(vec2 fragCoord)
 {
     return floor(fragCoord) + rays.firstCell;

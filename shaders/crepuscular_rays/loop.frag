@@ -1,5 +1,5 @@
-// The plain loop: one look at the mask per sample, from the pixel towards the sun. Permutations: PLAIN_SUM (the
-// original's: no mean, exponential in the number of the sample, ends at the edge of the picture).
+// Plain loop: one lookup in the mask per sample, from the pixel towards the sun. Permutations: PLAIN_SUM (that of the
+// reference: no mean, exponential in the sample's number, ends at the edge of the picture).
 #include "crepuscular_rays/gather.glsl"
 #include "crepuscular_rays/coarse.glsl"
 

@@ -1,6 +1,6 @@
-// The sun's beams in dusty air, in half the picture's size or whole: every ray is marched where it crosses a beam of
-// window or oculus, and asks the shadow maps what lies in the way of the light. What a step scatters is what its dust
-// takes out of the ray, by the closed form, so that no number of steps makes more or less light.
+// Ray marches the sunbeams in dusty air, in half or full resolution. Every ray is marched where it crosses a beam of
+// window or oculus, with lookups in the shadow maps. The light that a step scatters equals the light that its dust
+// removes from the ray, in closed form. So the result does not depend on the number of steps.
 #include "lib/light.glsl"
 #include "crepuscular_rays/air.glsl"
 #include "crepuscular_rays/gather.glsl"
@@ -41,7 +41,7 @@ void main()
         for (int i = 0; i < parameters.volumeSteps; ++i) {
             float at = first + (float(i) + 0.5 + shift) * stride;
             float throughEnd = airThrough(eye, direction, air, first + float(i + 1) * stride);
-            // Where two beams cross, the first has counted.
+            // In the overlap of two beams, only the first counts.
             if (at < before.x || at > before.y) {
                 vec3 world = eye + direction * at;
                 float lit = sunInAir(world);

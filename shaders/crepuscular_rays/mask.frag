@@ -1,5 +1,5 @@
-// What shines: 1 (or the color of the sky) where nothing hides it, 0 where something does. Permutations: FROM_ALPHA
-// (coverage before the sky is drawn), otherwise from depth: the picture's own, or that of the occluders alone.
+// Mask of light sources: 1 (or the color of the sky) where nothing hides the sky, 0 elsewhere. Permutations: FROM_ALPHA
+// (coverage before the sky is drawn); otherwise from depth: that of the picture, or of the occluders alone.
 #include "lib/frame.glsl"
 #include "lib/sky.glsl"
 #include "crepuscular_rays/rays.glsl"

@@ -1,6 +1,6 @@
-// The running sum on a log-polar grid around the sun: one invocation walks one line outwards. With a weight that is
-// a power of the radius, the mean C over all that lies within a radius obeys C' = q C + (1 - q) M, where q depends on
-// the ratio of the radii alone; it stays between the smallest and the largest M and cannot overflow.
+// Computes the running sum on a log-polar grid around the sun; each invocation processes one line outwards. The weight
+// is a power of the radius, so the mean C inside a radius obeys C' = q C + (1 - q) M. q depends only on the ratio of
+// the radii. C stays between the smallest and the largest M and cannot overflow.
 #include "crepuscular_rays/gather.glsl"
 
 layout(local_size_x = 32) in;
@@ -25,9 +25,9 @@ void main()
     float ratio = exp(rays.logRadiusSpan / float(rays.radii));
     float keep = rays.keep;
     float middle = shaftTapPlace(1.0 / ratio, rays.exponent, 0.5);
-    // Within the first radius, and where the mask is not known, its own first value goes on.
+    // Inside the first radius, and where the mask is unknown, the first value is used.
     float radius = exp(rays.logFirstRadius);
-    // A cell that reaches over the edge is what it was at the edge: its pixels lie on this side.
+    // A cell that extends beyond the edge uses the value at the edge, because its pixels lie inside.
     float exit = exitRadius(direction);
     vec3 mean = maskAt(rays.sun + direction * radius);
     for (int i = 0; i < radii; ++i) {

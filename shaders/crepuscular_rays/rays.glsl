@@ -1,4 +1,4 @@
-// What the passes of the sunbeams share.
+// Uniforms shared by the passes of the sunbeams.
 #include "lib/bindings.glsl"
 #include "crepuscular_rays/rays_block.glsl"
 
