@@ -1,5 +1,6 @@
-// The card in the hall: the print through its lenses under a glossy surface; clear edges, a white back.
-// Permutations: those of print.glsl, ANAGLYPH, WRITE_NORMAL, COUNT (writes rays traced instead of light).
+// Shades the lenticular card in the hall: the print through its lenses under a glossy surface; transparent edges, a
+// white back. Permutations: those of print.glsl, ANAGLYPH, WRITE_NORMAL, COUNT (writes the number of rays traced
+// instead of light).
 #include "lib/frame.glsl"
 #include "lenticular/card.glsl"
 #include "lenticular/print.glsl"
@@ -13,8 +14,8 @@ layout(location = 0) out vec4 radiance;
 layout(location = 1) out vec4 normalOut;
 #endif
 
-// A pixel of the picture on the plane of the card's front: its middle, and what one pixel to the right and one
-// up move it. From gl_FragCoord, so that tiles join to the bit.
+// A pixel of the picture on the plane of the card's front: its center, and its change per pixel to the right and up.
+// Computed from gl_FragCoord, so that adjacent tiles match bit by bit.
 struct Patch {
     vec2 place, stepX, stepY;
 };
@@ -34,7 +35,7 @@ Patch patchOf(vec3 eye)
     return p;
 }
 
-// Edges and back: a slab of plastic with white paper behind.
+// Shades edges and back: a slab of plastic with white paper behind it.
 vec3 slabColor(vec3 world, vec3 normal, vec3 worldToEye)
 {
     Surface s;
@@ -75,7 +76,7 @@ void main()
         vec3 toEye = normalize(eye - vec3(p.place, 0.0));
         float visibility = sunVisibility(world, worldNormal);
         vec4 mirrored = gloss(p.place, toEye, p.stepX, p.stepY, visibility, world);
-        // The paper under the plastic scatters what reaches it.
+        // The paper under the plastic scatters the light that reaches it.
         float cosL = max(dot(worldNormal, light.sunDirection), 0.0);
         float into = 1.0 - fresnelDielectric(cosL, object.prints[0].index.g);
         vec3 falls = ambientAt(world, worldNormal) + light.sunIrradiance * sunThroughGlass(world) * (cosL * visibility * into / PI);

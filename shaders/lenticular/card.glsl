@@ -1,4 +1,4 @@
-// The card and its two prints.
+// Uniforms of the card and its two prints.
 #include "lib/bindings.glsl"
 #include "lib/numerics.glsl"
 #include "printing/lens.glsl"

@@ -1,11 +1,11 @@
-// The card: a slab with rounded corners and beveled edges.
+// Transforms the card: a slab with rounded corners and beveled edges.
 #include "lib/frame.glsl"
 #include "lenticular/card.glsl"
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 
-invariant gl_Position;  // The counting pass draws on the very depth of the first.
+invariant gl_Position;  // The counting pass needs exactly the same depth as the first pass.
 
 out vec3 cardPosition;
 out vec3 cardNormal;

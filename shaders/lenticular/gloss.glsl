@@ -1,9 +1,9 @@
-// The plastic's mirror image: the lenses' own slopes spread it across them, and ribs, noise stretched along the
+// Reflection on the plastic surface. The slopes of the lenses spread it across them; ribs, noise stretched along the
 // lenses, break it into streaks.
 #include "lib/surface.glsl"
 #include "lib/hash.glsl"
 
-// Smooth noise between -1 and 1 on a lattice, with its slope: x: value, yz: gradient.
+// Smooth noise between -1 and 1 on a lattice, with its gradient: x: value, yz: gradient.
 vec3 latticeNoise(vec2 p, uint seed)
 {
     vec2 cell = floor(p);
@@ -19,7 +19,7 @@ vec3 latticeNoise(vec2 p, uint seed)
     return vec3(a + (b - a) * u.x + (d - a) * u.y + k * u.x * u.y, du * vec2(b - a + k * u.y, d - a + k * u.x));
 }
 
-// Slopes of the ribs across and along the lenses; octaves finer than the pixel fade, z is what they had.
+// Slopes of the ribs across and along the lenses. Octaves finer than the pixel fade out; z is their mean square slope.
 vec3 ribs(vec2 place, vec2 pixel)
 {
     vec2 slope = vec2(0.0);
@@ -38,7 +38,8 @@ vec3 ribs(vec2 place, vec2 pixel)
     return vec3(slope * parameters.normalScale, faded * parameters.normalScale * parameters.normalScale);
 }
 
-// A lamp in the vault, aimed at the card: where it hangs in the card's space, and its irradiance at a place that faces it.
+// A lamp in the vault, aimed at the card: its position in the card's space, and its irradiance on a plane that faces
+// it.
 const vec3 LAMP = vec3(-0.5, 1.1, 2.4);
 
 vec3 lampIrradiance(vec2 place)
@@ -47,7 +48,7 @@ vec3 lampIrradiance(vec2 place)
     return vec3(1.0, 0.90, 0.76) * (parameters.lamp * dot(LAMP, LAMP) / dot(to, to));
 }
 
-// Mirrored light and, in w, its share of all light.
+// Reflected light and, in w, its share of all light.
 vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec3 worldPosition)
 {
     CardPrintBlock print = object.prints[0];
@@ -57,9 +58,9 @@ vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec
     vec3 rib = ribs(vec2(dot(place, across), dot(place, along)), pixel);
     float lenses = dot(place, across) / print.pitch;
     float width = pixel.x / print.pitch;
-    // From afar a quarter of the lens's slopes is enough: the rest is in the roughness.
+    // From a distance, a quarter of the lens's slopes is sufficient: roughness accounts for the rest.
     float wide = min(width + (1.0 - width) * smoothStep(0.25, 0.5, width), 1.0);
-    // A whole lens is always cut in the same places, or the cuts would beat with the pixels.
+    // A whole lens is always divided at the same places, or moire patterns with the pixels would appear.
     if (width >= 0.5) {
         wide = 1.0;
         lenses = 0.0;
@@ -69,7 +70,7 @@ vec4 gloss(vec2 place, vec3 toEye, vec2 stepX, vec2 stepY, float visibility, vec
     mat3 worldFromCard = mat3(object.worldFromCard);
     mat3 normals3 = transpose(mat3(object.cardFromWorld));
     float own = parameters.roughness;
-    // Between two of the slopes that are sampled lies what roughness has to bridge.
+    // Roughness bridges the gap between two sampled slopes.
     float gap = parameters.lensGloss * lensSlope(s, 0.5) * wide / float(normals);
     float roughness = clamp(sqrt(sqrt(own * own * own * own + 0.5 * rib.z + 0.08 * gap * gap)), 0.03, 1.0);
     Surface surface;

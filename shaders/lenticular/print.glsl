@@ -1,7 +1,7 @@
-// What a print shows to an eye through its sheet: the piece of a lens that lies under a pixel is cut into
-// parts; each part's edges are traced to the print, and what is printed between the two landings counts by the
-// area that the part shows. So a lens is integrated, not sampled, and where lenses are smaller than a pixel the
-// whole of one is: nothing is left that could beat with the pixels.
+// Color of a print seen through its sheet of lenses. The piece of a lens under a pixel is divided into parts. The edges
+// of each part are traced to the print, and the print between the two hits is weighted by the visible area of the part.
+// So a lens is integrated, not sampled. If lenses are smaller than a pixel, a whole lens is integrated, so that no
+// moire pattern with the pixels is left.
 //
 // Permutations: SCROLLING (both prints are bound), FIRST_RASTER, SECOND_RASTER, DISPERSION, SQUEEZED.
 
@@ -19,21 +19,21 @@ layout(binding = UNIT_EXHIBIT_B) uniform sampler2DArray secondPicture;
 #endif
 
 const int MOST_PARTS = 64;
-const int MOST_STRIPS = 64;    // Wider spots skip strips evenly.
+const int MOST_STRIPS = 64;    // Wider spots skip strips uniformly.
 const vec3 PAPER = vec3(0.86, 0.855, 0.84);
 
 int traces = 0;  // Rays traced for this pixel.
 
-// A pixel's place on a print, and how wide it is there.
+// Position of a pixel on a print, and its width there.
 struct Spot {
-    vec2 place;       // on the print, which the scroll moves under the lenses
-    float slide;      // how far it was moved across the lenses, in pitches
-    float lenses;     // across the lenses, in pitches from the middle of the card
-    float width;      // of the pixel across the lenses, in pitches
-    float length_;    // of the pixel along the lenses, meters
-    float blur;       // how far the print's phase wanders within the pixel, in pitches
+    vec2 place;       // on the print, which scrolling moves under the lenses
+    float slide;      // how far scrolling moved it across the lenses, in pitches
+    float lenses;     // across the lenses, in pitches from the center of the card
+    float width;      // width of the pixel across the lenses, in pitches
+    float length_;    // length of the pixel along the lenses, meters
+    float blur;       // variation of the print's phase within the pixel, in pitches
     vec2 eyePlane;    // sine and cosine of the eye's angle across the lenses
-    float along;      // the eye's direction along the lenses, sine
+    float along;      // sine of the eye's angle along the lenses
 };
 
 LensShape lensShape(CardPrintBlock print, float index, float along)
@@ -47,7 +47,7 @@ LensShape lensShape(CardPrintBlock print, float index, float along)
     return s;
 }
 
-// Where the middle of the spot lies on the print, by the table's model.
+// Position of the spot's center on the print, by the model that the parameters choose.
 float spotMiddle(LensShape s, vec2 plane)
 {
     float tangent = plane.x / plane.y;
@@ -56,7 +56,7 @@ float spotMiddle(LensShape s, vec2 plane)
     return lensChiefRay(s, tangent);
 }
 
-// How fast that middle moves with the tangent of the eye's angle.
+// Derivative of that position by the tangent of the eye's angle.
 float spotRate(LensShape s, vec2 plane)
 {
     if (parameters.model == model_linear) return 0.5 / tan(parameters.intendedMaxAngle);
@@ -64,7 +64,7 @@ float spotRate(LensShape s, vec2 plane)
     return s.thickness - s.radius;
 }
 
-// Landing and weight of the ray through x on the lens. The magnification scales the spot around its middle.
+// Position and weight of the ray through x on the lens. The magnification scales the spot around its center.
 vec2 landing(LensShape s, float x, vec2 plane, float middle, float views)
 {
     ++traces;
@@ -107,13 +107,13 @@ bool isRaster(int slot)
     return false;
 }
 
-// View `k` as lens `lens` shows it; `inStrip`: where in the strip, 0 to 1, for squeezed strips.
+// Color of view `k` in lens `lens`. `inStrip`: position in the strip, 0 to 1, for squeezed strips.
 vec3 viewColor(int slot, CardPrintBlock print, Spot spot, float lens, float k, float inStrip)
 {
 #ifdef SQUEEZED
     lens += 0.5 - inStrip;
 #endif
-    // Along the lens the ray is displaced by its way through the sheet.
+    // Along the lens, refraction in the sheet displaces the ray.
     float down = dot(spot.place, object.along) - print.pitch * print.thickness * spot.along / print.index.g;
     vec2 uv = object.along * (down / (2.0 * print.halfSize)) + object.across * ((lens - print.phase) * print.texturePerLens);
     vec2 texels = abs(object.across) * (spot.width * print.texturePerLens) + abs(object.along) * (spot.length_ / (2.0 * print.halfSize));
@@ -121,12 +121,12 @@ vec3 viewColor(int slot, CardPrintBlock print, Spot spot, float lens, float k, f
     return pictureTexel(slot, vec3(0.5 + uv.x, 0.5 - uv.y, k), level);
 }
 
-// The raster's pixel `column`, counted across the lenses; along them its rows are averaged over the pixel of
-// the screen, in a stack of halvings.
+// Color of the raster's pixel `column`, counted across the lenses. Along them its rows are averaged over the screen
+// pixel, by mip levels.
 vec3 rasterColor(int slot, CardPrintBlock print, Spot spot, float column)
 {
     bool upright = object.across.x > 0.5;
-    // The stack halves along the lenses, whatever their direction: the texture is turned for horizontal ones.
+    // The mip levels halve the rows along the lenses: the texture is rotated for horizontal lenses.
     float down = dot(spot.place, object.along) - print.pitch * print.thickness * spot.along / print.index.g;
     float extent = upright ? print.halfSize.y : print.halfSize.x;
     float share = 0.5 - 0.5 * down / extent;
@@ -145,7 +145,7 @@ vec3 rasterColor(int slot, CardPrintBlock print, Spot spot, float column)
     return mix(a, b, y - y0);
 }
 
-// Sum of color times weight, and the weight, of the piece [from, to] of lens `lens`. Channel 3 is all three.
+// Sum of color times weight, and the weight, of the piece [from, to] of lens `lens`. Channel 3 means all three.
 vec4 lensPiece(int slot, CardPrintBlock print, Spot spot, float lens, float from, float to, int parts, int channel)
 {
     LensShape s = lensShape(print, channel == 0 ? print.index.r : channel == 2 ? print.index.b : print.index.g, spot.along);
@@ -177,13 +177,13 @@ vec4 lensPiece(int slot, CardPrintBlock print, Spot spot, float lens, float from
     // In cells, 0 at the left end of the print's lens `lens`.
     float ratio = print.pitchRatio;
     float offset = lens * (ratio - 1.0) + print.phase + print.slope * dot(spot.place, object.along) / print.pitch + spot.slide + 0.5;
-    // Pixels of a raster do not begin where the print's lens does.
+    // The pixels of a raster are not aligned with the print's lenses.
     float column = isRaster(slot) ? (lens - 0.5) * cells + 0.5 * print.size.x : 0.0;
     float start = offset * cells + column - floor(column);
     float scale = ratio * cells;
     float first = floor(start + scale * low - 0.5 * blur);
     float last = floor(start + scale * high + 0.5 * blur);
-    // Beyond any texture, at grazing angles: there the cells pass anyway.
+    // Beyond any texture, at grazing angles, where the cells are a blur anyway.
     if (!(abs(first) < 1.0e7) || !(abs(last) < 1.0e7)) return vec4(PAPER * total, total);
     float stride = max(1.0, ceil((last - first + 1.0) / float(MOST_STRIPS)));
     vec3 sum = vec3(0.0);
@@ -211,11 +211,11 @@ vec4 lensPiece(int slot, CardPrintBlock print, Spot spot, float lens, float from
     return vec4(sum, total);
 }
 
-// The window of a pixel on the lenses, cut at the cusps.
+// Color of a pixel's window on the lenses, divided at the cusps.
 vec3 windowColor(int slot, CardPrintBlock print, Spot spot, int channel)
 {
-    // A pixel wider than a quarter of a lens begins to see more of it, and from half a lens on the whole: a box
-    // of just one pitch leaves nothing of what repeats every pitch.
+    // A pixel wider than a quarter of a lens gradually covers more of it, from half a lens on the whole. A box of
+    // exactly one pitch removes all frequencies of the pitch.
     float wide = spot.width + (1.0 - spot.width) * smoothStep(0.25, 0.5, spot.width);
     int parts = clamp(parameters.apertureSamples, 1, MOST_PARTS);
     int places = 1;
@@ -236,11 +236,11 @@ vec3 windowColor(int slot, CardPrintBlock print, Spot spot, int channel)
         sum += lensPiece(slot, print, spot, lens, from, cusp, clamp(int(ceil(float(parts) * (cusp - from) / wide)), 1, parts), channel);
         if (to > 0.5) sum += lensPiece(slot, print, spot, lens + 1.0, -0.5, to - 1.0, clamp(int(ceil(float(parts) * (to - 0.5) / wide)), 1, parts), channel);
     }
-    // Nothing of the lens is seen: edge on.
+    // No part of the lens is visible: edge on.
     return sum.a > 0.0 ? sum.rgb / sum.a : PAPER;
 }
 
-// The color that an eye at `eye` sees at `place` of the card's front, whose pixel spans `stepX` and `stepY` there.
+// Color that an eye at `eye` sees at `place` of the card's front, where the pixel spans `stepX` and `stepY`.
 vec3 printedColor(vec2 place, vec3 eye, vec2 stepX, vec2 stepY)
 {
     Spot spot;
@@ -257,7 +257,7 @@ vec3 printedColor(vec2 place, vec3 eye, vec2 stepX, vec2 stepY)
     vec2 across = object.across;
     vec2 along = object.along;
     vec3 toEye = normalize(eye - vec3(place, 0.0));
-    // 87 degrees is as far as anything can be told apart; beyond, Fresnel leaves only the mirror image.
+    // Beyond 87 degrees nothing can be distinguished, because Fresnel reflection dominates.
     toEye.z = max(toEye.z, 0.05);
     toEye = normalize(toEye);
     spot.along = dot(toEye.xy, along);
@@ -271,7 +271,7 @@ vec3 printedColor(vec2 place, vec3 eye, vec2 stepX, vec2 stepY)
     float perLens = print.pitchRatio * (1.0 + rate) - 1.0;
     spot.blur = parameters.prefilter ? abs(perLens) * spot.width + abs(print.slope) * spot.length_ / print.pitch : 0.0;
 
-    // Around the picture there is paper.
+    // The picture is surrounded by paper.
     vec2 wide = max(abs(stepX) + abs(stepY), vec2(1.0e-6));
     vec2 inside = clamp((print.halfSize - abs(spot.place)) / wide + 0.5, 0.0, 1.0);
     float covered = inside.x * inside.y;
