@@ -16,7 +16,6 @@ namespace vitrine::render {
 /// of the new. Keeps the mode of an existing file. For a symbolic link, replaces the file that it refers to. Writes
 /// `.<name>.part-<mark>-<pid>-<n>` beside it (`partSuffix`), reads that back and compares, renames it, and syncs both
 /// file and folder to disk (fsync). Removes part files in the folder that killed processes of this machine left behind.
-/// machine left there when they were killed are removed.
 /// Throws Failure naming file and cause if any of that fails, after removing the part file. The old content is then
 /// unchanged, except if only the last step, the fsync of the folder, failed: the message says so.
 void atomicWrite(const std::filesystem::path& path, std::string_view bytes, FileOps& = systemFileOps());
