@@ -234,8 +234,7 @@ float sdfOctahedron(vec3 p, float radius)
     return length(vec3(q.x, q.y - radius + along, q.z - along));
 }
 
-// Exact. Regular hexagon in the xy plane (flat sides up and down, `inradius` from center to side),
-// extruded along z.
+// Exact. Regular hexagon in the xy plane (flat sides up and down, `inradius` from center to side), extruded along z.
 float sdfHexPrism(vec3 p, float inradius, float halfHeight)
 {
     vec2 fold = vec2(-0.86602540378443865, 0.5);

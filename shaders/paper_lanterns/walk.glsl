@@ -10,8 +10,6 @@
 // The ray passes rows of cells across its main direction. It moves sideways by at most one cell while it crosses a row.
 // So it can only touch the two cells whose centers are nearest to it there. Each lantern stays within its cell, and is
 // marched only inside its own bounds. So no step is too long, whatever the neighbors are.
-// so the two cells whose middles are nearest to it there are all that it can touch; each lantern stays within its
-// cell, and is looked for only where its own bounds are crossed. So no step is too long, whatever the neighbors are.
 
 struct LanternRay {
     vec3 origin;
