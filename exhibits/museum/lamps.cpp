@@ -13,7 +13,7 @@
 namespace vitrine {
 namespace {
 
-constexpr int localShadowSize = 512;  ///< Texels along one face of a lamp's shadow map.
+constexpr int localShadowSize = 512;  ///< Texels per side of one face of a lamp's shadow map.
 constexpr const char* lampReason = "a lamp throws its shadow";
 
 void planLampFace(const Lamps& lamps, const render::LocalLight& light, int map, int face, render::FramePlan& plan)

@@ -12,25 +12,25 @@
 
 namespace vitrine {
 
-/// The lamps of a frame, and what they shine on.
+/// Local lights of a frame, and the scene that they light.
 struct Lamps {
     std::span<const render::LocalLight> lights;  ///< World space.
-    glm::dvec3 center{0};                        ///< What one looks at ...
-    double radius = 0;                           ///< ... and how far around it surfaces may be seen, meters.
-    std::uint64_t castersKey = 0;                ///< Another number whenever anything that throws a shadow changes.
-    /// All surfaces for another view of the frame, unpruned, in the images that exhibits share.
+    glm::dvec3 center{0};                        ///< The point that the camera looks at ...
+    double radius = 0;             ///< ... and the radius around it in which surfaces may be visible, meters.
+    std::uint64_t castersKey = 0;  ///< Hash of everything that casts a shadow.
+    /// Returns the plan of all surfaces for another view of the frame, not pruned, in the images that exhibits share.
     std::function<render::FramePlan(const render::View&)> seenFrom;
 };
 
-/// Adds the lamps that an exhibit carries, in world space; with `steadyOnly` none whose light changes by itself.
+/// Appends the lamps of an exhibit, in world space. With `steadyOnly`, skips lamps whose light changes by itself.
 void takeLamps(const Subject& subject, const ExhibitState& state, const glm::dmat4& worldFromSubject, bool steadyOnly,
                std::vector<render::LocalLight>& lamps);
 
-/// Whether any of them asks for shadows.
+/// Returns whether any of the lights casts shadows.
 [[nodiscard]] bool throwShadows(std::span<const render::LocalLight>);
 
-/// Plans the shadow maps, kept while nothing in them changes, and says which lamps surfaces reckon with; nothing where
-/// no lamp shines. The plan says why what is left out is left out.
+/// Plans the shadow maps, which are kept while nothing in them changes, and selects the lamps that light surfaces.
+/// Returns nothing if no lamp shines. The plan lists the reasons for passes that are left out.
 [[nodiscard]] std::optional<render::LocalLighting> planLamps(const Lamps&, render::FramePlan&);
 
 }  // namespace vitrine

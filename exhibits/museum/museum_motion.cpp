@@ -1,4 +1,4 @@
-// What of a picture changes by itself, where, and when.
+// Which parts of a picture change by themselves, and when.
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/museum/lamps.h"
 #include "exhibits/museum/present.h"
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double neverChanges = std::numeric_limits<double>::infinity();
 
-/// The part of the picture that holds everything within the box; nothing when some of it may lie behind the eye.
+/// Returns the part of the picture that contains the box; nothing if some of the box may lie behind the eye.
 std::optional<std::pair<glm::dvec2, glm::dvec2>> screenBox(const render::Box& box, const render::View& view)
 {
     glm::dvec2 low(1e30);
@@ -36,14 +36,14 @@ bool movesHangings(const Exhibit& exhibit, const ParameterValues& values)
     return turns && turns->turnOfHangings(values, 0) != turns->turnOfHangings(values, 1);
 }
 
-/// Whether the lamps that it carries become others while it moves.
+/// Returns whether the exhibit's lamps change while it moves.
 bool changesLamps(const Exhibit& exhibit, const ExhibitState& state)
 {
     const auto* carrier = capability<HasLocalLights>(exhibit);
     return carrier && carrier->lightsChange(state);
 }
 
-/// Seconds until it next changes by itself or by a row that moves.
+/// Returns the seconds until the exhibit next changes, by itself or by an animated parameter.
 double nextOf(const Exhibit& exhibit, const ExhibitState& state)
 {
     return std::min(exhibit.nextChangeOf(state), nextMotion(state.values, state.time));
@@ -83,7 +83,8 @@ SceneState Museum::atMoment(const SceneState& sceneState, const FrameRequest& re
     return now;
 }
 
-/// At this moment and, where rows move, at both ends of their ways: what grows into view is waited for.
+/// Returns the exhibit's bounds at this time and, with animated parameters, also at both ends of their ranges, because
+/// it may grow into view.
 render::Box Museum::boundsOf(const Prepared& prepared, const Exhibit& exhibit, std::size_t i) const
 {
     render::Box box = exhibit.boundsOf(prepared.state(i));
@@ -105,24 +106,24 @@ double Museum::nextChange(const Prepared& prepared, const FrameRequest& request)
         if (since < buttonTime) next = 0;
     const bool alone = request.alone.has_value();
     const HallScene scene = sceneOf(prepared, alone);
-    // What is hidden may move unseen, and so may its shadow; but not what lamps throw shadows of, or hang in.
+    // Hidden exhibits and hidden shadows may move without a new frame, unless lamps cast their shadows or hang in them.
     const std::vector<Present> present = presentIn(prepared, request, scene, wholeView(request));
     const bool shadows = throwShadows(lampsOf(prepared, present, alone));
     for (const Present& p : present)
-        // Light in the air is wherever one looks.
+        // Light in the air is visible from everywhere.
         if (shadows || p.hidden.empty() || capability<OverFrame>(p.exhibit) || (!alone && p.noShadow.empty()) ||
             changesLamps(p.exhibit, prepared.state(p.index)))
             next = std::min(next, nextOf(p.exhibit, prepared.state(p.index)));
-    // The building is always around the visitor, and its light is in every picture.
+    // The building surrounds the visitor, and its light is in every picture.
     return std::min(next, nextMotion(prepared.sceneState.hall(), prepared.time));
 }
 
 std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, const FrameRequest& request) const
 {
-    constexpr double shadowEdge = 0.15;  // Meters that a shadow is soft around its edge, and filtered over.
-    constexpr double edge = 2;           // Pixels over which jitter and filters spread what moves.
+    constexpr double shadowEdge = 0.15;  // Meters: width of a shadow's soft edge and of its filter.
+    constexpr double edge = 2;           // Pixels: how far jitter and filters spread a moving object.
     for (const double since : prepared.sincePressed)
-        if (since < buttonTime) return std::nullopt;  // The button itself.
+        if (since < buttonTime) return std::nullopt;  // The button itself moves.
     if (nextMotion(prepared.sceneState.hall(), prepared.time) < neverChanges) return std::nullopt;
     const bool alone = request.alone.has_value();
     const render::View view = wholeView(request);
@@ -142,11 +143,11 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
         const auto* glass = capability<CastsGlassShadow>(p.exhibit);
         glassSeen = glassSeen || (seen && glass && glass->castsGlassShadow(prepared.sceneState.values[p.index]));
         const bool seenAtAll = seen || shadowSeen || shadows;
-        // A row may do anything: make lamps, throw light around, be mirrored in the floor.
+        // An animated parameter may have any effect: make lamps, send light around, appear in the floor's reflection.
         if (seenAtAll && nextMotion(prepared.sceneState.values[p.index], prepared.time) < neverChanges)
             return std::nullopt;
         if (!(p.exhibit.nextChangeOf(prepared.state(p.index)) < neverChanges)) continue;
-        // Light of lamps and their shadows may fall anywhere.
+        // Light and shadows of lamps may fall anywhere.
         if (shadows || changesLamps(p.exhibit, prepared.state(p.index))) return std::nullopt;
         if (!seen && !shadowSeen) continue;
         if (ofLight || movesHangings(p.exhibit, prepared.sceneState.values[p.index])) return std::nullopt;
@@ -163,7 +164,7 @@ std::optional<PictureRegion> Museum::movingRegion(const Prepared& prepared, cons
         high = glm::max(high, shown->second);
     }
     if (shadowMoves && lightInTheAir) return std::nullopt;
-    if (glassSeen && low.x <= high.x) return std::nullopt;  // It may show what moves anywhere, or move itself.
+    if (glassSeen && low.x <= high.x) return std::nullopt;  // Glass may show anything that moves, or move itself.
     const glm::dvec2 size(request.raster.size);
     const glm::ivec2 first = glm::ivec2(glm::floor(glm::clamp(low - edge, glm::dvec2(0), size) / 2.0)) * 2;
     const glm::ivec2 end =

@@ -1,4 +1,4 @@
-// How a frame is made: who is here, what was prepared for whom, and the passes of all.
+// Planning of a frame: exhibits in view, their prepared parts, and the passes of all.
 #include "exhibits/museum/museum.h"
 
 #include "exhibits/framework/derive.h"
@@ -25,22 +25,22 @@ namespace {
 
 constexpr const char* othersFirst = "the window opens, and others come first";
 
-constexpr double shadowReach = 30;  ///< Meters behind an exhibit at which its shadow still falls on something.
+constexpr double shadowReach = 30;  ///< Meters behind an exhibit within which its shadow may fall on something.
 
-/// Empty when the sun may reach the box and the shadow that it then throws may be seen.
+/// Returns why no shadow is drawn; empty if the sun may reach the box and the shadow may be visible.
 std::string whyNoShadow(const HallScene& scene, const render::Box& box, const render::View& view)
 {
     if (std::string why = whyUnlit(scene, box); !why.empty()) return why;
     return view.mayContain(withShadow(box, towardsSun(scene))) ? std::string() : "neither it nor its shadow is in view";
 }
 
-/// For the ledger.
+/// Returns the reason for the frame report.
 std::string whyHiddenOf(const std::string& hidden, const ParameterValues& values)
 {
     return values.motions().empty() ? hidden : hidden + ": its rows that move ask for no pictures";
 }
 
-/// What every sample and tile of the picture shows, and a little around it.
+/// Returns a view that covers all samples and tiles of the picture, with a small margin.
 render::View widened(const render::View& view)
 {
     constexpr double pixels = 4;
@@ -53,7 +53,7 @@ render::View widened(const render::View& view)
 
 }  // namespace
 
-/// One frame while it is planned.
+/// State during the planning of one frame.
 struct Museum::Frame {
     const Museum& museum;
     const Prepared& prepared;
@@ -62,7 +62,7 @@ struct Museum::Frame {
     const HallScene scene;
     SceneLighting light;
     std::vector<Present> present;
-    std::vector<PlanContext> contexts;  ///< Of those present.
+    std::vector<PlanContext> contexts;  ///< One for each exhibit in `present`.
     render::FramePlan plan;
 
     void begin();
@@ -86,7 +86,7 @@ struct Museum::Frame {
 
 std::string Museum::whyHidden(const render::Box& box, const render::View& view, bool alone) const
 {
-    if (alone) return view.mayContain(box) ? std::string() : "out of view";  // No walls stand here.
+    if (alone) return view.mayContain(box) ? std::string() : "out of view";  // No walls are drawn in this case.
     return vitrine::whyHidden(*model_, box, view);
 }
 
@@ -177,7 +177,7 @@ Prepared Museum::prepare(const SceneState& sceneState, const FrameRequest& reque
     const HallScene scene = sceneOf(made, request.alone.has_value());
     const render::View view = wholeView(request);
     const std::vector<Present> present = presentIn(made, request, scene, view);
-    // What throws a lamp's shadow is drawn from there, whether one sees it or not.
+    // Exhibits that cast a lamp's shadow are drawn from the lamp, whether they are in view or not.
     const bool seenByLamps = throwShadows(lampsOf(made, present, scene.alone));
     const auto mark = [&](const std::vector<Present>& all) {
         for (const Present& p : all) {
@@ -225,7 +225,7 @@ FrameHistory Museum::Frame::history() const
     if (history.frames <= 1) return history;
     render::Hash look;
     for (std::size_t i = 0; i < prepared.exhibits.size(); ++i) {
-        // Rows that move change it no more than the clock does.
+        // Animated parameters do not reset the history, just as the clock does not.
         derive::addToKey(look, valuesAtEnd(prepared.sceneState.values[i], 0));
         look.addValue(prepared.exhibits[i].part ? prepared.exhibits[i].part->filesId : 0);
     }
@@ -234,7 +234,7 @@ FrameHistory Museum::Frame::history() const
     return history;
 }
 
-/// The view, the images that all draw into, and the light.
+/// Sets up the view, the shared images, and the light.
 void Museum::Frame::begin()
 {
     render::Raster raster = request.raster;
@@ -254,7 +254,7 @@ void Museum::Frame::begin()
     light.light.sampleIndex = sample;
 }
 
-/// Those that all draw into.
+/// Declares the images that all passes draw into.
 void Museum::Frame::declareImages(render::FramePlan& into) const
 {
     const bool exact = request.averageIn == AverageIn::radiance;
@@ -264,7 +264,7 @@ void Museum::Frame::declareImages(render::FramePlan& into) const
     into.image({.name = evaluationsImage, .format = render::Format::r32f});
 }
 
-/// Who is here, and which files what is shown of them lacks.
+/// Finds the exhibits in this picture, and reports files that they need and cannot read.
 void Museum::Frame::findPresent()
 {
     present = museum.presentIn(prepared, request, scene, plan.view);
@@ -283,7 +283,7 @@ void Museum::Frame::findPresent()
         if (p.hidden.empty() || p.noShadow.empty()) warn(prepared.exhibits[p.index].part.get());
 }
 
-/// Everything that changes how an exhibit looks.
+/// Adds everything that changes the appearance of an exhibit to the key.
 void Museum::Frame::addState(render::Hash& key, const Present& p) const
 {
     const ExhibitState state = prepared.state(p.index);
@@ -293,7 +293,7 @@ void Museum::Frame::addState(render::Hash& key, const Present& p) const
         key.addValue(state.time).addValue(state.sinceOwnPress);
 }
 
-/// Why no exhibit throws a shadow: what holds for all that may throw one.
+/// Returns why no exhibit casts a shadow: the reason common to all that could cast one.
 std::string Museum::Frame::whyNoShadow() const
 {
     std::set<std::string> reasons;
@@ -305,7 +305,7 @@ std::string Museum::Frame::whyNoShadow() const
     return present.empty() ? "no exhibit stands here" : present.front().noShadow;
 }
 
-/// The sun's depth map of the exhibits: each draws into it, all of them or none.
+/// Plans the sun's shadow map of the exhibits: either all of them are drawn into it, or none.
 void Museum::Frame::castShadows()
 {
     render::Box casters;
@@ -313,7 +313,7 @@ void Museum::Frame::castShadows()
     bool shadowSeen = false;
     for (const Present& p : present) {
         if (p.unlit.empty()) {
-            // Seen or not: the map must not change its grid while one walks.
+            // Includes hidden exhibits, so that the map's texel grid does not change while the visitor walks.
             casters.include(p.box.low);
             casters.include(p.box.high);
         }
@@ -354,7 +354,7 @@ void Museum::Frame::castShadows()
     plan.add(std::move(clear));
 }
 
-/// What glass lets through of the sun: white, before everything, where there is none.
+/// Clears the map of sunlight through glass: white at the nearest depth where there is no glass.
 void Museum::Frame::clearGlassShadow(render::Pass clear)
 {
     light.glassCastsShadow = true;
@@ -370,7 +370,7 @@ void Museum::Frame::clearGlassShadow(render::Pass clear)
     plan.add(std::move(clear));
 }
 
-/// Walls; or an empty picture where there are none.
+/// Plans the walls, or clears the picture if there are none.
 void Museum::Frame::planBuilding(render::FramePlan& into) const
 {
     if (alone)
@@ -382,7 +382,7 @@ void Museum::Frame::planBuilding(render::FramePlan& into) const
     if (alone || request.cutOut) clearPicture(into);
 }
 
-/// Where no walls cover it.
+/// Clears the picture if no walls cover it.
 void Museum::Frame::clearPicture(render::FramePlan& into) const
 {
     render::Pass clear;
@@ -397,7 +397,8 @@ void Museum::Frame::clearPicture(render::FramePlan& into) const
     into.add(std::move(clear));
 }
 
-/// What each exhibit plans its part with. The light is the frame's, whatever it becomes.
+/// Makes the contexts with which the exhibits plan their passes. They refer to the frame's light, which may still
+/// change.
 void Museum::Frame::makeContexts()
 {
     for (const Present& p : present) {
@@ -414,7 +415,7 @@ void Museum::Frame::makeContexts()
     }
 }
 
-/// What the exhibits draw, then what they lay over the frame.
+/// Plans the passes of all exhibits, then those that draw over the frame.
 void Museum::Frame::planExhibits()
 {
     for (std::size_t i = 0; i < present.size(); ++i) {
@@ -426,7 +427,7 @@ void Museum::Frame::planExhibits()
             plan.skip(name + "/shadow", present[i].noShadow);
         if (present[i].hidden.empty())
             exhibit.plan(contexts[i], plan);
-        else if (!capability<OverFrame>(exhibit))  // That lies over the frame wherever its bounds are.
+        else if (!capability<OverFrame>(exhibit))  // An OverFrame exhibit is drawn wherever its bounds are.
             plan.skip(name, whyHiddenOf(present[i].hidden, contexts[i].values));
     }
     for (std::size_t i = 0; i < present.size(); ++i) {
@@ -438,7 +439,8 @@ void Museum::Frame::planExhibits()
     }
 }
 
-/// The hall and all exhibits for another view of the same frame, without shadows and what lies over the frame.
+/// Returns the plan of the hall and all exhibits for another view of the same frame, without shadow maps and exhibits
+/// over the frame.
 render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
 {
     render::FramePlan other;
@@ -458,7 +460,7 @@ render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
     return other;
 }
 
-/// Changes whenever anything that throws a lamp's shadow does.
+/// Returns a hash of everything that casts a lamp's shadow.
 std::uint64_t Museum::Frame::castersKey() const
 {
     render::Hash key;
@@ -468,7 +470,7 @@ std::uint64_t Museum::Frame::castersKey() const
     return key.value();
 }
 
-/// The lamps that are carried here, and what they shine on.
+/// Plans the lamps in this picture.
 void Museum::Frame::lightLamps()
 {
     const std::vector<render::LocalLight> lamps = museum.lampsOf(prepared, present, alone);
@@ -482,7 +484,7 @@ void Museum::Frame::lightLamps()
     if (light.localLights) light.brightest += mostRadianceBy(*light.localLights);
 }
 
-/// What is behind everything, the way the picture is developed, and what of all this is needed.
+/// Plans the sky and the tone mapping, then prunes the plan.
 void Museum::Frame::finish(const render::PersistentState& kept)
 {
     if (request.transparent || request.cutOut)

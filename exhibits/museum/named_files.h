@@ -6,11 +6,11 @@
 
 namespace vitrine {
 
-/// Whether any parameter of the look names a file or folder, or what it shows is made of one.
+/// Returns whether any parameter names a file or folder, or anything visible is made from one.
 [[nodiscard]] bool namesFiles(Subjects, const SceneState&);
 
-/// Another number when a file or folder that the look names, or something beside it, or what these need in turn
-/// (`TableFromFiles::furtherFiles`), changed, came or went.
+/// Returns a hash of the state of all files and folders that the scene state names, of their neighbors, and of the
+/// files that these need in turn (`TableFromFiles::furtherFiles`).
 [[nodiscard]] std::uint64_t stateOfFiles(Subjects, const SceneState&);
 
 }  // namespace vitrine

@@ -10,16 +10,16 @@ namespace vitrine {
 
 struct Collider;
 
-/// What stops visitors and cameras in the world, meters.
+/// Colliders that stop visitors and cameras; world space, meters.
 class Obstacles {
 public:
     explicit Obstacles(std::vector<Collider>);
 
-    /// Where a visitor who wants to go from `from` to `to` (eye positions) ends up: he slides along what stops him.
+    /// Returns where a visitor ends up who walks from `from` towards `to` (eye positions), sliding along obstacles.
     [[nodiscard]] glm::dvec3 walk(const glm::dvec3& from, const glm::dvec3& to) const;
-    /// Whether he gets to `to`, to a thousandth of a millimeter.
+    /// Returns whether the visitor reaches `to`, to a thousandth of a millimeter.
     [[nodiscard]] bool walks(const glm::dvec3& from, const glm::dvec3& to) const;
-    /// Whether a camera gets straight from `from` to `to`: it need not be where a visitor can stand.
+    /// Returns whether a camera can move straight from `from` to `to`. A visitor need not be able to stand there.
     [[nodiscard]] bool cameraPasses(const glm::dvec3& from, const glm::dvec3& to) const;
 
     [[nodiscard]] std::size_t count() const;

@@ -14,14 +14,14 @@
 namespace vitrine {
 namespace {
 
-/// Throws Failure when a picture would not fit into half of the machine's memory: writing it takes as much again.
+/// Throws Failure if a picture does not fit into half of the machine's memory: writing it takes the same amount again.
 void requireMemory(const glm::ivec2& size, std::size_t channels)
 {
     const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
     const double perPixel = static_cast<double>(channels * sizeof(float));
     const double wanted = static_cast<double>(size.x) * size.y * perPixel;
     if (wanted <= machine / 2) return;
-    // With the same shape.
+    // Keeps the aspect ratio.
     const double shrink = std::sqrt(machine / 2 / wanted);
     std::ostringstream text;
     text.imbue(std::locale::classic());
@@ -33,7 +33,7 @@ void requireMemory(const glm::ivec2& size, std::size_t channels)
     throw Failure(Blame::usage, text.str());
 }
 
-constexpr int apron = 8;  ///< Pixels: two cells of the coarsest image that is brought up to the picture's size.
+constexpr int apron = 8;  ///< Pixels: two cells of the coarsest image that is upsampled to the picture's size.
 
 }  // namespace
 
@@ -52,10 +52,11 @@ PictureMaker::PictureMaker(const Museum& museum, render::RenderBackend& backend,
     requireMemory(size, names.size());
     request_.samples = request_.motion.empty() ? std::max(request_.samples, 1) : 1;
     int side = std::max(std::min(request_.largestTile, backend_.largestSide()), 1);
-    // A tile is drawn with the pixels around it, for effects that look at a pixel's neighbors.
+    // A tile is drawn with a margin, for effects that read a pixel's neighbors.
     const bool whole = side >= size.x && side >= size.y;
     if (!whole) side = std::max(std::min(side, backend_.largestSide() - 2 * apron), 1);
-    // Textures are filtered by differences within blocks of 2 × 2 pixels: these must lie as in the whole picture.
+    // Texture filtering uses differences within blocks of 2 × 2 pixels, so these must be aligned as in the whole
+    // picture.
     if (side > 1) side -= side % 2;
     for (int y = 0; y < size.y; y += side) {
         for (int x = 0; x < size.x; x += side) {
@@ -97,7 +98,7 @@ FrameRequest PictureMaker::frameOf(const Tile& tile, int step) const
     }
     frame.raster.offset = tile.drawnOffset;
     frame.raster.tile = tile.drawnSize;
-    // A finished picture is a function of what was asked for, whatever was drawn before, other tiles included.
+    // A finished picture depends only on its request, not on frames or tiles drawn before.
     frame.cut = !moves || step == 0;
     frame.finished = true;
     return frame;
@@ -115,7 +116,7 @@ bool PictureMaker::step()
     const auto steps = stepsOfTile();
     const Tile& tile = tiles_[stepsDone_ / steps];
     const std::size_t done = stepsDone_ % steps;
-    const bool leadsTo = done < request_.motion.size();  // A frame before the one that is asked for.
+    const bool leadsTo = done < request_.motion.size();  // A frame before the requested one.
     const bool takesChannels = request_.motion.empty() ? done == 0 : !leadsTo;
     FrameRequest frame = frameOf(tile, static_cast<int>(done));
     if (!takesChannels) frame.channels = {};

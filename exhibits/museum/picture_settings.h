@@ -7,13 +7,13 @@
 
 namespace vitrine {
 
-/// How `request` takes a picture. Its own camera is part of that where it is not the one that the picture's exhibition
-/// has: alone, where the exhibit's own space is the world, and where it was widened.
+/// Returns how `request` takes a picture. It includes the request's own camera if that differs from the one of the
+/// exhibition: if the exhibit is shown alone, where its own space is the world, or if the view was widened.
 [[nodiscard]] PictureRecord pictureRecord(const PictureRequest&, const render::Camera& ofExhibition);
 
-/// The settings that a picture file carries: an exhibition with everything that can be set, and how it was taken.
-/// `subject` is the exhibit that was chosen, or the hall. `view` is the exhibition's camera, in the world: the
-/// request's own, unless given.
+/// Returns the settings stored in a picture file: all parameters of the exhibition, and how the picture was taken.
+/// `subject` is the selected exhibit, or the hall. `view` is the exhibition's camera, in world space; null: the
+/// request's.
 [[nodiscard]] std::string pictureSettings(const Museum&, std::size_t subject, const SceneState&, const PictureRequest&,
                                           const std::string& name, const render::Camera* view = nullptr);
 

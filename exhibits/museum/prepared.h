@@ -10,26 +10,26 @@ namespace vitrine {
 
 struct PreparedHall;
 
-/// One exhibit's share of a prepared picture.
+/// Prepared data of one exhibit.
 struct PreparedExhibit {
-    bool seen = false, shadowSeen = false;  ///< What `part` was prepared for.
+    bool seen = false, shadowSeen = false;  ///< Uses that `part` was prepared for.
     std::shared_ptr<const PreparedPart> part;
 };
 
-/// A look at one moment with everything resolved that it takes to plan pictures of it: whoever draws owns what it
-/// prepared. Holds what it names: nothing in it changes or goes while it lives. Made by Museum::prepare.
+/// Everything needed to plan a frame (files, meshes, simulation state), resolved for one time. Immutable; owned by the
+/// caller; keeps its data alive. Made by Museum::prepare.
 struct Prepared {
-    SceneState sceneState;             ///< At this moment: `Museum::atMoment`.
+    SceneState sceneState;             ///< State at this time: `Museum::atMoment`.
     double time = 0;                   ///< Seconds.
-    std::vector<double> sincePressed;  ///< As in FrameRequest.
+    std::vector<double> sincePressed;  ///< See FrameRequest.
     std::shared_ptr<const PreparedHall> hall;
-    std::vector<PreparedExhibit> exhibits;  ///< By subject; that of the hall stays empty.
-    /// What was not there without waiting, and is left out: only of `FrameRequest::waitless`.
+    std::vector<PreparedExhibit> exhibits;  ///< By subject; the hall's entry is empty.
+    /// Assets still loading, which are left out. Filled only if `FrameRequest::waitless`.
     std::vector<render::PendingAsset> pending;
 
-    /// Which files it needs and cannot read, and why: full sentences.
+    /// Returns the errors of files that it needs and cannot read: full sentences.
     [[nodiscard]] std::vector<std::string> unreadableFiles() const;
-    /// Seconds since the button of subject `i` was pressed; infinity: never.
+    /// Returns the seconds since the button of subject `i` was pressed; infinity: never.
     [[nodiscard]] double sincePress(std::size_t i) const;
     [[nodiscard]] ExhibitState state(std::size_t i) const;
 };

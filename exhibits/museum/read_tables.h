@@ -9,16 +9,16 @@
 
 namespace vitrine {
 
-/// A look under the tables that the files which it names call for.
+/// A scene state with the parameters that its files add.
 struct TabledSceneState {
     SceneState sceneState;
-    std::vector<std::string> unreadable;  ///< Which files cannot be read, and why: full sentences. Their values keep
-                                          ///< the table that they had.
-    std::vector<std::string> notes;       ///< What of the values was changed or is not known, for people.
+    /// Errors of files that cannot be read: full sentences. Their values keep the previous parameters.
+    std::vector<std::string> unreadable;
+    std::vector<std::string> notes;  ///< Values that were changed or are unknown, for people.
 };
 
-/// Reads the files in rows that give rows, through the asset store, and exchanges the tables: values of rows with the
-/// same name and kind stay. Any thread may call it, several at once. Never throws for a file that cannot be read.
+/// Reads the files of parameters that add parameters, through the asset store, and replaces the sets of parameters.
+/// Values of parameters with the same name and kind are kept. Thread-safe. Never throws for a file that cannot be read.
 [[nodiscard]] TabledSceneState readTables(Subjects, render::AssetStore&, const SceneState&);
 
 }  // namespace vitrine

@@ -16,7 +16,7 @@ std::string triple(const glm::dvec3& v)
     return render::shortestNumber(v.x) + ',' + render::shortestNumber(v.y) + ',' + render::shortestNumber(v.z);
 }
 
-/// Degrees that are these radians to the bit, as the option reads them.
+/// Returns the degrees that the option converts back to exactly these radians.
 double degreesOf(double radians)
 {
     double degrees = radians * 180 / std::numbers::pi;
@@ -26,7 +26,7 @@ double degreesOf(double radians)
     return degrees;
 }
 
-/// As `--set` reads it: numbers in SI units.
+/// Formats a value for `--set`: numbers in SI units.
 std::string settingOf(const ParameterInfo& row, const Value& value)
 {
     const auto* number = std::get_if<double>(&value);

@@ -6,8 +6,8 @@
 
 namespace vitrine {
 
-/// The command line that draws this picture of the hall again, to the bit: `vitrine render hall` with all that differs
-/// from the initial values, quoted for a POSIX shell. Of the request, camera, size, time and seed count.
+/// Returns the command line that draws the same picture of the hall, bit by bit: `vitrine render hall` with all values
+/// that differ from the initial ones, quoted for a POSIX shell. Uses camera, size, time and seed of the request.
 [[nodiscard]] std::string renderCommand(const Museum&, const SceneState&, const FrameRequest&, int samples,
                                         const std::string& out);
 

@@ -8,11 +8,11 @@
 
 namespace vitrine {
 
-/// Where the hall comes among the subjects of a museum, and its values in a SceneState; the exhibits come after it.
+/// Index of the hall among the subjects of a museum and in SceneState::values; the exhibits follow.
 inline constexpr std::size_t hallIndex = 0;
 
-/// A snapshot of everything that can be set: one set of values per subject of the museum, and the camera. Undo, presets
-/// of everything and A/B comparisons are Looks.
+/// Snapshot of everything that can be set: the parameter values of each subject, and the camera. Undo, presets of the
+/// whole exhibition and A/B comparisons store scene states.
 struct SceneState {
     std::vector<ParameterValues> values;  ///< In the order of Museum::subjects().
     render::Camera camera;
