@@ -5,7 +5,7 @@
 
 namespace vitrine {
 
-/// One line of a chart: a value of y for each of x, which rises.
+/// Curve of a chart: a value of y for each of the increasing x.
 struct ChartCurve {
     std::string name;
     std::vector<double> x, y;
@@ -14,8 +14,8 @@ struct ChartCurve {
 /// Curves over the same axes.
 struct Chart {
     std::string title;
-    std::string xTitle, yTitle;  ///< With the unit, where there is one.
-    bool logarithmic = false;    ///< Both axes; values that are not above 0 are left out.
+    std::string xTitle, yTitle;  ///< Titles with units, if there are any.
+    bool logarithmic = false;    ///< Both axes; values of 0 or less are left out.
     std::vector<ChartCurve> curves;
 };
 

@@ -12,8 +12,8 @@
 namespace vitrine {
 namespace {
 
-// Digits beyond double's let a text name every stored value, even where the conversion from the shown
-// unit would otherwise skip some.
+// More digits than double: a text can then name every stored value, even if the conversion from the shown unit would
+// otherwise skip some.
 using Number = long double;
 
 enum class Measure : std::uint8_t { none, length, angle, time, pixel, stop, ratio, kelvin, hour };
@@ -27,7 +27,7 @@ struct Dimension {
 };
 
 struct Quantity {
-    Number value = 0;  // In SI when it has a dimension.
+    Number value = 0;  // In SI if it has a dimension.
     Dimension dimension;
 };
 
@@ -62,7 +62,7 @@ constexpr std::array<UnitWord, 23> unitWords = {{
     {"stop", 1, {Measure::stop, 1}},
     {"%", 1e-2L, {Measure::ratio, 1}},
     {"K", 1, {Measure::kelvin, 1}},
-    {"h", 1, {Measure::hour, 1}},  // Of the day: no length of time.
+    {"h", 1, {Measure::hour, 1}},  // Hour of the day, not a duration.
 }};
 
 const UnitWord* findUnit(std::string_view word)
@@ -82,7 +82,7 @@ std::optional<Number> findConstant(std::string_view word)
 struct FunctionWord {
     std::string_view word;
     std::size_t arguments;
-    bool keepsUnit;  ///< Of its arguments, which have one unit; else they are plain numbers or angles.
+    bool keepsUnit;  ///< The arguments have one unit, which is kept; otherwise they are plain numbers or angles.
     Number (*of)(const Number* x);
 };
 
@@ -119,7 +119,7 @@ bool isNameStart(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
 }
 
-/// The name that the text begins with; empty: none.
+/// Returns the name at the start of the text; empty: none.
 std::string_view nameAtStart(std::string_view text)
 {
     std::size_t end = 0;
@@ -151,7 +151,7 @@ Dimension dimensionOf(Unit unit)
 /// Recursive descent:  sum: product (± product)*   product: power (*|/ power)*   power: ± power | atom (^ power)?
 class Parser {
 public:
-    /// What a unit behind a division belongs to: "1/50 s" is 1/(50 s), or (1/50) s.
+    /// Binding of a unit after a division: "1/50 s" is 1/(50 s), or (1/50) s.
     enum class Suffix : std::uint8_t { divisor, quotient };
 
     Parser(std::string_view text, Unit unit, Suffix suffix, const ExpressionNames* names)
@@ -180,7 +180,8 @@ private:
     double fromShown(Number value) const
     {
         const double rounded = static_cast<double>(value);
-        if (static_cast<Number>(rounded) == value) return stored(rounded, unit_);  // Bit for bit what a slider stores.
+        // Bit by bit the value that a slider stores.
+        if (static_cast<Number>(rounded) == value) return stored(rounded, unit_);
         return static_cast<double>(value / static_cast<Number>(info(unit_).shownPerStored));
     }
 
@@ -222,7 +223,7 @@ private:
         return left;
     }
 
-    /// Gives a plain number beside one with a unit the shown unit.
+    /// Converts a plain number next to a quantity to the shown unit.
     bool sameDimension(Quantity& a, Quantity& b) const
     {
         if (a.dimension == b.dimension) return true;
@@ -309,7 +310,7 @@ private:
         return keepSuffix ? q : withSuffix(*q);
     }
 
-    /// From behind its opening parenthesis.
+    /// Parses a function call after its opening parenthesis.
     std::optional<Quantity> call(const FunctionWord& function)
     {
         std::array<Quantity, 3> given{};
@@ -342,7 +343,7 @@ private:
         return Quantity{x, {}};
     }
 
-    /// "2 pi", "30 deg", "2 pi rad".
+    /// Parses what may follow a number: "2 pi", "30 deg", "2 pi rad".
     std::optional<Quantity> withSuffix(Quantity q)
     {
         std::string_view word = peekWord();
@@ -358,7 +359,7 @@ private:
         return Quantity{q.value * unit->inSi, unit->dimension};
     }
 
-    /// "pi", or a unit that counts once, as in "2/m".
+    /// Parses "pi", or a unit that stands for 1 of it, as in "2/m".
     std::optional<Quantity> wordAlone()
     {
         const std::string_view word = peekWord();
@@ -385,11 +386,11 @@ std::optional<double> evaluateWith(std::string_view text, Unit unit, const Expre
 {
     constexpr std::size_t longest = 4096;
     if (text.size() > longest) return std::nullopt;
-    // A number alone is the double nearest to it: by way of a wider number it would be rounded twice.
+    // A plain number is parsed directly as double: through a wider type it would be rounded twice.
     if (const std::optional<double> plain = render::parseNumber(text);
         plain && std::isfinite(*plain) && info(unit).shownPerStored == 1)
         return plain;
-    // The reading that measures the right thing is meant: 1/(20 ms) in hertz, (1/50) s in seconds.
+    // The reading with the right dimension is used: 1/(20 ms) in hertz, (1/50) s in seconds.
     const std::optional<double> x = Parser(text, unit, Parser::Suffix::divisor, names).result();
     return x ? x : Parser(text, unit, Parser::Suffix::quotient, names).result();
 }

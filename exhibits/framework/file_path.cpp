@@ -15,7 +15,7 @@ std::string filePath(const ParameterInfo& row, const std::string& value)
         std::error_code error;
         return std::filesystem::exists(own, error) ? own.string() : value;
     } catch (const Failure&) {
-        return value;  // There are no assets here.
+        return value;  // The program's assets are not installed.
     }
 }
 

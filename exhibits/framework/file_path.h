@@ -6,8 +6,8 @@
 
 namespace vitrine {
 
-/// The file that a value of a file row names: a bare name means a file of the program's own where the row has such
-/// (`ParameterInfo::shipped`), anything else is a path as it stands.
+/// Returns the file that a value of a file parameter names. A bare name means one of the program's own files, if the
+/// parameter has such (`ParameterInfo::shipped`). Any other value is returned unchanged.
 [[nodiscard]] std::string filePath(const ParameterInfo&, const std::string& value);
 
 }  // namespace vitrine

@@ -11,34 +11,34 @@
 
 namespace vitrine {
 
-/// The version that is written; others are refused.
+/// Version that is written; others are refused.
 inline constexpr int lessonVersion = 1;
 
-/// A lesson is a page of text, and a strip over the picture has room for a few sentences at a time.
+/// Limits of a lesson: a page of text, of which the strip over the picture shows a few sentences at a time.
 inline constexpr std::uint64_t lessonBytes = 256U << 10U;
 inline constexpr std::size_t mostLessonSteps = 24;
 inline constexpr std::size_t mostLessonLetters = 700;  ///< Bytes of the text of one step.
 
-/// What a step asks the reader to look up, beside the picture.
+/// Number that a step asks the reader to look up.
 struct LessonNumber {
     enum class Of { row, counter, milliseconds };
     Of of = Of::milliseconds;
-    std::string name;  ///< Of the row, or of the counter ("marchSteps"); empty for milliseconds.
+    std::string name;  ///< Name of the parameter or counter ("marchSteps"); empty for milliseconds.
 };
 
-/// One step: what to set, and what to see then.
+/// One step: settings, and what they show.
 struct LessonStep {
     std::string title;
-    std::string text;        ///< Paragraphs with an empty line between; `**` and `[row:...]` are in it as written.
-    ParameterValues values;  ///< Of the exhibit, all of them.
-    std::vector<std::pair<std::size_t, Value>> hall;  ///< Rows of the hall that it sets; others stay as they are.
-    std::optional<render::Camera> camera;             ///< Nothing: the visitor stays where he stands.
-    bool bestView = false;                            ///< The exhibit's best view in place of a camera.
+    std::string text;        ///< Paragraphs separated by empty lines; contains `**` and `[row:...]` as written.
+    ParameterValues values;  ///< All values of the exhibit.
+    std::vector<std::pair<std::size_t, Value>> hall;  ///< Parameters of the hall that it sets; others are unchanged.
+    std::optional<render::Camera> camera;             ///< Nothing: the camera is unchanged.
+    bool bestView = false;                            ///< Uses the exhibit's best view instead of a camera.
     std::optional<LessonNumber> read;
-    int line = 1;  ///< Of its heading.
+    int line = 1;  ///< Line of its heading.
 };
 
-/// A walk through one exhibit. As a file (Markdown):
+/// Guided tour of one exhibit. As a file (Markdown):
 ///
 ///     # What a bound promises
 ///
@@ -50,37 +50,40 @@ struct LessonStep {
 ///
 ///     ## One octave
 ///
-///     Sentences. [row:kind] becomes the label of that row, [row:hall.exposure] that of one of the hall.
+///     Sentences. [row:kind] becomes the label of that parameter, [row:hall.exposure] that of one of the hall.
 ///
 ///     ```json
 ///     {"values": {"work": "field"}, "hall": {}, "camera": "best", "read": "milliseconds"}
 ///     ```
 ///
-/// A step is complete: rows that its `values` do not name are initial, whatever the step before set. Values are written
-/// as in presets, cameras too, or "best"; `read` is "milliseconds", "row:NAME" or "counter:NAME". Where `values` name a
-/// file that gives rows, other names may be of those: they are pending (`ParameterValues::pending`).
+/// Each step is complete: parameters that its `values` do not name have initial values, regardless of the previous
+/// step. Values and cameras are written as in presets; the camera may also be "best". `read` is "milliseconds",
+/// "row:NAME" or "counter:NAME". If `values` name a file that adds parameters, unknown names may be among those; they
+/// stay pending (`ParameterValues::pending`).
 struct Lesson {
     std::string title;
     std::string exhibit;
-    std::string intro;  ///< As the text of a step.
+    std::string intro;  ///< Text in the format of a step's.
     std::vector<LessonStep> steps;
-    std::vector<std::string> notes;  ///< What reading changed ("exposure 99 -> 16 (allowed -16 to 16)"), for people.
+    /// Values that reading changed ("exposure 99 -> 16 (allowed -16 to 16)"), for people.
+    std::vector<std::string> notes;
 };
 
-/// Reads a lesson. `tables` names the subjects and gives their tables. Throws Failure naming file, line, what is wrong
-/// there and what to do: no title, no such exhibit, a row that is not there, broken JSON, a key that means nothing, no
-/// step, a step without its block or its text, text too long, a newer version.
+/// Parses a lesson. `tables` gives the subjects' names and parameters. Throws Failure naming file, line, the error and
+/// what to do, for: no title, an unknown exhibit or parameter, broken JSON, an unknown key, no steps, a step without
+/// its block or text, a text that is too long, a newer version.
 [[nodiscard]] Lesson parseLesson(const std::string& text, const std::string& fileName, const NamedValues& tables);
 
-/// The same of a file. Throws Failure as `render::readFile`, too.
+/// The same for a file. Throws Failure as `render::readFile`, too.
 [[nodiscard]] Lesson readLesson(const std::filesystem::path&, const NamedValues& tables);
 
-/// What was written as text of a lesson, with the labels of its rows between these marks: "<b>" and "</b>".
+/// Replaces the `[row:...]` in a lesson's text by the parameters' labels, between the marks `before` and `after` ("<b>"
+/// and "</b>").
 [[nodiscard]] std::string withLabels(std::string_view text, std::string_view exhibit, const NamedValues& tables,
                                      std::string_view before, std::string_view after);
 
-/// The lesson that comes with the program: assets/lessons/LANGUAGE/EXHIBIT.md where there is one in the language of the
-/// program, else assets/lessons/EXHIBIT.md. There need be none.
+/// Returns the path of the lesson that comes with the program: assets/lessons/LANGUAGE/EXHIBIT.md if it exists in the
+/// program's language, else assets/lessons/EXHIBIT.md. The file need not exist.
 [[nodiscard]] std::filesystem::path shippedLesson(std::string_view exhibit);
 
 }  // namespace vitrine

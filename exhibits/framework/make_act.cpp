@@ -11,7 +11,7 @@ bool isAmong(const Condition& condition, double x)
     return std::find(condition.values.begin(), condition.values.end(), x) != condition.values.end();
 }
 
-/// A value of the row with which the condition's test holds: the initial one where it does.
+/// Returns a value of the parameter that satisfies the condition's test: the initial one if it does.
 std::optional<double> satisfying(const Condition& condition, const ParameterInfo& row)
 {
     const auto* initial = std::get_if<double>(&row.initial);

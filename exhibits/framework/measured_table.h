@@ -9,24 +9,25 @@
 
 namespace vitrine {
 
-/// A table in the making.
+/// Measurement of a table in progress.
 class TableMeasurement {
 public:
     virtual ~TableMeasurement() = default;
-    /// Measures a part of it and returns whether there is another. Always on the same backend, which times its steps.
+    /// Measures one part and returns whether there is another. Call it always with the same backend, which must time
+    /// its steps.
     virtual bool step(render::RenderBackend&) = 0;
-    /// The part that is done, 0 to 1.
+    /// Finished share, 0 to 1.
     [[nodiscard]] virtual double progress() const = 0;
-    /// What is measured so far as comma-separated values: a line of names, then one for each row.
+    /// Returns the results so far as comma-separated values: a line of names, then one line per row.
     [[nodiscard]] virtual std::string csv() const = 0;
 };
 
-/// Has a table of its own to measure, besides studies of its rows.
+/// Capability: a special table of measurements, besides studies of its parameters.
 class MeasuresTable {
 public:
     virtual ~MeasuresTable() = default;
     [[nodiscard]] virtual std::string_view tableTitle() const = 0;
-    /// Begins with these values. Throws Failure where a file that they name cannot be read. Any thread may call it.
+    /// Starts with these values. Throws Failure if a file that they name cannot be read. Thread-safe.
     [[nodiscard]] virtual std::unique_ptr<TableMeasurement> measureTable(const ParameterValues&) const = 0;
 };
 

@@ -7,37 +7,39 @@
 
 namespace vitrine {
 
-/// The value of a row among several, each with its weight (at least 0, all together 1), never out of its range; there
-/// are as many weights as values, at least one, and the values are legal. Where one has all the weight, exactly that
-/// one; what has no weight counts for nothing.
+/// Interpolates several values of a parameter with weights (at least 0, sum 1); the result is never out of range. There
+/// must be as many weights as values, at least one, and the values must be legal. If one has all the weight, the result
+/// is exactly that value; values without weight have no effect.
 ///
-///  - numbers: their weighted mean, in logarithms where the row's scale is logarithmic and all are positive; counts are
-///    rounded to the nearest one. An angle whose range is a full turn: the mean on the circle, between two by the
-///    shorter way round.
-///  - colors: the mean in Oklab, brought into [0, 1] per component.
-///  - directions: the mean on the sphere, which between two goes along the great circle (Shoemake 1985, "Animating
-///    Rotation with Quaternion Curves") and among more is that of Buss and Fillmore (2001, "Spherical Averages and
-///    Applications to Spherical Splines and Interpolation"); between opposite ones any way.
-///  - toggles, choices, files and texts: the one of the largest weight, of equal ones the first. A number that is a
-///    word for something else ("auto") is so switched as well; numbers beside it have their mean without it.
+///  - numbers: their weighted mean, in logarithms if the parameter's scale is logarithmic and all are positive; counts
+///    are rounded to the nearest integer. An angle whose range is a full turn: the mean on the circle; between two
+///    values
+///    by the shorter way.
+///  - colors: the mean in Oklab, clamped to [0, 1] per component.
+///  - directions: the mean on the sphere. Between two, it follows the great circle (Shoemake 1985, "Animating Rotation
+///    with Quaternion Curves"); among more it is that of Buss and Fillmore (2001, "Spherical Averages and Applications
+///    to
+///    Spherical Splines and Interpolation"). Between opposite directions the way is arbitrary.
+///  - toggles, choices, files and texts: the value of the largest weight; of equal ones the first. A number with a
+///    special meaning ("auto") is switched in the same way; the other numbers have their mean without it.
 [[nodiscard]] Value morphed(const ParameterInfo&, std::span<const Value> values, std::span<const double> weights);
 
-/// The same of two, on the way from `a` (t = 0) to `b` (t = 1): what is switched is `a` before the middle, and `b` from
-/// there on.
+/// The same for two values, from `a` (t = 0) to `b` (t = 1). Values that are switched are `a` below t = 0.5, else `b`.
 [[nodiscard]] Value morphed(const ParameterInfo&, const Value& a, const Value& b, double t);
 
-/// One of several settings of an exhibit, and how much it counts.
+/// Settings of an exhibit with their weight.
 struct WeightedValues {
     const ParameterValues* values;  ///< Not null.
     double weight;                  ///< At least 0.
 };
 
-/// All rows of several settings of one exhibit, each as above. Where files give them different tables, that of the
-/// largest weight counts, of equal ones the first, and rows that it alone has keep its values. Rows move as they do
-/// there; where all move alike but for the two ends of the way, the ends are morphed.
+/// Interpolates all parameters of several settings of one exhibit, each as above. If files give them different sets of
+/// parameters, those of the largest weight are used, of equal ones the first; parameters that only it has keep its
+/// values. Animations are kept as well. If all settings have the same animation except for its two end values, these
+/// are interpolated.
 [[nodiscard]] ParameterValues morphed(std::span<const WeightedValues>);
 
-/// The same of two; exactly `a` at t <= 0 and `b` at t >= 1.
+/// The same for two settings; exactly `a` at t <= 0 and `b` at t >= 1.
 [[nodiscard]] ParameterValues morphed(const ParameterValues& a, const ParameterValues& b, double t);
 
 }  // namespace vitrine

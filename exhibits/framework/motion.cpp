@@ -25,14 +25,14 @@ double eased(Ease ease, double t)
     return t;
 }
 
-/// Where on its way the ease is halfway.
+/// Returns the time, as a share of the way, at which the ease is at its middle.
 double halfway(Ease ease)
 {
     if (ease == Ease::in) return std::numbers::sqrt2 / 2;
     return ease == Ease::out ? 1 - std::numbers::sqrt2 / 2 : 0.5;
 }
 
-/// How far into its present period it is, 0 to 1, and the number of that period.
+/// Position in the current period, 0 to 1, and the number of that period.
 struct Phase {
     double part = 0, period = 0;
 };
@@ -43,8 +43,8 @@ Phase phaseOf(const Motion& motion, double time)
     return {periods - whole, whole};
 }
 
-/// 0 to 1, of one corner of the noise. The finalizer of SplitMix64 (Steele, Lea, Flood 2014, "Fast Splittable
-/// Pseudorandom Number Generators").
+/// Returns the value of one corner of the noise, 0 to 1. The finalizer of SplitMix64 (Steele, Lea, Flood 2014, "Fast
+/// Splittable Pseudorandom Number Generators").
 double cornerOf(std::uint32_t seed, double corner)
 {
     std::uint64_t x =
@@ -68,13 +68,13 @@ double thereAndBack(double part)
     return part < 0.5 ? 2 * part : 2 - 2 * part;
 }
 
-/// Seconds from now until it is so far into a period, or into the next one.
+/// Returns the seconds from phase `now` to phase `then`, in this period or the next.
 double until(const Motion& motion, double now, double then)
 {
     return (then > now ? then - now : then + 1 - now) * motion.period;
 }
 
-/// Of a row that has no values between two others: when it is switched.
+/// Returns when a parameter without intermediate values is next switched.
 double nextSwitch(const Motion& motion, double time)
 {
     const double part = phaseOf(motion, time).part;
@@ -192,7 +192,7 @@ Motion resumed(Motion motion, const MotionMoment& moment)
     if (motion.kind == MotionKind::ease) motion.start += missed;
     if (motion.kind == MotionKind::ease || motion.kind == MotionKind::distance) return motion;
     motion.phase -= missed / motion.period;
-    // Noise is another one in every period; all else is alike.
+    // Noise differs in every period, so its phase is kept; all others repeat.
     if (motion.kind != MotionKind::noise) motion.phase -= std::floor(motion.phase);
     return motion;
 }

@@ -9,20 +9,20 @@
 
 namespace vitrine {
 
-/// Something that an exhibit is worth being compared with.
+/// Comparison that an exhibit offers.
 struct OfferedComparison {
-    std::string name;   ///< On the command line: "mesh".
+    std::string name;   ///< Name on the command line: "mesh".
     std::string title;  ///< "The rasterized mesh".
     std::string help;   ///< One sentence: what to look at.
-    /// The rows in which B, the other side, is another one than what is on show.
+    /// Parameters with the values of B, the other side.
     std::vector<std::pair<std::string_view, Value>> rows;
 };
 
-/// Offers comparisons with itself in another way.
+/// Capability: offers comparisons with another setting of itself.
 class OffersComparisons {
 public:
     virtual ~OffersComparisons() = default;
-    /// The same at any time, with names of their own.
+    /// Returns always the same list, with unique names.
     [[nodiscard]] virtual std::vector<OfferedComparison> comparisons() const = 0;
 };
 

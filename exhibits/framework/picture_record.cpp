@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 10> keysOfRecord{"size",        "samples"
 constexpr double mostPixelsOnASide = 1e6;
 constexpr double mostSamplesPerPixel = 4096;
 
-/// A channel beyond color, by its name in files.
+/// A channel beyond color, with its name in files.
 struct NamedChannel {
     const char* name;
     bool& (*of)(PictureRecord&);
@@ -52,7 +52,7 @@ glm::ivec2 sizeFrom(const Json& json, const JsonPlace& place)
             static_cast<int>(wholeNumber(json[1], place, 1, mostPixelsOnASide))};
 }
 
-/// Rows of the matrix's upper left 3 x 3.
+/// Returns the rows of the matrix's upper left 3 x 3.
 Json matrixRows(const glm::dmat4& m)
 {
     Json rows = Json::array();

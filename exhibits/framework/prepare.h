@@ -10,45 +10,45 @@
 
 namespace vitrine {
 
-/// A file that is needed for what is shown, and that cannot be read.
+/// A required file that cannot be read.
 struct UnreadableFile {
-    std::string step;     ///< Name in the frame's ledger: "hall/model".
+    std::string step;     ///< Name in the frame report: "hall/model".
     std::string why;      ///< A full sentence: which parameter names which file, and what is wrong with it.
     std::string instead;  ///< A full sentence: what is drawn in its place.
 };
 
-/// What `Exhibit::prepare` resolved: files, meshes, the state of a simulation. Each exhibit that needs any derives a
-/// type of its own. Never changes once it is made, so that any thread may plan from it.
+/// Result of `Exhibit::prepare`: files, meshes, the state of a simulation. Each exhibit that needs it derives its own
+/// type. Immutable, so that any thread may plan from it.
 struct PreparedPart {
     virtual ~PreparedPart() = default;
 
     std::vector<UnreadableFile> unreadable;
-    std::uint64_t filesId =
-        0;  ///< Another number when a file that it was made of changed: part of the keys of what is kept.
+    /// Hash of the files that it was made from; part of the keys of passes that keep their result.
+    std::uint64_t filesId = 0;
 };
 
-/// What an exhibit is prepared for.
+/// Arguments of `Exhibit::prepare`.
 struct PrepareContext {
     const ParameterValues& values;
     double time = 0;  ///< Seconds since the exhibit's clock started.
     double sinceOwnPress =
         std::numeric_limits<double>::infinity();  ///< Seconds since its button was pressed; infinity: never.
-    bool seen = false;                            ///< It may be seen in the picture ...
-    bool shadowSeen = false;                      ///< ... and the same of its shadow. One of the two at least.
+    bool seen = false;                            ///< The exhibit may be visible in the picture ...
+    bool shadowSeen = false;                      ///< ... or its shadow may be. At least one of the two is true.
     bool rests = false;                           ///< The values have not changed for a while.
-    render::AssetStore& assets;                   ///< The one place in which things are made and kept.
+    render::AssetStore& assets;                   ///< Cache in which all assets are made and kept.
 };
 
-/// An exhibit in a prepared picture.
+/// State of an exhibit in a prepared picture.
 struct ExhibitState {
     const ParameterValues& values;
     double time = 0;
     double sinceOwnPress = std::numeric_limits<double>::infinity();
-    const PreparedPart* prepared = nullptr;  ///< Null where it is out of view.
+    const PreparedPart* prepared = nullptr;  ///< Null if it is out of view.
 };
 
-/// "Ring model of Fur with Physics: Cannot read bear.glb: there is no such file.": which parameter of which exhibit
-/// names a file that cannot be read, and why.
+/// Returns an error that says which parameter of which exhibit names an unreadable file, and why: "Ring model of Fur
+/// with Physics: Cannot read bear.glb: there is no such file.".
 [[nodiscard]] inline std::string unreadableFile(const ParameterInfo& row, std::string_view exhibitTitle,
                                                 const std::string& why)
 {

@@ -22,7 +22,7 @@ bool stands(const PresetTags& tags, const std::string& tag)
     return std::any_of(tags.begin(), tags.end(), [&](const std::string& t) { return lowered(t) == lowered(tag); });
 }
 
-/// Why it is no tag; empty where it is one.
+/// Returns why a text is no valid tag; empty if it is valid.
 std::string whyNoTag(const std::string& tag)
 {
     if (tag.empty()) return "a tag has at least one character";
@@ -83,7 +83,7 @@ std::string taggedPreset(const JsonDocument& document, const PresetTags& tags)
     (void)presetHeader(document);
     Json written = Json::array();
     for (const std::string& tag : tags) written.push_back(tag);
-    // Behind the name, where presets have them.
+    // After the name, as in other presets.
     Json root = Json::object();
     for (const auto& [key, value] : document.root().items()) {
         if (key == "tags") continue;

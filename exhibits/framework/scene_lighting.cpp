@@ -62,7 +62,7 @@ render::View lightView(const render::Box& box, const glm::dvec3& towardsLight, g
     view.viewFromWorld = glm::lookAt(center, center - towardsLight, up);
     view.eye = center + towardsLight * 1e3;
     const render::Box inLight = box.transformed(view.viewFromWorld);
-    // A texel of margin, so that filtering at the rim still sees the clear value.
+    // A margin, so that filtering at the border still reads the clear value.
     const glm::dvec2 extent = glm::dvec2(inLight.high - inLight.low);
     const glm::dvec2 margin = 4.0 * extent / glm::dvec2(size) + 1e-4;
     view.clipFromView =
@@ -78,12 +78,12 @@ render::View steadyLightView(const render::Box& box, const glm::dvec3& towardsLi
 {
     render::View view;
     const glm::dvec3 up = std::abs(towardsLight.y) > 0.99 ? glm::dvec3(0, 0, 1) : glm::dvec3(0, 1, 0);
-    // Seen from the origin: the grid of texels does not move with the box.
+    // The view is placed at the origin, so that the grid of texels does not move with the box.
     view.viewFromWorld = glm::lookAt(glm::dvec3(0), -towardsLight, up);
     view.eye = box.center() + towardsLight * 1e3;
     const render::Box inLight = box.transformed(view.viewFromWorld);
     const glm::dvec2 extent = glm::dvec2(inLight.high - inLight.low);
-    // Four texels of margin, so that filtering at the rim still sees the clear value, and one for the grid.
+    // Four texels of margin, so that filtering at the border still reads the clear value, and one for the grid.
     const glm::dvec2 least = extent / glm::max(glm::dvec2(size) - 9.0, glm::dvec2(1));
     const double texel = 1e-3 * std::exp2(std::ceil(4 * std::log2(std::max({least.x, least.y, 1e-6}) / 1e-3)) / 4);
     const glm::dvec2 low = (glm::floor(glm::dvec2(inLight.low) / texel) - 4.0) * texel;

@@ -7,7 +7,7 @@ namespace vitrine {
 std::string slugFor(std::string_view name)
 {
     constexpr std::size_t longest = 64;
-    // Decomposed, "é" is "e" and a mark, and the mark is dropped below.
+    // Decomposed, "é" is "e" and a combining mark, which is dropped below.
     const QString decomposed =
         QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size())).normalized(QString::NormalizationForm_KD);
     std::string slug;

@@ -9,21 +9,21 @@ namespace vitrine {
 
 #include "shaders/lib/standing_block.glsl"
 
-/// Reach that a contact shadow of this shape is given: three times its height, at least 0.15 m and at most 1.5 m.
+/// Returns the reach of this shape's contact shadow: three times its height, at least 0.15 m and at most 1.5 m.
 [[nodiscard]] double contactReach(const StandingShape&);
 
-/// A box with sides along the axes; `color`: the mean share of light that it sends back, linear Rec. 709. Its contact
-/// shadow counts in full, to its `contactReach`.
+/// Makes a box with sides along the axes; `color` is its mean reflectance, linear Rec. 709. Its contact shadow has full
+/// strength and reaches to its `contactReach`.
 [[nodiscard]] StandingShape standingBox(const render::Box&, const glm::dvec3& color);
 
-/// The upright cylinder in the box: as high, and as wide as its narrower side.
+/// Makes the upright cylinder in the box: as high, and as wide as its narrower side.
 [[nodiscard]] StandingShape standingCylinder(const render::Box&, const glm::dvec3& color);
 
-/// The same shape after a transform that moves, turns about the upright axis and scales evenly; of others, what they do
-/// to the box's first side and to the center counts.
+/// Transforms the shape. Meant for translation, rotation around the vertical axis and uniform scaling. Of other
+/// transforms, only the effect on the box's first side and on the center is used.
 [[nodiscard]] StandingShape moved(const StandingShape&, const glm::dmat4& worldFromShape);
 
-/// Holds the shape; world space where it is.
+/// Returns a box around the shape, in its own space.
 [[nodiscard]] render::Box boundsOf(const StandingShape&);
 
 }  // namespace vitrine

@@ -12,7 +12,7 @@ struct Declared {
     std::map<const Parameters*, std::vector<StudiedRow>> rows;
 };
 
-/// Outlives every table: those of the whole program's life are destroyed after what was made later.
+/// Never destroyed: it must outlive static Parameters objects, which are destroyed after objects created later.
 Declared& declared()
 {
     static auto* all = new Declared;

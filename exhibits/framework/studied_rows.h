@@ -9,38 +9,38 @@ namespace vitrine {
 
 class Parameters;
 
-/// How an accuracy study shows what a parameter does, where its condition (`when`) does not say enough. Texts must be
-/// literals; names are those of rows of the same table.
+/// How an accuracy study shows the effect of a parameter, if its condition (`when`) is not sufficient. Texts must be
+/// literals; names are those of parameters of the same object.
 struct StudiedRow {
-    /// The value of another row.
+    /// Value of another parameter.
     struct Setting {
         std::string_view row;
         double value = 0;
     };
 
     std::string_view name;
-    /// Values of other rows, in which the parameter shows: a matt body for shadows.
+    /// Values of other parameters that make the effect visible: a matt body for shadows.
     std::vector<Setting> with = {};
-    /// Rows that would cap or override the parameter. Each is studied at its own most exact value.
+    /// Parameters that would limit or override this one. Each is studied at its own most exact value.
     std::vector<std::string_view> lifted = {};
-    /// Rows that take their most exact value in the reference only: errors are those of the picture as it is drawn
+    /// Parameters that take their most exact value only in the reference. The error then measures the drawn picture
     /// against the picture that the parameter helps to approximate.
     std::vector<std::string_view> exactInReference = {};
-    /// Names of study views (`Subject::studyViews`) in which the parameter shows. Empty: all in which it acts.
+    /// Names of study views (`Subject::studyViews`) in which the effect is visible. Empty: all in which it acts.
     std::vector<std::string_view> views = {};
-    /// Why every value gives the same picture: a sentence. Empty: the pictures differ.
+    /// Reason why every value gives the same picture: a sentence. Empty: the pictures differ.
     std::string_view same = {};
-    /// Why the second most exact value may already give the picture of the most exact one: a sentence. Empty: they
+    /// Reason why the second most exact value may give the same picture as the most exact one: a sentence. Empty: they
     /// differ.
     std::string_view settles = {};
 };
 
-/// The studied rows of a table, as a member of it:
+/// Declaration of studied parameters, as a member of the class with the parameters:
 ///
 ///     StudiedRows studied{*this, {{.name = "shellCount", .lifted = {"levelOfDetail"}}}};
 ///
-/// A table may have several, each beside its parameters. They are looked up by the table's address. Any thread may
-/// make, ask and destroy.
+/// A class may have several, each beside its parameters. They are looked up by the address of the Parameters object.
+/// Constructor, destructor and functions are thread-safe.
 class StudiedRows {
 public:
     StudiedRows(const Parameters&, std::initializer_list<StudiedRow>);
@@ -48,10 +48,9 @@ public:
     StudiedRows(const StudiedRows&) = delete;
     StudiedRows& operator=(const StudiedRows&) = delete;
 
-    /// Returns what the table declares of the row of that name; a StudiedRow with nothing but the name where it says
-    /// nothing.
+    /// Returns the declaration for the parameter of that name; a StudiedRow with only the name if there is none.
     [[nodiscard]] static StudiedRow of(const Parameters&, std::string_view row);
-    /// Everything that the table declares.
+    /// Returns all declarations for this object.
     [[nodiscard]] static std::vector<StudiedRow> allOf(const Parameters&);
 
 private:

@@ -10,8 +10,8 @@
 
 namespace vitrine {
 
-/// A fixed situation in which an accuracy study measures: seen from `camera` (in the subject's own space) at
-/// `time`, with `values` in place of what the study started from: "spin of 120 degrees".
+/// A fixed situation that an accuracy study measures: the view from `camera` (in the subject's own space) at `time`,
+/// with `values` instead of the study's initial ones: "spin of 120 degrees".
 struct StudyView {
     std::string name;
     render::Camera camera;
@@ -19,22 +19,22 @@ struct StudyView {
     ParameterValues values;
 };
 
-/// What visitors set, look at and study: the building, or an exhibit in it. Panels, presets, undo, flags and studies
-/// work on the tables of subjects, whatever stands behind them.
+/// The building or an exhibit: everything that has parameters. Panels, presets, undo, command-line options and studies
+/// work on subjects, whatever their kind.
 class Subject {
 public:
     virtual ~Subject() = default;
 
-    [[nodiscard]] virtual std::string_view name() const = 0;         ///< Of its folder, presets and flags.
+    [[nodiscard]] virtual std::string_view name() const = 0;         ///< Name of its folder, presets and options.
     [[nodiscard]] virtual std::string_view title() const = 0;        ///< Shown to visitors.
     [[nodiscard]] virtual std::string_view summary() const = 0;      ///< One sentence.
-    [[nodiscard]] virtual const Parameters& parameters() const = 0;  ///< The table of initial values.
+    [[nodiscard]] virtual const Parameters& parameters() const = 0;  ///< Its parameters with their initial values.
 
-    /// The space it may fill, in its own space: what is culled, framed and collided with.
+    /// Returns the space that it may fill, in its own space; used for culling, framing and collisions.
     [[nodiscard]] virtual render::Box bounds(const ParameterValues&) const = 0;
-    /// Its best view, in its own space.
+    /// Returns its best view, in its own space.
     [[nodiscard]] virtual render::Camera bestView(const ParameterValues&) const = 0;
-    /// The views of its accuracy studies, easy and hard ones, starting from these values; at least one.
+    /// Returns the views of its accuracy studies, easy and hard ones, based on these values; at least one.
     [[nodiscard]] virtual std::vector<StudyView> studyViews(const ParameterValues& values) const
     {
         return {{"best view", bestView(values), 0, values}};
