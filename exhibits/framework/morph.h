@@ -13,13 +13,11 @@ namespace vitrine {
 ///
 ///  - numbers: their weighted mean, in logarithms if the parameter's scale is logarithmic and all are positive; counts
 ///    are rounded to the nearest integer. An angle whose range is a full turn: the mean on the circle; between two
-///    values
-///    by the shorter way.
+///    values by the shorter way.
 ///  - colors: the mean in Oklab, clamped to [0, 1] per component.
 ///  - directions: the mean on the sphere. Between two, it follows the great circle (Shoemake 1985, "Animating Rotation
 ///    with Quaternion Curves"); among more it is that of Buss and Fillmore (2001, "Spherical Averages and Applications
-///    to
-///    Spherical Splines and Interpolation"). Between opposite directions the way is arbitrary.
+///    to Spherical Splines and Interpolation"). Between opposite directions the way is arbitrary.
 ///  - toggles, choices, files and texts: the value of the largest weight; of equal ones the first. A number with a
 ///    special meaning ("auto") is switched in the same way; the other numbers have their mean without it.
 [[nodiscard]] Value morphed(const ParameterInfo&, std::span<const Value> values, std::span<const double> weights);
