@@ -10,30 +10,31 @@
 
 namespace vitrine::scenes {
 
-/// How a picture asks a scene's field: its shader's text, and the numbers that this reads.
+/// Shader source and buffers that evaluate a scene's SDF in one frame.
 struct AskedScene {
     std::shared_ptr<const render::ShaderSources> sources;
     std::vector<render::BufferUse> buffers;
-    bool numbersInBlock = false;            ///< `sceneBlock` comes before the stage.
-    std::shared_ptr<const NearScene> near;  ///< Null where every place asks every shape by name.
-    std::string why;                        ///< For the ledger, where what is near is not known: why not.
-    /// The same as `sources` with numbers folded, for the same inputs; null where that is of no use.
+    bool numbersInBlock = false;            ///< `sceneBlock` precedes the stage in the uniform block.
+    std::shared_ptr<const NearScene> near;  ///< Null if every point evaluates every shape by its own code.
+    std::string why;                        ///< Reason for the frame report if there is no acceleration grid.
+    /// The same as `sources` with numbers folded as constants, for the same inputs; null if it brings nothing.
     std::shared_ptr<const render::ShaderSources> folded;
-    std::string whyNotFolded;  ///< For the ledger, where that is null.
+    std::string whyNotFolded;  ///< Reason for the frame report if that is null.
 };
 
-/// What of a scene's numbers has not changed for a while.
+/// Scene constants that are stable enough to be compiled into the shader.
 enum class SceneRest : std::uint8_t {
     nothing,
     all,
-    steady  ///< All that do not depend on the time.
+    steady  ///< All constants that do not depend on the time.
 };
 
-/// Whether lists can walk the scene: trees that are nested very deep have more levels than the shader has registers.
+/// Returns whether step lists can evaluate the scene: very deeply nested trees need more levels than a shader has
+/// registers.
 [[nodiscard]] bool hasLists(const ListVocabulary&);
 
-/// By the way that is asked for, or the one that serves best. What takes time is made in the store, once for the same
-/// numbers; while it is pending, every shape is asked.
+/// Returns the evaluator for the requested method, or for the one that suits the scene best. Expensive parts are made
+/// in the store, once for the same numbers. While they are pending, every shape is evaluated.
 [[nodiscard]] AskedScene askedScene(const ShownScene&, const SceneWords&, SceneEvaluation, SceneRest,
                                     render::AssetStore&);
 

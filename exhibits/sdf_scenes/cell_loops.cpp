@@ -3,21 +3,21 @@
 namespace vitrine::scenes {
 namespace {
 
-/// The corners around a face, in order.
+/// Returns the corners around a face, in order.
 std::array<unsigned, 4> cornersOfFace(unsigned axis, unsigned side)
 {
     const unsigned u = 1U << ((axis + 1) % 3), v = 1U << ((axis + 2) % 3), at = side << axis;
     return {at, at | u, at | u | v, at | v};
 }
 
-/// The edge between two corners that differ in one bit.
+/// Returns the edge between two corners that differ in one bit.
 unsigned edgeBetween(unsigned a, unsigned b)
 {
     const unsigned along = a ^ b;
     return edgeAt(along == 1 ? 0 : along == 2 ? 1 : 2, a);
 }
 
-/// Edges of one loop get the same root.
+/// Union-find: edges of one loop have the same root.
 struct Roots {
     std::array<unsigned, 12> parent{};
 
@@ -37,7 +37,7 @@ CellLoops loopsOf(unsigned inside)
         const auto corners = cornersOfFace(face / 2, face % 2);
         for (unsigned i = 0; i < 4; ++i) {
             if (isIn(corners[i]) || !isIn(corners[(i + 1) % 4])) continue;
-            unsigned end = i + 1;  // A run of inside corners begins; it ends at an outside one.
+            unsigned end = i + 1;  // A run of inside corners begins here; it ends at an outside one.
             while (isIn(corners[(end + 1) % 4])) ++end;
             const unsigned a = roots.rootOf(edgeBetween(corners[i], corners[(i + 1) % 4]));
             roots.parent[roots.rootOf(edgeBetween(corners[end % 4], corners[(end + 1) % 4]))] = a;

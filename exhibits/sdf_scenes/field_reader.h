@@ -7,22 +7,22 @@
 
 namespace vitrine::scenes {
 
-/// Reads the numbers of nodes and records into a scene.
+/// Reader of the numbers of nodes and records into a scene.
 class FieldReader {
 public:
-    /// Both must outlive it.
+    /// Scene and findings must outlive the reader.
     FieldReader(Scene& scene, Findings& findings) : scene_(scene), findings_(findings) {}
 
-    /// All fields of an object, initial where it has none; the first of their numbers. Keys that are neither fields nor
-    /// in `others` are found wrong; `what` names the object there: "a sphere".
+    /// Reads all fields of an object; missing ones get initial values. Returns the index of their first number. Keys
+    /// that are neither fields nor in `others` are reported; `what` names the object in the message: "a sphere".
     std::uint32_t readObject(std::uint32_t file, std::uint32_t object, const std::vector<Field>& fields,
                              const std::vector<std::string_view>& others, const std::string& what);
-    /// One field; the first of its numbers.
+    /// Reads one field; returns the index of its first number.
     std::uint32_t readField(std::uint32_t file, std::uint32_t value, const Field&);
-    /// Initial numbers.
+    /// Appends initial values; returns the index of the first number.
     std::uint32_t initialFields(const std::vector<Field>&);
 
-    /// A string of JSON. Anything else is found wrong, and empty.
+    /// Reads a JSON string. Any other value is reported, and gives an empty string.
     std::string readString(std::uint32_t file, std::uint32_t value);
 
 private:
@@ -36,7 +36,7 @@ private:
     Findings& findings_;
 };
 
-/// "0.0001 m to 10000 m", in the unit that is shown.
+/// Returns for example "0.0001 m to 10000 m", in the displayed unit.
 [[nodiscard]] std::string rangeText(const Field&);
 
 }  // namespace vitrine::scenes

@@ -9,7 +9,7 @@
 namespace vitrine::scenes {
 namespace {
 
-/// Fit for one line of a message.
+/// Shortens a word to one line of a message.
 std::string shownWord(std::string_view word)
 {
     constexpr std::size_t most = 40;
@@ -89,7 +89,7 @@ std::vector<std::uint32_t> Findings::shapes() const
 void Findings::add(const render::JsonFailure& failure, const std::string& file)
 {
     if (full()) return;
-    constexpr std::size_t most = 200;  // Of a path that may be 40,000 levels long.
+    constexpr std::size_t most = 200;  // Limit for a path, which may be 40,000 levels deep.
     const std::string& key = failure.key();
     list_.push_back({file, failure.line(), failure.column(),
                      key.size() > most ? "..." + key.substr(key.size() - most) : key, failure.problem() + '.'});

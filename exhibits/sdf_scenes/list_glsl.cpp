@@ -12,7 +12,8 @@ std::string numbered(const char* letter, std::uint32_t i)
     return letter + std::to_string(i);
 }
 
-/// Levels are registers that move up and down, not arrays: SIMD processors without a stack index none.
+/// GLSL generator. Stack levels are registers that are shifted, not arrays: SIMD processors without a stack cannot
+/// index arrays.
 class ListGlsl {
 public:
     explicit ListGlsl(const ListVocabulary& vocabulary) : v_(vocabulary) {}
@@ -63,7 +64,7 @@ private:
         return "if (operation == " + std::to_string(shapeCount() + static_cast<std::uint32_t>(operation) + more) +
                "u) {";
     }
-    /// Of the node that the step names: behind the factor of its distances.
+    /// Returns a number of the step's node: it follows the factor of its distances.
     static std::string number(std::uint32_t i)
     {
         const std::uint32_t at = i + 1;
@@ -100,7 +101,8 @@ void ListGlsl::registers()
             line(1,
                  "SceneMaterial " + numbered("m", k) + " = sceneMaterial(vec4(0.0), vec4(0.0), vec4(1.0), vec4(0.0));");
     }
-    // Where children are asked, the point in the space itself, the nearest copy so far and its number.
+    // For each level: the point where children are evaluated, the point in the space itself, the nearest copy so far
+    // and its index.
     for (std::uint32_t k = 0; k <= v_.places; ++k) {
         line(1, "vec3 " + numbered("q", k) + " = point;");
         if (v_.places == 0) break;
@@ -165,7 +167,7 @@ void ListGlsl::popPlace()
         }
 }
 
-/// Results that begin, and that are finished.
+/// Writes the steps that open and close a level of results.
 void ListGlsl::levels()
 {
     if (v_.results == 0) return;

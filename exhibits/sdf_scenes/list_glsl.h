@@ -7,9 +7,9 @@
 
 namespace vitrine::scenes {
 
-/// GLSL that walks lists of steps (`step_lists.h`) in place of the steps themselves: the same functions as by
-/// `sceneGlsl`, for every scene of this vocabulary. At each point it asks what the point's cell names
-/// (shaders/sdf_scenes/near.glsl), and `planes` half spaces beside it.
+/// Generates GLSL that evaluates lists of steps (`step_lists.h`) instead of the steps of one scene. It defines the same
+/// functions as `sceneGlsl`, for every scene of this vocabulary. At each point it evaluates the list of the point's
+/// cell (shaders/sdf_scenes/near.glsl), and `planes` half spaces besides.
 [[nodiscard]] std::string listGlsl(const ListVocabulary&, std::uint32_t planes, const FurtherMember& = {});
 
 }  // namespace vitrine::scenes

@@ -9,7 +9,7 @@
 namespace vitrine::scenes {
 namespace {
 
-/// For each vertex the first of its position.
+/// Returns for each vertex the first one of the same position.
 std::vector<std::uint32_t> joinedByPosition(const std::vector<MeshVertex>& vertices, std::size_t& joined)
 {
     std::vector<std::uint32_t> order(vertices.size()), same(vertices.size());
@@ -27,7 +27,7 @@ std::vector<std::uint32_t> joinedByPosition(const std::vector<MeshVertex>& verti
     return same;
 }
 
-/// How many directed edges are there twice, or have no opposite one.
+/// Returns the number of directed edges that occur twice, or have no opposite edge.
 std::size_t openEdges(const std::vector<std::uint32_t>& corners)
 {
     std::vector<std::uint64_t> edges;
@@ -45,7 +45,7 @@ std::size_t openEdges(const std::vector<std::uint32_t>& corners)
     return open;
 }
 
-/// How many vertices have triangles that are no one ring around them.
+/// Returns the number of vertices whose triangles do not form a single ring.
 std::size_t brokenVertices(const std::vector<std::uint32_t>& corners, std::size_t vertices)
 {
     std::vector<std::uint32_t> first(vertices + 1, 0);
@@ -54,7 +54,7 @@ std::size_t brokenVertices(const std::vector<std::uint32_t>& corners, std::size_
     std::vector<std::uint32_t> at(first.begin(), first.end() - 1), triangles(corners.size());
     for (std::size_t i = 0; i < corners.size(); ++i) triangles[at[corners[i]]++] = static_cast<std::uint32_t>(i);
     std::size_t broken = 0;
-    std::vector<std::array<std::uint32_t, 2>> ring;  // Of each triangle, the corners behind and before the vertex.
+    std::vector<std::array<std::uint32_t, 2>> ring;  // For each triangle, the corners after and before the vertex.
     for (std::size_t v = 0; v < vertices; ++v) {
         ring.clear();
         for (std::size_t k = first[v]; k < first[v + 1]; ++k) {

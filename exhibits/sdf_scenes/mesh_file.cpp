@@ -33,14 +33,14 @@ std::uint8_t srgb(float linear)
     return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0F, 1.0F)));
 }
 
-/// Triangles of one color, or of several: the indices of their corners.
+/// Triangles of one color, or with several: indices of their corners.
 struct ColorGroup {
-    std::optional<glm::vec3> color;  ///< Unset: their corners differ.
+    std::optional<glm::vec3> color;  ///< Unset: the corners have different colors.
     std::vector<std::uint32_t> indices;
 };
 
-/// A group for each color that whole triangles have, and a last one for triangles between colors. Many programs show
-/// the colors of materials and not those of vertices.
+/// Groups triangles by color, with a last group for triangles of several colors. Many programs show colors of materials
+/// but not of vertices.
 std::vector<ColorGroup> groupsByColor(const SceneMesh& mesh)
 {
     constexpr std::size_t mostColors = 64;
@@ -70,7 +70,7 @@ std::vector<ColorGroup> groupsByColor(const SceneMesh& mesh)
     return groups;
 }
 
-/// The lowest and the highest coordinates of a mesh; zeros for one without vertices.
+/// Returns the lowest and highest coordinates of a mesh; zeros for one without vertices.
 std::pair<glm::vec3, glm::vec3> extremesOf(const SceneMesh& mesh)
 {
     glm::vec3 low(0), high(0);
@@ -87,7 +87,7 @@ bool hasVertexColors(const std::vector<ColorGroup>& groups)
     return !groups.back().color;
 }
 
-/// The JSON of a glTF file whose binary part holds positions, normals, colors (16 bits, four of them, where triangles
+/// Returns the JSON of a glTF file. Its binary part holds positions, normals, colors (four of 16 bits, if triangles
 /// have several) and the indices of all groups.
 std::string gltfJson(const SceneMesh& mesh, const std::vector<ColorGroup>& groups, const std::string& name)
 {

@@ -8,14 +8,15 @@ namespace vitrine::scenes {
 namespace {
 
 constexpr double steepestOfField = 1 + 2e-6;
-/// Nearer points are asked of the whole scene, so that leaves with other steps left agree about their side, meters.
+/// Meters. Points closer to the surface are evaluated with the whole scene, so that leaves with different steps agree
+/// about their side.
 constexpr double undecided = 1e-9;
-/// Vertices keep this share of a cell away from its faces, so that no two of them meet.
+/// Vertices keep this share of a cell away from its faces, so that no two of them coincide.
 constexpr double margin = 0.01;
-/// Directions in which the planes are this much weaker than in the strongest one count as left open.
+/// Directions in which the planes are weaker than this, relative to the strongest, count as undetermined.
 constexpr double weakest = 0.01;
 
-/// Eigenvectors of a symmetric matrix, by Jacobi rotations.
+/// Computes the eigenvectors of a symmetric matrix, by Jacobi rotations.
 void diagonalize(glm::dmat3& m, glm::dmat3& vectors)
 {
     vectors = glm::dmat3(1);
@@ -71,7 +72,7 @@ glm::dvec3 Planes::meetingPoint() const
 
 glm::dvec3 Planes::bestPointOf(const render::Box& box) const
 {
-    // One coordinate after another: the squares are convex.
+    // Coordinate descent: the sum of squares is convex.
     const glm::dvec3 low = box.low - mean_, high = box.high - mean_;
     glm::dvec3 offset = glm::clamp(glm::dvec3(0), low, high);
     const double towardMean = 0.01 * (square_[0][0] + square_[1][1] + square_[2][2]);
@@ -139,8 +140,9 @@ glm::dvec3 LeafMesher::slopeAt(const glm::dvec3& p, double d)
     return (there - d) / h;
 }
 
-/// A vertex of a cell. A thin wedge may end outside of the last cell that has a lattice point of it: where the planes
-/// meet up to two cells away and the surface is near, the vertex lies there, but not quite, so that it meets no other.
+/// Returns a vertex of a cell. A thin wedge may end beyond the last cell that contains a lattice point of it. If the
+/// planes meet up to two cells away and the surface is close, the vertex is placed near there, but not exactly, so that
+/// it coincides with no other.
 glm::dvec3 LeafMesher::vertexOf(const Planes& planes, const render::Box& cell)
 {
     const glm::dvec3 meeting = planes.meetingPoint();
@@ -152,7 +154,7 @@ glm::dvec3 LeafMesher::vertexOf(const Planes& planes, const render::Box& cell)
     return broughtToSurface(planes.bestPointOf(cell), cell);
 }
 
-/// Onto the surface, as far as the cell reaches; at an edge it is there already.
+/// Moves a point onto the surface, as far as the cell extends; at a sharp edge it is already there.
 glm::dvec3 LeafMesher::broughtToSurface(glm::dvec3 p, const render::Box& cell)
 {
     for (int round = 0; round < 16; ++round) {
@@ -168,7 +170,7 @@ glm::dvec3 LeafMesher::broughtToSurface(glm::dvec3 p, const render::Box& cell)
 
 LeafMesher::Crossing LeafMesher::crossingBetween(const glm::dvec3& a, const glm::dvec3& b, double valueA, double valueB)
 {
-    // The secant, kept between the two ends (regula falsi, Illinois).
+    // Secant method with bracketing (regula falsi, Illinois).
     double low = 0, high = 1, atLow = valueA, atHigh = valueB, t = 0.5;
     int side = 0;
     for (int i = 0; i < 12; ++i) {
@@ -235,7 +237,7 @@ void LeafMesher::addVertices(const glm::ivec3& place, unsigned inside, LeafSurfa
         normals[k] = length > 1e-6 ? normals[k] / length : planes.front();
         at[k] = vertexOf(Planes(points, planes), cell);
     }
-    // Loops that meet, as those of a thin wall may, stay apart.
+    // Loops that meet, as those of a thin wall may, are kept apart.
     for (std::size_t a = 0; a < static_cast<std::size_t>(loops.loops); ++a)
         for (std::size_t b = 0; b < a; ++b)
             if (glm::distance(at[a], at[b]) < margin * field_.cell) {

@@ -10,30 +10,30 @@
 
 namespace vitrine::scenes {
 
-/// Cells along the edge of a leaf: the smallest blocks that are pruned.
+/// Cells along the edge of a leaf: the smallest block that is pruned.
 inline constexpr int leafCells = 4;
 inline constexpr std::size_t leafVolume = leafCells * leafCells * leafCells;
 
-/// A field on a lattice, cut by a box.
+/// A field sampled on a lattice, and cut by a box.
 struct MeshField {
     const SceneField& scene;
-    render::Box part;   ///< Endless where nothing is cut.
-    glm::dvec3 low{0};  ///< Of the first cell.
+    render::Box part;   ///< Infinite if nothing is cut.
+    glm::dvec3 low{0};  ///< Low corner of the first cell.
     double cell = 1;
 
     [[nodiscard]] glm::dvec3 at(const glm::dvec3& cells) const { return low + cell * cells; }
-    /// The distance cut by the box.
+    /// Returns the distance, intersected with the box.
     [[nodiscard]] double cut(const glm::dvec3& p, double distance) const;
 };
 
-/// Cells around a part of the surface, and the steps that matter in them.
+/// Block of cells near the surface, with the steps that matter in it.
 struct MeshLeaf {
     glm::ivec3 low{0};
     std::shared_ptr<const std::vector<Step>> steps;
     std::bitset<leafVolume> near, middleInside;
 };
 
-/// A grid edge that the surface crosses, from the low corner of a cell.
+/// A grid edge that the surface crosses. It starts at the low corner of a cell.
 struct CrossedEdge {
     std::uint16_t cell = 0;
     std::uint8_t axis = 0;
@@ -41,10 +41,10 @@ struct CrossedEdge {
     glm::vec3 position{0}, normal{0};
 };
 
-/// What was found in a leaf.
+/// Surface found in a leaf.
 struct LeafSurface {
-    std::array<std::uint32_t, leafVolume> firstVertex{};  ///< In `vertices`; where there is one.
-    std::array<std::uint8_t, leafVolume> inside{};        ///< Corners, as `cellLoops` takes them.
+    std::array<std::uint32_t, leafVolume> firstVertex{};  ///< Index in `vertices`, for cells with a vertex.
+    std::array<std::uint8_t, leafVolume> inside{};        ///< Inside corners, as `cellLoops` takes them.
     std::vector<MeshVertex> vertices;
     std::vector<CrossedEdge> edges;
 };
@@ -59,14 +59,14 @@ struct LeafSurface {
     return {i % leafCells, i / leafCells % leafCells, i / (leafCells * leafCells)};
 }
 
-/// Planes through points: the sum of the squared distances from them, as a function of a place.
+/// Planes through points: sum of squared distances to them as a function of a position (quadric error).
 class Planes {
 public:
     Planes(const std::vector<glm::dvec3>& points, const std::vector<glm::dvec3>& normals);
 
-    /// Where they meet best; where they leave it open, nearest to the mean of the points.
+    /// Returns the point with the least sum; if it is not unique, the one nearest to the mean of the points.
     [[nodiscard]] glm::dvec3 meetingPoint() const;
-    /// The same of the places in a box.
+    /// The same among the points of a box.
     [[nodiscard]] glm::dvec3 bestPointOf(const render::Box&) const;
 
 private:
@@ -74,14 +74,14 @@ private:
     glm::dmat3 square_{0};
 };
 
-/// Evaluates leaves, one after another; for one thread at a time.
+/// Evaluates leaves one after another. Not thread-safe: use one per thread.
 class LeafMesher {
 public:
     explicit LeafMesher(const MeshField&);
 
     /// Finds the cells that a surface may pass through.
     void findNear(MeshLeaf&);
-    /// Finds the surface in them. Returns how many cells are too coarse for what is in them.
+    /// Finds the surface in these cells. Returns the number of cells that are too coarse for their content.
     std::size_t findSurface(const MeshLeaf&, LeafSurface&);
 
     [[nodiscard]] std::uint64_t shapesAsked() const { return walk_.shapesAsked() + colors_.shapesAsked(); }

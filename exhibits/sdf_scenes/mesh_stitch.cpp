@@ -21,7 +21,7 @@ int bitOf(unsigned axis, unsigned bits)
 struct CellAtEdge {
     glm::ivec3 place{0};
     unsigned inside = 0;
-    unsigned edge = 0;  ///< The crossed edge, as the cell counts it.
+    unsigned edge = 0;  ///< Number of the crossed edge within the cell.
     std::uint32_t vertex = 0;
 };
 
@@ -54,7 +54,8 @@ public:
     }
 
 private:
-    /// The cell at `place`, one of whose edges along `axis` is crossed; `corner` has the bits of where that edge is.
+    /// Returns the cell at `place`, one of whose edges along `axis` is crossed; `corner` has the bits of that edge's
+    /// position.
     [[nodiscard]] CellAtEdge cellAt(const glm::ivec3& place, unsigned axis, unsigned corner) const
     {
         const std::size_t leaf = leafAt_.at(packed(place / leafCells));
@@ -66,8 +67,9 @@ private:
         return found;
     }
 
-    /// Of two neighbors along `across` that both join the two lines on the face between them: the vertex in the middle
-    /// of the line that ends at this edge, so that the two lines are not one edge of the mesh. Else none.
+    /// Returns an extra vertex for an ambiguous face, shared by two neighbors along `across` that both connect the two
+    /// lines on it. It lies in the middle of the line that ends at this edge, so that the two lines do not become the
+    /// same mesh edge. Else returns none.
     std::uint32_t middleOf(const CellAtEdge& a, const CellAtEdge& b, unsigned across, unsigned insideEnd)
     {
         const bool aIsLow = a.place[static_cast<int>(across)] < b.place[static_cast<int>(across)];
@@ -77,7 +79,7 @@ private:
         const auto isIn = [&](unsigned bits) { return (upper.inside >> bits & 1U) != 0; };
         const bool crossed = isIn(0) != isIn(1U << u) && isIn(0) != isIn(1U << v) && isIn(0) == isIn(1U << u | 1U << v);
         if (!crossed) return none;
-        // The other line is around the corner across the face from the inside end of this edge.
+        // The other line is around the corner opposite to the inside end of this edge.
         const unsigned here = insideEnd & ~face, there = here ^ (1U << u | 1U << v);
         const auto isOneLoop = [&](const CellAtEdge& cell, unsigned side) {
             const CellLoops& loops = cellLoops(cell.inside);
@@ -104,7 +106,7 @@ private:
     void addPolygon(const glm::ivec3& place, const CrossedEdge& edge)
     {
         const unsigned axis = edge.axis, u = (axis + 1) % 3, v = (axis + 2) % 3;
-        // Counter-clockwise around the axis: where the edge is in each cell, and across what the next one lies.
+        // Counter-clockwise around the axis: position of the edge in each cell, and the axis towards the next cell.
         const std::array<unsigned, 4> corners{1U << u | 1U << v, 1U << v, 0, 1U << u};
         const std::array<unsigned, 4> across{u, v, u, v};
         std::array<CellAtEdge, 4> cells;
@@ -132,7 +134,7 @@ private:
         mesh_.indices.insert(mesh_.indices.end(), {a, b, c});
     }
 
-    /// Whether a triangle faces away from the normals of its corners.
+    /// Returns whether a triangle faces away from the normals of its corners.
     [[nodiscard]] bool isTurned(bool forward, std::size_t a, std::size_t b, std::size_t c) const
     {
         const MeshVertex& va = mesh_.vertices[polygon_[a]];
@@ -142,8 +144,8 @@ private:
         return (forward ? 1.0F : -1.0F) * glm::dot(across, va.normal + vb.normal + vc.normal) < 0;
     }
 
-    /// Split so that no triangle is turned over, if that can be, and where the surface is nearer to the diagonal, so
-    /// that an edge of the scene is one of the mesh.
+    /// Splits the quad along the diagonal that flips fewer triangles. If both are equal, takes the one closer to the
+    /// surface, so that a sharp edge of the scene becomes an edge of the mesh.
     void addQuad(const CrossedEdge& edge)
     {
         const auto& q = polygon_;
@@ -159,7 +161,7 @@ private:
         addTriangle(forward, q[first ? 0 : 1], q[2], q[3]);
     }
 
-    /// Around the point where the surface crosses the edge.
+    /// Triangulates around the point where the surface crosses the edge.
     void addFan(const CrossedEdge& edge)
     {
         const auto center = static_cast<std::uint32_t>(mesh_.vertices.size());

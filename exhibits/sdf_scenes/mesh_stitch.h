@@ -6,7 +6,7 @@
 
 namespace vitrine::scenes {
 
-/// Joins what was found in leaves: around every crossed grid edge, the vertices of its four cells.
+/// Joins the surfaces of leaves to a mesh: around every crossed grid edge, it connects the vertices of the four cells.
 [[nodiscard]] SceneMesh stitched(const std::vector<MeshLeaf>&, std::vector<LeafSurface>, const MeshField&);
 
 }  // namespace vitrine::scenes

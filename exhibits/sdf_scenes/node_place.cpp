@@ -1,4 +1,4 @@
-// Where a node of the tree stands in its scene, through all that bends space around it.
+// Transforms of nodes of the tree in their scene, through all operations that bend space around them.
 
 #include "exhibits/sdf_scenes/scene_tree.h"
 
@@ -29,11 +29,11 @@ TreePlace ownPlace(const Node& node, const std::vector<double>& numbers)
     return place;
 }
 
-/// From a point to where a child is asked for it.
+/// Maps a point to the point at which a child is evaluated.
 using SpaceMap = std::function<glm::dvec3(const glm::dvec3&)>;
 
-/// How that point moves when this one does. Where it stays as it is along an axis, as in the gap that a shape is drawn
-/// apart by, the child moves with its surroundings.
+/// Returns the derivative of that map. Along an axis where the map is constant, as in the gap of a stretched shape, the
+/// child moves with its surroundings.
 glm::dmat3 slopeOf(const SpaceMap& map, const glm::dvec3& p)
 {
     const double h = 1e-6 * (1 + glm::length(p));
@@ -49,8 +49,7 @@ glm::dmat3 slopeOf(const SpaceMap& map, const glm::dvec3& p)
     return slope;
 }
 
-/// A point for which the child is asked at `x`, by Newton's steps, each halved until it comes nearer; nothing where
-/// none is found.
+/// Returns a point for which the child is evaluated at `x`, by damped Newton steps; nothing if none is found.
 std::optional<glm::dvec3> foundBefore(const SpaceMap& map, const glm::dvec3& x)
 {
     const double near = 1e-9 * (1 + glm::length(x));
@@ -68,8 +67,8 @@ std::optional<glm::dvec3> foundBefore(const SpaceMap& map, const glm::dvec3& x)
     return std::nullopt;
 }
 
-/// Of a point of the child's space, the space around the operation as far as it is even there: a matrix, and that point
-/// in it.
+/// Local linearization of the operation's space map at `x`, a point of the child's space: a matrix to the surrounding
+/// space.
 std::optional<glm::dmat4> spaceAround(const SpaceMap& map, const glm::dvec3& x)
 {
     const std::optional<glm::dvec3> p = foundBefore(map, x);
@@ -82,7 +81,7 @@ std::optional<glm::dmat4> spaceAround(const SpaceMap& map, const glm::dvec3& x)
     return around;
 }
 
-/// What an operation does to space, by its numbers: the one map, or one for each copy that it asks.
+/// Returns the space maps of an operation with these numbers: one map, or one for each copy that it evaluates.
 std::vector<SpaceMap> mapsOf(const NodeKind& kind, const double* v)
 {
     if (kind.place) return {[&kind, v](const glm::dvec3& p) { return kind.place.cpu(p, v); }};

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Operations: of several children, of one, and those that repeat one.
+// Operations: with several children, with one, and repetitions of one.
 
 namespace vitrine::scenes {
 namespace {
@@ -40,15 +40,15 @@ Extent joinedExtent(const Extent& a, const Extent& b)
     return {joined(a.box, b.box), a.even & b.even, a.flat && b.flat};
 }
 
-/// A blend takes at most this share of its width from the distance, for each further child (the exponential one, from
-/// the limit for two).
+/// Returns the level of an operand. A blend reduces the distance by at most this share of its width, for each further
+/// child (the exponential one, by its limit for two).
 double levelOfOperand(const double* v, double level, double siblings)
 {
     constexpr double shares[] = {0.25, 1.0 / 6, 0.3, 1};
     return level + shares[static_cast<int>(v[0])] * std::min(v[1], 1000.0) * siblings;
 }
 
-/// Half the width of a box around the y axis.
+/// Returns half the width of a box around the y axis.
 double radiusAround(const render::Box& box)
 {
     const glm::dvec3 far = glm::max(glm::abs(box.low), glm::abs(box.high));
@@ -87,13 +87,14 @@ Extent sameExtent(const Extent& child, const double*, double)
     return child;
 }
 
-/// The inverse of `sceneSheared`: what a child has where the sheared distance is `level`, so far from the axis.
+/// Inverse of `sceneSheared`: the child's distance where the sheared distance is `level`, at this distance from the
+/// axis.
 double levelOfSheared(const double* v, double level, double reach)
 {
     return level * (1 + std::abs(v[0]) * (reach + level));
 }
 
-/// How many copies may be nearest along an axis of a child from `low` to `high`.
+/// Returns how many copies of a child from `low` to `high` may be nearest along an axis.
 double copiesAsked(double low, double high, bool even, double spacing, double copies)
 {
     if (even && high <= 0.5 * spacing) return 1;
@@ -151,8 +152,8 @@ Asked askedAround(const Extent& child, bool exactChild, const double* v)
     all.times.x = v[0];
     const bool aroundAxis = !(box.low.x > 0 || box.high.x < 0 || box.low.z > 0 || box.high.z < 0);
     if (aroundAxis || box.empty()) return all;
-    // The box does not hold the axis, so its corners span less than half a turn around its middle.
-    const glm::dvec3 far(1e9);  // Endless to both sides, a box would have no center.
+    // The box does not contain the axis, so its corners span less than half a turn around its center.
+    const glm::dvec3 far(1e9);  // An infinite box would have no center.
     const glm::dvec3 center = 0.5 * (glm::clamp(box.low, -far, far) + glm::clamp(box.high, -far, far));
     const double middle = std::atan2(center.z, center.x);
     double low = 0;
@@ -171,14 +172,14 @@ Asked askedAround(const Extent& child, bool exactChild, const double* v)
     return all;
 }
 
-/// Half the width of a box around the z axis.
+/// Returns half the width of a box around the z axis.
 double radiusAroundZ(const render::Box& box)
 {
     const glm::dvec3 far = glm::max(glm::abs(box.low), glm::abs(box.high));
     return std::hypot(far.x, far.y);
 }
 
-/// Around the y axis, as far as the child reaches.
+/// Returns the bounds after a rotation around the y axis.
 Extent turnedExtent(const Extent& child, const double*, double)
 {
     const double reach = radiusAround(child.box);
@@ -191,7 +192,7 @@ Extent bentExtent(const Extent& child, const double*, double)
     return {{{-reach, -reach, child.box.low.z}, {reach, reach, child.box.high.z}}, 0};
 }
 
-/// What changes the distance, or where it is asked, by the same everywhere.
+/// Adds the modifiers that change the distance, or the point, uniformly everywhere.
 void addReshaping(std::vector<NodeKind>& kinds)
 {
     const auto add = [&](NodeKind kind) {
@@ -243,7 +244,7 @@ void addReshaping(std::vector<NodeKind>& kinds)
          .extentOf = mirrored});
 }
 
-/// What stretches space, or the distance, by more in some places.
+/// Adds the modifiers that stretch space, or the distance, differently at different places.
 void addDistorting(std::vector<NodeKind>& kinds)
 {
     const auto add = [&](NodeKind kind) {
@@ -307,7 +308,7 @@ std::vector<NodeKind> operandKinds()
                      .share = SCENE_COMBINE(sceneUnionShare(a, b, V(1), int(V(0)))),
                      .lesserFrom =
                          [](const double* v) {
-                             const bool fades = static_cast<int>(v[0]) == 3 && v[1] > 0;  // The exponential one.
+                             const bool fades = static_cast<int>(v[0]) == 3 && v[1] > 0;  // The exponential profile.
                              return fades ? std::numeric_limits<double>::infinity() : v[1];
                          },
                      .childLevel = levelOfOperand,

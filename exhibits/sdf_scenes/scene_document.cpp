@@ -40,7 +40,7 @@ std::shared_ptr<const SceneReading> readNow(const std::filesystem::path& path, c
     return reading;
 }
 
-/// Another number for another state of the files that were read; 0 while they are as they were.
+/// Returns a hash of the state of the files that were read; 0 while they are unchanged.
 std::uint64_t changesOf(const SceneReading& reading)
 {
     render::Hash hash;
@@ -64,8 +64,8 @@ std::shared_ptr<const SceneReading> readDocument(const std::filesystem::path& pa
         const std::uint64_t words = reading->table ? reading->table->shown->program->wordCount() : 0;
         return Made{std::move(reading), 4096 + 64 * words + 4 * text.size()};
     };
-    // The first reading says which files it takes. Where one of these changed, a further one has their states as its
-    // key, and may take others.
+    // The first reading determines the files. If one of these changed, a further reading has their states in its key,
+    // and may use other files.
     std::string key = path.string() + '\n' + text;
     std::shared_ptr<const SceneReading> reading;
     for (int further = 0; further < 8; ++further) {

@@ -10,28 +10,28 @@
 
 namespace vitrine::scenes {
 
-/// A file as it was when something was made of it.
+/// A file with its state when something was made from it.
 struct SeenFile {
     std::filesystem::path path;
     render::FileState state;
 };
 
-/// What became of a scene's document: a table, or why there is none.
+/// Result of reading a scene's document: its parameters, or the reason why there are none.
 struct SceneReading {
     std::shared_ptr<const SdfScenesTable> table;
-    std::string why;              ///< One sentence; empty where there is a table.
-    std::vector<SeenFile> files;  ///< The scene's own and all that it includes, as far as they were asked for.
+    std::string why;              ///< One sentence; empty on success.
+    std::vector<SeenFile> files;  ///< The scene's own file and all included ones, as far as they were read.
 };
 
-/// Of the file at `path`, or of `text` in its place where that is not empty: the same until one of the files changed.
-/// Any thread may call it.
+/// Reads the file at `path`, or `text` instead if that is not empty. Returns the same object until one of the files
+/// changes. Thread-safe.
 [[nodiscard]] std::shared_ptr<const SceneReading> readDocument(const std::filesystem::path& path,
                                                                const std::string& text, render::AssetStore&);
 
-/// Whether a text is a scene, or a scene object of the source, as far as its head says.
+/// Returns whether a text is a scene, or a scene object of the reference, judged by its head.
 [[nodiscard]] bool isSceneText(const std::string& text);
 
-/// What was read for the scene beside its own file, and the pictures around it.
+/// Returns the files that were read besides the scene's own file, and the pictures of its environment.
 [[nodiscard]] std::vector<std::string> filesBeside(const ShownScene&);
 
 }  // namespace vitrine::scenes

@@ -30,7 +30,7 @@ bool takesOne(const NodeKind& kind)
     throw Failure(Blame::check, sentence);
 }
 
-/// An operation of this kind with these children, as JSON.
+/// Returns an operation of this kind with these children, as JSON.
 std::string operationText(const NodeKind& kind, const std::vector<std::string>& children)
 {
     std::string text = "{\"kind\": " + quoted(std::string(kind.name)) + ", ";
@@ -40,7 +40,7 @@ std::string operationText(const NodeKind& kind, const std::vector<std::string>& 
     return text + "]}";
 }
 
-/// A number of a field as files have it, in its unit.
+/// Returns a number of a field as written in files, in its unit.
 std::string numberText(const Field& field, double x)
 {
     if (field.type == FieldType::toggle) return x != 0 ? "true" : "false";
@@ -60,7 +60,7 @@ std::string numbersText(const Field& field, const std::vector<double>& numbers)
     return all.size() == 1 ? all[0] : threeText(all);
 }
 
-/// Whether a value is legal for a field, as far as it is a constant.
+/// Returns whether a value is legal for a field, if it is constant.
 bool fits(const JsonText& text, std::uint32_t value, const Field& field)
 {
     const JsonType type = text.value(value).type;
@@ -80,7 +80,8 @@ bool fits(const JsonText& text, std::uint32_t value, const Field& field)
     return numbers.size() == numbersOf(field.type) && std::all_of(numbers.begin(), numbers.end(), legal);
 }
 
-/// A path as its list and the number in it: "root.children[2].child" under "root.children" is 2, and the rest ".child".
+/// A path split into a list and the index in it: "root.children[2].child" in "root.children" gives 2 and the rest
+/// ".child".
 struct InList {
     std::size_t number = 0;
     std::string rest;
@@ -257,7 +258,7 @@ EditedScene SceneEdit::moved(std::string_view node, std::string_view parent, std
         refuse("A node cannot be moved into itself.");
     std::size_t index = std::min(before, text_.children(*toList).size());
     const JsonText longer(text_.withElement(*toList, index, text_.written(from)), "scene");
-    // What was put in moves what stands behind it in that list, and what is taken out the other way round.
+    // The insertion moves later elements of that list; the removal moves them back.
     std::string old = path;
     if (const auto in = inList(path, target); in && in->number >= index)
         old = inListText(target, in->number + 1, in->rest);
@@ -295,7 +296,7 @@ EditedScene SceneEdit::hidden(std::string_view node, bool hide) const
 
 std::string SceneEdit::withHidden(const std::vector<std::pair<std::uint32_t, bool>>& changes) const
 {
-    // Each change alone is one place of the text; from the last place on, none moves another.
+    // Each change alone is one range of the text. Applied from the last range on, none moves another.
     struct Place {
         std::size_t begin, length;
         std::string with;
@@ -393,7 +394,7 @@ EditedScene SceneEdit::withNumber(std::string_view node, const Field& field, std
     if (numbersOf(field.type) == 1) return {text_.withMember(changed, field.name, number), std::string(node)};
     const bool isList = old && text_.value(*old).type == JsonType::array;
     if (isList) return {text_.withValue(text_.children(*old).at(component), number), std::string(node)};
-    // One that stands for all, or none yet.
+    // The field has one number for all, or none yet.
     std::vector<std::string> all;
     for (const double initial : field.initial)
         all.push_back(old ? std::string(text_.written(*old)) : numberText(field, initial));

@@ -13,66 +13,67 @@
 
 namespace vitrine::scenes {
 
-/// A scene's text after a change of its tree, and the path of the node that the change was about.
+/// Text of a scene after a change of its tree, and the path of the node that was changed.
 struct EditedScene {
     std::string text;
     std::string path;
 };
 
-/// Changes of the tree in a scene's own file. What is not touched keeps its text. Nodes are named by their paths in the
-/// file: "root.children[1]" (JsonText::path). Each change throws Failure with a sentence for people where it makes no
-/// sense; what it gives is still to be read, as what it names may be missing.
+/// Changes of the tree in a scene's own file. Everything else keeps its text. Nodes are given by their paths in the
+/// file: "root.children[1]" (JsonText::path). Each change throws Failure with a sentence for people if it makes no
+/// sense. The result must still be read, because it may refer to missing things.
 class SceneEdit {
 public:
-    /// Throws JsonFailure where the text is no JSON.
+    /// Throws JsonFailure if the text is not JSON.
     explicit SceneEdit(std::string text);
 
-    /// A new node of this kind with initial numbers, before the child of this number or behind the last one.
+    /// Adds a new node of this kind with initial numbers, before the child with index `before` or after the last one.
     [[nodiscard]] EditedScene added(std::string_view parent, std::size_t before, const NodeKind&) const;
-    /// The same node once more, behind it. Where there is room for one node only, both come into a union.
+    /// Adds a copy of the node after it. If there is room for one node only, both are put into a union.
     [[nodiscard]] EditedScene duplicated(std::string_view node) const;
-    /// Without it; an operation that would have no child left goes with it. The path is that of what it was part of.
+    /// Removes the node; an operation that has no child left is removed, too. The path is that of its former parent.
     [[nodiscard]] EditedScene removed(std::string_view node) const;
-    /// Inside an operation of this kind. A pair gets a sphere beside it.
+    /// Wraps the node in an operation of this kind. A pair gets a sphere as second child.
     [[nodiscard]] EditedScene wrapped(std::string_view node, const NodeKind& operation) const;
-    /// The only child in the place of its operation, which must not move, turn or scale it.
+    /// Replaces an operation by its only child. The operation must not translate, rotate or scale it.
     [[nodiscard]] EditedScene unwrapped(std::string_view operation) const;
-    /// Before that child of another parent, or of its own: the number counts the children as they are now.
+    /// Moves the node before a child of another parent, or of its own: the index counts the children before the change.
     [[nodiscard]] EditedScene moved(std::string_view node, std::string_view parent, std::size_t before) const;
-    /// "" takes its name away.
+    /// Sets the name; "" removes it.
     [[nodiscard]] EditedScene renamed(std::string_view node, const std::string& name) const;
-    /// "" takes it away: it is made of what its parent is made of.
+    /// Sets the material; "" removes it, so that the parent's material is used.
     [[nodiscard]] EditedScene withMaterial(std::string_view node, const std::string& material) const;
     [[nodiscard]] EditedScene hidden(std::string_view node, bool) const;
-    /// Hides everything else.
+    /// Hides all other nodes.
     [[nodiscard]] EditedScene solo(std::string_view node) const;
-    /// Hides nothing any more.
+    /// Shows all nodes.
     [[nodiscard]] EditedScene allShown() const;
-    /// Another kind, with those of its members that the new kind has, too. A shape stays a shape, and an operation one.
+    /// Changes the kind; members that the new kind has, too, are kept. Shapes stay shapes, and operations stay
+    /// operations.
     [[nodiscard]] EditedScene ofKind(std::string_view node, const NodeKind&) const;
-    /// With other numbers of a field, SI: one for each number of the field.
+    /// Sets the numbers of a field, SI: one value for each.
     [[nodiscard]] EditedScene withNumbers(std::string_view node, const Field&, const std::vector<double>&) const;
-    /// With one other number of a field, SI. The field's others keep their text, where they have one.
+    /// Sets one number of a field, SI. The field's other numbers keep their text, if they have one.
     [[nodiscard]] EditedScene withNumber(std::string_view node, const Field&, std::size_t component, double) const;
 
 private:
-    /// A node's index; throws where there is none at this path.
+    /// Returns a node's index; throws if there is none at this path.
     [[nodiscard]] std::uint32_t at(std::string_view node) const;
     [[nodiscard]] const NodeKind& kindOf(std::uint32_t node) const;
-    /// The array that holds it among other children, or nothing.
+    /// Returns the array that contains it among other children, or nothing.
     [[nodiscard]] std::optional<std::uint32_t> listOf(std::uint32_t node) const;
-    /// The operation that it is a child of, or nothing.
+    /// Returns the operation that it is a child of, or nothing.
     [[nodiscard]] std::optional<std::uint32_t> operationOf(std::uint32_t node) const;
     [[nodiscard]] std::vector<std::uint32_t> childrenOf(std::uint32_t node) const;
     [[nodiscard]] std::vector<std::uint32_t> nodes() const;
     [[nodiscard]] std::string freeName(const std::string& like) const;
-    /// With these nodes hidden or shown.
+    /// Returns the text with these nodes hidden or shown.
     [[nodiscard]] std::string withHidden(const std::vector<std::pair<std::uint32_t, bool>>&) const;
 
     render::JsonText text_;
 };
 
-/// A node of this kind with initial numbers, as JSON; operations hold a sphere, a pair two shapes.
+/// Returns a new node of this kind with initial numbers, as JSON; operations contain a sphere, a pair two shapes.
 [[nodiscard]] std::string freshNode(const NodeKind&);
 
 }  // namespace vitrine::scenes

@@ -8,34 +8,35 @@
 
 namespace vitrine::scenes {
 
-/// What is at a point of a scene.
+/// Sample of a scene at a point.
 struct SceneSample {
     double distance = 0;                             ///< Meters, negative inside; a step of this length is safe.
-    std::uint32_t node = none;                       ///< The shape that has the largest share; in `Scene::nodes`.
+    std::uint32_t node = none;                       ///< The shape with the largest weight; index in `Scene::nodes`.
     std::array<double, wordsOfMaterial> material{};  ///< Blended, in the order of `wordsOfMaterial`.
 };
 
-/// What a node gave at a point.
+/// Result of a node at a point.
 struct NodeSample {
-    double distance = 0;   ///< In the space of its parent, divided by `lipschitz` already.
-    double lipschitz = 1;  ///< By how much the operation may have stretched it there.
+    double distance = 0;   ///< In the space of its parent, after the division by `lipschitz`.
+    double lipschitz = 1;  ///< Upper bound on the stretch by the operation at that point.
 };
 
-/// A scene's field at one moment, at float64: the functions that the generated shader calls, compiled as C++.
-/// 1-Lipschitz everywhere, so `distance` is a step that passes no surface. Any thread may ask it, several at once.
+/// The SDF of a scene at one time, at float64: the functions that the generated shader calls, compiled as C++.
+/// 1-Lipschitz everywhere, so `distance` is a step that passes no surface. Thread-safe.
 class SceneField {
 public:
     SceneField(std::shared_ptr<const SceneProgram>, SceneWords);
-    /// Of a scene at a time in seconds.
+    /// Field of a scene at a time in seconds.
     explicit SceneField(std::shared_ptr<const Scene>, double time = 0, const std::vector<double>& parameters = {});
 
-    /// 1e9 where nothing is to be seen.
+    /// Returns the distance; 1e9 for an empty scene.
     [[nodiscard]] double distance(const glm::dvec3& p) const;
-    /// With its material.
+    /// Returns the distance with its material.
     [[nodiscard]] SceneSample sample(const glm::dvec3& p) const;
-    /// Every node, by its number in `SceneProgram::nodes`. Of what is repeated, the copy asked last.
+    /// Returns the result of every node, by index in `SceneProgram::nodes`. For repeated nodes, that of the last copy
+    /// evaluated.
     [[nodiscard]] std::vector<NodeSample> nodes(const glm::dvec3& p) const;
-    /// Where the scene is; infinite where it has no end.
+    /// Returns bounds of the scene; infinite for an infinite scene.
     [[nodiscard]] render::Box box() const;
 
     [[nodiscard]] const SceneProgram& program() const { return *program_; }

@@ -2,7 +2,7 @@
 
 #include "render/glsl/cpu.h"
 
-/// shaders/sdf_scenes/*.glsl as C++.
+/// shaders/sdf_scenes/*.glsl compiled as C++.
 
 #include "render/glsl/begin_cpu.h"
 

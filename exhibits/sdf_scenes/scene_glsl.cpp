@@ -10,10 +10,11 @@
 namespace vitrine::scenes {
 namespace {
 
-/// Writes one function after another; words are read from the block, or folded.
+/// Writes one function after another. Numbers are read from the block, or folded as constants.
 class GlslWriter {
 public:
-    /// `steady`: which words are folded, and the block has all of them nevertheless; null: all, and it has none.
+    /// `steady`: marks the numbers that are folded, although the block contains all of them. Null: all are folded, and
+    /// the block contains none.
     GlslWriter(const SceneProgram& program, const SceneWords* folded, const std::vector<char>* steady,
                const FurtherMember& further)
         : program_(program), folded_(folded), steady_(steady), further_(further)
@@ -46,7 +47,7 @@ private:
     [[nodiscard]] std::string number(const ProgramNode&, std::uint32_t i) const;
 
     static std::string named(char letter, std::uint32_t node) { return letter + std::to_string(node); }
-    /// Where the children of a node are asked.
+    /// Returns the name of the point at which the children of a node are evaluated.
     [[nodiscard]] std::string askedAt(std::uint32_t node) const
     {
         const NodeKind& kind = program_.kind(program_.nodes()[node]);
@@ -116,7 +117,7 @@ std::string GlslWriter::material(std::uint32_t index) const
     return text + ')';
 }
 
-/// A number of a node; a choice is always written out, for it selects code.
+/// Returns the text of a node's number. A choice is always a constant, because it selects code.
 std::string GlslWriter::number(const ProgramNode& node, std::uint32_t i) const
 {
     const Node& of = program_.scene().nodes[node.node];
@@ -129,7 +130,7 @@ std::string GlslWriter::number(const ProgramNode& node, std::uint32_t i) const
     return word(node.numbers + i);
 }
 
-/// An expression of the table of nodes, its names and numbers put in.
+/// Returns an expression of a node kind with its names and numbers replaced.
 std::string GlslWriter::call(std::string_view expression, const ProgramNode& node, const ExpressionNames& names) const
 {
     return writtenOut(expression, names, [&](std::uint32_t i) { return number(node, i); });
@@ -255,7 +256,8 @@ void GlslWriter::writeStep(const Step& step, bool withMaterials)
 
 bool isInBuffer(const SceneProgram& program)
 {
-    constexpr std::size_t mostWords = 14'000;  // 64 KiB hold a block on every driver; the stage takes some of it.
+    // A block of 64 KiB is supported by every driver; the stage needs some of it.
+    constexpr std::size_t mostWords = 14'000;
     return program.wordCount() > mostWords;
 }
 

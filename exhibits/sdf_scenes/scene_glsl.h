@@ -10,40 +10,41 @@
 
 namespace vitrine::scenes {
 
-/// Where a generated field is included from.
+/// Path under which shaders include a generated field.
 inline constexpr const char* generatedField = "sdf_scenes/generated_field.glsl";
 
-/// A member that the uniform block has behind the scene's numbers, for the shader around the field.
+/// Member of the uniform block after the scene's numbers, used by the shader around the field.
 struct FurtherMember {
-    std::string file;         ///< Included before: it declares the type.
+    std::string file;         ///< File that declares the type; included before the block.
     std::string declaration;  ///< "SceneStage stage".
 };
 
-/// GLSL of one scene, step by step, with nothing in it that the scene does not contain:
+/// Generates GLSL for one scene, step by step, with only the code that the scene needs:
 ///
 ///     float fieldDistance(vec3 p);         // meters, 1-Lipschitz
 ///     SceneSurface sceneSurface(vec3 p);   // shaders/sdf_scenes/material.glsl
 ///
-/// Its numbers come from the uniform block at BLOCK_EXHIBIT (`sceneBlock`), so that changing them compiles nothing.
-/// Choices, such as the profile of a blend, are part of the text.
+/// Its numbers are read from the uniform block at BLOCK_EXHIBIT (`sceneBlock`), so that changing them needs no
+/// compilation. Choices, such as the profile of a blend, are part of the text.
 [[nodiscard]] std::string sceneGlsl(const SceneProgram&, const FurtherMember& = {});
 
-/// Whether they are more than a uniform block holds: then they come from the buffer at STORAGE_EXHIBIT_A, and the block
-/// has the further member alone.
+/// Returns whether the numbers exceed the size of a uniform block. They are then read from the buffer at
+/// STORAGE_EXHIBIT_A, and the block contains only the further member.
 [[nodiscard]] bool isInBuffer(const SceneProgram&);
 
-/// The same with these numbers folded into the text: the block has the further member, or is not there.
+/// The same with these numbers folded into the text. The block contains only the further member, or is omitted without
+/// one.
 [[nodiscard]] std::string foldedSceneGlsl(const SceneProgram&, const SceneWords&, const FurtherMember& = {});
 
-/// The same with the steady words (`steadyWords`) folded and the others from the block or buffer, which is that of
-/// `sceneGlsl`: either program draws from the same inputs.
+/// The same with the time-invariant numbers (`steadyWords`) folded, and the others read from the block or buffer of
+/// `sceneGlsl`: both programs draw from the same inputs.
 [[nodiscard]] std::string restingSceneGlsl(const SceneProgram&, const SceneWords&, const std::vector<char>& steady,
                                            const FurtherMember& = {});
 
-/// A text as `SdfShaders::generated` takes it.
+/// Returns a text in the form that `SdfShaders::generated` takes.
 [[nodiscard]] std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl);
 
-/// What the uniform block holds, up to the further member; or the buffer.
+/// Returns the content of the uniform block up to the further member, or of the buffer.
 [[nodiscard]] std::vector<std::byte> sceneBlock(const SceneWords&);
 
 }  // namespace vitrine::scenes

@@ -14,26 +14,26 @@
 namespace vitrine::scenes {
 namespace {
 
-/// What each cell near the surface takes at most, all in all, while a mesh is made, checked and written: a vertex, two
-/// triangles and a crossed edge (116 bytes), the edges and fans of the check (84), the file and its copy (150).
+/// Upper bound on the memory per cell near the surface, in total, while a mesh is made, checked and written: a vertex,
+/// two triangles and a crossed edge (116 bytes), the edges and fans of the check (84), the file and its copy (150).
 constexpr std::uint64_t bytesPerCell = 350;
-/// Vertices that keep apart by a share of a cell must have different coordinates at float32.
+/// Cell size relative to the extent of the scene at which vertices a share of a cell apart still differ in float32.
 constexpr double finestCell = 4e-5;
-constexpr double partOfPlan = 0.25;  ///< Of the whole work, about.
+constexpr double partOfPlan = 0.25;  ///< Approximate share of the total work.
 
 std::string text(double x)
 {
     return render::shortNumber(x);
 }
 
-/// The next larger number with two digits.
+/// Returns the next larger number with two digits.
 double roundedUp(double x)
 {
     const double unit = std::pow(10.0, std::floor(std::log10(x)) - 1);
     return std::ceil(x / unit - 1e-9) * unit;
 }
 
-/// The node from which on a scene has no end, half a sentence with its place.
+/// Returns half a sentence that names the node which makes the scene infinite, with its position.
 std::string endlessPart(const SceneField& field)
 {
     const SceneProgram& program = field.program();
@@ -43,7 +43,7 @@ std::string endlessPart(const SceneField& field)
     };
     std::uint32_t i = 0;
     for (std::uint32_t c = program.nodes()[i].firstChild; c != none;) {
-        // A node that stretches space too much asks for its child at any distance: it is the cause, and not its child.
+        // A node that stretches space too much needs its child at any distance: it is the cause, not its child.
         if (program.scene().nodes[program.nodes()[i].node].kind->childLevelWithin) break;
         if (ends(c)) {
             c = program.nodes()[c].next;
@@ -73,7 +73,7 @@ render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
     if (!std::isfinite(size.x + size.y + size.z))
         throw Failure(Blame::usage, "The scene has no end: " + endlessPart(scene) +
                                         ". Say with --low and --high what part of it is to be meshed.");
-    // Only where something is; what the extents say of many blended operands is much wider.
+    // Only the occupied part: the bounds of many blended operands are much larger.
     const render::Box occupied = occupiedBox(scene.program(), scene.words(), scene.program().steps(), box);
     if (!occupied.empty()) box = occupied;
     const double reach = std::max({glm::length(box.low), glm::length(box.high)});
@@ -84,7 +84,7 @@ render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
     return box;
 }
 
-/// Runs `work` for 0 to count - 1 on all processors, and asks `progress` meanwhile. False where that stopped it.
+/// Runs `work` for 0 to count - 1 on all processors, and calls `progress` meanwhile. Returns false if that canceled.
 template <typename Work>
 bool inParallel(std::size_t count, std::size_t threads, const MeshProgress& progress, double from, double to,
                 const Work& work)
@@ -122,7 +122,7 @@ struct SceneMesher::Work {
         for (std::size_t i = 0; i < count; ++i) threads.push_back(std::make_unique<LeafMesher>(field));
     }
 
-    /// Whether a surface may pass through a block of `size` cells; what is left of the steps for it.
+    /// Returns whether a surface may pass through a block of `size` cells; `left` receives the steps that matter in it.
     bool isNear(const std::vector<Step>& steps, const glm::ivec3& low, int size, PrunedSteps& left)
     {
         const glm::dvec3 center = field.at(glm::dvec3(low) + 0.5 * size);
@@ -131,7 +131,7 @@ struct SceneMesher::Work {
         return std::abs(field.cut(center, left.distance)) <= radius * (1 + 2e-6) + 1e-9;
     }
 
-    /// Blocks of this many cells that a surface may pass through, counted from a larger one; no more than `most`.
+    /// Counts blocks of this many cells that a surface may pass through, inside a larger one; stops above `most`.
     void count(const std::vector<Step>& steps, const glm::ivec3& low, int size, int smallest, std::uint64_t& found)
     {
         PrunedSteps left;
@@ -161,7 +161,7 @@ struct SceneMesher::Work {
             addLeaves(own, low + size / 2 * glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2), size / 2, progress);
     }
 
-    /// Before anything is kept: from the blocks of a coarse level, how many cells there will be, about.
+    /// Estimates the number of cells from the blocks of a coarse level, before any are stored.
     [[nodiscard]] double estimatedCells(int size)
     {
         const int coarse = std::max(size / 64, leafCells);
@@ -189,7 +189,7 @@ SceneMesher::SceneMesher(const SceneField& scene, const MeshRequest& request, co
     Work& work = *work_;
     work.mostBytes = request.mostBytes;
     work.field.cell = request.cell;
-    // Faces at round numbers are not on the lattice, whatever the cell.
+    // An offset, so that faces at round numbers do not lie on the lattice, whatever the cell size.
     work.field.low = box.low - 1.381966 * request.cell;
     plan_.cells = glm::ivec3(glm::ceil((box.high - work.field.low) / request.cell)) + 1;
     int size = leafCells;

@@ -9,7 +9,7 @@
 namespace vitrine::scenes {
 namespace {
 
-/// A rotation about z, then y, then x; radians. Its columns are the axes of the turned space.
+/// Returns a rotation around z, then y, then x; radians. Its columns are the axes of the rotated space.
 glm::dmat3 rotationOf(const double* angles)
 {
     const glm::dmat4 one(1);
@@ -17,8 +17,8 @@ glm::dmat3 rotationOf(const double* angles)
                       glm::rotate(one, angles[2], {0, 0, 1}));
 }
 
-/// What a Phong material is as metal and glaze, and the other way round: highlights of one width, mirrors of one
-/// strength.
+/// Converts a Phong material to the physically based model, and the other way round: with equal width of highlights and
+/// equal strength of reflections.
 void fillMaterial(const Record& record, const double* v, double* words)
 {
     for (std::size_t i = 0; i < 3; ++i) words[i] = v[i];
@@ -42,7 +42,7 @@ void fillMaterial(const Record& record, const double* v, double* words)
     rest[4] = v[4] < 0.3 ? v[3] * (1 - v[4] / 0.3) : 0;
 }
 
-/// Center and half size; endless sides are long ones.
+/// Writes center and half size of a box; infinite sides become long ones.
 void writeBox(const render::Box& box, double* words)
 {
     const glm::dvec3 far(1e9);
@@ -54,7 +54,8 @@ void writeBox(const render::Box& box, double* words)
     }
 }
 
-/// The box around one that is turned and moved; an endless side makes it endless wherever it may turn to.
+/// Returns the bounds of a rotated and translated box. An infinite side makes it infinite in every direction that it
+/// may turn to.
 render::Box placedBox(render::Box box, const double* words, const ProgramNode& node)
 {
     if (box.empty()) return box;
@@ -67,7 +68,7 @@ render::Box placedBox(render::Box box, const double* words, const ProgramNode& n
         for (int axis = 0; axis < 3; ++axis) {
             const double* column = words + node.rotate + 3 * axis;
             for (int i = 0; i < 3; ++i) {
-                if (column[i] == 0) continue;  // 0 times infinity is no number.
+                if (column[i] == 0) continue;  // 0 times infinity would be NaN.
                 turned.low[i] += std::min(column[i] * box.low[axis], column[i] * box.high[axis]);
                 turned.high[i] += std::max(column[i] * box.low[axis], column[i] * box.high[axis]);
             }
@@ -81,7 +82,7 @@ render::Box placedBox(render::Box box, const double* words, const ProgramNode& n
     return box;
 }
 
-/// What is nowhere, as an intersection may be, at a point.
+/// Replaces empty bounds, as of an intersection, by a single point.
 Extent withPlace(Extent extent)
 {
     if (!extent.box.empty()) return extent;
@@ -108,7 +109,7 @@ void SceneProgram::keepNodes()
     std::vector<char> kept(all.size(), 0);
     for (std::size_t i = 0; i < all.size(); ++i)
         kept[i] = !all[i].hidden && (all[i].parent == none || kept[all[i].parent]);
-    // Children stand behind their parents, so backwards each is decided before its parent.
+    // Children are stored after their parents, so the backward loop decides each before its parent.
     std::vector<char> hasChild(all.size(), 0);
     for (std::size_t i = all.size(); i-- > 0;) {
         const Node& node = all[i];
@@ -171,7 +172,7 @@ void SceneProgram::writeSteps()
         steps_.push_back({Step::Type::enter, i});
         if (nodes_[i].firstChild != none) continue;
         steps_.push_back({Step::Type::shape, i});
-        // Ends this node, and every one whose last child ends.
+        // Ends this node, and every ancestor whose last child ends with it.
         for (std::uint32_t done = i;;) {
             steps_.push_back({Step::Type::leave, done});
             const std::uint32_t parent = nodes_[done].parent;
@@ -190,7 +191,8 @@ void SceneProgram::writeSteps()
     }
 }
 
-/// From what does not change while it is drawn: a number that is computed counts as any.
+/// Determines which nodes are exact, from numbers that cannot change while the scene is drawn: a computed number may
+/// have any value.
 void SceneProgram::findExactness()
 {
     const auto constant = [&](std::uint32_t number, double value) {
@@ -255,7 +257,7 @@ SceneWords SceneProgram::words(const std::vector<double>& numbers) const
     return all;
 }
 
-/// Of a node in its own space, from those of its children.
+/// Returns the bounds of a node in its own space, from those of its children.
 Extent SceneProgram::extentInside(const SceneWords& all, const Cover& cover, std::uint32_t i) const
 {
     const ProgramNode& node = nodes_[i];
@@ -274,7 +276,7 @@ Extent SceneProgram::extentInside(const SceneWords& all, const Cover& cover, std
     return inside;
 }
 
-/// The numbers of a repeater that follow from what its child covers.
+/// Computes the numbers of a repeater that depend on the bounds of its child.
 void SceneProgram::fillAsked(SceneWords& all, const Cover& cover, std::uint32_t i) const
 {
     const ProgramNode& node = nodes_[i];
@@ -283,8 +285,7 @@ void SceneProgram::fillAsked(SceneWords& all, const Cover& cover, std::uint32_t 
     const bool exactChild = nodes_[node.firstChild].exactness != Exactness::bound;
     const Asked asked = k.asked(withPlace(cover.extent(node.firstChild)), exactChild, v);
     all.asked[i] = asked.times.x * asked.times.y * asked.times.z;
-    // Where a number that moves asks for more than the reader lets pass, a picture without all copies is better than
-    // none.
+    // If a moving number needs more copies than the reader permits, a picture without all copies is better than none.
     glm::dvec3 times(1);
     for (int axis = 0; axis < 3; ++axis)
         if (asked.times[axis] > 1) times[axis] = std::min(asked.times[axis], mostCopiesAsked);
@@ -301,13 +302,14 @@ void SceneProgram::fillAsked(SceneWords& all, const Cover& cover, std::uint32_t 
     writeBox(asked.box, w + 7);
 }
 
-/// How far out of its surface the child of a twist or a bend counts, which stretches more the farther out it is. Points
-/// at most `level` from the node are within a reach from the axis; the level of the child follows from that reach, and
-/// the reach from what of the child is within that level. Infinite where no reach holds them all.
+/// Returns the distance from its surface within which the child of a twist or a bend matters. The stretch grows with
+/// the distance from the axis. Points at most `level` from the node are within some reach from the axis. The child's
+/// level follows from that reach, and the reach from the part of the child within that level. Infinite if no reach
+/// contains them all.
 double SceneProgram::levelWithinReach(const SceneWords& all, std::uint32_t i, double level, int nested) const
 {
     constexpr double endless = std::numeric_limits<double>::infinity();
-    constexpr int mostNested = 3;      // Each looks at all below it some hundred times.
+    constexpr int mostNested = 3;      // Limit, because each evaluates everything below it some hundred times.
     constexpr double farthest = 20e3;  // Nothing in a scene is farther away, meters.
     const NodeKind& k = kind(nodes_[i]);
     const double* v = all.words.data() + nodes_[i].numbers;
@@ -322,13 +324,13 @@ double SceneProgram::levelWithinReach(const SceneWords& all, std::uint32_t i, do
     double reach = reachAt(0);
     if (!std::isfinite(reach)) return level;
     if (nodes_[child].exactness != Exactness::bound) {
-        // Outside it is the distance, so what is within a level is no farther out than that.
+        // Outside its box, the child's field is the distance, so points within a level are no farther out than that.
         return perMeter < 1 ? levelAt((reach + levelAt(0)) / (1 - perMeter)) : endless;
     }
     constexpr double step = 1.1;
     while (reachAt(levelAt(reach)) > reach)
         if (reach = step * reachAt(levelAt(reach)); !(reach < farthest)) return endless;
-    // Nor does any reach beyond it hold a point that only it explains.
+    // Also check that no larger reach is consistent with itself.
     for (double beyond = std::max(reach, 1e-3); beyond < farthest; beyond *= step)
         if (reachAt(levelAt(step * beyond)) > beyond) return endless;
     return levelAt(reach);
@@ -345,10 +347,10 @@ double SceneProgram::levelOfChild(const SceneWords& all, std::uint32_t i, double
 
 SceneProgram::Cover SceneProgram::coverOf(const SceneWords& all, std::uint32_t first, double level, int nested) const
 {
-    // Nodes stand in the order of a walk: those below one are behind it, up to the first one that is not.
+    // Nodes are in depth-first order: descendants follow a node, up to the first one that is none.
     auto end = first + 1;
     while (end < nodes_.size() && nodes_[end].parent != none && nodes_[end].parent >= first) ++end;
-    // A blend or a rounding further up may reach so far out of each node's surface.
+    // A blend or a rounding further up may extend this far from each node's surface.
     Cover cover{first, std::vector<double>(end - first, level), std::vector<Extent>(end - first)};
     for (std::uint32_t i = first; i < end; ++i) {
         const ProgramNode& node = nodes_[i];

@@ -31,10 +31,10 @@ constexpr std::array<ParameterUnit, 8> parameterUnits = {{{"", Unit::none},
                                                           {"Hz", Unit::hertz},
                                                           {"%", Unit::percent}}};
 
-/// Reads everything of a scene into one that it owns.
+/// Reads all parts of a scene into a scene that it owns.
 class SceneReader {
 public:
-    /// `without`: shapes of a scene of the source that are left out.
+    /// `without`: shapes of a scene of the reference that are left out.
     SceneReader(const IncludedText& included, const SceneLimits& limits, const std::set<std::uint32_t>& without)
         : included_(included), limits_(limits), without_(without), findings_(limits.findings),
           fields_(scene_, findings_)
@@ -64,7 +64,8 @@ public:
         return {whole, {}};
     }
 
-    /// After reading: the shapes of the source that all findings are about; else nothing.
+    /// Valid after reading: the shapes of the reference that all findings are about; empty if any is about something
+    /// else.
     [[nodiscard]] const std::vector<std::uint32_t>& faultyShapes() const { return faulty_; }
 
 private:
@@ -98,8 +99,8 @@ private:
     std::vector<std::uint32_t> faulty_;
     FieldReader fields_;
     std::vector<FileNames> names_;
-    std::vector<std::string> paths_;                  ///< Of each file, from the scene's folder.
-    std::shared_ptr<const render::JsonText> source_;  ///< What the first file was converted from.
+    std::vector<std::string> paths_;                  ///< Path of each file, relative to the scene's folder.
+    std::shared_ptr<const render::JsonText> source_;  ///< Text that the first file was converted from.
 };
 
 std::shared_ptr<const render::JsonText> SceneReader::openText(std::string text, const std::string& name)
@@ -164,7 +165,7 @@ std::optional<std::uint32_t> SceneReader::include(std::uint32_t from, std::uint3
     return std::nullopt;
 }
 
-/// What a file has beside its tree and what only the scene's own is asked for.
+/// Reads the members of a file besides its tree, some of which only the scene's own file may have.
 void SceneReader::readHead(std::uint32_t file)
 {
     const render::JsonText& json = *scene_.files[file].text;
@@ -348,7 +349,8 @@ void SceneReader::checkCamera(std::uint32_t value)
         findings_.add(json, value, "\"up\" points along the view; give another direction");
 }
 
-/// A child without an end cannot be repeated along it, and one that reaches over many copies would be asked for all.
+/// Reports repeaters of children that are infinite along the repetition, or so large that too many copies would be
+/// evaluated.
 void SceneReader::checkRepeaters(const std::shared_ptr<const Scene>& scene)
 {
     const SceneProgram program(scene);
@@ -371,7 +373,7 @@ ReadScene readScene(const std::string& text, const std::string& name, const Incl
     std::set<std::uint32_t> without;
     std::vector<Finding> leftOut;
     std::optional<ReadScene> first;
-    // Each round leaves out at least one shape more.
+    // Each round leaves out at least one more shape.
     for (;;) {
         SceneReader reader(included, limits, without);
         ReadScene read = reader.read(text, name, leftOut);

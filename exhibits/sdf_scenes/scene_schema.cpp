@@ -11,7 +11,7 @@ namespace {
 
 using render::Json;
 
-/// As a file has it, without the last digits that the conversion from SI adds.
+/// Returns the value in the unit of files, without the rounding error of the conversion from SI.
 double rounded(double si, Unit unit)
 {
     const double x = shown(si, unit);
@@ -76,7 +76,7 @@ Json reference(const std::string& name)
     return {{"$ref", "#/$defs/" + name}};
 }
 
-/// An object of just these keys.
+/// Returns the schema of an object with exactly these keys.
 Json objectSchema(Json properties, Json required, std::string_view description)
 {
     Json schema = {
@@ -86,7 +86,7 @@ Json objectSchema(Json properties, Json required, std::string_view description)
     return schema;
 }
 
-/// One of several kinds, by the word under a key.
+/// Returns the schema of one of several kinds, selected by the word under a key.
 Json byKind(const std::string& key, const Json& words, const std::string& prefix)
 {
     Json cases = Json::array();
@@ -98,7 +98,7 @@ Json byKind(const std::string& key, const Json& words, const std::string& prefix
 
 constexpr const char* commonOfNodes[] = {"name", "about", "material", "hidden", "translate", "rotate", "scale"};
 
-/// What every node may have.
+/// Adds the members that every node may have.
 void addCommon(Json& definitions)
 {
     definitions["common.name"] = textSchema("For people.");

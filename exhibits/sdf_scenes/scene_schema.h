@@ -4,9 +4,8 @@
 
 namespace vitrine::scenes {
 
-/// What may stand in a scene file, as a JSON Schema (draft 2020-12): made of the tables that the reader reads by. What
-/// it cannot say, the reader alone finds: names that are not there, expressions, shapes without extent.
-/// assets/scenes/scene.schema.json holds it.
+/// Returns a JSON Schema (draft 2020-12) of scene files, made from the tables that the reader uses. Some errors only
+/// the reader finds: missing names, expressions, shapes without extent. assets/scenes/scene.schema.json contains it.
 [[nodiscard]] render::Json sceneSchema();
 
 }  // namespace vitrine::scenes

@@ -58,7 +58,7 @@ std::size_t SceneWalk::advance(std::span<const Step> steps, std::size_t i, const
     return i + 1;
 }
 
-/// Into a node's own space.
+/// Transforms a point to a node's own space.
 glm::dvec3 SceneWalk::into(const ProgramNode& node, glm::dvec3 p) const
 {
     if (node.translate != none) p -= wordsAt(words_, node.translate);
@@ -138,7 +138,7 @@ void SceneWalk::modify(const Step& step)
     inherit(step.node, step.child);
 }
 
-/// Whether there is another copy to ask.
+/// Returns whether another copy must be evaluated.
 bool SceneWalk::again(const Step& step)
 {
     const ProgramNode& node = program_.nodes()[step.node];

@@ -8,23 +8,23 @@
 
 namespace vitrine::scenes {
 
-/// Far from everything: the distance where nothing is to be seen, meters.
+/// Meters: the distance of an empty scene.
 inline constexpr double nothingNear = 1e9;
 
-/// The shape that shows at a point, and the blended material.
+/// The visible shape at a point, and the blended material.
 struct WalkSurface {
     std::uint32_t node = none;                       ///< In `Scene::nodes`.
     std::array<double, wordsOfMaterial> material{};  ///< In the order of `wordsOfMaterial`.
 };
 
-/// Evaluates a program's steps at points, one after another, at float64; keeps its memory between points. For one
-/// thread at a time. Program and words must outlive it.
+/// Evaluates a program's steps at one point after another, at float64, and reuses its memory. Not thread-safe: use one
+/// per thread. Program and words must outlive it.
 class SceneWalk {
 public:
-    /// What a node has while a point is evaluated.
+    /// State of a node while a point is evaluated.
     struct State {
         glm::dvec3 own{0};    ///< The point in the node's space.
-        glm::dvec3 asked{0};  ///< Where its children are asked.
+        glm::dvec3 asked{0};  ///< Point at which its children are evaluated.
         double distance = 0;
         int copy = 0;
         double lipschitz = 1;
@@ -32,22 +32,23 @@ public:
 
     SceneWalk(const SceneProgram&, const std::vector<double>& words, bool withMaterials);
 
-    /// All steps in turn: those of the program, or those that were left of them.
+    /// Runs all steps in order: those of the program, or those left after pruning.
     void run(std::span<const Step> steps, const glm::dvec3& p);
-    /// Step `i` at the point `p`; the number of the next one.
+    /// Runs step `i` at the point `p`; returns the index of the next one.
     [[nodiscard]] std::size_t advance(std::span<const Step> steps, std::size_t i, const glm::dvec3& p);
 
-    /// A shape's distance where its parent asks it, as the three steps from `enter` to `leave` find it.
+    /// Returns the distance of a leaf at `p`, a point of its parent's space; equals its three steps from `enter` to
+    /// `leave`.
     double operand(std::uint32_t node, const glm::dvec3& p);
-    /// In place of a step that is known to give this.
+    /// Sets a node's distance without evaluating it.
     void setDistance(std::uint32_t node, double distance) { states_[node].distance = distance; }
 
-    /// By the number of a node in `SceneProgram::nodes`.
+    /// State by index in `SceneProgram::nodes`.
     [[nodiscard]] const State& state(std::uint32_t node) const { return states_[node]; }
     [[nodiscard]] const std::vector<State>& states() const { return states_; }
-    /// With materials only.
+    /// Filled only if materials are evaluated.
     [[nodiscard]] const WalkSurface& surface(std::uint32_t node) const { return surfaces_[node]; }
-    /// Shapes that were evaluated since it was made.
+    /// Number of shapes evaluated so far.
     [[nodiscard]] std::size_t shapesAsked() const { return shapesAsked_; }
 
 private:

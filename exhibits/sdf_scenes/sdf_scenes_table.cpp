@@ -7,7 +7,7 @@
 namespace vitrine {
 namespace {
 
-/// A name for the row of a scene's parameter, which the table does not have yet.
+/// Returns an unused name for a parameter of a scene.
 std::string freeName(const SdfScenesTable& table, const std::string& name)
 {
     if (!table.find(name)) return name;

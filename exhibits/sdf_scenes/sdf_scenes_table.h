@@ -18,10 +18,9 @@ enum class SceneOcclusion : int { look, none, taps, hemisphere, cones };
 enum class SceneHeatMap : int { none, steps, evaluations, normals, shapes };
 enum class SceneEvaluation : int { automatic, near, shapes, folded, lists, interpreter };
 
-/// Everything that can be set about the scene behind the frame. Its parameters are further rows, of the file that it is
-/// read from.
+/// Parameters of the exhibit with the scene behind the frame. The parameters of a scene file are appended.
 struct SdfScenesTable final : Parameters {
-    /// Of a scene that was read; null: the one that is there at first, without rows of its own.
+    /// Makes the parameters for a scene; null: the initial scene, without parameters of its own.
     explicit SdfScenesTable(std::shared_ptr<const scenes::ShownScene> = {});
 
     Group show = group("On show");
@@ -130,17 +129,17 @@ struct SdfScenesTable final : Parameters {
          {.name = "normalStep", .settles = "Steps of half and of double that length give the same normals."}}};
 
     const std::shared_ptr<const scenes::ShownScene> shown;
-    std::vector<Real> ofScene;  ///< Its parameters, in their order.
+    std::vector<Real> ofScene;  ///< Parameters of the scene, in their order.
 
 private:
-    /// There is a right half, and a row of it has this value.
+    /// Returns the condition that there is a right half, and a parameter of it has this value.
     template <typename Value> [[nodiscard]] static Condition rightIs(std::string_view row, Value value)
     {
         return whenLater("split", 1) && whenLater(row, static_cast<double>(value));
     }
 };
 
-/// The values of the right half: its own in place of those of the whole picture.
+/// Returns the values for drawing the right half: its own parameters replace those of the whole picture.
 [[nodiscard]] ParameterValues rightHalf(const SdfScenesTable&, ParameterValues);
 
 }  // namespace vitrine

@@ -12,11 +12,11 @@ namespace {
 using render::Json;
 using JsonType = render::JsonSpan::Type;
 
-/// The key of a list of combinations, and the operation of ours.
+/// Key of a list of combinations, and the corresponding operation.
 constexpr std::pair<std::string_view, const char*> combinations[] = {
     {"intersections", "intersection"}, {"unions", "union"}, {"subtractions", "subtraction"}};
 
-/// Colors of the three cube maps, from above and around.
+/// Returns a sky with the colors of one of the three cube maps.
 Json skyOf(const std::string& cubemap)
 {
     if (cubemap == "lycksele")
@@ -78,7 +78,7 @@ bool SourceReader::isType(std::uint32_t value, JsonType type, const char* what)
     return false;
 }
 
-/// The elements of an array, if there is one.
+/// Returns the elements of an array; empty if it is missing.
 std::vector<std::uint32_t> SourceReader::list(std::uint32_t object, std::string_view key)
 {
     const std::optional<std::uint32_t> value = json_.member(object, key);
@@ -133,7 +133,7 @@ void SourceReader::readCamera()
     }
     const SourceNumbers n = numbers(*camera, {{"position", 3}, {"target", 3}, {"up", 3}, {"fov"}}, {}, "a camera");
     const auto arrayOf = [&](const char* key) { return Json(n.find(std::string_view(key))->second); };
-    // Its pictures are square, so that the horizontal angle is the vertical one.
+    // The reference's pictures are square, so its horizontal angle is the vertical one.
     scene_["camera"] = {{"position", arrayOf("position")},
                         {"target", arrayOf("target")},
                         {"up", arrayOf("up")},
@@ -157,7 +157,7 @@ void SourceReader::readMaterials()
                            {"ambient", number("ambient")},
                            {"diffuse", number("diffuse")},
                            {"specular", number("specular")},
-                           {"shininess", std::max(number("shininess"), 1.0)},  // 0 is no highlight's.
+                           {"shininess", std::max(number("shininess"), 1.0)},  // 0 would mean no highlight.
                            {"mirror", number("mirror")}};
         parts_.push_back({"materials." + name, value});
         materials_.push_back(name);
@@ -228,7 +228,7 @@ void SourceReader::readCombinations(std::string_view key, const char* operation)
         addMaterial(value, node);
         Json both = Json::array();
         const bool hasFirst = !without_.contains(shapes[0]), hasSecond = !without_.contains(shapes[1]);
-        // There, the first one is taken from the second.
+        // In the reference, the first one is subtracted from the second.
         const bool holds = operation == std::string_view("union")         ? hasFirst || hasSecond
                            : operation == std::string_view("subtraction") ? hasSecond
                                                                           : hasFirst && hasSecond;
@@ -251,7 +251,7 @@ void SourceReader::readCombinations(std::string_view key, const char* operation)
     }
 }
 
-/// Scenes that are drawn by shaders of their own there: value noise as a solid, as waves and as clouds.
+/// Converts scenes for which the reference has shaders of their own: value noise as a solid, as waves and as clouds.
 void SourceReader::readNoise()
 {
     const std::optional<std::uint32_t> fractal = json_.member(0, "fbm");
@@ -268,7 +268,7 @@ void SourceReader::readNoise()
         children_.push_back(noise);
         return;
     }
-    // Its noise is 0 to 1 where ours is -1 to 1, and its octaves begin with one half: 0.3 and 0.35 there.
+    // The reference's noise is 0 to 1, here it is -1 to 1, and its octaves begin with one half: 0.3 and 0.35 there.
     Json noise = {{"kind", "noise"},
                   {"level", fractal ? -0.53 : -0.4},
                   {"frequency", 1},

@@ -32,7 +32,7 @@ Json nodeAt(const char* kind, const glm::dvec3& center)
     return node;
 }
 
-/// "rotation_x" and its like, which the source has for some shapes only.
+/// Applies "rotation_x" and the others, which the reference has for some shapes only.
 void turn(Json& node, const SourceNumbers& n)
 {
     const glm::dvec3 degrees(numberOf(n, "rotation_x"), numberOf(n, "rotation_y"), numberOf(n, "rotation_z"));
@@ -52,7 +52,7 @@ Json sphereNode(const SourceNumbers& n, const glm::dvec3&)
     return node;
 }
 
-/// A sheet in the source: from the eye it looks as the solid behind it does.
+/// Converts a plane, a sheet in the reference, to a solid half space that looks the same from the eye.
 Json planeNode(const SourceNumbers& n, const glm::dvec3& eye)
 {
     const glm::dvec3 normal = vectorOf(n, "normal");
@@ -77,7 +77,7 @@ Json cylinderNode(const SourceNumbers& n, const glm::dvec3&)
                 {"radius", numberOf(n, "radius")}};
     Json node = nodeAt("cylinder", center);
     const glm::dvec3 unit = axis / length;
-    // The rotation about z, then x, that takes +y there.
+    // Rotation around z, then x, that maps +y to the axis.
     const double aboutZ = -std::asin(std::clamp(unit.x, -1.0, 1.0));
     const double aboutX = std::atan2(unit.z, unit.y);
     constexpr double degrees = 180 / std::numbers::pi;
@@ -87,7 +87,7 @@ Json cylinderNode(const SourceNumbers& n, const glm::dvec3&)
     return node;
 }
 
-/// Rounding makes it larger, there, and a frame's edges are a tenth of a meter.
+/// Converts a box. In the reference, rounding makes it larger, and the edges of a frame are a tenth of a meter.
 Json boxNode(const SourceNumbers& n, const glm::dvec3&)
 {
     const glm::dvec3 edges(numberOf(n, "length"), numberOf(n, "width"), numberOf(n, "height"));

@@ -11,21 +11,22 @@
 
 namespace vitrine::scenes {
 
-/// The numbers of a shape of the source, by key.
+/// Numbers of a shape of the reference, by key.
 using SourceNumbers = std::map<std::string, std::array<double, 3>, std::less<>>;
 
 struct SourceKey {
     std::string_view name;
-    int numbers = 1;     ///< 1, or as many in an array.
-    bool needed = true;  ///< Else 0 where it is not given.
+    int numbers = 1;     ///< 1, or the length of an array.
+    bool needed = true;  ///< Optional numbers are 0 if missing.
 };
 
-/// A kind of shape of the source.
+/// Kind of shape of the reference.
 struct SourceKind {
-    std::string_view type;  ///< In a combination: "sphere".
-    std::string_view list;  ///< Under "primitives": "spheres".
+    std::string_view type;  ///< Name in a combination: "sphere".
+    std::string_view list;  ///< Name under "primitives": "spheres".
     std::vector<SourceKey> keys;
-    /// As a node of ours. `eye` is where the camera is. Throws std::string with what is wrong, without its full stop.
+    /// Converts the shape to a node. `eye` is the camera's position. Throws std::string with the error, without its
+    /// full stop.
     render::Json (*node)(const SourceNumbers&, const glm::dvec3& eye);
 };
 

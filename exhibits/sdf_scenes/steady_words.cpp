@@ -5,7 +5,7 @@
 namespace vitrine::scenes {
 namespace {
 
-/// Whether any of some numbers of a scene depends on the time.
+/// Returns whether any of some numbers of a scene depends on the time.
 bool moves(const Scene& scene, std::uint32_t first, std::size_t count)
 {
     return std::any_of(scene.numbers.begin() + first,
@@ -33,13 +33,13 @@ std::vector<char> steadyWords(const SceneProgram& program)
     }
     for (const ProgramNode& node : program.nodes()) {
         const Node& of = scene.nodes[node.node];
-        // Directions have their three numbers in common, and what is turned all nine.
+        // The three numbers of a direction depend on each other, and a rotation matrix on all its angles.
         anyNodeMoves |= mark(of.numbers, of.kind->numbers(), node.numbers, of.kind->numbers());
         anyNodeMoves |= node.translate != none && mark(of.translate, 3, node.translate, 3);
         anyNodeMoves |= node.rotate != none && mark(of.rotate, 3, node.rotate, 9);
         anyNodeMoves |= node.scale != none && mark(of.scale, 3, node.scale, 4);
     }
-    // Which copies a repeater asks follows from what is in it.
+    // The copies that a repeater evaluates depend on its content.
     for (const ProgramNode& node : program.nodes())
         if (anyNodeMoves && program.kind(node).form == Form::repeater)
             std::fill_n(steady.begin() + node.numbers + static_cast<std::ptrdiff_t>(program.kind(node).numbers()),

@@ -6,7 +6,7 @@
 
 namespace vitrine::scenes {
 
-/// Which words of a program stay as they are while time runs, by word: those whose numbers do not depend on it.
+/// Returns for each number of a program whether it is time-invariant.
 [[nodiscard]] std::vector<char> steadyWords(const SceneProgram&);
 
 }  // namespace vitrine::scenes

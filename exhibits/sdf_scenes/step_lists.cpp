@@ -10,7 +10,7 @@ bool isSpace(const NodeKind& kind)
     return kind.form == Form::modifier || kind.form == Form::repeater;
 }
 
-/// The choice of a kind that combines; 0 where it has none.
+/// Returns the choice of a kind that combines; 0 if it has none.
 int choiceOf(const SceneProgram& program, const ProgramNode& node)
 {
     const Node& of = program.scene().nodes[node.node];
@@ -57,7 +57,7 @@ ListVocabulary ListVocabulary::of(const SceneProgram& program)
         if (isSpace(kind)) addOnce(own.spaces, &kind);
         if (kind.combine && node.children > 1) addOnce(own.joints, {&kind, choiceOf(program, node)});
     }
-    // In the order of the table, so that other trees of the same kinds have the same text.
+    // Sorted as in the table, so that other trees of the same kinds give the same text.
     std::sort(own.shapes.begin(), own.shapes.end());
     std::sort(own.spaces.begin(), own.spaces.end());
     std::sort(own.joints.begin(), own.joints.end(),
@@ -82,7 +82,7 @@ ListRecords::ListRecords(const SceneProgram& program, const SceneWords& words)
         for (std::size_t i = 0; i < wordsOfMaterial; i += 4)
             records_.push_back(glm::vec4(glm::dvec4(w[i], w[i + 1], w[i + 2], w[i + 3])));
     }
-    records_.resize(records_.size() + 4, glm::vec4(0));  // A step may read what it has no use for.
+    records_.resize(records_.size() + 4, glm::vec4(0));  // Padding: a step may read numbers that it does not use.
 }
 
 void ListRecords::addNode(std::uint32_t index)
@@ -114,7 +114,7 @@ void ListRecords::addNode(std::uint32_t index)
     std::vector<double> numbers{way.scale};
     const std::size_t count = kind.numbers() + (kind.form == Form::repeater ? numbersOfAsked : 0);
     numbers.insert(numbers.end(), w + node.numbers, w + node.numbers + count);
-    // Operations that change no space work in the one around them, where their lengths are others.
+    // Operations that change no space are evaluated in the surrounding space, so their lengths are scaled.
     if (kind.combine) {
         std::size_t at = 1;
         for (const Field& field : kind.fields) {
@@ -149,7 +149,7 @@ void ListWriter::add(std::uint32_t operation, std::uint32_t node, std::uint32_t 
     list_.push_back({operation, records_ ? records_->ofNode(node) : 0, 0, further});
 }
 
-/// The result that waits goes to the level that is open.
+/// Joins the pending result to the open level.
 void ListWriter::join(std::uint32_t how, std::uint32_t parent)
 {
     if (waiting_ == none) return;
@@ -210,7 +210,7 @@ std::vector<ListStep> ListWriter::write(std::span<const Step> steps)
             waiting_ = static_cast<std::uint32_t>(list_.size() - 1);
             break;
         case Step::Type::first:
-            // A level of its own begins with it; else it goes on to the operation around.
+            // Opens a level of its own, or else continues the surrounding operation.
             if (fresh_.back() != 0 && (opened_[step.node] != 0 || children_[step.node] > 1)) join(1, step.node);
             break;
         case Step::Type::combine: join(jointOf(node), step.node); break;

@@ -11,55 +11,60 @@
 
 namespace vitrine::scenes {
 
-/// What lists of steps may be made of: the shader that walks them has code for this and nothing else, so scenes of the
-/// same vocabulary share a program, whatever their trees are.
+/// Vocabulary of step lists: the shader that evaluates them has code for these items only. So scenes of the same
+/// vocabulary share a program, whatever their trees are.
 struct ListVocabulary {
-    /// A way to combine two results: a kind with its choice (a blend's profile), which is part of the text.
+    /// A way to combine two results: a kind with its choice (a blend's profile), which is part of the shader's text.
     struct Joint {
         const NodeKind* kind;
         int choice;
         bool operator==(const Joint&) const = default;
     };
     std::vector<const NodeKind*> shapes;
-    std::vector<const NodeKind*> spaces;  ///< Modifiers and repeaters: what changes the point or the distance.
+    /// Modifiers and repeaters: operations that change the point or the distance.
+    std::vector<const NodeKind*> spaces;
     std::vector<Joint> joints;
-    std::uint32_t results = 0;  ///< Results that wait for others, at most.
-    std::uint32_t places = 0;   ///< Spaces inside one another, at most.
+    std::uint32_t results = 0;  ///< Largest number of pending results.
+    std::uint32_t places = 0;   ///< Largest nesting depth of spaces.
 
-    /// More registers than these, and shaders spill them.
+    /// With more registers than these, shaders spill them.
     static constexpr std::uint32_t mostResults = 6, mostPlaces = 4;
 
-    /// Of all trees that are nested no deeper.
+    /// Vocabulary that covers every scene up to this nesting depth.
     [[nodiscard]] static ListVocabulary everything(std::uint32_t results, std::uint32_t places);
     [[nodiscard]] static ListVocabulary of(const SceneProgram&);
 };
 
-/// Operations of a list, behind the shapes and before the spaces: `ListVocabulary` numbers both in their order. Each
-/// space has three: `enter`, `modify` and `again`, in turn.
+/// Operations of a list. Their numbers follow those of the shapes and precede those of the spaces: `ListVocabulary`
+/// numbers both in their order. Each space has three operations: `enter`, `modify` and `again`, in this order.
 enum class ListOp : std::uint32_t { open, close, leave, enter };
 
-/// As shaders read them, 16 bytes.
+/// Step as shaders read it, 16 bytes.
 struct ListStep {
-    std::uint32_t operation = 0;  ///< Bits 0-7: the operation; 8-15: 0 keeps the result waiting, 1 makes it the first
-                                  ///< one, from 2 on a joint; bit 31: more steps follow.
-    std::uint32_t record = 0;     ///< Of the node, in vec4: place in 3, then 1 and its numbers.
-    std::uint32_t joint = 0;      ///< Of the node that joins: its numbers.
-    std::uint32_t further = 0;    ///< shape: its material, in vec4; again: the step to go on with, from the first one.
+    /// Bits 0-7: the operation; 8-15: 0 leaves the result pending, 1 makes it the first one, from 2 on a joint; bit 31:
+    /// more steps follow.
+    std::uint32_t operation = 0;
+    std::uint32_t record = 0;  ///< Record of the node, in vec4: its transform in 3, then 1 and its numbers.
+    std::uint32_t joint = 0;   ///< Record of the node that joins: its numbers.
+    /// shape: its material, in vec4; again: the step to continue with, counted from the first one.
+    std::uint32_t further = 0;
 };
-/// Of pixels that a triangle leaves out, llvmpipe reads 0 from buffers and goes on: 0 has to end the walk.
+/// Flag of all steps except the last. llvmpipe reads 0 from buffers for pixels outside of a triangle and continues, so
+/// 0 must end the loop.
 inline constexpr std::uint32_t moreSteps = 1U << 31U;
 
-/// The numbers of a scene as lists need them: of every node the whole way from the space around it, so that operations
-/// that change no space are no steps of their own.
+/// Numbers of a scene in the form that lists need. Each node has the complete transform from the surrounding space, so
+/// that operations that change no space need no steps.
 class ListRecords {
 public:
-    /// Both must outlive it.
+    /// Program and words must outlive it.
     ListRecords(const SceneProgram&, const SceneWords&);
 
     [[nodiscard]] const std::vector<glm::vec4>& records() const { return records_; }
     [[nodiscard]] std::uint32_t ofNode(std::uint32_t node) const { return nodes_[node]; }
     [[nodiscard]] std::uint32_t ofMaterial(std::uint32_t material) const { return materials_[material]; }
-    /// From the space around a node into its own: p' = A p + b, and what a distance there is times this outside.
+    /// Transform from the space around a node to its own: p' = A p + b, and the factor from its distances to those
+    /// outside.
     struct Way {
         glm::dmat3 turn{1};
         glm::dvec3 shift{0};
@@ -77,14 +82,14 @@ private:
     std::vector<Way> ways_;
 };
 
-/// Writes lists of steps, all or those that were left of them, as shaders walk them.
+/// Writes lists of steps, complete or pruned, in the form that shaders evaluate.
 class ListWriter {
 public:
     ListWriter(const SceneProgram&, const ListVocabulary&, const ListRecords*);
 
-    /// Of a whole scene or a part of it; not empty.
+    /// Writes the list of a whole scene or a part of it; not empty.
     [[nodiscard]] std::vector<ListStep> write(std::span<const Step> steps);
-    /// How deep the last list went.
+    /// Nesting depths of the last list.
     [[nodiscard]] std::uint32_t results() const { return results_; }
     [[nodiscard]] std::uint32_t places() const { return places_; }
 
@@ -99,12 +104,12 @@ private:
     const SceneProgram& program_;
     const ListVocabulary& vocabulary_;
     const ListRecords* records_;
-    std::vector<std::uint32_t> children_;  // By node: how many are joined in this list.
+    std::vector<std::uint32_t> children_;  // By node: number of children joined in this list.
     std::vector<char> opened_;             // By node: whether it has a level of its own.
-    std::vector<std::uint32_t> began_;     // By node: the step behind its `enter`.
+    std::vector<std::uint32_t> began_;     // By node: the step after its `enter`.
     std::vector<char> fresh_;              // By level: nothing was joined in it yet.
     std::vector<ListStep> list_;
-    std::uint32_t waiting_ = none;  // The step whose result is joined next.
+    std::uint32_t waiting_ = none;  // Step whose result is joined next.
     std::uint32_t depth_ = 0, inside_ = 0, results_ = 0, places_ = 0;
 };
 

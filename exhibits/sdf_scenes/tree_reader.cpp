@@ -19,7 +19,7 @@ std::vector<std::string> kindWords()
     return words;
 }
 
-/// What a node of a kind has beside its numbers.
+/// Returns the keys that a node of a kind may have besides its numbers.
 std::vector<std::string_view> keysBeside(const std::string& word, const NodeKind* kind)
 {
     std::vector<std::string_view> keys{"kind", "name", "about", "material", "hidden", "translate", "rotate", "scale"};

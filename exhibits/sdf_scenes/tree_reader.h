@@ -10,21 +10,21 @@
 
 namespace vitrine::scenes {
 
-/// What names stand for in one file.
+/// Names defined in one file.
 struct FileNames {
     std::map<std::string, std::uint32_t> materials{};    ///< In `Scene::materials`.
     std::map<std::string, std::uint32_t> definitions{};  ///< Values of the file.
-    std::uint32_t root = none;                           ///< The same.
+    std::uint32_t root = none;                           ///< Value of the file.
 };
 
-/// Reads the nodes of a scene into its tree, instances and includes in their places.
+/// Reads the nodes of a scene into its tree, and expands instances and includes.
 class TreeReader {
 public:
-    /// The number of the file that `value` of `file` includes under a path, or nothing where it was found wrong.
+    /// Returns the index of the file that `value` of `file` includes under a path, or nothing if an error was reported.
     using Include =
         std::function<std::optional<std::uint32_t>(std::uint32_t file, std::uint32_t value, const std::string& path)>;
 
-    /// All must outlive it. `names` are by file.
+    /// All arguments must outlive the reader. `names` are by file.
     TreeReader(Scene& scene, Findings& findings, const std::vector<FileNames>& names, Include include,
                const SceneLimits& limits)
         : scene_(scene), findings_(findings), fields_(scene, findings), names_(names), include_(std::move(include)),
@@ -32,15 +32,15 @@ public:
     {
     }
 
-    /// From the root of the first file.
+    /// Reads from the root of the first file.
     void read();
 
 private:
-    /// A node that is still to be read.
+    /// A node that remains to be read.
     struct Work {
         std::uint32_t file, value, parent, material, chain;
     };
-    /// An instance or include on the way to a node.
+    /// An instance or include on the path to a node.
     struct Expansion {
         std::uint32_t file, value, outer, depth;
     };
