@@ -70,8 +70,8 @@ struct Lesson {
 };
 
 /// Parses a lesson. `tables` gives the subjects' names and parameters. Throws Failure naming file, line, the error and
-/// what to do, for: no title, an unknown exhibit or parameter, broken JSON, an unknown key, no steps, a step without
-/// its block or text, a text that is too long, a newer version.
+/// what to do. Errors are: no title, an unknown exhibit or parameter, broken JSON, an unknown key, no steps. A step
+/// without block or text, a text that is too long, and a newer version are errors, too.
 [[nodiscard]] Lesson parseLesson(const std::string& text, const std::string& fileName, const NamedValues& tables);
 
 /// The same for a file. Throws Failure as `render::readFile`, too.

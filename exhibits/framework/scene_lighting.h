@@ -22,8 +22,8 @@ inline constexpr const char* localShadowImage = "shadow.local";
 /// lib/surface.glsl.
 inline constexpr double mostReflected = 1 / std::numbers::pi + 64;
 
-/// Returns an upper bound on the radiance of surfaces by these lights, if no surface is nearer to a lamp than the near
-/// plane of its shadow maps.
+/// Returns an upper bound on the radiance of surfaces by these lights. Surfaces must not be nearer to a lamp than the
+/// near plane of its shadow maps.
 [[nodiscard]] double mostRadianceBy(const render::LocalLighting&);
 
 /// Light that falls on objects in the hall (or alone in its environment): everything an exhibit needs to be lit like

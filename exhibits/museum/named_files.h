@@ -9,8 +9,8 @@ namespace vitrine {
 /// Returns whether any parameter names a file or folder, or anything visible is made from one.
 [[nodiscard]] bool namesFiles(Subjects, const SceneState&);
 
-/// Returns a hash of the state of all files and folders that the scene state names, of their neighbors, and of the
-/// files that these need in turn (`TableFromFiles::furtherFiles`).
+/// Returns a hash of the state of all files and folders that the scene state names, and of their neighbors. Files that
+/// these need in turn (`TableFromFiles::furtherFiles`) are included.
 [[nodiscard]] std::uint64_t stateOfFiles(Subjects, const SceneState&);
 
 }  // namespace vitrine

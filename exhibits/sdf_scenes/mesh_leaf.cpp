@@ -140,9 +140,9 @@ glm::dvec3 LeafMesher::slopeAt(const glm::dvec3& p, double d)
     return (there - d) / h;
 }
 
-/// Returns a vertex of a cell. A thin wedge may end beyond the last cell that contains a lattice point of it. If the
-/// planes meet up to two cells away and the surface is close, the vertex is placed near there, but not exactly, so that
-/// it coincides with no other.
+/// Returns a vertex of a cell. A thin wedge may end beyond the last cell that contains a lattice point of it. So if the
+/// planes meet up to two cells away and the surface is close, the vertex is placed there. A small margin keeps it from
+/// coinciding with another vertex.
 glm::dvec3 LeafMesher::vertexOf(const Planes& planes, const render::Box& cell)
 {
     const glm::dvec3 meeting = planes.meetingPoint();

@@ -25,10 +25,10 @@ struct ClockChoice {
 };
 
 /// Chooses a clock from samples of several loads, each measured several times. On a software renderer it is always the
-/// process's CPU time. On hardware it is the timer query if that is within 20 % of the wall clock for every load and
-/// proportional to the load within 20 %. Otherwise it is the wall clock around glFinish. The chosen clock is trusted if
-/// it is proportional to the load within 20 %. Only the fastest run of each load counts, because disturbances only make
-/// a run slower. Two different loads are required for trust.
+/// process's CPU time. On hardware it is the timer query, if that agrees with the wall clock within 20 % for every load
+/// and is proportional to the load within 20 %. Otherwise it is the wall clock around glFinish. The chosen clock is
+/// trusted if it is proportional to the load within 20 %. Only the fastest run of each load counts, because
+/// disturbances only make a run slower. Two different loads are required for trust.
 [[nodiscard]] ClockChoice chooseClock(std::span<const ClockSample>, bool softwareRenderer, double overheadSeconds);
 
 }  // namespace vitrine::render

@@ -12,7 +12,7 @@ namespace vitrine {
 
 /// Catalog of translations from the program's English texts into another language.
 ///
-/// The program compares, stores and writes English everywhere. A text is translated only where it is displayed, so that
+/// The program compares, stores and writes English everywhere. A text is translated only where it is displayed. So
 /// files, reports and tests are the same in every language, and the language can be changed at any time.
 ///
 /// A sentence with placeholders, "Cannot read {1}: {2}; choose another picture.", is recognized by the text around

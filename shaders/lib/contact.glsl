@@ -70,8 +70,8 @@ float outlineDistance(StandingShape shape, vec2 place)
     return length(max(q, vec2(0.0))) + min(max(q.x, q.y), 0.0);
 }
 
-// Returns the point itself. A point below an object that stands on the floor is moved to the nearest point beside it,
-// so that filtering of the map does not mix the darkness under a plinth into the visible floor.
+// Returns the point itself. A point below an object that stands on the floor is moved to the nearest point beside it.
+// So filtering of the map does not mix the darkness under a plinth into the visible floor.
 vec2 besideOutline(StandingShape shape, vec2 place)
 {
     const float beside = 1.0e-3;

@@ -1,5 +1,5 @@
-// Shading of the reference: Lambert and Phong, a candle that shines through paper as if it had two sides and no inside,
-// noise added to normals in world space, a sky of two colors, and water that reflects equally at any angle.
+// Shading of the reference: Lambert and Phong, and noise added to normals in world space. A candle shines through paper
+// as if it had two sides and no inside. The sky has two colors, and water reflects equally at any angle.
 
 // Noise of the reference, with its fault: a seam where the angle wraps around.
 vec3 sourceNoise(vec3 p)

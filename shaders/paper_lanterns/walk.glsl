@@ -4,8 +4,8 @@
 //     LanternWalk withPoint(LanternWalk, LanternRay, Lantern, float near)
 //     LanternWalk withAir(LanternWalk, LanternRay, Lantern, float near)
 //
-// These add a lantern that is only a glowing point, and the light of a lantern in the air; `near` is the ray's distance
-// at its closest approach to the lantern's axis.
+// These add a lantern that is only a glowing point, and the light of a lantern in the air. `near` is the distance along
+// the ray of its closest approach to the lantern's axis.
 //
 // The ray passes rows of cells across its main direction. It moves sideways by at most one cell while it crosses a row.
 // So it can only touch the two cells whose centers are nearest to it there. Each lantern stays within its cell, and is

@@ -25,7 +25,7 @@
 // Meters, all > 0 except morph and blend.
 struct TorusMug {
     float morph;            // 0 torus, 1 mug; clamped to [0, 1].
-    float majorRadius;      // Of the torus: center to the middle of the tube. Good: 0.35.
+    float majorRadius;      // Radius of the torus: center to the middle of the tube. Good: 0.35.
     float minorRadius;      // Radius of its tube. Good: 0.12.
     float mugRadius;        // Outside of the cup. Good: 0.28.
     float mugHeight;        // Ground to lip. Good: 0.66.
