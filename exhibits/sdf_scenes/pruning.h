@@ -10,48 +10,49 @@
 
 namespace vitrine::scenes {
 
-/// The steps of a program that matter in a part of space.
+/// Steps of a program that matter in a part of space.
 struct PrunedSteps {
     std::vector<Step> steps;
-    double distance = 1e9;   ///< Of the whole scene, at the center of that part.
-    std::size_t shapes = 0;  ///< How many are among the steps; each copy of what is repeated is the same one.
+    double distance = 1e9;   ///< Distance of the whole scene, at the center of that part.
+    std::size_t shapes = 0;  ///< Number of shapes among the steps; copies of repeated content count once.
 };
 
-/// Leaves out of a program what cannot matter in a ball. Distances change by at most a meter per meter, so from those
-/// at the center it is known between what values two operands stay in it. Where an operation gives one of them exactly
-/// at all four extremes, it gives that one everywhere between, and the other one and all below it are left out: beyond
-/// its width a blend collapses. Of several operands joined in turn, one is left out as well where its effect, times the
-/// largest shares of the result so far in all later joints, is within a tolerance. This asks no kind for its name. (For
-/// unions of two: Barbier et al. 2025, "Lipschitz Pruning"; here for any operation of several.) What is repeated stays
-/// whole.
+/// Removes steps from a program that cannot matter in a ball. Distances change by at most a meter per meter. So the
+/// values at the center bound the values of two operands in the ball. If an operation returns exactly one of the
+/// operands at all four extremes, it returns that one everywhere in between. The other operand, with all nodes below
+/// it, is then removed; a blend does this beyond its width. An operand among several that are joined in turn is also
+/// removed if its effect is within a tolerance. The effect is multiplied by the largest weights of the intermediate
+/// result in all later joints. The method is the same for every kind of node. (For unions of two: Barbier et al. 2025,
+/// "Lipschitz Pruning"; here for any operation with several operands.) Repeated content is kept as a whole.
 ///
-/// In the ball, what is left gives the same distance, material and node as the whole, up to the tolerance for each
-/// operation with several operands. Outside it may give anything. Keeps its memory between calls; for one thread at a
-/// time.
+/// In the ball, the remaining steps give the same distance, material and node as all steps, up to the tolerance for
+/// each operation with several operands. Outside the result is undefined. Reuses its memory between calls. Not
+/// thread-safe: use one per thread.
 class Pruner {
 public:
-    /// Meters: what is below the rounding of float64 some meters from the origin, and what is about that of float32.
+    /// Tolerances in meters: below the rounding error of float64 some meters from the origin, and about that of
+    /// float32.
     static constexpr double exact = 1e-13, asShaders = 1e-6;
 
-    /// Both must outlive it. `tolerance` is in meters of the space of each operation.
+    /// Program and numbers must outlive it. `tolerance` is in meters of the space of each operation.
     Pruner(const SceneProgram&, const SceneWords&, double tolerance = exact);
 
-    /// Of `steps` (all, or what was left for a ball that holds this one), those for a ball of `radius` around `center`.
+    /// Prunes `steps` (all, or those left for a ball that contains this one) for a ball of `radius` around `center`.
     [[nodiscard]] PrunedSteps prune(std::span<const Step> steps, const glm::dvec3& center, double radius);
-    /// The same into what was there, whose memory it takes; `steps` must not be of it.
+    /// The same, but reuses the memory of `into`; `steps` must not be part of it.
     void prune(std::span<const Step> steps, const glm::dvec3& center, double radius, PrunedSteps& into);
-    /// Of shapes, since it was made.
+    /// Number of shapes evaluated since construction.
     [[nodiscard]] std::size_t evaluations() const { return walk_.shapesAsked(); }
 
 private:
-    /// In what direction an operation moves its first operand, for all values that it may have in the ball.
+    /// Direction in which an operation changes its first operand, for all values that this may have in the ball.
     enum class Moves : std::uint8_t { neither, down, up, upOfFirst };
     /// A joint whose two operands are both kept so far.
     struct Joint {
-        std::size_t child = 0, combined = 0;  // In kept_: where the operand begins, and the step that joins it.
-        double effect = 0;                    // By how much the operand may change the result.
-        double effectOfFormer = 0;            // By how much all before it may.
-        double formerShare = 0;               // The largest share of all before it.
+        std::size_t child = 0, combined = 0;  // Indices in kept_: start of the operand, and the step that joins it.
+        double effect = 0;                    // Largest change of the result by the operand.
+        double effectOfFormer = 0;            // Largest change of the result by everything before it.
+        double formerShare = 0;               // Largest weight of everything before it.
         Moves moves = Moves::neither;
     };
 
@@ -69,63 +70,65 @@ private:
     double tolerance_;
     SceneWalk walk_;
     std::vector<Step> kept_;
-    std::vector<double> reach_;               // By node: how far apart the points are at which its children are asked.
-    std::vector<std::size_t> entered_;        // By node: which of the kept steps enters it.
+    std::vector<double> reach_;         // By node: distance between the points at which its children are evaluated.
+    std::vector<std::size_t> entered_;  // By node: index of the kept step that enters it.
     std::vector<std::vector<Joint>> joints_;  // By node.
-    std::vector<std::pair<std::size_t, std::size_t>> dropped_;  // Of the kept steps: from and to; the last first.
+    // Ranges of removed steps, as indices of kept steps: from and to; the last range first.
+    std::vector<std::pair<std::size_t, std::size_t>> dropped_;
 };
 
-/// What is in a cell of a grid.
+/// Cell of the acceleration grid.
 struct SceneCell {
-    std::uint32_t first = 0, count = 0;  ///< Of `SceneCells::steps`; none where every surface is far from the cell.
-    float distance = 0;                  ///< At its center, or nearer to 0 than there; negative inside.
+    std::uint32_t first = 0, count = 0;  ///< Range in `SceneCells::steps`; empty if every surface is far from the cell.
+    float distance = 0;                  ///< Distance at its center, or a value closer to 0; negative inside.
     std::uint32_t shapes = 0;
 };
 
-/// A grid of cells over a part of space, each with the steps that matter in it: in flat arrays, as a shader reads them.
-/// A cell whose center is farther from any surface than the whole diagonal has none: the distance at its center, less
-/// that from the center, is a step there, and at least half a diagonal.
+/// Acceleration grid over a part of space: for each cell the steps that matter in it, in flat arrays for shaders. A
+/// cell has no steps if its center is farther from any surface than the cell's diagonal. The distance at its center,
+/// minus the distance from the center, is then a safe step, and at least half a diagonal.
 struct SceneCells {
     render::Box box;
     glm::ivec3 count{0};
-    std::vector<SceneCell> cells;  ///< x first, then y, then z.
-    /// Lists of all cells, those that are the same once. Steps count from the beginning of their list.
+    std::vector<SceneCell> cells;  ///< In order of x, then y, then z.
+    /// Lists of all cells; equal lists are stored once. Jumps in a list count from its beginning.
     std::vector<Step> steps;
 
-    std::size_t withSurface = 0;  ///< Cells that a surface may pass through, as far as was looked.
-    std::size_t withSteps = 0;    ///< These and those near them.
-    std::size_t lists = 0;        ///< That differ.
-    std::size_t mostShapes = 0;   ///< Of a cell.
-    double meanShapes = 0;        ///< Over the cells with steps.
-    std::size_t evaluations = 0;  ///< Of shapes, that finding all this took.
-    std::size_t looks = 0;        ///< Parts of the box, from large to small, that were looked into for that.
-    bool whole = true;            ///< False: the budget ended before all cells were looked into; none is to be used.
+    std::size_t withSurface = 0;  ///< Number of cells that a surface may pass through, as far as was determined.
+    std::size_t withSteps = 0;    ///< Number of these cells and of the cells near them.
+    std::size_t lists = 0;        ///< Number of different lists.
+    std::size_t mostShapes = 0;   ///< Largest number of shapes in a cell.
+    double meanShapes = 0;        ///< Mean number of shapes in the cells with steps.
+    std::size_t evaluations = 0;  ///< Number of shape evaluations needed to build the grid.
+    std::size_t looks = 0;        ///< Number of parts of the box, from large to small, that were examined.
+    /// False: the budget was exhausted before all cells were examined, so that the grid must not be used.
+    bool whole = true;
 
-    /// The one that holds a point of the box; those outside are brought to the nearest cell.
+    /// Returns the index of the cell that contains a point; points outside of the box are clamped to it.
     [[nodiscard]] std::size_t cellAt(const glm::dvec3& p) const;
     [[nodiscard]] std::span<const Step> stepsOf(const SceneCell& cell) const
     {
         return {steps.data() + cell.first, cell.count};
     }
     [[nodiscard]] glm::dvec3 cellSize() const { return 2.0 * box.halfSize() / glm::dvec3(count); }
-    /// In a cell without steps: a distance to no surface, negative inside.
+    /// Returns a lower bound on the distance to any surface, for a cell without steps; negative inside.
     [[nodiscard]] double clearance(std::size_t cell, const glm::dvec3& p) const;
 };
 
-/// The part of a finite box outside of which nothing of the scene is in it, to about a hundredth of its longest side:
-/// what `SceneWords::extents` know is much wider where many operands blend. Empty where nothing is.
+/// Returns the part of a finite box outside of which the box contains no part of the scene, to about a hundredth of its
+/// longest side. `SceneWords::extents` are much larger where many operands blend. Empty if the box contains nothing.
 [[nodiscard]] render::Box occupiedBox(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
                                       const render::Box&);
 
-/// Limits for making the cells. Without them a scene whose shapes all lie within the width of one blend would list
+/// Limits for building the grid. Without them, a scene whose shapes all lie within the width of one blend would list
 /// every shape in every cell.
 struct PruneBudget {
-    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();        ///< Of lists.
-    std::uint64_t evaluations = std::numeric_limits<std::uint64_t>::max();  ///< Of shapes, to find them.
+    std::uint64_t bytes = std::numeric_limits<std::uint64_t>::max();        ///< Size of the lists.
+    std::uint64_t evaluations = std::numeric_limits<std::uint64_t>::max();  ///< Number of shape evaluations.
 };
 
 /// Prunes steps of a program for every cell of a finite box, from large parts of it to small ones. Parts that are far
-/// from every surface are not looked into.
+/// from every surface are not subdivided.
 [[nodiscard]] SceneCells pruneCells(const SceneProgram&, const SceneWords&, std::span<const Step> steps,
                                     const render::Box&, const glm::ivec3& count, double tolerance = Pruner::asShaders,
                                     const PruneBudget& = {});

@@ -15,58 +15,59 @@ namespace vitrine::scenes {
 
 #include "shaders/sdf_scenes/stage_block.glsl"
 
-/// What of a scene needs code in its shader, whatever its numbers are.
+/// Features of a scene that need code in its shader, whatever its numbers are.
 struct SceneContents {
-    bool mirrorsInSource = false;  ///< Some material is, or may become, a mirror there ...
-    bool mirrors = false;          ///< ... and the same of metal and glaze.
-    bool litInSource = false;      ///< Some material sends light of the scene's lights there: Phong's may not.
+    bool mirrorsInSource = false;  ///< A material is, or may become, reflective in the reference's shading ...
+    bool mirrors = false;          ///< ... or in the physically based shading of metal and glaze.
+    /// A material may reflect light of the scene's lights in the reference's shading; Phong materials need not.
+    bool litInSource = false;
     bool glass = false;
     bool glows = false;
-    bool lamps = false;  ///< Areas that shine, which are seen themselves.
+    bool lamps = false;  ///< Visible area lights.
     bool moves = false;
 };
 
-/// A scene that was read, with what is made of it once.
+/// A scene that was read, with everything that is made from it once.
 struct ShownScene {
     std::shared_ptr<const Scene> scene;
     std::shared_ptr<const SceneProgram> program;
     std::shared_ptr<const render::ShaderSources> sources;
     SceneContents contents;
-    double toOpening = 1;        ///< From the camera to the frame's opening, so that nothing is seen before it, meters.
-    std::filesystem::path path;  ///< Of its file: what it names lies beside it.
-    std::vector<std::filesystem::path> included;  ///< That were read for it.
-    std::uint64_t pictures = 0;  ///< Of those around it, as they were then: another number when one changed.
+    /// Distance from the camera to the frame's opening, meters: chosen so that nothing lies in front of the opening.
+    double toOpening = 1;
+    std::filesystem::path path;                   ///< The scene's file; files that it names are relative to it.
+    std::vector<std::filesystem::path> included;  ///< Files that were included.
+    std::uint64_t pictures = 0;  ///< Hash of the state of its environment's pictures when they were read.
 };
 
-/// Throws Failure (Blame::file) with the first finding for a scene that cannot be read.
+/// Reads a scene. Throws Failure (Blame::file) with the first finding if it cannot be read.
 [[nodiscard]] std::shared_ptr<const ShownScene> readShownScene(const std::filesystem::path&);
-/// Of a scene that is there already.
+/// The same for a scene that is already parsed.
 [[nodiscard]] std::shared_ptr<const ShownScene> shownScene(std::shared_ptr<const Scene>, std::filesystem::path = {});
 
-/// A camera of a scene.
+/// Camera of a scene.
 struct SceneCamera {
     glm::dvec3 eye, target, up;
     double fovY;  ///< Radians.
 };
-/// From `Scene::numbersAt`; gone around its target by `orbit` radians.
+/// Returns the camera for numbers of `Scene::numbersAt`, rotated around its target by `orbit` radians.
 [[nodiscard]] SceneCamera sceneCamera(const Scene&, const std::vector<double>& numbers, double orbit);
 
-/// Where the scene lies behind the frame: the camera's eye is that of `sceneView`, and the frame's opening is at
-/// `ShownScene::toOpening` from it.
+/// Returns the transform of the scene behind the frame: its camera's eye coincides with that of `sceneView`, at the
+/// distance `ShownScene::toOpening` from the frame's opening.
 [[nodiscard]] Portal scenePortal(const SceneCamera&, double toOpening);
-/// From where the camera's picture fills the opening; a little wider.
+/// Returns the camera whose picture shows the opening with a small margin.
 [[nodiscard]] render::Camera sceneView(double fovY);
 
-/// What stands around the shapes. Of more lights than `SCENE_MOST_LIGHTS` the first ones.
+/// Returns lights and environment of the scene. Only the first `SCENE_MOST_LIGHTS` lights are used.
 [[nodiscard]] SceneStage sceneStage(const ShownScene&, const SceneWords&, const std::vector<double>& numbers);
 
-/// Rays look for surfaces in this box; endless sides end where none comes.
+/// Sets the box that rays are traced in; infinite sides are clipped.
 void setBox(SceneStage&, const render::Box&);
 
-/// The picture of all directions that a scene's environment names, from one file or from six, about as large as asked;
-/// throws Failure.
+/// Reads the panorama of a scene's environment, from one file or from six, about as large as requested. Throws Failure.
 [[nodiscard]] std::shared_ptr<const render::Texture> readEnvironment(const ShownScene&);
-/// The files of that picture, for a scene that was read from `path`.
+/// Returns the files of that panorama, for a scene that was read from `path`.
 [[nodiscard]] std::vector<std::filesystem::path> environmentFiles(const Scene&, const std::filesystem::path& path);
 
 }  // namespace vitrine::scenes
