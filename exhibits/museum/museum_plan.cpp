@@ -397,8 +397,7 @@ void Museum::Frame::clearPicture(render::FramePlan& into) const
     into.add(std::move(clear));
 }
 
-/// Makes the contexts with which the exhibits plan their passes. They refer to the frame's light, which may still
-/// change.
+/// Makes the contexts for the exhibits' planning. They refer to the frame's light, which may still change.
 void Museum::Frame::makeContexts()
 {
     for (const Present& p : present) {
@@ -439,8 +438,7 @@ void Museum::Frame::planExhibits()
     }
 }
 
-/// Returns the plan of the hall and all exhibits for another view of the same frame, without shadow maps and exhibits
-/// over the frame.
+/// Plans hall and exhibits for another view of the same frame, without shadow maps and exhibits over the frame.
 render::FramePlan Museum::Frame::seenFrom(const render::View& view) const
 {
     render::FramePlan other;

@@ -84,8 +84,7 @@ struct Renderer::State {
         noVertices = VertexArrayName(name);
     }
 
-    /// Returns the FRAME block of the pass. Its view is its own, the whole picture if its image has its own pixels,
-    /// else the plan's.
+    /// Returns the pass's FRAME block: for its own view, the whole picture (image with own pixels), or the plan's view.
     UniformAllocator::Range frameRange(const Pass& pass, const FramePlan& plan, UniformAllocator::Range planFrame)
     {
         const ImageInfo* own = nullptr;
@@ -262,8 +261,7 @@ struct Renderer::State {
         }
     }
 
-    /// Handles passes from `first` on, which did not run: images that they share with passes that ran are drawn again
-    /// completely.
+    /// Passes from `first` on did not run: images that they share with passes that ran must be drawn again completely.
     void forgetFrom(const FramePlan& plan, std::size_t first)
     {
         for (std::size_t i = first; i < plan.passes().size(); ++i)
