@@ -70,7 +70,7 @@ struct Renderer::State {
     VertexArrayName noVertices;
     PersistentState kept;
     LastInputs lastInputs;
-    std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes whose key depends on its content.
+    std::map<std::string, std::set<std::string>> writersOfKept;  ///< Image -> passes with a key that wrote it.
     bool timeSteps = false;
     std::thread::id thread = std::this_thread::get_id();
     std::function<bool()> unwanted;

@@ -118,7 +118,7 @@ struct VideoFile::State {
     VideoCodec& codec;
     PartFile part;
     Output output;
-    std::unique_ptr<VideoFrames> frames{};  ///< Declared last: it is destroyed before its output.
+    std::unique_ptr<VideoFrames> frames{};  ///< Declared after `output`, so destroyed before it.
     std::vector<std::uint8_t> codes{};
 };
 

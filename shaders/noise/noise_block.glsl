@@ -1,7 +1,7 @@
 // State of the works behind the noise frame at one moment. GLSL and C++: render/glsl/std140.h.
 #define NOISE_OCTAVES 11
 #define SEA_WAVES 64
-#define SEA_HIGHEST 4.5  // Exceeded at one place of 300,000; rays start at this height.
+#define SEA_HIGHEST 4.5  // Standard deviations: exceeded at one place of 300,000, rays start there.
 // Cells after which an octave of the field repeats, so that it fits in a small volume texture, ...
 #define FIELD_REPEAT 16
 #define FIELD_TEXELS 8   // ... with this number of texels per cell.
