@@ -43,12 +43,31 @@ printing::Fitting fittingOf(const ViewOptions& options)
     return options.fit == "stretch" ? printing::Fitting::stretch : printing::Fitting::crop;
 }
 
+/// Parses the values of `--place`. Throws Failure (Blame::usage) if one is malformed or names a missing picture.
+printing::ViewPlaces placesOf(const ViewOptions& options, std::size_t pictures)
+{
+    std::string all;
+    for (const std::string& place : options.places) (all += place) += ';';
+    printing::ViewPlaces places = printing::viewPlaces(all);
+    printing::requirePictures(places, static_cast<int>(pictures));
+    return places;
+}
+
+/// Describes a view's source: the file, and its place if it was placed by hand.
+std::string sourceOf(const std::string& name, int picture, const printing::ViewPlaces& places)
+{
+    const printing::ViewPlace place = printing::placeOf(places, picture);
+    return place == printing::ViewPlace{} ? name : name + ", placed by " + printing::textOf({{picture, place}});
+}
+
 GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
 {
     GatheredViews result;
     const std::vector<fs::path> files = printing::viewFiles(options.files, &result.notes);
+    const printing::ViewPlaces places = placesOf(options, files.size());
+    const std::vector<std::size_t> numbers = printing::chosenViews(files.size(), sequenceOf(options));
     std::vector<fs::path> chosen;
-    for (const std::size_t i : printing::chosenViews(files.size(), sequenceOf(options))) chosen.push_back(files[i]);
+    for (const std::size_t i : numbers) chosen.push_back(files[i]);
     const double aspect = printing::aspectOf(layoutOf(static_cast<int>(chosen.size())).settings());
     const printing::ViewColors colors = printing::viewColors(chosen);
     result.profile = colors.profile;
@@ -64,8 +83,10 @@ GatheredViews viewsOfFiles(const ViewOptions& options, const LayoutOf& layoutOf)
         addNotes(result.notes, file, warnings);
         sizes.emplace(image.width, image.height);
         addNote(result.notes, printing::fittingNote(image, aspect, fittingOf(options)));
-        result.views.add(printing::fitted(std::move(image), aspect, fittingOf(options)));
-        result.sources.push_back(file.filename().string());
+        const int picture = static_cast<int>(numbers[result.sources.size()]) + 1;
+        result.views.add(
+            printing::fitted(std::move(image), aspect, fittingOf(options), printing::placeOf(places, picture)));
+        result.sources.push_back(sourceOf(file.filename().string(), picture, places));
     }
     if (sizes.size() > 1) result.notes.emplace_back("The views differ in size; each is scaled to the print.");
     return result;
@@ -97,11 +118,14 @@ GatheredViews viewsOfQuilt(const ViewOptions& options, const LayoutOf& layoutOf)
     addNote(result.notes, printing::quiltNote(quilt, grid.x, grid.y));
     const auto order =
         options.quiltOrder == "top-left" ? printing::QuiltOrder::topLeft : printing::QuiltOrder::bottomLeft;
+    const printing::ViewPlaces places = placesOf(options, static_cast<std::size_t>(grid.x * grid.y));
     for (const std::size_t k : chosen) {
         render::Image view = printing::viewOfQuilt(quilt, grid.x, grid.y, static_cast<int>(k), order);
         addNote(result.notes, printing::fittingNote(view, aspect, fittingOf(options)));
-        result.views.add(printing::fitted(std::move(view), aspect, fittingOf(options)));
-        result.sources.push_back(file.filename().string() + ", view " + std::to_string(k));
+        const int picture = static_cast<int>(k) + 1;
+        result.views.add(
+            printing::fitted(std::move(view), aspect, fittingOf(options), printing::placeOf(places, picture)));
+        result.sources.push_back(sourceOf(file.filename().string() + ", view " + std::to_string(k), picture, places));
     }
     return result;
 }

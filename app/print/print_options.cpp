@@ -94,7 +94,7 @@ void refuseUselessOptions(const CLI::App& command, const PrintOptions& o)
     refuseWithout(command, "--view-format", !o.views.saveViews.empty(), "--save-views");
     refuseOn(command, "--compression", render::lowerExtension(o.out) == ".png", "a PNG, which is always compressed");
     for (const char* option :
-         {"--views", "--quilt", "--exhibit", "--crosstalk-compensation", "--fit", "--every", "--ping-pong"})
+         {"--views", "--quilt", "--exhibit", "--crosstalk-compensation", "--fit", "--place", "--every", "--ping-pong"})
         refuseOn(command, option, !o.chart.empty(), "a --chart, which has views of its own");
     for (const char* option : {"--radius-um", "--thickness-um", "--index", "--conic"})
         refuseOn(command, option, !o.sheet.empty(), "a --sheet, whose lenses are known");

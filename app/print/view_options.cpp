@@ -33,6 +33,13 @@ void addPictureViews(CLI::App& command, ViewOptions& o)
               "leaves white margins, stretch distorts them")
         ->capture_default_str()
         ->group(pictures);
+    command
+        .add_option(
+            "--place", o.places,
+            "Turn and shift of single pictures, as PICTURE:TURN,RIGHT,DOWN: the picture's number in viewing order, "
+            "degrees clockwise, and percent of the view's width and height, such as 3:1.5,2,-0.5")
+        ->allow_extra_args(true)
+        ->group(pictures);
     addNumber(command, "--every", o.every, {1, 1e6}, "Take every so many of them, as from the frames of a video")
         ->capture_default_str()
         ->group(pictures);
@@ -80,8 +87,8 @@ void addRenderedViews(CLI::App& command, ViewOptions& o)
     addSceneOptions(command, o.scene, rendered);
     for (CLI::Option* option : command.get_options()) {
         if (option->get_group() == rendered && option != exhibit) option->needs(exhibit);
-        const bool ofPictures =
-            option->get_name() == "--fit" || option->get_name() == "--every" || option->get_name() == "--ping-pong";
+        const std::string name = option->get_name();
+        const bool ofPictures = name == "--fit" || name == "--place" || name == "--every" || name == "--ping-pong";
         if (ofPictures) option->excludes(exhibit);
     }
 }

@@ -20,7 +20,8 @@ struct ViewOptions {
     std::vector<std::string> quilt;  ///< "8x6" and a file; empty: none.
     std::string quiltOrder = "bottom-left";
     std::string fit = "crop";
-    int count = 0;  ///< 0: all there are, or as many as the print can tell apart.
+    std::vector<std::string> places;  ///< Such as "3:1.5,2,-0.5".
+    int count = 0;                    ///< 0: all there are, or as many as the print can tell apart.
     int every = 1;
     bool pingPong = false;
 

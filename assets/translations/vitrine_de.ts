@@ -3973,6 +3973,14 @@ Zeiten nach: %2.</translation>
         <translation>{=1} kann nicht geöffnet werden: Eine solche Datei gibt es nicht; prüfen Sie den Namen.</translation>
     </message>
     <message>
+        <source>Cannot place a picture by &quot;{1}&quot;: this is not PICTURE:TURN,RIGHT,DOWN; give the picture's number, degrees clockwise (-360 to 360) and percent of the view's width and height (-100 to 100), such as 3:1.5,2,-0.5.</source>
+        <translation>„{1}“ gibt keine Lage eines Bildes an: Das ist nicht PICTURE:TURN,RIGHT,DOWN; geben Sie die Nummer des Bildes, Grad im Uhrzeigersinn (-360 bis 360) und Prozent der Breite und Höhe der Ansicht an (-100 bis 100), etwa 3:1.5,2,-0.5.</translation>
+    </message>
+    <message>
+        <source>Cannot place picture {1}: the last picture is number {2}; correct its number.</source>
+        <translation>Bild {1} kann nicht verschoben oder gedreht werden: Das letzte Bild hat die Nummer {2}; korrigieren Sie die Nummer.</translation>
+    </message>
+    <message>
         <source>Cannot read the folder {1}: {2}.</source>
         <translation>Der Ordner {=1} kann nicht gelesen werden: {2}.</translation>
     </message>
@@ -4978,6 +4986,10 @@ Zeiten nach: %2.</translation>
         <translation>deflate</translation>
     </message>
     <message>
+        <source>Degrees clockwise about the center.</source>
+        <translation>Grad im Uhrzeigersinn um die Mitte.</translation>
+    </message>
+    <message>
         <source>Degrees off that are shown hottest.</source>
         <extracomment>tables</extracomment>
         <translation>Abweichung in Grad, die am heißesten gezeigt wird.</translation>
@@ -5222,6 +5234,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Dots per inch, vertical</source>
         <translation>Punkte pro Zoll, senkrecht</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Unten</translation>
     </message>
     <message>
         <source>down upon them</source>
@@ -9830,6 +9846,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Oktaven des Rauschens der Wolken: Mehr ist feiner.</translation>
     </message>
     <message>
+        <source>of %1</source>
+        <translation>von %1</translation>
+    </message>
+    <message>
         <source>Of a cone at its base.</source>
         <extracomment>tables</extracomment>
         <translation>Eines Kegels an seiner Grundfläche.</translation>
@@ -10922,6 +10942,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pro Pixel eines Bildes im Fenster, sobald sich nichts bewegt: Wenige sind eher fertig und lassen Kanten rauer. Exporte, Filme und Drucke haben eigene Zahlen.</translation>
     </message>
     <message>
+        <source>Percent of the view's height; negative numbers shift it up.</source>
+        <translation>Prozent der Höhe der Ansicht; negative Zahlen verschieben sie nach oben.</translation>
+    </message>
+    <message>
+        <source>Percent of the view's width; negative numbers shift it to the left.</source>
+        <translation>Prozent der Breite der Ansicht; negative Zahlen verschieben sie nach links.</translation>
+    </message>
+    <message>
         <source>Period</source>
         <extracomment>tables</extracomment>
         <translation>Periode</translation>
@@ -11009,6 +11037,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bilder der Studie</translation>
     </message>
     <message>
+        <source>Pictures turned and moved by hand: number of the picture, degrees clockwise, percent to the right and percent down, such as 3:1.5,2,-0.5.</source>
+        <translation>Von Hand gedrehte und verschobene Bilder: Nummer des Bildes, Grad im Uhrzeigersinn, Prozent nach rechts und Prozent nach unten, etwa 3:1.5,2,-0.5.</translation>
+    </message>
+    <message>
         <source>Pictures…</source>
         <translation>Bilder…</translation>
     </message>
@@ -11069,6 +11101,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Place %1</source>
         <translation>Platz %1</translation>
+    </message>
+    <message>
+        <source>Places</source>
+        <translation>Lagen</translation>
     </message>
     <message>
         <source>plain</source>
@@ -11678,6 +11714,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Reset to %1</source>
         <translation>Auf %1 zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset turn and shift of a view</source>
+        <translation>Drehung und Verschiebung einer Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset turn and shift of the view</source>
+        <translation>Drehung und Verschiebung der Ansicht zurücksetzen</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -12349,6 +12393,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Ergebnis der Studie setzen</translation>
     </message>
     <message>
+        <source>Sets turn and shift of this view to 0.</source>
+        <translation>Setzt Drehung und Verschiebung dieser Ansicht auf 0.</translation>
+    </message>
+    <message>
         <source>Setting</source>
         <translation>Einstellung</translation>
     </message>
@@ -12518,6 +12566,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shift</source>
         <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Shift of the view down</source>
+        <translation>Verschiebung der Ansicht nach unten</translation>
+    </message>
+    <message>
+        <source>Shift of the view to the right</source>
+        <translation>Verschiebung der Ansicht nach rechts</translation>
     </message>
     <message>
         <source>Shift samples and steps by blue noise, so that too few of them look like grain and not like bands.</source>
@@ -15811,6 +15867,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>%1 drehen</translation>
     </message>
     <message>
+        <source>Turn of the view, clockwise</source>
+        <translation>Drehung der Ansicht im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Turn or shift a view</source>
+        <translation>Eine Ansicht drehen oder verschieben</translation>
+    </message>
+    <message>
         <source>Turn speed</source>
         <extracomment>tables</extracomment>
         <translation>Drehtempo</translation>
@@ -16100,6 +16164,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>view %1: %2 %</source>
         <translation>Ansicht %1: %2 %</translation>
+    </message>
+    <message>
+        <source>View to turn and shift</source>
+        <translation>Ansicht zum Drehen und Verschieben</translation>
+    </message>
+    <message>
+        <source>View to turn and shift, where its picture does not lie over the others.</source>
+        <translation>Ansicht zum Drehen und Verschieben, wenn ihr Bild nicht auf den anderen liegt.</translation>
     </message>
     <message>
         <source>View width</source>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace vitrine::printing {
 namespace {
@@ -27,6 +28,45 @@ render::Image middle(const render::Image& image, int width, int height)
     return out;
 }
 
+/// Returns a channel of a pixel; white outside the image.
+float valueAt(const render::Image& image, int x, int y, int c)
+{
+    return x < 0 || y < 0 || x >= image.width || y >= image.height ? 1.0F : image.at(x, y, c);
+}
+
+/// Cuts or pads an image as `middle` does, then turns and shifts it, with bilinear interpolation. Cost: one sample per
+/// output pixel.
+render::Image placed(const render::Image& image, int width, int height, const ViewPlace& place)
+{
+    render::Image out(width, height, image.channels, 1);
+    const double turn = place.turn * std::numbers::pi / 180;
+    // Without a turn, pixels shifted by whole numbers keep their values to the bit.
+    const double c = place.turn == 0 ? 1 : std::cos(turn);
+    const double s = place.turn == 0 ? 0 : std::sin(turn);
+    const glm::dvec2 shift = place.shift / 100.0 * glm::dvec2(width, height);
+    const glm::dvec2 center = 0.5 * glm::dvec2(width, height);
+    const glm::dvec2 corner((width - image.width) / 2, (height - image.height) / 2);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; ++x) {
+            const glm::dvec2 from = glm::dvec2(x + 0.5, y + 0.5) - center - shift;
+            // Clockwise on the screen, since y points down. Pixel centers lie at half-integers.
+            const glm::dvec2 at = glm::dvec2(c * from.x + s * from.y, c * from.y - s * from.x) + center - corner - 0.5;
+            const glm::dvec2 low = glm::floor(at);
+            const glm::dvec2 part = at - low;
+            const int left = static_cast<int>(low.x);
+            const int top = static_cast<int>(low.y);
+            for (int channel = 0; channel < image.channels; ++channel) {
+                const auto row = [&](int v) {
+                    const double a = valueAt(image, left, v, channel);
+                    return part.x == 0 ? a : a + part.x * (valueAt(image, left + 1, v, channel) - a);
+                };
+                const double a = row(top);
+                out.at(x, y, channel) = static_cast<float>(part.y == 0 ? a : a + part.y * (row(top + 1) - a));
+            }
+        }
+    return out;
+}
+
 }  // namespace
 
 double aspectOf(const PrintSettings& s)
@@ -34,16 +74,19 @@ double aspectOf(const PrintSettings& s)
     return (s.width + 2 * s.bleed) / (s.height + 2 * s.bleed);
 }
 
-render::Image fitted(render::Image image, double aspect, Fitting fitting)
+render::Image fitted(render::Image image, double aspect, Fitting fitting, const ViewPlace& place)
 {
     constexpr int most = 65536;
-    if (fitting == Fitting::stretch || image.width < 1 || image.height < 1) return image;
+    if (image.width < 1 || image.height < 1) return image;
+    if (fitting == Fitting::stretch)
+        return place == ViewPlace{} ? image : placed(image, image.width, image.height, place);
     const auto pixels = [](double x) { return static_cast<int>(std::clamp(std::round(x), 1.0, double{most})); };
     const bool wide = shapeOf(image) > aspect;
     // Cropping changes the width of a wide picture, margins change its height; for a high one the other way round.
     const bool width = wide == (fitting == Fitting::crop);
     const int newWidth = width ? pixels(image.height * aspect) : image.width;
     const int newHeight = width ? image.height : pixels(image.width / aspect);
+    if (place != ViewPlace{}) return placed(image, newWidth, newHeight, place);
     if (newWidth == image.width && newHeight == image.height) return image;
     return middle(image, newWidth, newHeight);
 }

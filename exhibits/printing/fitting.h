@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/printing/print_layout.h"
+#include "exhibits/printing/view_place.h"
 #include "render/image/image.h"
 
 #include <cstdint>
@@ -19,8 +20,9 @@ enum class Fitting : std::uint8_t {
 [[nodiscard]] double aspectOf(const PrintSettings&);
 
 /// The picture with the shape `aspect` (width by height), to the nearest pixel; unchanged where it has that shape, and
-/// for `stretch`.
-[[nodiscard]] render::Image fitted(render::Image, double aspect, Fitting);
+/// for `stretch`. A place turns and shifts the picture before it is cropped, so that cropped parts can move into view;
+/// outside the picture it is white. Interpolation is bilinear; a shift by whole pixels keeps their values.
+[[nodiscard]] render::Image fitted(render::Image, double aspect, Fitting, const ViewPlace& = {});
 
 /// A full sentence on what `fitted` does to a picture, where its shape is another by more than two percent; empty for
 /// `stretch` (`stretchWarning`).

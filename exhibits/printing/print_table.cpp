@@ -44,7 +44,7 @@ bool rowActs(const ParameterInfo& row, const ParameterValues& values, bool chart
         if (is(table.quiltColumns) || is(table.quiltRows)) return from == ViewOrigin::quilt;
         if (is(table.views)) return from != ViewOrigin::quilt;
         if (is(table.fitting)) return from != ViewOrigin::shown;
-        return !is(table.origin);  // It has a place of its own, beside the files.
+        return !is(table.origin) && !is(table.places);  // The dialog shows these beside the files.
     }
     if (is(table.chart)) return chart;
     if (is(table.chartSpan)) return chart && values[table.chart] == ChartKind::pitch;
@@ -63,6 +63,7 @@ bool sameViews(const ParameterValues& a, const ParameterValues& b)
     const PrintTable& table = printTable();
     const bool rendered = b[table.origin] == ViewOrigin::shown;
     const auto decides = [&](const ParameterInfo& row) {
+        if (row.name == table.rows()[table.places.row].name) return !rendered;
         if (row.group == "Views") return row.name == table.rows()[table.origin.row].name || rowActs(row, b, false);
         // Pictures are brought to the shape of the print while they are read.
         const bool shapes = row.name == "width" || row.name == "height" || row.name == "bleed";

@@ -45,6 +45,11 @@ struct PrintTable final : Parameters {
                "What becomes of pictures that are not shaped as the print is: cropped at two sides, seen whole "
                "between white margins, or distorted.");
 
+    // Text in the syntax of `viewPlaces`; the dialog edits it by fields of its own.
+    File places =
+        file("places", "Pictures turned and moved by hand: number of the picture, degrees clockwise, percent to the "
+                       "right and percent down, such as 3:1.5,2,-0.5.");
+
     Group chartGroup = group("Chart");
     Choice<ChartKind> chart = choice("chart", ChartKind::pitch, {"pitch", "phase", "views", "rotation"},
                                      "Pitch finds the LPI that printer and sheet agree on; phase where the strips lie; "

@@ -77,12 +77,14 @@ render::Image readView(const std::filesystem::path& file, const ViewColors& colo
     return image;
 }
 
-void addFitted(render::Image image, const ParameterValues& values, PrintViews& views)
+/// Adds a picture in the shape of the print. `picture`: its number among all pictures given, from 1.
+void addFitted(render::Image image, int picture, const ParameterValues& values, PrintViews& views)
 {
     const Fitting fitting = values[printTable().fitting];
     const double aspect = printAspect(values);
     views.addNote(fittingNote(image, aspect, fitting));
-    views.add(fitted(std::move(image), aspect, fitting));
+    views.add(fitted(std::move(image), aspect, fitting, placeOf(viewPlaces(values[printTable().places]), picture)),
+              picture);
 }
 
 std::shared_ptr<const PrintViews> readQuilt(const ParameterValues& values, const std::vector<std::string>& files,
@@ -98,7 +100,7 @@ std::shared_ptr<const PrintViews> readQuilt(const ParameterValues& values, const
     views->addNote(quiltNote(quilt, columns, rows));
     for (int k = 0; k < columns * rows; ++k) {
         require(progress, static_cast<double>(k) / (columns * rows));
-        addFitted(viewOfQuilt(quilt, columns, rows, k), values, *views);
+        addFitted(viewOfQuilt(quilt, columns, rows, k), k + 1, values, *views);
     }
     views->setProfile(colors.profile);
     return views;
@@ -106,8 +108,9 @@ std::shared_ptr<const PrintViews> readQuilt(const ParameterValues& values, const
 
 }  // namespace
 
-void PrintViews::add(const render::Image& image)
+void PrintViews::add(const render::Image& image, int picture)
 {
+    pictures_.push_back(picture);
     full_.add(image);
     small_.add(shrunk(image, smallSide));
 }
@@ -126,15 +129,15 @@ std::shared_ptr<const PrintViews> readViews(const ParameterValues& values, const
     std::vector<std::string> notes;
     const std::vector<std::filesystem::path> files = viewFiles(names, &notes);
     for (const std::string& note : notes) views->addNote(note);
+    const std::vector<std::size_t> numbers =
+        chosenViews(files.size(), {1, false, std::min(values[printTable().views], static_cast<int>(files.size()))});
     std::vector<std::filesystem::path> chosen;
-    for (const std::size_t i :
-         chosenViews(files.size(), {1, false, std::min(values[printTable().views], static_cast<int>(files.size()))}))
-        chosen.push_back(files[i]);
+    for (const std::size_t i : numbers) chosen.push_back(files[i]);
     const ViewColors colors = viewColors(chosen);
     views->addNote(colors.note);
     for (std::size_t i = 0; i < chosen.size(); ++i) {
         require(progress, static_cast<double>(i) / static_cast<double>(chosen.size()));
-        addFitted(readView(chosen[i], colors, *views), values, *views);
+        addFitted(readView(chosen[i], colors, *views), static_cast<int>(numbers[i]) + 1, values, *views);
     }
     views->setProfile(colors.profile);
     return views;

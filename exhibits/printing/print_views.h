@@ -14,8 +14,9 @@ namespace vitrine::printing {
 /// The views of a print that is being set up, from left to right: in full for the print, small ones for looking at it.
 class PrintViews {
 public:
-    /// Adds a picture of linear light, row 0 at the top, as the new rightmost view. Throws Failure when it is empty.
-    void add(const render::Image&);
+    /// Adds a picture of linear light, row 0 at the top, as the new rightmost view. `picture`: its number among all
+    /// pictures given, from 1; 0 for a rendered view. Throws Failure when it is empty.
+    void add(const render::Image&, int picture = 0);
     /// ICC profile of the pictures, for the print to carry.
     void setProfile(std::string profile) { profile_ = std::move(profile); }
     /// Adds a full sentence on what was left out or changed while reading, unless it is empty or there already.
@@ -25,6 +26,8 @@ public:
 
     [[nodiscard]] int count() const { return full_.count(); }
     [[nodiscard]] const ViewSet& full() const { return full_; }
+    /// Numbers of the pictures that the views were made from, as given to `add`.
+    [[nodiscard]] const std::vector<int>& pictures() const { return pictures_; }
     [[nodiscard]] const ViewSet& small() const { return small_; }
     [[nodiscard]] const std::string& profile() const { return profile_; }
     [[nodiscard]] const std::vector<std::string>& notes() const { return notes_; }
@@ -32,6 +35,7 @@ public:
 
 private:
     ViewSet full_, small_;
+    std::vector<int> pictures_;
     std::string profile_, scenePreset_;
     std::vector<std::string> notes_;
 };

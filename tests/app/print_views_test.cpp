@@ -287,6 +287,35 @@ TEST(PrintPictures, OfAnotherShapeAreCroppedFittedOrStretchedAndThatIsSaid)
     EXPECT_LT(stretched.at(stretched.width / 2, 3), 0.05);
 }
 
+TEST(PrintPictures, AreTurnedAndMovedByHand)
+{
+    const TemporaryFolder folder;
+    render::writePicture(folder / "a.png", render::Image(60, 40, 3, 0.0F), render::PictureFormat::png8);
+    const Words twice{"--views", folder / "a.png", folder / "a.png"};
+    const auto printed = [&](const Words& more) {
+        const Ended ended = test::vitrine(printing(folder / "p.tif", twice + more));
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        EXPECT_EQ(test::vitrine({"proof", folder / "p.tif", "--angle=5", "--out", folder / "seen.png"}).code, 0);
+        return render::readImage(folder / "seen.png");
+    };
+    const render::Image plain = printed({});
+    EXPECT_LT(plain.at(3, plain.height / 2), 0.05);
+    // Both move to the right by a quarter of their width, which leaves white at the left.
+    const render::Image moved = printed({"--place", "1:0,25,0", "2:0,25,0"});
+    EXPECT_GT(moved.at(moved.width / 8, moved.height / 2), 0.9);
+    EXPECT_LT(moved.at(moved.width * 3 / 8, moved.height / 2), 0.05);
+    EXPECT_NE(test::bytesOf(folder / "p.tif.json").find("a.png, placed by 1:0,25,0"), std::string::npos);
+    const auto refused = [&](const Words& more, const std::string& part) {
+        const Ended bad = test::vitrine(printing(folder / "q.tif", more));
+        EXPECT_EQ(bad.code, 2) << bad.err;
+        EXPECT_NE(bad.err.find(part), std::string::npos) << bad.err;
+    };
+    refused(twice + Words{"--place", "3:0,25,0"}, "Cannot place picture 3: the last picture is number 2;");
+    refused(twice + Words{"--place", "1:0,25"},
+            "Cannot place a picture by \"1:0,25\": this is not PICTURE:TURN,RIGHT,DOWN;");
+    refused(theMug + Words{"--count", "2", "--place", "1:0,1,0"}, "--place");
+}
+
 TEST(PrintPictures, NamesWhatIsLeftOutAndRefusesWhatHasNoEffect)
 {
     const TemporaryFolder folder;

@@ -13,6 +13,7 @@
 #include "ui/kit/window_place.h"
 #include "ui/parameters/parameter_panel.h"
 #include "ui/print/eyes_preview.h"
+#include "ui/print/place_bar.h"
 #include "ui/print/print_export_bar.h"
 #include "ui/print/print_numbers.h"
 #include "ui/print/sheet_bar.h"
@@ -94,7 +95,7 @@ QWidget* PrintDialog::buildLeft(bool canShow)
     tabs_->setTabToolTip(0, tr("Views, interlaced."));
     tabs_->setTabToolTip(1, tr("A sheet to print and lay the lenses on: pitch, phase, number of views, rotation."));
     tabs_->setAccessibleName(tr("What to print"));
-    source_ = new SourceBar(canShow, this);
+    source_ = new SourceBar(canShow, setup_, this);
     sheets_ = new SheetBar(setup_, this);
     panel_ = new ParameterPanel(setup_.history(), this);
     panel_->showExhibit(0, QStringLiteral("print"));
@@ -168,6 +169,7 @@ void PrintDialog::connectSetup()
         PrintState state = setup_.state();
         state.files.clear();
         state.values.set(printing::printTable().origin, origin);
+        state.values.set(printing::printTable().places, std::string());
         setup_.change(tr("Change where the views come from"), state);
     });
     connect(source_, &SourceBar::filesChosen, this, &PrintDialog::open);
@@ -185,6 +187,7 @@ void PrintDialog::connectViews()
     connect(source_, &SourceBar::renderAsked, this, [this] { loader_.load(setup_.state()); });
     connect(&loader_, &ViewLoader::said, source_, &SourceBar::say);
     connect(&loader_, &ViewLoader::changed, this, [this] {
+        source_->places().showViews(loader_.views().get());
         messages_->setProblems(printViewsCause(), {});
         refresh();
     });
@@ -396,6 +399,7 @@ void PrintDialog::open(const QStringList& paths)
     }
     if (chart_) setChart(false);
     PrintState state = setup_.state();
+    if (state.files != paths) state.values.set(printing::printTable().places, std::string());  // Places go with files.
     state.files = paths;
     if (fromWindow()) state.values.set(printing::printTable().origin, printing::ViewOrigin::files);
     if (state == setup_.state())

@@ -1,6 +1,7 @@
 #include "ui/print/source_bar.h"
 
 #include "ui/kit/type_size.h"
+#include "ui/print/place_bar.h"
 
 #include <QComboBox>
 #include <QFileDialog>
@@ -11,10 +12,10 @@
 
 namespace vitrine::ui {
 
-SourceBar::SourceBar(bool canShow, QWidget* parent)
+SourceBar::SourceBar(bool canShow, PrintSetup& setup, QWidget* parent)
     : QWidget(parent), origin_(new QComboBox(this)), render_(new QPushButton(tr("Render again"), this)),
       folder_(new QPushButton(tr("Folder…"), this)), files_(new QPushButton(tr("Pictures…"), this)),
-      said_(new QLabel(this))
+      said_(new QLabel(this)), places_(new PlaceBar(setup, this))
 {
     if (canShow) origin_->addItem(tr("What is shown"), static_cast<int>(printing::ViewOrigin::shown));
     origin_->addItem(tr("Pictures"), static_cast<int>(printing::ViewOrigin::files));
@@ -47,6 +48,7 @@ SourceBar::SourceBar(bool canShow, QWidget* parent)
     layout->setSpacing(4);
     layout->addLayout(row);
     layout->addWidget(said_);
+    layout->addWidget(places_);
 
     connect(origin_, &QComboBox::activated, this,
             [this] { emit originChosen(static_cast<printing::ViewOrigin>(origin_->currentData().toInt())); });
@@ -63,6 +65,7 @@ void SourceBar::showOrigin(printing::ViewOrigin origin)
     render_->setVisible(origin == printing::ViewOrigin::shown);
     folder_->setVisible(origin == printing::ViewOrigin::files);
     files_->setVisible(origin != printing::ViewOrigin::shown);
+    places_->setVisible(origin != printing::ViewOrigin::shown);
 }
 
 void SourceBar::say(const QString& text)

@@ -77,6 +77,28 @@ TEST_F(PrintViewsTest, TakeTheShapeOfThePrintAndSayWhatThatCost)
     EXPECT_TRUE(stretched->notes().empty());
 }
 
+TEST_F(PrintViewsTest, PlaceThePictureThatIsMeantAmongThoseThatAreTaken)
+{
+    std::vector<std::string> files;
+    for (int k = 0; k < 5; ++k) {
+        files.push_back((folder_.path() / ("v" + std::to_string(k) + ".png")).string());
+        render::writePicture(files.back(), render::Image(6, 4, 3, 0.0F), render::PictureFormat::png8);
+    }
+    values_.set(table_.views, 3);  // Pictures 1, 3 and 5.
+    ParameterValues moved = values_;
+    moved.set(table_.places, std::string("3:0,50,0; 4:0,-50,0"));
+    EXPECT_FALSE(sameViews(values_, moved));
+    EXPECT_TRUE(sameViews(shown(values_), shown(moved)));
+    const auto views = readViews(moved, files, {});
+    EXPECT_EQ(views->pictures(), (std::vector<int>{1, 3, 5}));
+    for (int k = 0; k < 3; ++k) {
+        EXPECT_EQ(views->full().row(k, 1)[0], k == 1 ? 65535 : 0) << k << ": white at the left of what moved right";
+        EXPECT_EQ(views->full().row(k, 1)[3 * 5], 0) << k;
+    }
+    moved.set(table_.places, std::string("3:0,50"));
+    EXPECT_THROW(static_cast<void>(readViews(moved, files, {})), Failure);
+}
+
 TEST_F(PrintViewsTest, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
 {
     SceneState sceneState{{}, {{0, 1.6, 4}, {0, 1.2, 0}, 0.9}};

@@ -196,6 +196,52 @@ TEST(Fitting, CropsFitsOrStretchesToTheShapeOfThePrint)
     EXPECT_EQ(fittingNote(wide, 3.01, Fitting::crop), "");
 }
 
+TEST(Fitting, TurnsAndShiftsPicturesByHand)
+{
+    render::Image wide(30, 10, 3);
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 30; ++x) wide.at(x, y, 0) = static_cast<float>(100 * y + x);
+    // Two pixels to the right and one up, of 10 x 10: two columns that were cropped at the left move into view.
+    const render::Image moved = fitted(wide, 1, Fitting::crop, {0, {20, -10}});
+    ASSERT_EQ(moved.width, 10);
+    for (int y = 0; y < 9; ++y)
+        for (int x = 0; x < 10; ++x) ASSERT_EQ(moved.at(x, y, 0), 100 * (y + 1) + 10 + x - 2) << x << ' ' << y;
+    EXPECT_EQ(moved.at(4, 9, 0), 1) << "white below the picture";
+    // Half a pixel is the mean of two.
+    EXPECT_EQ(fitted(wide, 1, Fitting::crop, {0, {5, 0}}).at(4, 3, 0), 313.5F);
+    // A quarter turn clockwise of a square takes (x, y) to (9 - y, x).
+    render::Image square(10, 10, 1);
+    for (int y = 0; y < 10; ++y)
+        for (int x = 0; x < 10; ++x) square.at(x, y) = static_cast<float>(100 * y + x);
+    for (const Fitting fitting : {Fitting::crop, Fitting::fit, Fitting::stretch}) {
+        const render::Image turned = fitted(square, 1, fitting, {90, {0, 0}});
+        for (int y = 0; y < 10; ++y)
+            for (int x = 0; x < 10; ++x) ASSERT_NEAR(turned.at(9 - y, x), 100 * y + x, 1e-2) << x << ' ' << y;
+        const render::Image back = fitted(square, 1, fitting, {-90, {0, 0}});
+        ASSERT_NEAR(back.at(3, 9 - 8), square.at(8, 3), 1e-2);
+    }
+    EXPECT_EQ(fitted(wide, 1, Fitting::crop, {}).pixels, fitted(wide, 1, Fitting::crop).pixels);
+}
+
+TEST(ViewPlaces, RoundTripToTheBitAndQuoteWhatTheyCannotRead)
+{
+    const ViewPlaces places{{3, {1.5, {2, -0.5}}}, {7, {0.1 + 0.2, {-1.0 / 3, 0}}}};
+    EXPECT_EQ(viewPlaces(textOf(places)), places);
+    EXPECT_EQ(textOf(viewPlaces(" 3 : 1.5, 2 ,-0.5 ;")), "3:1.5,2,-0.5");
+    EXPECT_EQ(textOf({{4, {}}}), "") << "what changes nothing";
+    EXPECT_TRUE(viewPlaces("").empty());
+    for (const char* wrong : {"3", "3:1", "3:1,2", "3:1,2,3,4", "0:1,2,3", "1.5:1,2,3", "a:1,2,3", "3:1,2,x",
+                              "3:361,0,0", "3:0,101,0", "3:0,0,-101", "3:nan,0,0"})
+        EXPECT_PRED_FORMAT2(::testing::IsSubstring, std::string("\"") + wrong + "\": this is not PICTURE:",
+                            vitrine::test::refusalOf([&] { return viewPlaces(wrong); }));
+    EXPECT_PRED_FORMAT2(::testing::IsSubstring, "Cannot place picture 7: the last picture is number 6;",
+                        vitrine::test::refusalOf([&] {
+                            requirePictures(places, 6);
+                            return 0;
+                        }));
+    EXPECT_NO_THROW(requirePictures(places, 7));
+}
+
 TEST(ViewColors, KeepOneProfileForAllAndConvertDifferentOnes)
 {
     const TemporaryFolder folder;

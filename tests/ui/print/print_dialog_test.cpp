@@ -3,11 +3,15 @@
 #include "exhibits/framework/state_folder.h"
 #include "tests/ui/print/open_print_dialog.h"
 
+#include "ui/print/place_bar.h"
 #include "ui/print/sheet_bar.h"
 #include "ui/print/source_bar.h"
 #include "ui/print/strip_preview.h"
 
+#include <QDoubleSpinBox>
+#include <QSpinBox>
 #include <QTabBar>
+#include <QToolButton>
 
 #include <cmath>
 
@@ -69,6 +73,60 @@ private slots:
         QVERIFY2(warnings().contains("stretched"), qPrintable(warnings()));
         set("width", 0.1575);
         QCOMPARE(warnings(), QString());
+    }
+
+    void picturesAreTurnedAndMovedByHand()
+    {
+        auto& bar = dialog_->findChild<SourceBar*>()->places();
+        const auto field = [&](const char* name) -> QAbstractSpinBox* {
+            for (auto* each : bar.findChildren<QAbstractSpinBox*>())
+                if (each->accessibleName() == name) return each;
+            return nullptr;
+        };
+        auto* view = qobject_cast<QSpinBox*>(field("View to turn and shift"));
+        auto* turn = qobject_cast<QDoubleSpinBox*>(field("Turn of the view, clockwise"));
+        auto* right = qobject_cast<QDoubleSpinBox*>(field("Shift of the view to the right"));
+        QVERIFY(view && turn && right);
+        QVERIFY(!view->isEnabled() && !turn->isEnabled());
+        dialog_->open(solidViews(5));
+        settle();
+        set("views", 3);  // Pictures 1, 3 and 5.
+        QVERIFY(view->isEnabled() && turn->isEnabled());
+        QCOMPARE(view->maximum(), 3);
+        const auto places = [this] { return dialog_->values()[printing::printTable().places]; };
+        const auto type = [this](QAbstractSpinBox* into, const char* text) {
+            into->setFocus();
+            into->selectAll();
+            QTest::keyClicks(into, text);
+            QTest::keyClick(into, Qt::Key_Return);
+            settle();
+        };
+        type(view, "2");
+        type(turn, "1.5");
+        type(right, "-2");
+        QCOMPARE(places(), std::string("3:1.5,-2,0"));
+        type(view, "1");
+        QCOMPARE(turn->value(), 0.0);
+        type(view, "2");
+        QCOMPARE(turn->value(), 1.5);
+        // Steps of one field are one step to undo.
+        right->setFocus();
+        for (int i = 0; i < 3; ++i) QTest::keyClick(right, Qt::Key_Up);
+        settle();
+        QCOMPARE(places(), std::string("3:1.5,-1.7,0"));
+        QTest::keyClick(dialog_, Qt::Key_Z, Qt::ControlModifier);
+        settle();
+        QCOMPARE(places(), std::string("3:1.5,-2,0"));
+        for (auto* button : bar.findChildren<QToolButton*>()) button->click();
+        settle();
+        QCOMPARE(places(), std::string());
+        type(turn, "3");
+        // Places belong to their pictures: others are read as they are.
+        dialog_->open(solidViews(4));
+        settle();
+        QCOMPARE(places(), std::string());
+        dialog_->findChild<SourceBar*>()->showOrigin(printing::ViewOrigin::shown);
+        QVERIFY(!bar.isVisible());
     }
 
     void aSheetThatCannotBeIsRefusedWithItsLimitAndNothingIsExported()

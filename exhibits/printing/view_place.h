@@ -1,0 +1,36 @@
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace vitrine::printing {
+
+/// Turn and shift of a picture by hand, before it becomes a view of a print. Kept in the units in which people type
+/// them, so that every digit survives.
+struct ViewPlace {
+    double turn = 0;      ///< Clockwise about the middle, degrees, -360 to 360.
+    glm::dvec2 shift{0};  ///< To the right and down, percent of the view's width and height, -100 to 100.
+
+    bool operator==(const ViewPlace&) const = default;
+};
+
+/// Places by the number of the picture among all pictures given, from 1. A picture without a place stays as it is.
+using ViewPlaces = std::map<int, ViewPlace>;
+
+/// Parses places: "3:1.5,2,-0.5; 7:0,1,0" turns picture 3 by 1.5 degrees clockwise and moves it 2 % of the view's width
+/// to the right and half a percent of its height up. Throws Failure (Blame::usage) that quotes the part it cannot read.
+[[nodiscard]] ViewPlaces viewPlaces(std::string_view text);
+
+/// Formats places; `viewPlaces` reads the text back to the bit. Places that change nothing are left out.
+[[nodiscard]] std::string textOf(const ViewPlaces&);
+
+/// Returns the place of a picture; without an entry, a place that changes nothing.
+[[nodiscard]] ViewPlace placeOf(const ViewPlaces&, int picture);
+
+/// Throws Failure (Blame::usage) if a place names a picture beyond the last one.
+void requirePictures(const ViewPlaces&, int pictures);
+
+}  // namespace vitrine::printing
