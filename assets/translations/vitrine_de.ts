@@ -2230,6 +2230,10 @@ Zeiten nach: %2.</translation>
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
+        <source>All frames of each direction are equal: the object has no animation, or none that these frames show. One frame per direction is enough.</source>
+        <translation>Alle Bilder jeder Richtung sind gleich: Das Objekt hat keine Animation, oder keine, die diese Bilder zeigen. Ein Bild je Richtung genügt.</translation>
+    </message>
+    <message>
         <source>All its rows are locked against varying.</source>
         <translation>Alle seine Zeilen sind gegen Variieren gesperrt.</translation>
     </message>

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 
 namespace vitrine {
 namespace {
@@ -23,6 +24,17 @@ int mostSeen(const std::vector<SpriteFrame>& frames)
     int most = 0;
     for (const SpriteFrame& frame : frames) most = std::max(most, seenPixels(frame));
     return most;
+}
+
+/// Tells whether directions have several frames, and all frames of each direction are equal.
+bool framesRepeat(const std::vector<SpriteFrame>& frames)
+{
+    std::map<int, const SpriteFrame*> first;
+    for (const SpriteFrame& frame : frames) {
+        const SpriteFrame& before = *first.try_emplace(frame.direction, &frame).first->second;
+        if (before.color.pixels != frame.color.pixels || before.depth.pixels != frame.depth.pixels) return false;
+    }
+    return frames.size() > first.size();
 }
 
 /// The part of a frame that is not empty; one texel of one that is.
@@ -183,6 +195,9 @@ SpriteSheet spriteSheet(const std::vector<SpriteFrame>& frames, const SpriteShee
         sheet.warnings.push_back("The object covers at most " + std::to_string(most) +
                                  " pixels of a frame: it moves far in its animation, or a frame is small. Take its "
                                  "motion out of the frames, or make them larger.");
+    if (framesRepeat(frames))
+        sheet.warnings.push_back("All frames of each direction are equal: the object has no animation, or none that "
+                                 "these frames show. One frame per direction is enough.");
     return sheet;
 }
 

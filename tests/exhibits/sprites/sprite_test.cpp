@@ -202,6 +202,21 @@ TEST(SpriteSheet, KeepsOpacitiesAndSaysWhereHardlyAnythingIsSeen)
     EXPECT_NE(spriteSheet(frames, {}).warnings.front().find("at most 1 pixel"), std::string::npos);
 }
 
+TEST(SpriteSheet, WarnsIfAllFramesOfEachDirectionAreEqual)
+{
+    std::vector<SpriteFrame> frames = disks(2, 1, {24, 20});
+    const auto said = [&] {
+        const SpriteSheet sheet = spriteSheet(frames, {});
+        return std::any_of(sheet.warnings.begin(), sheet.warnings.end(),
+                           [](const std::string& w) { return w.find("are equal") != std::string::npos; });
+    };
+    EXPECT_FALSE(said()) << "one frame for each direction";
+    for (const SpriteFrame& frame : std::vector(frames)) frames.push_back(frame);
+    EXPECT_TRUE(said());
+    frames.back().color.at(12, 10, 0) += 0.25F;
+    EXPECT_FALSE(said()) << "one of them differs";
+}
+
 TEST(SpriteSheet, HoldsColorsOfOnePaletteOverAllFrames)
 {
     SpriteSheetOptions options;
