@@ -4530,6 +4530,10 @@ Zeiten nach: %2.</translation>
         <translation>Kämmen</translation>
     </message>
     <message>
+        <source>Combine</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
         <source>Come nearer to the exhibit or step back</source>
         <translation>Näher an das Exponat heran oder zurück</translation>
     </message>
@@ -5817,12 +5821,20 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Befehl suchen</translation>
     </message>
     <message>
+        <source>Find a node</source>
+        <translation>Knoten suchen</translation>
+    </message>
+    <message>
         <source>Find a parameter</source>
         <translation>Parameter suchen</translation>
     </message>
     <message>
         <source>Find a preset</source>
         <translation>Preset suchen</translation>
+    </message>
+    <message>
+        <source>Find a shape or an operation</source>
+        <translation>Eine Form oder Operation suchen</translation>
     </message>
     <message>
         <source>Find the best within the time</source>
@@ -5839,6 +5851,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Finds and runs any command by name.</source>
         <translation>Findet jeden Befehl nach seinem Namen und führt ihn aus.</translation>
+    </message>
+    <message>
+        <source>Finds shapes and operations by name and by what they do, such as “smooth union”.</source>
+        <translation>Findet Formen und Operationen nach Namen und danach, was sie tun, etwa „smooth union“.</translation>
     </message>
     <message>
         <source>Fine, 75 lenses an inch</source>
@@ -5906,6 +5922,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>flat normal</source>
         <translation>flache Normale</translation>
+    </message>
+    <message>
+        <source>Flat shapes</source>
+        <translation>Flache Formen</translation>
     </message>
     <message>
         <source>Flattening</source>
@@ -9113,6 +9133,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Mehr zu Presets</translation>
     </message>
     <message>
+        <source>More solids</source>
+        <translation>Weitere Körper</translation>
+    </message>
+    <message>
         <source>Morning</source>
         <translation>Morgen</translation>
     </message>
@@ -9397,6 +9421,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>auf dieses Bild folgt keine Bewegung</translation>
     </message>
     <message>
+        <source>No node has these words.</source>
+        <translation>Kein Knoten enthält diese Wörter.</translation>
+    </message>
+    <message>
         <source>No OpenGL was found; OpenGL 4.5 is needed: install a graphics driver, or Mesa's software one (libgl1-mesa-dri).</source>
         <translation>Kein OpenGL wurde gefunden; nötig ist OpenGL 4.5: Installieren Sie einen Grafiktreiber, oder Mesas Software-Treiber (libgl1-mesa-dri).</translation>
     </message>
@@ -9459,6 +9487,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>No setting that was measured stays within {1}</source>
         <translation>Keine gemessene Einstellung bleibt innerhalb von {1}</translation>
+    </message>
+    <message>
+        <source>No shape or operation matches.</source>
+        <translation>Keine Form oder Operation passt.</translation>
     </message>
     <message>
         <source>no sky is in view</source>
@@ -11682,6 +11714,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rendert die Ansichten noch einmal, von dort, wo Sie jetzt stehen.</translation>
     </message>
     <message>
+        <source>Repeat</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
         <source>repeated</source>
         <extracomment>tables</extracomment>
         <translation>wiederholt</translation>
@@ -11726,6 +11762,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Reset turn and shift of the view</source>
         <translation>Drehung und Verschiebung der Ansicht zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reshape</source>
+        <translation>Umformen</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -12672,6 +12712,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Zeigt nur Befehle, deren Name oder Tastenkürzel diese Wörter enthält.</translation>
     </message>
     <message>
+        <source>Shows only nodes whose name or kind contains these words. Enter goes to the first, Esc clears.</source>
+        <translation>Zeigt nur Knoten, in deren Namen oder Art diese Wörter vorkommen. Die Eingabetaste geht zum ersten, Esc löscht die Wörter.</translation>
+    </message>
+    <message>
         <source>Shows only parameters whose name, group, help or choices contain these words. Enter goes to the first, Esc clears, Esc again leaves.</source>
         <translation>Zeigt nur Parameter, deren Name, Gruppe, Hilfe oder Auswahl diese Wörter enthält. Eingabe geht zum ersten, Esc leert das Feld, noch einmal Esc verlässt es.</translation>
     </message>
@@ -12887,6 +12931,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Soft shadows</source>
         <translation>Weiche Schatten</translation>
+    </message>
+    <message>
+        <source>Solids</source>
+        <translation>Körper</translation>
     </message>
     <message>
         <source>Solo</source>

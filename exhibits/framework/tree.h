@@ -36,8 +36,10 @@ struct TreeNode {
 /// A kind that a node may be of.
 struct TreeKind {
     std::string_view name;
-    std::string_view help;   ///< One sentence.
-    bool operation = false;  ///< It holds other nodes.
+    std::string_view help;        ///< One sentence.
+    bool operation = false;       ///< It holds other nodes.
+    std::string_view group = {};  ///< Heading under which it is offered; kinds of one group are adjacent.
+    std::string words = {};       ///< Further words for the search.
 };
 
 /// What an exhibit is made of, as it can be edited: each node before its children, these in order.

@@ -58,12 +58,42 @@ void addNodes(const JsonText& json, Waiting first, Tree& tree)
     }
 }
 
+/// Words for the search: names and help texts of the fields. A blend width finds "smooth", as in "smooth union".
+std::string wordsOf(const NodeKind& kind)
+{
+    std::string words;
+    for (const Field& field : kind.fields) {
+        ((words += field.name) += ' ') += field.help;
+        words += field.name == "blendWidth" ? " Smooth. " : " ";
+    }
+    return words;
+}
+
+const std::vector<TreeKind>& offeredKinds()
+{
+    static const std::vector<TreeKind> all = [] {
+        std::vector<TreeKind> offered;
+        const auto add = [&](std::string_view group, const std::vector<NodeKind>& kinds) {
+            for (const NodeKind& kind : kinds)
+                offered.push_back({kind.name, kind.help, kind.form != Form::shape, group, wordsOf(kind)});
+        };
+        add("Solids", solidKinds());
+        add("More solids", furtherSolidKinds());
+        add("Flat shapes", profileKinds());
+        add("Combine", operandKinds());
+        add("Reshape", modifierKinds());
+        add("Repeat", repeaterKinds());
+        return offered;
+    }();
+    return all;
+}
+
 }  // namespace
 
 Tree treeOf(const Scene& scene)
 {
     Tree tree;
-    for (const NodeKind& kind : nodeKinds()) tree.kinds.push_back({kind.name, kind.help, kind.form != Form::shape});
+    tree.kinds = offeredKinds();
     const JsonText& json = *scene.files.front().text;
     if (const auto root = json.member(0, "root")) addNodes(json, {*root, "root", TreeNode::none, false, false}, tree);
     if (const auto named = json.member(0, "nodes"))

@@ -1,8 +1,10 @@
 #include "ui/tree/tree_dock.h"
 
+#include "ui/kit/idle_undo.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/type_size.h"
+#include "ui/tree/kind_menu.h"
 #include "ui/tree/tree_editor.h"
 #include "ui/tree/tree_file.h"
 #include "ui/tree/tree_overlay.h"
@@ -12,6 +14,9 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QSplitter>
 #include <QToolButton>
@@ -19,6 +24,7 @@
 
 #include <algorithm>
 #include <tuple>
+#include <utility>
 
 namespace vitrine::ui {
 
@@ -26,8 +32,9 @@ using What = TreeEdit::What;
 
 TreeDock::TreeDock(TreeEditor& editor, TreeOverlay& overlay, TreeFile& file, QWidget* parent)
     : QWidget(parent), editor_(editor), overlay_(overlay), file_(file), view_(new TreeView(editor, this)),
-      rows_(new TreeRowsView(editor, this)), adds_(new QMenu(tr("Add"), this)), wraps_(new QMenu(tr("Wrap in"), this)),
-      kinds_(new QMenu(tr("Change kind"), this))
+      rows_(new TreeRowsView(editor, this)), words_(new QLineEdit(this)), layout_(new QVBoxLayout(this)),
+      adds_(new KindMenu(tr("Add"), this)), wraps_(new KindMenu(tr("Wrap in"), this)),
+      kinds_(new KindMenu(tr("Change kind"), this))
 {
     addActions();
     offerKinds(adds_, What::add, true, true);
@@ -38,11 +45,11 @@ TreeDock::TreeDock(TreeEditor& editor, TreeOverlay& overlay, TreeFile& file, QWi
     parts->addWidget(rows_);
     parts->setChildrenCollapsible(false);
     parts->setSizes({220, 320});
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(bar());
-    layout->addWidget(parts, 1);
+    layout_->setContentsMargins(0, 0, 0, 0);
+    layout_->setSpacing(0);
+    layout_->addWidget(bar());
+    layout_->addWidget(finder());
+    layout_->addWidget(parts, 1);
     followType(*this, [this] { setMinimumWidth(std::max(320, grown(296, *this))); });
     connect(view_, &QWidget::customContextMenuRequested, this, &TreeDock::openMenu);
     connect(&editor_, &TreeEditor::selectionChanged, this, &TreeDock::enable);
@@ -126,6 +133,53 @@ QWidget* TreeDock::bar()
     return bar;
 }
 
+QWidget* TreeDock::finder()
+{
+    words_->setPlaceholderText(tr("Find a node"));
+    words_->setAccessibleName(tr("Find a node"));
+    words_->setToolTip(
+        tr("Shows only nodes whose name or kind contains these words. Enter goes to the first, Esc clears."));
+    words_->setProperty(IdleUndo::searches, true);
+    words_->setClearButtonEnabled(true);
+    growHeight(*words_, 26);
+    words_->setTextMargins(4, 0, 4, 0);
+    words_->installEventFilter(this);
+    connect(words_, &QLineEdit::textChanged, view_, &TreeView::setWords);
+    connect(view_, &TreeView::filtered, this, [this](bool some) { showNothing(!some); });
+    auto* finder = new QWidget;
+    auto* layout = new QHBoxLayout(finder);
+    layout->setContentsMargins(8, 0, 8, 6);
+    layout->addWidget(words_);
+    return finder;
+}
+
+void TreeDock::showNothing(bool on)
+{
+    // A hidden label would still be read by screen readers.
+    if (!on) {
+        delete std::exchange(nothing_, nullptr);
+    } else if (!nothing_) {
+        nothing_ = new QLabel(tr("No node has these words."), this);
+        nothing_->setAlignment(Qt::AlignCenter);
+        layout_->insertWidget(layout_->count() - 1, nothing_);
+    }
+}
+
+bool TreeDock::eventFilter(QObject* object, QEvent* event)
+{
+    if (object != words_ || event->type() != QEvent::KeyPress) return QWidget::eventFilter(object, event);
+    switch (static_cast<QKeyEvent*>(event)->key()) {
+    case Qt::Key_Escape:
+        if (words_->text().isEmpty()) return false;
+        words_->clear();
+        return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+    case Qt::Key_Down: view_->goToFirst(); return true;
+    default: return false;
+    }
+}
+
 QString TreeDock::words(What what, const std::string& word) const
 {
     const QString node = editor_.selectedTitle(), kind = QString::fromStdString(word);
@@ -159,29 +213,23 @@ void TreeDock::apply(What what, const std::string& word)
     editor_.apply(edit, words(what, word));
 }
 
-void TreeDock::offerKinds(QMenu* menu, What what, bool shapes, bool operations)
+void TreeDock::offerKinds(KindMenu* menu, What what, bool shapes, bool operations)
 {
-    menu->setToolTipsVisible(true);
+    connect(menu, &KindMenu::chosen, this, [this, what](const std::string& kind) { apply(what, kind); });
     connect(menu, &QMenu::aboutToShow, this, [this, menu, what, shapes, operations] {
-        menu->clear();
         const Tree& tree = editor_.tree();
         const std::size_t index = tree.find(editor_.selected());
         const auto isOperation = [&](const TreeKind& kind) {
             return index != TreeNode::none && kind.operation && kind.name == tree.nodes[index].kind;
         };
         const bool ofOperation = std::any_of(tree.kinds.begin(), tree.kinds.end(), isOperation);
-        for (const bool operation : {false, true}) {
-            if (operation ? !operations : !shapes) continue;
-            if (what == What::kind && operation != ofOperation) continue;  // A shape stays one.
-            if (what == What::add && operation) menu->addSeparator();
-            for (const TreeKind& kind : editor_.tree().kinds) {
-                if (kind.operation != operation) continue;
-                QAction* action = menu->addAction(text(kind.name));
-                action->setToolTip(said(kind.help));
-                connect(action, &QAction::triggered, this,
-                        [this, what, word = std::string(kind.name)] { apply(what, word); });
-            }
+        std::vector<TreeKind> offered;
+        for (const TreeKind& kind : tree.kinds) {
+            if (kind.operation ? !operations : !shapes) continue;
+            if (what == What::kind && kind.operation != ofOperation) continue;  // A shape stays one.
+            offered.push_back(kind);
         }
+        menu->offer(offered);
     });
 }
 

@@ -6,11 +6,14 @@
 #include <QWidget>
 
 class QAction;
-class QMenu;
+class QLabel;
+class QLineEdit;
 class QToolButton;
+class QVBoxLayout;
 
 namespace vitrine::ui {
 
+class KindMenu;
 class TreeEditor;
 class TreeFile;
 class TreeOverlay;
@@ -32,12 +35,17 @@ public:
     /// By what it does.
     [[nodiscard]] QAction* action(TreeEdit::What what) const { return actions_.value(static_cast<int>(what)); }
 
+protected:
+    bool eventFilter(QObject*, QEvent*) override;
+
 private:
     QAction* add(TreeEdit::What, const QString& text, const QString& tip, const QKeySequence& = {});
     void addActions();
     [[nodiscard]] QWidget* bar();
+    [[nodiscard]] QWidget* finder();
+    void showNothing(bool);
     /// Fills a menu of kinds when it opens; `operations`: those that hold others, or shapes.
-    void offerKinds(QMenu*, TreeEdit::What, bool shapes, bool operations);
+    void offerKinds(KindMenu*, TreeEdit::What, bool shapes, bool operations);
     void openMenu(const QPoint&);
     void apply(TreeEdit::What, const std::string& word = {});
     void enable();
@@ -50,8 +58,11 @@ private:
     TreeFile& file_;
     TreeView* view_;
     TreeRowsView* rows_;
+    QLineEdit* words_;
+    QVBoxLayout* layout_;
+    QLabel* nothing_ = nullptr;  ///< Says that no node has the words; null while one has.
     QHash<int, QAction*> actions_;
-    QMenu *adds_, *wraps_, *kinds_;
+    KindMenu *adds_, *wraps_, *kinds_;
     QToolButton* save_ = nullptr;
 };
 

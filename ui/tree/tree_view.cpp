@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 
+#include <algorithm>
 #include <vector>
 
 namespace vitrine::ui {
@@ -87,7 +88,47 @@ void TreeView::rebuild()
     else
         expandToDepth(0);
     filling_ = false;
+    filter();
     showSelection();
+}
+
+void TreeView::setWords(const QString& words)
+{
+    words_ = words.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    filter();
+    if (QTreeWidgetItem* item = currentItem()) scrollToItem(item);
+}
+
+bool TreeView::hasWords(const QTreeWidgetItem& item) const
+{
+    return std::all_of(words_.begin(), words_.end(), [&](const QString& word) {
+        return item.text(0).contains(word, Qt::CaseInsensitive) || item.text(1).contains(word, Qt::CaseInsensitive);
+    });
+}
+
+void TreeView::filter()
+{
+    bool some = false;
+    for (QTreeWidgetItemIterator it(this); *it; ++it) (*it)->setHidden(!words_.isEmpty());
+    for (QTreeWidgetItemIterator it(this); *it; ++it) {
+        if (words_.isEmpty() || nodeOf(**it).empty() || !hasWords(**it)) continue;
+        some = true;
+        for (QTreeWidgetItem* shown = *it; shown; shown = shown->parent()) {
+            shown->setHidden(false);
+            if (shown != *it) shown->setExpanded(true);
+        }
+    }
+    emit filtered(some || words_.isEmpty());
+}
+
+void TreeView::goToFirst()
+{
+    for (QTreeWidgetItemIterator it(this); *it; ++it) {
+        if ((*it)->isHidden() || nodeOf(**it).empty() || !hasWords(**it)) continue;
+        setCurrentItem(*it);
+        setFocus(Qt::ShortcutFocusReason);
+        return;
+    }
 }
 
 void TreeView::showSelection()

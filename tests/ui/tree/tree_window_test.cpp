@@ -14,6 +14,8 @@
 #include "ui/window/window_docks.h"
 
 #include <QDockWidget>
+#include <QLineEdit>
+#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
@@ -97,6 +99,73 @@ private slots:
         if (window_ && document() != "")
             window_->history().set(scenes, values().table().find("document").value(), std::string(), 0);
         finish();
+    }
+
+    void nodesAreFoundByNameAndKind()
+    {
+        QLineEdit* words = nullptr;
+        for (QLineEdit* each : dock().findChildren<QLineEdit*>())
+            if (each->accessibleName() == "Find a node") words = each;
+        QVERIFY(words);
+        const auto shown = [this] {
+            QStringList names;
+            for (QTreeWidgetItemIterator it(&dock().view()); *it; ++it)
+                if (!(*it)->isHidden()) names << (*it)->text(0);
+            return names;
+        };
+        QCOMPARE(shown(), (QStringList{"union", "left", "right"}));
+        words->setFocus();
+        QTest::keyClicks(words, "RIG sph");
+        QCOMPARE(shown(), (QStringList{"union", "right"}));
+        QTest::keyClick(words, Qt::Key_Return);
+        QCOMPARE(editor().selected(), std::string("root.children[1]"));
+        // A change rebuilds the tree; the words stay.
+        dock().action(TreeEdit::What::duplicate)->trigger();
+        QTRY_COMPARE(editor().tree().nodes.size(), std::size_t{4});
+        QCOMPARE(shown().size(), 3);
+        stack().undo();
+        QTRY_COMPARE(editor().tree().nodes.size(), std::size_t{3});
+    }
+
+    void kindsAreOfferedInGroupsAndFoundByWords()
+    {
+        click(at(1, 0));
+        QMenu* menu = nullptr;
+        for (QToolButton* button : dock().findChildren<QToolButton*>())
+            if (button->text() == "Wrap") menu = button->menu();
+        QVERIFY(menu);
+        const auto offered = [&](bool groups) {
+            QStringList texts;
+            for (const QAction* each : menu->actions())
+                if (each->isVisible() && !each->text().isEmpty() && (each->menu() != nullptr) == groups)
+                    texts << each->text();
+            return texts;
+        };
+        menu->popup(window_->mapToGlobal(QPoint(40, 40)));
+        QTRY_VERIFY(menu->isVisible());
+        auto* words = menu->findChild<QLineEdit*>();
+        QVERIFY(words);
+        QCOMPARE(offered(true), (QStringList{"Combine", "Reshape", "Repeat"}));
+        QVERIFY(offered(false).isEmpty());
+        QTest::keyClicks(words, "no such thing");
+        QCOMPARE(offered(false), QStringList{"No shape or operation matches."});
+        words->clear();
+        QTest::keyClicks(words, "smooth union");
+        QCOMPARE(offered(false), QStringList{"union"});
+        QVERIFY(offered(true).isEmpty());
+        const std::size_t before = editor().tree().nodes.size();
+        QTest::keyClick(words, Qt::Key_Return);
+        QTRY_VERIFY(!menu->isVisible());
+        QCOMPARE(editor().tree().nodes.size(), before + 1);
+        QCOMPARE(editor().tree().nodes[editor().tree().find(editor().selected())].kind, std::string("union"));
+        stack().undo();
+        for (QToolButton* button : dock().findChildren<QToolButton*>())
+            if (button->text() == "Add") menu = button->menu();
+        menu->popup(window_->mapToGlobal(QPoint(40, 40)));
+        QTRY_VERIFY(menu->isVisible());
+        QCOMPARE(offered(true), (QStringList{"Solids", "More solids", "Flat shapes", "Combine", "Reshape", "Repeat"}));
+        QVERIFY(menu->height() < window_->height() / 2);
+        menu->close();
     }
 
     void clickDragUndoSaveAndReload()
