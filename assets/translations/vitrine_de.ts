@@ -17712,6 +17712,18 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: {2}; entfernen Sie den Ordner, oder geben Sie ein anderes --out an.</translation>
     </message>
     <message>
+        <source>{1}; allow writing in that folder, or start Vitrine with XDG_DATA_HOME set to a folder that can be written.</source>
+        <translation>{1}; erlauben Sie das Schreiben in diesem Ordner, oder starten Sie Vitrine mit XDG_DATA_HOME auf einem Ordner, in den geschrieben werden kann.</translation>
+    </message>
+    <message>
+        <source>{1}; allow writing in that folder, or start Vitrine with XDG_STATE_HOME set to a folder that can be written. Until then nothing is saved there.</source>
+        <translation>{1}; erlauben Sie das Schreiben in diesem Ordner, oder starten Sie Vitrine mit XDG_STATE_HOME auf einem Ordner, in den geschrieben werden kann. Bis dahin wird dort nichts gesichert.</translation>
+    </message>
+    <message>
+        <source>{1}; allow writing in that folder.</source>
+        <translation>{1}; erlauben Sie das Schreiben in diesem Ordner.</translation>
+    </message>
+    <message>
         <source>{1}; check the name and your permissions.</source>
         <translation>{1}; prüfen Sie den Namen und Ihre Rechte.</translation>
     </message>

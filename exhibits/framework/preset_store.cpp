@@ -46,7 +46,7 @@ void move(const fs::path& from, const fs::path& to)
     fs::create_directories(to.parent_path(), error);
     fs::rename(from, to, error);
     if (error.value() == EXDEV) {
-        render::atomicWriteMakingFolder(to, render::readFile(from, render::ImageLimits{}.fileBytes));
+        writeOwnFile(to, render::readFile(from, render::ImageLimits{}.fileBytes));
         fs::remove(from, error);
     }
     if (error) {
@@ -146,9 +146,9 @@ SaveOutcome PresetStore::save(StoredPreset& stored, IfChanged ifChanged) const
     if (stored.preset.versionRead < presetVersionWithoutMotions && fs::exists(stored.path, error)) {
         fs::path backup = stored.path;
         backup.replace_extension(".v" + std::to_string(stored.preset.versionRead) + ".bak");
-        if (!fs::exists(backup, error)) render::atomicWriteMakingFolder(backup, readText(stored.path));
+        if (!fs::exists(backup, error)) writeOwnFile(backup, readText(stored.path));
     }
-    render::atomicWriteMakingFolder(stored.path, text);
+    writeOwnFile(stored.path, text);
     stored.preset.versionRead = presetVersion;
     stored.stamp = stampOf(stored.path, text);
     return SaveOutcome::saved;
@@ -158,7 +158,7 @@ StoredPreset PresetStore::saveAs(Preset preset) const
 {
     const std::string text = presetText(preset);
     const fs::path path = freePath(folders_.user / preset.exhibit, slugFor(preset.name));
-    render::atomicWriteMakingFolder(path, text);
+    writeOwnFile(path, text);
     preset.versionRead = presetVersion;
     return {std::move(preset), path, stampOf(path, text), false};
 }
@@ -168,11 +168,11 @@ fs::path PresetStore::rename(const fs::path& path, std::string_view name) const
     refuseShipped(path);
     const std::string text = renamedPreset(render::readJson(path, presetLimits), name);
     if (standsFor(path.stem().string(), slugFor(name))) {
-        render::atomicWriteMakingFolder(path, text);
+        writeOwnFile(path, text);
         return path;
     }
     const fs::path to = freePath(path.parent_path(), slugFor(name));
-    render::atomicWriteMakingFolder(to, text);
+    writeOwnFile(to, text);
     std::error_code error;
     fs::remove(path, error);
     moveThumbnail(path, to);
@@ -182,14 +182,14 @@ fs::path PresetStore::rename(const fs::path& path, std::string_view name) const
 void PresetStore::setTags(const fs::path& path, const PresetTags& tags) const
 {
     refuseShipped(path);
-    render::atomicWrite(path, taggedPreset(render::readJson(path, presetLimits), tags));
+    writeOwnFile(path, taggedPreset(render::readJson(path, presetLimits), tags));
 }
 
 fs::path PresetStore::copyAs(const std::string& text, const fs::path& from, const std::string& exhibit,
                              std::string_view name) const
 {
     const fs::path to = freePath(folders_.user / exhibit, slugFor(name));
-    render::atomicWriteMakingFolder(to, text);
+    writeOwnFile(to, text);
     try {
         const std::string picture = render::readFile(thumbnailPath(from), render::ImageLimits{}.fileBytes);
         render::atomicWrite(thumbnailPath(to), picture);
@@ -240,7 +240,7 @@ fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit,
     if (ofEverything) text = presetText(preset);
     const std::string name = preset.name.empty() ? path.stem().string() : preset.name;
     const fs::path to = freePath(folders_.user / exhibit, slugFor(name));
-    render::atomicWriteMakingFolder(to, text);
+    writeOwnFile(to, text);
     return to;
 }
 

@@ -1,7 +1,7 @@
 #include "exhibits/framework/recovery.h"
 
 #include "exhibits/framework/preset.h"
-#include "render/files/atomic_write.h"
+#include "exhibits/framework/state_folder.h"
 #include "render/files/read_file.h"
 
 #include <unistd.h>
@@ -69,7 +69,7 @@ RecoveryJournal::RecoveryJournal(fs::path folder) : folder_(std::move(folder))
 
 void RecoveryJournal::write(std::string_view text) const
 {
-    render::atomicWriteMakingFolder(path_, text);
+    writeOwnFile(path_, text);
 }
 
 void RecoveryJournal::cleanExit() const noexcept

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace vitrine {
 
@@ -14,5 +15,9 @@ namespace vitrine {
 
 /// Where settings live: "~/.config/vitrine", whatever the application is called. Not created here.
 [[nodiscard]] std::filesystem::path configFolder();
+
+/// Writes a file into one of the program's own folders, which it creates if needed. The user did not choose this folder
+/// in a dialog, so the Failure it throws says how to set another one.
+void writeOwnFile(const std::filesystem::path&, std::string_view bytes);
 
 }  // namespace vitrine

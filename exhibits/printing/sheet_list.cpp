@@ -2,7 +2,6 @@
 
 #include "exhibits/framework/state_folder.h"
 #include "render/failure.h"
-#include "render/files/atomic_write.h"
 #include "render/files/strict_json.h"
 
 #include <algorithm>
@@ -133,7 +132,7 @@ void SheetList::write(const std::vector<Sheet>& sheets) const
                         {"conic", s.conic}});
     }
     const Json json{{"format", "vitrine-sheets"}, {"version", 1}, {"sheets", list}};
-    render::atomicWriteMakingFolder(path_, render::writeJson(json));
+    writeOwnFile(path_, render::writeJson(json));
 }
 
 }  // namespace vitrine::printing

@@ -170,7 +170,7 @@ fs::path StudyStore::write(const Json& study) const
     const KeptStudy read = parseStudy(render::parseJson(text, "the study", studyLimits));  // Only what can come back.
     makeRoomFor(text.size());
     fs::path path = freePath(folder_, slugFor(read.measured + ' ' + read.exhibit + ' ' + read.parameterNames()));
-    render::atomicWriteMakingFolder(path, text);
+    writeOwnFile(path, text);
     return path;
 }
 

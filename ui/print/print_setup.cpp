@@ -2,7 +2,6 @@
 
 #include "exhibits/framework/state_folder.h"
 #include "exhibits/printing/print_json.h"
-#include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 #include "ui/kit/ini_file.h"
 #include "ui/kit/language.h"
@@ -115,7 +114,7 @@ QStringList PrintSetup::recall()
 
 void PrintSetup::remember() const
 {
-    render::atomicWriteMakingFolder(rememberedSettings(), text());
+    writeOwnFile(rememberedSettings(), text());
     rememberedNames().setValue(sheetKey, QString::fromStdString(state_.sheet));
 }
 
@@ -129,4 +128,3 @@ std::vector<std::string> textsOf(const QStringList& files)
 }  // namespace vitrine::ui
 
 #include "moc_print_setup.cpp"
-#include "ui/kit/language.h"

@@ -64,7 +64,7 @@ void Bookmarks::write()
         if (const Tour all = tour(); all.bookmarks.empty())
             std::filesystem::remove(file_, ignored);
         else
-            render::atomicWriteMakingFolder(file_, tourText(all));
+            writeOwnFile(file_, tourText(all));
         window_.setProblems(QStringLiteral("bookmarks"), {});
     } catch (const std::exception& failure) {
         window_.setProblems(QStringLiteral("bookmarks"), {messageOf(failure)});

@@ -2,7 +2,6 @@
 
 #include "exhibits/framework/preset.h"
 #include "exhibits/framework/state_folder.h"
-#include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 #include "ui/kit/ini_file.h"
 #include "ui/kit/language.h"
@@ -99,14 +98,19 @@ void SessionKeeper::writeJournalLater()
     if (writing_.valid()) writing_.get();
     // Without a thread of its own, a slow disk would halt who walks.
     writing_ = std::async(std::launch::async, [this, text = journalText()] {
+        std::string why;
         try {
             journal_.write(text);
         } catch (const std::exception& failure) {
-            QMetaObject::invokeMethod(
-                this,
-                [this, why = std::string(failure.what())] { window_.say(MessageStrip::Mood::problem, said(why)); },
-                Qt::QueuedConnection);
+            why = failure.what();
         }
+        // One message for all attempts, removed after the first that succeeds.
+        QMetaObject::invokeMethod(
+            this,
+            [this, why] {
+                window_.setProblems(QStringLiteral("journal"), why.empty() ? QStringList() : QStringList(said(why)));
+            },
+            Qt::QueuedConnection);
     });
 }
 
@@ -225,9 +229,8 @@ void SessionKeeper::close()
     settled_.stop();
     if (writing_.valid()) writing_.get();
     try {
-        render::atomicWriteMakingFolder(
-            folder_ / "session.json",
-            textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Last session"));
+        writeOwnFile(folder_ / "session.json",
+                     textOf(window_.museum(), window_.history().sceneState(), window_.chosen(), "Last session"));
         saveLayout();
         setTimesRestored(0);
         journal_.cleanExit();

@@ -1,5 +1,7 @@
 #include "exhibits/framework/recovery.h"
 
+#include "exhibits/framework/state_folder.h"
+#include "render/failure.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +10,10 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
 
 namespace {
 
@@ -34,6 +40,35 @@ TEST(Recovery, OffersWhatACrashLeftBehind)
     EXPECT_GT(sessions[0].modified, 1'600'000'000);
     journal.discard(sessions[0]);
     EXPECT_TRUE(journal.abandoned().empty());
+}
+
+TEST(Recovery, SaysHowToSetAnotherFolderIfItsOwnCannotBeWritten)
+{
+    const TemporaryFolder folder;
+    const auto saidFor = [&](const std::filesystem::path& file) {
+        try {
+            writeOwnFile(file, "text");
+        } catch (const Failure& failure) {
+            return std::string(failure.what());
+        }
+        return std::string();
+    };
+    // A file in place of the folder stops root, too.
+    std::ofstream(folder.path() / "vitrine") << "no folder";
+    const char* before = std::getenv("XDG_STATE_HOME");
+    const std::string kept = before ? before : "";
+    ::setenv("XDG_STATE_HOME", folder.path().c_str(), 1);
+    const std::string state = saidFor(stateFolder() / "recovery" / "1-2.json");
+    if (before)
+        ::setenv("XDG_STATE_HOME", kept.c_str(), 1);
+    else
+        ::unsetenv("XDG_STATE_HOME");
+    EXPECT_NE(state.find("XDG_STATE_HOME set to a folder that can be written"), std::string::npos) << state;
+    EXPECT_EQ(state.find("choose"), std::string::npos) << state;
+    const std::string other = saidFor(folder.path() / "vitrine" / "a.json");
+    EXPECT_NE(other.find("allow writing in that folder."), std::string::npos) << other;
+    EXPECT_EQ(saidFor(folder.path() / "new" / "a.json"), "");
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "new" / "a.json"));
 }
 
 TEST(Recovery, OffersWhatAProcessLeftThatWasKilledAndThatItsParentHasNotAskedFor)
