@@ -3,6 +3,7 @@
 #include "exhibits/sdf_scenes/node_kinds.h"
 #include "exhibits/sdf_scenes/scene_functions_cpu.h"
 
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -15,9 +16,14 @@ inline constexpr double radiansPerDegree = std::numbers::pi / 180;
 inline constexpr double smallestSize = 1e-4, largestSize = 1e4;
 inline constexpr double noEnd = std::numeric_limits<double>::infinity();
 
+/// Factor from a size's initial value to either end of its slider, which is logarithmic.
+inline constexpr double sizeSpan = 8;
+
 inline Field size(std::string_view name, double initial, std::string_view help)
 {
-    return {name, FieldType::real, Unit::meter, smallestSize, largestSize, 0.01, 4, {initial, 0, 0}, help};
+    return {name,        FieldType::real,    Unit::meter,        smallestSize,
+            largestSize, initial / sizeSpan, initial * sizeSpan, {initial, 0, 0},
+            help};
 }
 /// May be 0.
 inline Field width(std::string_view name, double initial, std::string_view help)
@@ -26,7 +32,9 @@ inline Field width(std::string_view name, double initial, std::string_view help)
 }
 inline Field sizes(std::string_view name, const std::array<double, 3>& initial, std::string_view help)
 {
-    return {name, FieldType::sizes, Unit::meter, smallestSize, largestSize, 0.01, 4, initial, help};
+    const auto [least, most] = std::minmax({initial[0], initial[1], initial[2]});
+    return {name, FieldType::sizes, Unit::meter, smallestSize, largestSize, least / sizeSpan, most * sizeSpan, initial,
+            help};
 }
 inline Field point(std::string_view name, const std::array<double, 3>& initial, std::string_view help)
 {

@@ -58,7 +58,9 @@ void addRow(MadeTable& table, const NodeRow& row)
     const Field& field = *row.field;
     const std::string name = rowName(table, row);
     const double initial = field.initial[row.component];
-    const Range range = Range{field.low, field.high}.soft(field.softLow, field.softHigh);
+    const bool isSize = field.unit == Unit::meter && field.low > 0;
+    const Range range =
+        Range{field.low, field.high, isSize ? Scale::logarithmic : Scale::linear}.soft(field.softLow, field.softHigh);
     switch (field.type) {
     case FieldType::toggle: table.toggle(name, initial != 0, field.help); break;
     case FieldType::choice: {

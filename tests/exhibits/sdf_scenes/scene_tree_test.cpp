@@ -14,6 +14,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <tuple>
 
 namespace vitrine {
 namespace {
@@ -128,6 +129,25 @@ TEST(SceneTree, ANodesNumbersAreRowsInTheirUnits)
     EXPECT_FALSE(e.shown().rowsOf(e.values(), "root.children[9]"));
     const ParameterInfo& radius = torus.values.rows()[torus.values.table().find("rotateX").value()];
     EXPECT_EQ(radius.unit, Unit::degree);
+}
+
+/// The same drag changes a small sphere and a large one by the same factor.
+TEST(SceneTree, SlidersOfSizesAreLogarithmic)
+{
+    Edited e;
+    for (const auto& [node, name, initial] :
+         {std::tuple{"root.children[0]", "radius", 0.5}, std::tuple{"root.children[3].child", "sizeX", 1.0}}) {
+        const TreeRows rows = e.shown().rowsOf(e.values(), node).value();
+        const Range range = rows.values.rows()[rows.values.table().find(name).value()].range;
+        EXPECT_EQ(range.scale, Scale::logarithmic) << node;
+        EXPECT_LE(range.softHigh / range.softLow, 64.0) << node;
+        EXPECT_LT(range.softLow, initial) << node;
+        EXPECT_GT(range.softHigh, initial) << node;
+    }
+    // Numbers that may be 0 or negative stay linear.
+    const TreeRows round = e.shown().rowsOf(e.values(), "root.children[3]").value();
+    for (const char* name : {"radius", "translateX"})
+        EXPECT_EQ(round.values.rows()[round.values.table().find(name).value()].range.scale, Scale::linear) << name;
 }
 
 TEST(SceneTree, ANumberChangesItsOwnTextAloneAndCompilesNothing)
