@@ -98,6 +98,17 @@ std::vector<AbandonedSession> RecoveryJournal::abandoned() const
     return sessions;
 }
 
+int RecoveryJournal::othersRunning() const
+{
+    int others = 0;
+    std::error_code error;
+    for (const fs::directory_entry& file : fs::directory_iterator(folder_, error)) {
+        const std::optional<Owner> owner = ownerOf(file.path());
+        if (owner && owner->pid != ::getpid() && startOf(owner->pid) == owner->start) ++others;
+    }
+    return others;
+}
+
 void RecoveryJournal::discard(const AbandonedSession& session) const noexcept
 {
     std::error_code error;

@@ -35,6 +35,8 @@ public:
     /// The journals of processes that are no longer there or are on their way out, the newest first. Unreadable ones
     /// are left out.
     [[nodiscard]] std::vector<AbandonedSession> abandoned() const;
+    /// Counts the other running processes with a journal in this folder.
+    [[nodiscard]] int othersRunning() const;
     /// Removes one after the user took it or declined it.
     void discard(const AbandonedSession&) const noexcept;
     /// Keeps one under another name, so that it is not offered again. Returns where it is now.

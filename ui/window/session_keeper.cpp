@@ -254,7 +254,7 @@ void SessionKeeper::saveLayout() const
 void SessionKeeper::restoreLayout()
 {
     QSettings settings(iniPath(settingsPath(folder_)), QSettings::IniFormat);
-    restorePlace(window_, settings.value(QStringLiteral("geometry")).toByteArray());
+    restorePlace(window_, settings.value(QStringLiteral("geometry")).toByteArray(), journal_.othersRunning());
     window_.restoreState(settings.value(QStringLiteral("docks")).toByteArray(), layoutVersion);
     window_.panel().setLockedRows(settings.value(QStringLiteral("locked")).toStringList());
     window_.panel().setFoldedGroups(settings.value(QStringLiteral("folded")).toStringList());

@@ -42,6 +42,31 @@ TEST(Recovery, OffersWhatACrashLeftBehind)
     EXPECT_TRUE(journal.abandoned().empty());
 }
 
+TEST(Recovery, CountsOtherProcessesThatAreRunning)
+{
+    const TemporaryFolder folder;
+    const RecoveryJournal own(folder.path());
+    own.write("own");
+    EXPECT_EQ(own.othersRunning(), 0);
+    int ready[2];
+    ASSERT_EQ(::pipe(ready), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        RecoveryJournal(folder.path()).write("other");
+        (void)::write(ready[1], "x", 1);
+        ::pause();
+        ::_exit(0);
+    }
+    char byte = 0;
+    ASSERT_EQ(::read(ready[0], &byte, 1), 1);
+    EXPECT_EQ(own.othersRunning(), 1);
+    ::kill(child, SIGKILL);
+    ::waitpid(child, nullptr, 0);
+    EXPECT_EQ(own.othersRunning(), 0);
+    ::close(ready[0]);
+    ::close(ready[1]);
+}
+
 TEST(Recovery, SaysHowToSetAnotherFolderIfItsOwnCannotBeWritten)
 {
     const TemporaryFolder folder;

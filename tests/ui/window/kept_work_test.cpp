@@ -16,6 +16,7 @@
 #include <QDir>
 #include <QDockWidget>
 #include <QMenuBar>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTimer>
 
@@ -115,6 +116,32 @@ private slots:
     void cleanup()
     {
         if (window_) closeWindow();
+    }
+
+    void aSecondWindowOpensOffsetFromTheFirst()
+    {
+        window_->setGeometry(60, 60, 800, 500);
+        QTRY_COMPARE(window_->geometry(), QRect(60, 60, 800, 500));
+        closeWindow();
+        openWindow();
+        const QPoint alone = window_->pos();
+        closeWindow();
+        // Another process with a journal of its own.
+        QProcess other;
+        other.start("sleep", {"100"});
+        QVERIFY(other.waitForStarted());
+        QFile stat(QString("/proc/%1/stat").arg(other.processId()));
+        QVERIFY(stat.open(QIODevice::ReadOnly));
+        const QByteArray fields = stat.readAll();
+        const QByteArray started = fields.mid(fields.lastIndexOf(')') + 2).split(' ').at(19);  // Field 22.
+        QDir().mkpath(state("recovery"));
+        QFile journal(recovery().filePath(QString("%1-%2.json").arg(other.processId()).arg(QString(started))));
+        QVERIFY(journal.open(QIODevice::WriteOnly));
+        journal.close();
+        openWindow();
+        QCOMPARE(window_->pos() - alone, QPoint(32, 32));
+        other.kill();
+        other.waitForFinished();
     }
 
     void whatATimerOrASlotThrowsIsSaidAndTheProgramGoesOn()
