@@ -47,7 +47,7 @@ std::string rangeText(const ParameterInfo& row)
     return {};
 }
 
-/// "oldGold" for "old gold", "sunSDisk" for "sun's disk".
+/// Converts to camel case: "oldGold" for "old gold", "sunSDisk" for "sun's disk".
 std::string camelCase(std::string_view text)
 {
     std::string name;

@@ -21,16 +21,16 @@
 
 namespace vitrine {
 
-/// What else a picture should carry, besides color.
+/// Additional images to compute besides the color.
 struct Channels {
-    bool normal = false;       ///< World space, unit length, in the image "normal".
-    bool evaluations = false;  ///< Field evaluations per pixel, in the image "evaluations".
+    bool normal = false;       ///< Normals in world space, of unit length, in the image "normal".
+    bool evaluations = false;  ///< Number of field evaluations per pixel, in the image "evaluations".
 
     bool operator==(const Channels&) const = default;
 };
 
-/// Images that every exhibit of a frame draws into: scene-linear radiance (alpha is coverage, premultiplied)
-/// and reversed depth; the sun's depth map of the exhibits.
+/// Names of the images that all exhibits of a frame draw into. The radiance is scene-linear, with premultiplied alpha
+/// as coverage. The depth is reversed (1 near, 0 far). "shadow.exhibits" is the sun's shadow map of the exhibits.
 inline constexpr const char* radianceImage = "radiance";
 inline constexpr const char* depthImage = "depth";
 inline constexpr const char* normalImage = "normal";
@@ -38,63 +38,66 @@ inline constexpr const char* evaluationsImage = "evaluations";
 inline constexpr const char* exhibitShadowImage = "shadow.exhibits";
 inline constexpr const char* glassShadowImage = "shadow.glass";
 
-/// What an exhibit may know when it plans its part of a frame.
+/// Everything that an exhibit may read when it plans its part of a frame.
 struct PlanContext {
     const ParameterValues& values;
-    const SceneLighting& lighting;  ///< The light around it.
+    const SceneLighting& lighting;  ///< Light at the exhibit.
     glm::dmat4 worldFromExhibit{
-        1};           ///< Its place in the hall, or identity when alone, times the caller's scale and rotation.
+        1};           ///< Placement in the hall (identity if alone), times the caller's scale and rotation.
     double time = 0;  ///< Seconds since the exhibit's clock started.
     Channels channels;
-    bool alone = false;      ///< No hall: the environment is the only light.
-    bool onNothing = false;  ///< Where it draws nothing, the picture stays empty.
+    bool alone = false;      ///< True: shown without the hall; the environment is the only light.
+    bool onNothing = false;  ///< True: empty background; pixels where the exhibit draws nothing stay transparent.
     double sinceOwnPress =
         std::numeric_limits<double>::infinity();  ///< Seconds since its button was pressed; infinity: never.
-    const PreparedPart* prepared = nullptr;       ///< What `prepare` made.
-    /// What the hall and all exhibits plan for another view of the same frame, without shadows and what lies over the
-    /// frame. Only for OverFrame::planOverFrame; unpruned.
+    const PreparedPart* prepared = nullptr;       ///< Result of `prepare`.
+    /// Plans the hall and all exhibits for another view of the same frame: without shadows, without passes over the
+    /// whole frame, and unpruned. Only for OverFrame::planOverFrame.
     std::function<render::FramePlan(const render::View&)> seenFrom = {};
 };
 
-/// One technique on show: its parameter table, and the passes that draw it. What only some exhibits do is in
-/// exhibits/framework/capabilities.h.
+/// A rendering technique in the museum: a parameter table and the passes that draw it. Optional features are the
+/// interfaces in exhibits/framework/capabilities.h.
 class Exhibit : public Subject {
 public:
     [[nodiscard]] virtual std::string_view tryThis() const { return {}; }  ///< On the plaque: what to try.
     [[nodiscard]] virtual int place() const = 0;                           ///< In the hall, 1 to 9.
 
-    /// Resolves what takes time or can fail, through the asset store: files, meshes, simulations. Null where it needs
-    /// nothing. Any thread may call it, several at once; never throws for a file that cannot be read.
+    /// Gets everything that takes time or can fail from the asset store: files, meshes, simulations. Returns null if
+    /// nothing is needed. Thread-safe; several threads may call it at once. Never throws for an unreadable file.
     [[nodiscard]] virtual std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const { return nullptr; }
 
-    // What follows only reads: it opens no file, keeps nothing and answers the same whenever it is asked the same.
+    // The following functions are pure: they open no file, store nothing and always return the same result for the same
+    // arguments.
 
-    /// As `bounds`, at this moment, its button included. Asked before anything is prepared, too.
+    /// Returns the bounding box for a state (time and button press included). Also called before anything is prepared.
     [[nodiscard]] virtual render::Box boundsOf(const ExhibitState& state) const { return bounds(state.values); }
-    /// Where a ray (own space) first meets what is seen of it, as `render::firstHit` counts; infinity: nowhere. What a
-    /// visitor points at. By default its bounds.
+    /// Returns the distance along a ray (exhibit space) to its first hit of the visible exhibit, measured like
+    /// `render::firstHit`; infinity if it misses. Used to pick exhibits with the pointer. The default tests the
+    /// bounding box.
     [[nodiscard]] virtual double firstHit(const ExhibitState& state, const render::Ray& ray) const
     {
         return render::firstHit(ray, boundsOf(state));
     }
-    /// Seconds until its picture next changes by itself: 0 while animated, infinity when still.
+    /// Returns the seconds until the picture next changes by itself: 0 while animated, infinity if it is static.
     [[nodiscard]] virtual double nextChange(const ParameterValues&, double time) const = 0;
-    /// The same of what is prepared, its button included.
+    /// The same for a prepared state, button press included.
     [[nodiscard]] virtual double nextChangeOf(const ExhibitState& state) const
     {
         return nextChange(state.values, state.time);
     }
 
-    /// Whether it may throw a shadow at all: what lies behind a wall and what is made of light does not, and takes no
-    /// room in the shadow map.
+    /// Returns false if the exhibit never casts a shadow (content behind a wall, or made of light). It then takes no
+    /// space in the shadow map.
     [[nodiscard]] virtual bool castsShadow() const { return true; }
 
-    // Planning. Where one of the first two is not called, the ledger has one line that says why: "fur/shadow", "fur".
+    // Planning. If one of the first two functions is skipped, the frame's report has one line with the reason:
+    // "fur/shadow" or "fur".
 
-    /// Its part of the exhibits' shadow map (`castShadow` of the kit), before `plan`. Called only while the sun may
-    /// reach its bounds and the shadow may be seen.
+    /// Adds the passes that draw the exhibit into the shadow map of all exhibits (see `castShadow` in the kit). Called
+    /// before `plan`, and only if the sun may reach its bounds and the shadow may be visible.
     virtual void planShadow(const PlanContext&, render::FramePlan&) const {}
-    /// Its part of the picture. Called only while its bounds may be seen.
+    /// Adds the passes that draw the exhibit. Called only if its bounds may be visible.
     virtual void plan(const PlanContext&, render::FramePlan&) const {}
 };
 

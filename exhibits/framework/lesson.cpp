@@ -19,12 +19,12 @@ using render::JsonDocument;
 constexpr std::string_view rowMark = "[row:";
 constexpr render::JsonLimits blockLimits{.bytes = 64U << 10U, .depth = 16, .nodes = 4'000, .stringBytes = 16U << 10U};
 
-/// A heading and what stands below it, up to the next.
+/// A heading and the text up to the next heading.
 struct Part {
     std::string title;
-    std::string text;   ///< Without the block.
-    std::string block;  ///< JSON, after as many newlines as bring it to its own line of the file.
-    int line = 0;       ///< Of the heading.
+    std::string text;   ///< Text without the JSON block.
+    std::string block;  ///< JSON text, preceded by enough newlines to have the same line numbers as in the file.
+    int line = 0;       ///< Line of the heading.
     bool hasBlock = false;
 };
 
@@ -40,7 +40,7 @@ Failure failureAt(const std::string& file, int line, const std::string& problem)
     return {Blame::file, file + ", line " + std::to_string(line) + ": " + problem};
 }
 
-/// Cuts the file at its headings.
+/// Splits the file at its headings.
 class Cutter {
 public:
     Cutter(const std::string& text, const std::string& file) : file_(file)
@@ -107,7 +107,7 @@ const ParameterValues* tableOf(const NamedValues& tables, std::string_view name)
     return found == tables.end() ? nullptr : &found->second;
 }
 
-/// The row that "kind" or "hall.exposure" means; null: there is none.
+/// Returns the row named "kind" or "hall.exposure"; null if there is none.
 const ParameterInfo* rowNamed(std::string_view name, std::string_view exhibit, const NamedValues& tables)
 {
     if (name.starts_with("hall.")) {
@@ -128,7 +128,7 @@ std::string noSuchRow(std::string_view name, std::string_view exhibit)
            subject + "` names those of " + subject + ".";
 }
 
-/// Reads the parts of one file.
+/// Parser for the parts of a lesson file.
 class Reader {
 public:
     Reader(const std::string& file, const NamedValues& tables, Lesson& lesson)
@@ -232,7 +232,8 @@ private:
         return *row;
     }
 
-    /// What is no row of the exhibit may be one that a file gives, where the step names such a file.
+    /// Sets the rows of a step. An unknown row may be one that a scene file adds to the table, if the step names such a
+    /// file; it is then kept as pending.
     void setRows(ParameterValues& values, const JsonDocument& document)
     {
         ParameterValues::PendingRows pending;
@@ -301,7 +302,7 @@ Lesson parseLesson(const std::string& text, const std::string& fileName, const N
 Lesson readLesson(const std::filesystem::path& path, const NamedValues& tables)
 {
     std::string text = render::readFile(path, lessonBytes);
-    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";  // Editors on Windows write one.
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";  // Some editors on Windows write it.
     if (text.starts_with(byteOrderMark)) text.erase(0, byteOrderMark.size());
     return parseLesson(text, path.string(), tables);
 }

@@ -10,7 +10,7 @@ namespace vitrine {
 namespace {
 
 constexpr double fullTurn = 2 * std::numbers::pi;
-constexpr int mostSteps = 200;  // Towards a mean on circle or sphere, of which a few do where the parts are near.
+constexpr int mostSteps = 200;  // Limit of iterations for a mean on a circle or sphere; close values need only a few.
 
 template <typename T> struct Weighted {
     T value;
@@ -26,7 +26,7 @@ template <typename T> WeightedParts<T> partsOf(std::span<const Value> values, st
     return parts;
 }
 
-/// The first of those that weigh most.
+/// Returns the index of the largest weight; the first one if equal.
 std::size_t heaviest(std::span<const double> weights)
 {
     return static_cast<std::size_t>(std::max_element(weights.begin(), weights.end()) - weights.begin());
@@ -45,7 +45,7 @@ bool isTurn(const ParameterInfo& row)
            std::abs(row.range.high - row.range.low - fullTurn) < 1e-9;
 }
 
-/// The mean on the circle, within one turn from `low`.
+/// Returns the mean of angles on the circle, in the turn that starts at `low`.
 double turned(const WeightedParts<double>& parts, double low)
 {
     double angle = parts[0].value;
@@ -70,7 +70,8 @@ bool isWord(const ParameterInfo& row, double value)
     return row.word && row.word->value == value;
 }
 
-/// Without words, if a number weighs most; nothing where a word does. The rest weighs 1 again.
+/// Removes values that stand for words and normalizes the other weights to the sum 1. Returns nothing if a word has the
+/// largest weight.
 WeightedParts<double> withoutWords(const ParameterInfo& row, const WeightedParts<double>& parts)
 {
     const auto most =
@@ -106,13 +107,14 @@ double morphedNumber(const ParameterInfo& row, WeightedParts<double> parts)
     return row.kind == Kind::count ? std::round(between) : between;
 }
 
-/// What leads from `at` to `to` along the great circle, its length the angle between them; both of length 1.
+/// Returns the tangent at `at` toward `to` along the great circle. Its length is the angle in radians. Both points have
+/// unit length.
 glm::dvec3 wayTo(const glm::dvec3& at, const glm::dvec3& to)
 {
     const double angle = std::atan2(glm::length(glm::cross(at, to)), glm::dot(at, to));
     glm::dvec3 aside = to - glm::dot(at, to) * at;
     if (angle < 1e-9) return aside;
-    if (glm::length(aside) < 1e-9) {  // Opposite: any way is as short.
+    if (glm::length(aside) < 1e-9) {  // Opposite points: all directions are equally short.
         const glm::dvec3 axis = std::abs(at.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
         aside = axis - glm::dot(at, axis) * at;
     }
@@ -147,13 +149,14 @@ bool sameButForTheEnds(Motion a, const Motion& b)
     return a == b;
 }
 
-/// A setting that has a row, as row `row`.
+/// Values of a setting that contains the row, and the index of the row there.
 struct Owner {
     const ParameterValues* values;
     std::size_t row;
 };
 
-/// How a row moves that moves as `nearest` where the largest weight is.
+/// Returns the interpolated motion of a row. `nearest` is the motion with the largest weight; returned unchanged if the
+/// motions differ in more than their ends.
 Motion morphedMotion(const ParameterInfo& info, const Motion& nearest, const std::vector<Owner>& owners,
                      std::span<const double> weights)
 {
@@ -199,7 +202,7 @@ Value morphed(const ParameterInfo& row, const Value& a, const Value& b, double t
 {
     if (t <= 0) return a;
     if (t >= 1) return b;
-    // The first of equal weights counts: `b`, from the middle on.
+    // If weights are equal, the first one counts: `b` from the middle on.
     const std::array<Value, 2> values{b, a};
     return morphed(row, values, std::array{t, 1 - t});
 }

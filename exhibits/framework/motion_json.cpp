@@ -17,7 +17,7 @@ using render::shortestNumber;
 constexpr double farthestTime = 1e9;      // Seconds.
 constexpr double farthestDistance = 1e4;  // Meters.
 
-/// A number of a motion: how files name it, which kinds go by it, and its limits.
+/// A number of a motion: its key in files, the motion kinds that use it, and its range.
 struct NumberOfMotion {
     const char* name;
     double low, high;
@@ -47,7 +47,8 @@ constexpr std::array<NumberOfMotion, 7> numbersOfMotion{{
      [](const Motion& m) { return m.farthest; }, [](Motion& m, double x) { m.farthest = x; }},
 }};
 
-/// Least value of a number beside the others of its motion: the far end of a distance is not before the near one.
+/// Returns the smallest legal value of a number, given the other numbers of the motion: `farthest` is at least
+/// `nearest`.
 double leastOf(const NumberOfMotion& number, const Motion& motion)
 {
     return std::string_view(number.name) == "farthest" ? std::max(number.low, motion.nearest) : number.low;
@@ -132,7 +133,7 @@ Motion motionFromJson(const ParameterInfo& row, const Json& json, const JsonPlac
         if (json.contains(key)) *end = valueFromJson(row, json[key], place.inside(key), shown + '.' + key, notes);
     if (json.contains("ease"))
         motion.ease = static_cast<Ease>(namedAt(json["ease"], place.inside("ease"), easeNames, "ease"));
-    // What another kind goes by means nothing here, and would not be written again.
+    // Numbers that the kind does not use are ignored and would not be written again.
     for (const NumberOfMotion& number : numbersOfMotion)
         if (json.contains(number.name) && number.usedBy(motion.kind))
             number.set(motion, numberWithin(json[number.name], place.inside(number.name), shown + '.' + number.name,

@@ -65,8 +65,8 @@ Opened open(const JsonDocument& document)
     return file;
 }
 
-/// What may be values, or motions, of rows that a file will give the table: taken from `left`, and from what the file
-/// keeps below `key`.
+/// Moves the entries that may be rows added to the table by a file from `left`, and from the object `key` of the file,
+/// into the result (for values or for motions).
 ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const ParameterValues& values,
                                          const std::string& prefix, std::map<std::string, const Json*>& left)
 {
@@ -122,7 +122,7 @@ ParameterValues readRows(Opened& file, const Parameters& table, const std::strin
     return values;
 }
 
-/// Reads how the rows of one table move, as `readRows`.
+/// Reads the motions of the rows of one table, like `readRows`.
 void readMotions(Opened& file, ParameterValues& values, const std::string& prefix,
                  std::map<std::string, const Json*>& left)
 {
@@ -174,7 +174,7 @@ void writeMotions(const ParameterValues& values, const std::string& prefix, std:
     for (const auto& [name, json] : values.pendingMotions()) out[prefix + name] = render::parseJson(json, name).root();
 }
 
-/// What the file held below `key`, to be overlaid.
+/// Returns the entries below `key` in the file that was read; the caller overwrites them.
 std::map<std::string, Json> keptOf(const Json& kept, const char* key)
 {
     std::map<std::string, Json> values;

@@ -21,7 +21,7 @@ inline constexpr int presetVersion = 2;
 /// What is written where none does: programs from before rows could move read it, too.
 inline constexpr int presetVersionWithoutMotions = 1;
 
-/// What a preset file may be at most: it is a few kilobytes, and a hostile one must not cost more.
+/// Limits for reading a preset file. A normal file has a few kilobytes; the limits bound the cost of a malicious one.
 inline constexpr render::JsonLimits presetLimits{
     .bytes = 4U << 20U, .depth = 64, .nodes = 10'000, .stringBytes = 1U << 20U};
 
@@ -52,24 +52,25 @@ struct Preset {
     PresetTags tags = {};
 };
 
-/// Reads a preset. Keys that this program does not know, at the top, in `values` and in `camera`, are kept
-/// with a note; values out of range are clamped with a note ("exposure 99 -> 16 (allowed -16 to 16)");
-/// missing values are initial. Throws Failure naming file, line and key for broken JSON, a key that stands
-/// twice, a wrong type, an unknown choice, another format or exhibit, or a newer version; nothing of the
-/// caller's changes. Keys that may be rows which a file gives the table become pending values of the result.
+/// Reads a preset. Unknown keys at the top level, in `values` and in `camera` are kept, with a note. Values out of
+/// range are clamped, with a note ("exposure 99 -> 16 (allowed -16 to 16)"). Missing values get their initial value.
+/// Keys that may be rows added to the table by a file become pending values of the result. Throws Failure with file,
+/// line and key for malformed JSON, a duplicate key, a wrong type, an unknown choice, a wrong format or exhibit, or a
+/// newer version. Never changes an argument.
 [[nodiscard]] Preset parsePreset(std::string text, std::string fileName, std::string_view exhibit, const Parameters&);
 
-/// The text of a preset file, with the unknown keys of `kept`. Throws Failure when a number is not finite.
+/// Returns the text of a preset file, including the unknown keys of `kept`. Throws Failure if a number is not finite.
 [[nodiscard]] std::string presetText(const Preset&);
 
-/// Values of all subjects by name, in the order of the museum.
+/// Names and values of all subjects, in the order of the museum.
 using NamedValues = std::vector<std::pair<std::string, ParameterValues>>;
 
-/// Values beside the names of the subjects that they belong to; both in the same order.
+/// Pairs the names of the subjects with their values; both must be in the same order.
 [[nodiscard]] NamedValues namedValues(Subjects, std::span<const ParameterValues>);
 
-/// Settings of everything: "format" is "vitrine-exhibition", "exhibit" is the one that was chosen, and the keys of
-/// `values` are "sdf_morph.morph", "hall.exposure", ... Inside a picture, "picture" says how it was taken.
+/// Settings of the whole museum. As a file: "format" is "vitrine-exhibition", "exhibit" is the selected exhibit, and
+/// the keys of `values` are "sdf_morph.morph", "hall.exposure", ... Embedded in a picture, "picture" also stores how it
+/// was rendered.
 struct Exhibition {
     std::string name;
     NamedValues values;
@@ -77,33 +78,33 @@ struct Exhibition {
 
     render::Json kept = render::Json::object();
     std::vector<std::string> notes;
-    std::string chosen = {};  ///< The exhibit whose parameters were on show; empty: not known.
+    std::string chosen = {};  ///< Exhibit whose parameters were shown; empty: unknown.
     PresetTags tags = {};
     std::optional<PictureRecord> picture = std::nullopt;
 };
 
-/// As `parsePreset`. `initial` names the exhibits and gives their tables; values not in the file get their
-/// table's initial ones. Values of exhibits that are not there are kept with a note.
+/// Reads an exhibition like `parsePreset`. `initial` contains the names and tables of the exhibits. Values missing in
+/// the file get their initial value. Values of unknown exhibits are kept, with a note.
 [[nodiscard]] Exhibition parseExhibition(std::string text, std::string fileName, const NamedValues& initial);
 
 [[nodiscard]] std::string exhibitionText(const Exhibition&);
 
-/// The part of an exhibition that is one exhibit's, as a preset: its values, name, tags and the camera. Throws Failure
-/// as `parseExhibition`, and where it was made of another exhibit and changes nothing of this one.
+/// Extracts the preset of one exhibit from an exhibition: its values, name, tags and the camera. Throws Failure like
+/// `parseExhibition`, and also if the file was saved from another exhibit and changes nothing of this one.
 [[nodiscard]] Preset presetInExhibition(std::string text, std::string fileName, std::string_view exhibit,
                                         const Parameters&);
 
-/// What kind of file a text is, without reading its values. Throws Failure when it is no preset at all.
+/// Kind of a preset file, read without its values. Reading throws Failure if the file is not a preset.
 struct PresetHeader {
     bool isExhibition = false;
-    std::string exhibit;  ///< Of an exhibition: the chosen one, or empty.
+    std::string exhibit;  ///< Name of the exhibit; for an exhibition, of the selected one, or empty.
     std::string name;
     int version = presetVersion;
     PresetTags tags = {};
 };
 [[nodiscard]] PresetHeader presetHeader(const render::JsonDocument&);
 
-/// The same file with another name; everything else stays as it was written. Throws Failure as `presetHeader`.
+/// Returns the same file with another name; everything else is unchanged. Throws Failure like `presetHeader`.
 [[nodiscard]] std::string renamedPreset(const render::JsonDocument&, std::string_view name);
 
 }  // namespace vitrine

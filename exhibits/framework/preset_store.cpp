@@ -31,7 +31,8 @@ FileStamp stampOf(const fs::path& path, std::string_view content)
     return stamp;
 }
 
-/// False also when the file has gone: saving then makes it anew, and nothing of anyone's is lost.
+/// Returns whether a file has changed since it was stamped. False also if it was deleted: saving then creates it again
+/// and overwrites nobody's work.
 bool changedSince(const fs::path& path, const FileStamp& stamp)
 {
     std::error_code error;
@@ -39,7 +40,7 @@ bool changedSince(const fs::path& path, const FileStamp& stamp)
     return stampOf(path, readText(path)) != stamp;
 }
 
-/// Moves a file, by copying where the target is on another file system.
+/// Moves a file; copies it if the target is on another file system.
 void move(const fs::path& from, const fs::path& to)
 {
     std::error_code error;
@@ -56,7 +57,7 @@ void move(const fs::path& from, const fs::path& to)
     }
 }
 
-/// The picture may be missing, and failing to move one is no reason to fail.
+/// Moves the thumbnail if there is one. Never throws: if the move fails, it deletes the thumbnail.
 void moveThumbnail(const fs::path& from, const fs::path& to)
 {
     std::error_code error;
@@ -101,7 +102,7 @@ void appendFolder(const fs::path& folder, bool shipped, std::vector<PresetEntry>
         [](const PresetEntry& a, const PresetEntry& b) { return std::tie(a.name, a.path) < std::tie(b.name, b.path); });
 }
 
-/// Whether `stem` is `slug`, or `slug` with a number that made it unique.
+/// Returns whether `stem` is `slug`, or `slug` with a "-" and a number that made it unique.
 bool standsFor(std::string_view stem, std::string_view slug)
 {
     if (!stem.starts_with(slug)) return false;
@@ -194,7 +195,7 @@ fs::path PresetStore::copyAs(const std::string& text, const fs::path& from, cons
         const std::string picture = render::readFile(thumbnailPath(from), render::ImageLimits{}.fileBytes);
         render::atomicWrite(thumbnailPath(to), picture);
     } catch (const Failure&) {
-        // There may be none, and it comes again once the preset is on show.
+        // There may be no thumbnail; it is made again when the preset is next shown.
     }
     return to;
 }
@@ -236,7 +237,8 @@ fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit,
     }
     const bool ofEverything = presetHeader(render::parseJson(text, path.string(), presetLimits)).isExhibition;
     const Preset preset = ofEverything ? presetInExhibition(text, path.string(), exhibit, table)
-                                       : parsePreset(text, path.string(), exhibit, table);  // Only to know it is good.
+                                       // Only to check that it is valid.
+                                       : parsePreset(text, path.string(), exhibit, table);
     if (ofEverything) text = presetText(preset);
     const std::string name = preset.name.empty() ? path.stem().string() : preset.name;
     const fs::path to = freePath(folders_.user / exhibit, slugFor(name));

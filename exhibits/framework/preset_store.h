@@ -11,26 +11,26 @@
 
 namespace vitrine {
 
-/// A preset as a list shows it.
+/// Entry of a preset in a list.
 struct PresetEntry {
-    std::string name;  ///< From the file, or the file's name where it has none.
+    std::string name;  ///< Name in the file; the file name if it has none.
     std::filesystem::path path;
-    bool shipped = false;                            ///< Part of the program: read-only.
-    std::optional<std::filesystem::path> thumbnail;  ///< The picture beside it, if there is one.
-    std::string problem;                             ///< Why it cannot be opened; empty when its header is good.
+    bool shipped = false;                            ///< True for read-only presets that come with the program.
+    std::optional<std::filesystem::path> thumbnail;  ///< Path of the thumbnail, if there is one.
+    std::string problem;                             ///< Reason why it cannot be opened; empty if its header is valid.
     PresetTags tags = {};
 };
 
-/// What a file was when it was read, to notice that someone else has changed it.
+/// State of a file when it was read, to detect changes by other programs.
 struct FileStamp {
     std::uintmax_t size = 0;
-    std::int64_t modified = 0;  ///< Nanoseconds, of the file system's clock.
-    std::uint64_t hash = 0;     ///< FNV-1a of the content.
+    std::int64_t modified = 0;  ///< Nanoseconds of the file system's clock.
+    std::uint64_t hash = 0;     ///< FNV-1a hash of the content.
 
     bool operator==(const FileStamp&) const = default;
 };
 
-/// A preset and the file that it came from or went to.
+/// A preset and the file that it was read from or written to.
 struct StoredPreset {
     Preset preset;
     std::filesystem::path path;
@@ -41,17 +41,16 @@ struct StoredPreset {
 enum class IfChanged : std::uint8_t { report, overwrite };
 enum class SaveOutcome : std::uint8_t { saved, changedOnDisk };
 
-/// What `PresetStore::remove` moved away.
+/// Result of `PresetStore::remove`: the paths before and after moving to the trash.
 struct RemovedPreset {
     std::filesystem::path original;
     std::filesystem::path trashed;
 };
 
-/// The presets on disk: the user's own, and those that come with the program.
+/// Presets on disk: the user's presets, and those that come with the program (shipped).
 ///
-/// Files: <folder>/<exhibit>/<slug>.json with an optional picture <slug>.png beside it. A file that could not
-/// be read is never written, moved or renamed. Every function throws Failure naming file and cause, and then
-/// has changed nothing.
+/// Files: <folder>/<exhibit>/<slug>.json with an optional thumbnail <slug>.png beside it. A file that cannot be read is
+/// never written, moved or renamed. Every function throws Failure with file and cause, and then has changed nothing.
 class PresetStore {
 public:
     struct Folders {
@@ -60,10 +59,11 @@ public:
         std::filesystem::path trash;
     };
     explicit PresetStore(Folders folders) : folders_(std::move(folders)) {}
-    /// The user's own in `userPresetFolder()`, the trash in `stateFolder()`/trash.
+    /// Returns a store with the user's presets in `userPresetFolder()` and the trash in `stateFolder()`/trash.
     [[nodiscard]] static PresetStore standard(std::filesystem::path shipped);
 
-    /// Shipped presets first, each part sorted by name. Files that cannot be opened are listed with their problem.
+    /// Returns the shipped presets, then the user's, each sorted by name. Files that cannot be opened are listed with
+    /// their problem.
     [[nodiscard]] std::vector<PresetEntry> list(std::string_view exhibit) const;
 
     [[nodiscard]] StoredPreset load(const std::filesystem::path&, std::string_view exhibit, const Parameters&) const;
@@ -72,28 +72,28 @@ public:
     /// since, unless told to overwrite. A file of an older version is first copied to <slug>.v<n>.bak.
     /// Shipped presets are refused: use `saveAs`.
     [[nodiscard]] SaveOutcome save(StoredPreset&, IfChanged = IfChanged::report) const;
-    /// A new file of the user's, named after `preset.name`.
+    /// Writes a new file in the user's folder, named after `preset.name`.
     [[nodiscard]] StoredPreset saveAs(Preset) const;
 
-    /// Changes name, file name and picture; returns the new path.
+    /// Renames a preset: name, file and thumbnail. Returns the new path.
     std::filesystem::path rename(const std::filesystem::path&, std::string_view name) const;
-    /// Changes the tags and nothing else.
+    /// Changes only the tags of a preset.
     void setTags(const std::filesystem::path&, const PresetTags&) const;
-    /// A copy of the user's own, picture included, also of a shipped preset; returns its path.
+    /// Copies a preset (user's or shipped) and its thumbnail into the user's folder. Returns its path.
     std::filesystem::path duplicate(const std::filesystem::path&, std::string_view name) const;
 
-    /// Moves file and picture to the trash.
+    /// Moves a preset and its thumbnail to the trash.
     [[nodiscard]] RemovedPreset remove(const std::filesystem::path&) const;
-    /// Puts them back, under another file name where theirs is taken by now; returns the path.
+    /// Moves a preset back from the trash, under a new file name if the old one is taken. Returns its path.
     std::filesystem::path restore(const RemovedPreset&) const;
 
-    /// Copies a preset file, or the preset that a picture or recording carries, into the user's folder after reading
-    /// all of it; of an exhibition, the part of this exhibit. Returns its path.
+    /// Imports a preset file, or the preset embedded in a picture or recording, into the user's folder, after parsing
+    /// all of it. Of an exhibition only the part of this exhibit is imported. Returns its path.
     std::filesystem::path importFile(const std::filesystem::path&, std::string_view exhibit, const Parameters&) const;
-    /// Copies a preset file byte for byte to a place of the user's choice.
+    /// Copies a preset file byte for byte to `target`.
     void exportFile(const std::filesystem::path&, const std::filesystem::path& target) const;
 
-    /// Where the picture of a preset is, or would be.
+    /// Returns the path of a preset's thumbnail, which may not exist.
     [[nodiscard]] static std::filesystem::path thumbnailPath(const std::filesystem::path& preset);
 
 private:

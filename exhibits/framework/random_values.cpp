@@ -81,7 +81,7 @@ ParameterValues cheapestValues(const Parameters& table)
 
 namespace {
 
-/// Another value for a row that is varied, of so many random numbers each.
+/// Returns another value for a row; each kind uses one of the given random numbers.
 Value anotherValue(const ParameterInfo& row, const Value& from, double t, const glm::dvec3& color,
                    const glm::dvec3& direction)
 {
@@ -99,7 +99,7 @@ Value anotherValue(const ParameterInfo& row, const Value& from, double t, const 
     return from;
 }
 
-/// Whether there is nothing between the two.
+/// Returns whether no intermediate value between `a` and `b` exists.
 bool isSwitched(const ParameterInfo& row, const Value& a, const Value& b)
 {
     if (row.kind == Kind::toggle || row.kind == Kind::choice) return true;
@@ -115,7 +115,7 @@ ParameterValues variation(const ParameterValues& from, std::uint64_t seed,
     RandomNumbers random(seed), switches(seed + 0x9e3779b97f4a7c15U);
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
         const ParameterInfo& row = values.rows()[i];
-        // Drawn for every row, so that a lock moves no other one.
+        // Numbers are drawn for every row, so that a lock changes no other row.
         const double t = random.number(0, 1);
         const glm::dvec3 color = random.point(glm::dvec3(0), glm::dvec3(1)), direction = random.direction();
         const bool switched = switches.chance(strength);

@@ -11,30 +11,30 @@
 
 namespace vitrine {
 
-/// The same numbers from a seed on every machine, which the distributions of the standard library do not promise.
+/// Random numbers that are the same for a seed on every machine; the distributions of the standard library are not.
 class RandomNumbers {
 public:
     explicit RandomNumbers(std::uint64_t seed) : engine_(seed) {}
 
-    /// In [low, high).
+    /// Returns a number in [low, high).
     double number(double low, double high)
     {
         return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53);
     }
-    /// In [0, count), `count` > 0.
+    /// Returns an index in [0, count); requires `count` > 0.
     int index(int count) { return static_cast<int>(number(0, count)); }
     bool chance(double probability) { return number(0, 1) < probability; }
     glm::dvec3 point(const glm::dvec3& low, const glm::dvec3& high);
-    /// Unit length, evenly over the sphere.
+    /// Returns a unit vector, uniformly distributed over the sphere.
     glm::dvec3 direction();
 
 private:
     std::mt19937_64 engine_;
 };
 
-/// How far random values may go.
+/// Limits of random values.
 struct RandomReach {
-    /// Counts that trade accuracy for time go no higher than their initial value: above it they cost minutes and
+    /// True: counts that trade speed for accuracy stay at or below their initial value. Higher counts cost minutes and
     /// show nothing new.
     bool affordable = true;
 };
@@ -43,17 +43,17 @@ struct RandomReach {
 /// more often than chance would. A file keeps its initial value.
 [[nodiscard]] Value randomValue(const ParameterInfo&, RandomNumbers&, RandomReach = {});
 
-/// Random legal values for a share of the rows, 0 to 1; the others initial.
+/// Returns random legal values for a share of the rows (0 to 1); the others keep their initial value.
 [[nodiscard]] ParameterValues randomValues(const Parameters&, RandomNumbers&, double share = 1, RandomReach = {});
 
-/// All initial, but every count that trades accuracy for time as low as it goes.
+/// Returns the initial values, with every count that trades speed for accuracy at its minimum.
 [[nodiscard]] ParameterValues cheapestValues(const Parameters&);
 
-/// Other values to explore from: numbers evenly over their comfortable ranges (by factors on a logarithmic scale, whole
-/// for counts), colors, directions, toggles and choices over all there are. `strength`, 0 to 1, says how far: the
-/// values are led so far towards those (`morphed`), and what has nothing between becomes them with that probability.
-/// What shows nothing else stays as in `from`: files, texts, and rows that trade accuracy for time; so does a row that
-/// `locked` (by its index) keeps. The same seed gives every other row the same value, whatever is locked.
+/// Returns random values for exploration. Numbers are uniform over their comfortable ranges (logarithmic if the scale
+/// is, integers for counts). Colors, directions, toggles and choices are uniform over all values. `strength` (0 to 1)
+/// interpolates from `from` to these values (`morphed`). Rows without intermediate values switch with the probability
+/// `strength`. Unchanged are files, texts, rows that trade speed for accuracy, and rows for which `locked(index)` is
+/// true. With the same seed, the other rows get the same values, whatever is locked.
 [[nodiscard]] ParameterValues variation(const ParameterValues& from, std::uint64_t seed,
                                         const std::function<bool(std::size_t row)>& locked, double strength = 1);
 

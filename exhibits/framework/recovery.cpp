@@ -20,14 +20,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// When a process started, in clock ticks since boot (field 22 of /proc/<pid>/stat); nothing when there is no such
-/// process, or none that will do anything more: one that was killed stays listed until its memory is given back (the
-/// flag PF_EXITING of field 9) and its parent has asked for it (state Z or X, field 3).
+/// Returns the start time of a process in clock ticks since boot (field 22 of /proc/<pid>/stat). Returns nullopt if the
+/// process does not exist or has ended. A killed process stays listed until its memory is freed (flag PF_EXITING in
+/// field 9) and its parent has waited for it (state Z or X in field 3).
 std::optional<std::string> startOf(pid_t pid)
 {
     std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    const std::size_t nameEnd = text.rfind(')');  // The name may hold blanks and parentheses.
+    const std::size_t nameEnd = text.rfind(')');  // The process name may contain blanks and parentheses.
     if (nameEnd == std::string::npos) return std::nullopt;
     std::istringstream rest(text.substr(nameEnd + 1));
     std::string state, field, start;
@@ -91,7 +91,7 @@ std::vector<AbandonedSession> RecoveryJournal::abandoned() const
             sessions.push_back(
                 {file.path(), owner->pid, status.st_mtime, render::readFile(file.path(), presetLimits.bytes)});
         } catch (const Failure&) {
-            continue;  // It may be gone, or someone else's.
+            continue;  // It may have been deleted, or be unreadable.
         }
     }
     std::sort(sessions.begin(), sessions.end(), [](const auto& a, const auto& b) { return a.modified > b.modified; });

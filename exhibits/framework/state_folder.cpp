@@ -26,7 +26,7 @@ std::filesystem::path stateFolder()
 
 std::filesystem::path userPresetFolder()
 {
-    // GenericDataLocation: AppDataLocation would append whatever organization and application are set.
+    // Not AppDataLocation: it would append the organization and application names of Qt.
     const QString data = QStandardPaths::writableLocation(QStandardPaths::GenericDataLocation);
     return std::filesystem::path(data.toStdString()) / "vitrine" / "presets";
 }

@@ -5,15 +5,15 @@
 
 namespace vitrine {
 
-/// Where state that is worth keeping, but no document, lives: $XDG_STATE_HOME/vitrine when that is an
-/// absolute path, else ~/.local/state/vitrine (Qt 6.4 has no name for it). Not created here.
+/// Returns the folder for persistent state other than documents: $XDG_STATE_HOME/vitrine if that is an absolute path,
+/// else ~/.local/state/vitrine. (Qt 6.4 has no name for it.) Does not create it.
 [[nodiscard]] std::filesystem::path stateFolder();
 
-/// Where the user's own presets live: presets/ in QStandardPaths::AppDataLocation, whatever the
-/// application is called ("~/.local/share/vitrine/presets"). Not created here.
+/// Returns the folder of the user's presets: presets/ in "~/.local/share/vitrine", independent of the Qt application
+/// name. Does not create it.
 [[nodiscard]] std::filesystem::path userPresetFolder();
 
-/// Where settings live: "~/.config/vitrine", whatever the application is called. Not created here.
+/// Returns the folder of the settings: "~/.config/vitrine", independent of the Qt application name. Does not create it.
 [[nodiscard]] std::filesystem::path configFolder();
 
 /// Writes a file into one of the program's own folders, which it creates if needed. The user did not choose this folder

@@ -17,23 +17,23 @@
 
 namespace vitrine {
 
-/// A node of an exhibit's tree. `id` names it until the tree changes.
+/// A node of an exhibit's tree. `id` is valid until the tree changes.
 struct TreeNode {
     static constexpr std::size_t none = ~std::size_t{0};
 
     std::string id;
-    std::string name;  ///< Given by the author; empty: none.
+    std::string name;  ///< Name given by the author; empty: none.
     std::string kind;
-    std::size_t parent = none;  ///< In `Tree::nodes`.
+    std::size_t parent = none;  ///< Index in `Tree::nodes`.
     bool hidden = false;
-    bool takesChildren = false;  ///< Others can be added to it, and moved into it.
-    bool movable = true;         ///< Its operation does without it.
-    bool shared = false;         ///< A definition that stands in several places, beside the tree.
+    bool takesChildren = false;  ///< Nodes can be added to it and moved into it.
+    bool movable = true;         ///< True if its parent stays valid without it.
+    bool shared = false;  ///< True for a definition listed beside the tree, which is instanced in several places.
 
     bool operator==(const TreeNode&) const = default;
 };
 
-/// A kind that a node may be of.
+/// A kind of node.
 struct TreeKind {
     std::string_view name;
     std::string_view help;        ///< One sentence.
@@ -42,35 +42,35 @@ struct TreeKind {
     std::string words = {};       ///< Further words for the search.
 };
 
-/// What an exhibit is made of, as it can be edited: each node before its children, these in order.
+/// Editable tree of an exhibit: each node precedes its children; children are in order.
 struct Tree {
     std::vector<TreeNode> nodes;
     std::vector<TreeKind> kinds;
 
-    /// Its index; `TreeNode::none` where there is none.
+    /// Returns the index of a node; `TreeNode::none` if there is none.
     [[nodiscard]] std::size_t find(std::string_view id) const;
-    /// "ball", or the kind of one without a name.
+    /// Returns the name of a node ("ball"), or its kind if it has no name.
     [[nodiscard]] static std::string_view title(const TreeNode& node)
     {
         return node.name.empty() ? std::string_view(node.kind) : std::string_view(node.name);
     }
 };
 
-/// One change of a tree. Which members count stands beside each.
+/// An edit of a tree. The comment of each kind of edit names the members that it uses.
 struct TreeEdit {
     enum class What : std::uint8_t {
-        add,        ///< To `node`, `before` its child of that number: a node of the kind `word`.
-        duplicate,  ///< Once more behind it.
+        add,        ///< Adds a node of the kind `word` to `node`, in front of its child number `before`.
+        duplicate,  ///< Inserts a copy after `node`.
         remove,
-        wrap,    ///< In an operation of the kind `word`.
-        unwrap,  ///< Its only child takes its place.
-        move,    ///< `before` that child of `parent`, counted as they are now.
-        rename,  ///< To `word`.
+        wrap,    ///< Puts `node` into a new operation of the kind `word`.
+        unwrap,  ///< Replaces `node` by its only child.
+        move,    ///< Moves `node` into `parent`, in front of its child number `before` (counted before the move).
+        rename,  ///< Renames `node` to `word`.
         hide,
         show,
-        solo,     ///< Hides everything else.
-        showAll,  ///< Hides nothing.
-        kind      ///< Makes it one of the kind `word`.
+        solo,     ///< Hides everything except `node`.
+        showAll,  ///< Shows all nodes.
+        kind      ///< Changes the kind of `node` to `word`.
     };
     What what = What::add;
     std::string node = {};
@@ -79,80 +79,80 @@ struct TreeEdit {
     std::size_t before = ~std::size_t{0};
 };
 
-/// What a change made, and the node that it was about.
+/// Result of an edit: the new values and the edited node.
 struct EditedTree {
     ParameterValues values;
     std::string node;
 };
 
-/// The numbers of a node.
+/// Parameter rows of a node.
 struct TreeRows {
     ParameterValues values;
-    std::string note = {};  ///< A sentence about them; empty: none.
+    std::string note = {};  ///< Sentence about them; empty: none.
 };
 
-/// Where a node stands in its parent: scaled first, then turned about z, y and x, then moved.
+/// Transformation of a node relative to its parent: scale first, then rotation about z, y and x, then translation.
 struct TreePlace {
-    glm::dmat4 exhibitFromParent{1};  ///< The exhibit's own space.
-    glm::dvec3 translate{0};          ///< Meters of the parent.
-    glm::dvec3 rotate{0};             ///< Radians.
+    glm::dmat4 exhibitFromParent{1};  ///< Transformation from the parent to exhibit space.
+    glm::dvec3 translate{0};          ///< Meters in the parent's space.
+    glm::dvec3 rotate{0};             ///< Euler angles in radians.
     glm::dvec3 scale{1};
-    /// Why no handles can stand there, as a sentence for people; empty: they can, and `exhibitFromParent` is what is
-    /// around the node's middle as far as space is bent there.
+    /// Sentence that explains why no handles can be shown; empty if they can. In warped space `exhibitFromParent` is
+    /// the local linearization at the node's center.
     std::string without = {};
 
     [[nodiscard]] glm::dmat3 rotation() const;
 };
 
-/// What is seen of a node, in the exhibit's own space. Any thread may ask it.
+/// Visible shape of a node in exhibit space. Thread-safe.
 struct TreeShape {
-    render::Box box;                                ///< Holds it; infinite where it has no end.
-    std::function<bool(const render::Ray&)> isHit;  ///< Whether the ray meets it, whatever stands before it.
+    render::Box box;                                ///< Bounding box; infinite if the shape is unbounded.
+    std::function<bool(const render::Ray&)> isHit;  ///< Returns whether the ray hits the shape, even if it is occluded.
 };
 
-/// Where the tree of an exhibit comes from and goes to. Rows of its table.
+/// Storage of an exhibit's tree: the two rows of its table, and the file.
 struct TreeDocument {
     std::size_t file = 0, document = 0;
-    std::string path = {};  ///< Of the file.
-    bool writable = false;  ///< The file is the visitor's, not the program's own.
+    std::string path = {};  ///< Path of the file.
+    bool writable = false;  ///< True if the file belongs to the visitor and not to the program.
 };
 
-/// Is made of a tree that visitors may edit. Changes are made of the exhibit's document (`Parameters::document`), so
-/// that undo, presets and sessions hold them. `values` are those on show, under the table that was read for them.
+/// Interface of exhibits with a tree that visitors can edit. Edits change the exhibit's document
+/// (`Parameters::document`), so undo, presets and sessions store them. `values` are the shown values, with the table
+/// that was read for them.
 class HasTree {
 public:
     virtual ~HasTree() = default;
 
     [[nodiscard]] virtual Tree tree(const ParameterValues&) const = 0;
-    /// Its numbers as the rows of a table of their own, in the same order while only numbers change. Empty where there
-    /// is no such node.
+    /// Returns the numbers of a node as rows of a separate table; their order is the same while only numbers change.
+    /// Returns nullopt if there is no such node.
     [[nodiscard]] virtual std::optional<TreeRows> rowsOf(const ParameterValues&, std::string_view node) const = 0;
 
-    // Each throws Failure with a sentence for people where the change makes no sense, and changes nothing then. What
-    // they give has the table for the new document, made through the store as `TableFromFiles::tableFor` would.
+    // Each of the next functions throws Failure with a sentence for the user if the edit is invalid, and then changes
+    // nothing. The result has the table of the new document, made through the store like `TableFromFiles::tableFor`.
 
     [[nodiscard]] virtual EditedTree edited(const ParameterValues&, const TreeEdit&, render::AssetStore&) const = 0;
-    /// With another value in that row of the node's.
+    /// Returns the values with a new value in a row of the node.
     [[nodiscard]] virtual ParameterValues withRow(const ParameterValues&, std::string_view node, std::size_t row,
                                                   const Value&, render::AssetStore&) const = 0;
-    /// With what differs of two places of a node.
+    /// Returns the values with the changes between two transformations applied to the node.
     [[nodiscard]] virtual ParameterValues withPlace(const ParameterValues&, std::string_view node,
                                                     const TreePlace& from, const TreePlace& to,
                                                     render::AssetStore&) const = 0;
 
-    /// The node that a ray of the exhibit's own space shows; empty: none.
+    /// Returns the node that a ray (exhibit space) hits; empty if none.
     [[nodiscard]] virtual std::string pick(const ExhibitState&, const render::Ray&) const = 0;
-    /// Nothing where there is no such node.
+    /// Returns the transformation of a node; nullopt if there is no such node.
     [[nodiscard]] virtual std::optional<TreePlace> placeOf(const ExhibitState&, std::string_view node) const = 0;
-    /// Makes what it takes to see the node's shape, which may take a while: any thread may call it. Null where there is
-    /// no such node.
+    /// Makes the visible shape of a node. May be slow; thread-safe. Returns null if there is no such node.
     [[nodiscard]] virtual std::shared_ptr<const TreeShape> shapeOf(const ExhibitState&,
                                                                    std::string_view node) const = 0;
 
     [[nodiscard]] virtual TreeDocument document(const ParameterValues&) const = 0;
-    /// What stands in the file, or takes its place.
+    /// Returns the document text, or the text of the file if there is no document.
     [[nodiscard]] virtual std::string documentText(const ParameterValues&) const = 0;
-    /// Whether a file with this text is one for its row.
+    /// Returns whether `text` is valid for the document row.
     [[nodiscard]] virtual bool isDocument(const std::string& text) const = 0;
 };
 

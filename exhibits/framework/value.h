@@ -7,9 +7,8 @@
 
 namespace vitrine {
 
-/// A value as code that walks a table sees it: a number for real, count, toggle (0 or 1) and choice
-/// (its index); three numbers for color (linear Rec. 709) and direction (unit length); a path for file; what is written
-/// for text.
+/// A parameter value of any type. A number for real, count, toggle (0 or 1) and choice (its index). Three numbers for
+/// color (linear Rec. 709) and direction (unit length). A string for file (its path) and text.
 using Value = std::variant<double, glm::dvec3, std::string>;
 
 }  // namespace vitrine

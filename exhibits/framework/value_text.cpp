@@ -62,7 +62,7 @@ std::optional<Value> parseHexColor(std::string_view digits)
     return color;
 }
 
-/// "17:30" or "17:30:15" as hours; nothing when it is no time of day.
+/// Parses "17:30" or "17:30:15" as hours; nullopt if it is not a time of day.
 std::optional<double> parseClock(std::string_view text)
 {
     double hours = 0;
@@ -102,7 +102,7 @@ template <typename Number> std::string digits(Number x, int count)
     return std::string(text.data(), end.ptr);
 }
 
-/// The fewest digits in the shown unit that store exactly `value`.
+/// Returns the text with the fewest digits, in the displayed unit, that `evaluate` converts to exactly `value`.
 std::string formatNumber(double value, Unit unit)
 {
     const double inUnit = shown(value, unit);
@@ -111,7 +111,7 @@ std::string formatNumber(double value, Unit unit)
         if (text.find('e') != std::string::npos) text = render::shortestNumber(*render::parseNumber(text));
         if (evaluate(text, unit) == value) return text;
     }
-    // Between two doubles of the shown unit.
+    // The value lies between two doubles of the displayed unit: more digits are needed.
     const long double exact = static_cast<long double>(value) * static_cast<long double>(info(unit).shownPerStored);
     for (int count = 17; count <= 24; ++count) {
         const std::string text = digits(exact, count);

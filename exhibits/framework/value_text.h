@@ -8,13 +8,13 @@
 
 namespace vitrine {
 
-/// The value that someone typed for a row, or nothing when the text means none. The same in every locale.
+/// Parses a value typed for a row; nullopt if the text is invalid. Independent of the locale.
 ///
-///  - real, count: an expression with units, see `evaluate`. Not clamped, and a count not rounded: give it to
-///    `ParameterValues::setRow`, which says whether it had to change it. The row's word for a value ("auto") is that
-///    value; hours of the day may be written "17:30".
+///  - real, count: an expression with units, see `evaluate`. Neither clamped nor rounded: pass it to
+///    `ParameterValues::setRow`, which reports whether it changed the value. The row's word for a value ("auto") is
+///    also accepted, as are times of day ("17:30") for hours.
 ///  - toggle: on, off, true, false, yes, no, 1, 0.
-///  - choice: one of its names; upper and lower case matter only where names differ in nothing else.
+///  - choice: one of its names; case matters only if two names differ in nothing else.
 ///  - color: "#rrggbb" or "#rgb" in sRGB, with or without the #, or "r,g,b" in linear light.
 ///  - direction: "x,y,z", of any length but zero; returned at unit length.
 ///  - file: the text itself.
