@@ -16,10 +16,11 @@ const FurtherMember stageMember{"sdf_scenes/stage_block.glsl", "SceneStage stage
 /// scenes, those of 9 to 12 shapes are up to five times slower by lists, those of 17 a third faster.
 constexpr std::size_t manyShapes = 16;
 
-/// Up to so many, a program of the scene's own is built in seconds, and with its numbers folded is faster than without.
+/// Largest number of shapes for which a program specialized for the scene, with its numbers folded in, builds in
+/// seconds and is faster.
 constexpr std::size_t mostFolded = 64;
 
-/// The shader's text has all steps in it, and the numbers are hashed once.
+/// Returns a cache key. The hash of the shader text covers all steps; the numbers are hashed separately.
 std::string keyOf(const ShownScene& shown, const SceneWords& words, const char* way)
 {
     return std::string(way) + ' ' + std::to_string(shown.sources->hash()) + ' ' +
@@ -41,7 +42,7 @@ AskedScene everyShape(const ShownScene& shown, const SceneWords& words, const ch
     return asked;
 }
 
-/// Null while it is pending.
+/// Returns null while it is being made.
 std::shared_ptr<const AskedScene> byLists(const ShownScene& shown, const SceneWords& words, SceneEvaluation way,
                                           render::AssetStore& assets)
 {
@@ -107,7 +108,7 @@ AskedScene unfolded(const ShownScene& shown, const SceneWords& words, SceneEvalu
     return asked;
 }
 
-/// Why a scene that is asked so has no better program; empty where it has one.
+/// Returns why the scene's numbers are not folded into its program; empty if they are.
 std::string whyNotFolded(const ShownScene& shown, const AskedScene& asked, SceneEvaluation way, SceneRest rest)
 {
     if (way != SceneEvaluation::automatic) return "numbers are folded by themselves where the evaluation is automatic";

@@ -11,21 +11,21 @@ namespace {
 
 constexpr std::uint32_t nothing = ~std::uint32_t{0};
 
-constexpr int fewestCells = 8;  ///< Along the longest side: fewer leave nothing out.
+constexpr int fewestCells = 8;  ///< Along the longest side; fewer cells would exclude no shapes.
 
 bool isFinite(const render::Box& box)
 {
     return std::isfinite(glm::length(box.high - box.low));
 }
 
-/// A union whose operands stand in the scene's space and are joined as they are.
+/// Returns whether a node is a hard union without a transformation.
 bool isPlainUnion(const SceneProgram& program, const SceneWords& words, const ProgramNode& node)
 {
     const bool moved = node.translate != none || node.rotate != none || node.scale != none;
     return !moved && program.kind(node).name == "union" && words.words[node.numbers + 1] == 0;
 }
 
-/// std430, as in shaders/sdf_scenes/near.glsl.
+/// Header of the grid buffer (std430), as in shaders/sdf_scenes/near.glsl.
 struct GridHead {
     glm::vec4 low, high, heldLow, heldHigh;
     glm::uvec4 count;
@@ -47,7 +47,7 @@ template <typename T> std::shared_ptr<const render::Bytes> bytesOf(const std::ve
     return std::make_shared<const render::Bytes>(std::move(bytes));
 }
 
-/// Lists of all cells, each once: where each begins.
+/// Lists of all cells without duplicates, and the start of each list.
 struct PackedLists {
     std::vector<ListStep> steps;
     std::map<std::uint32_t, std::uint32_t> startOf;  ///< By `SceneCell::first`.
@@ -113,7 +113,7 @@ SceneWithoutPlanes::SceneWithoutPlanes(const SceneProgram& program, const SceneW
         const ListRecords::Way& way = ways.way(i);
         const glm::dvec3 normal(v[0], v[1], v[2]);
         const glm::dvec3 turned = way.scale * (glm::transpose(way.turn) * normal);
-        if (std::abs(glm::length(turned) - 1) > 1e-9) continue;  // An uneven scale makes it a mere bound.
+        if (std::abs(glm::length(turned) - 1) > 1e-9) continue;  // A non-uniform scale makes the distance a mere bound.
         gone[i] = 1;
         planes.push_back({turned, way.scale * (v[3] - glm::dot(normal, way.shift)), nodes[i].material});
     }
@@ -121,7 +121,7 @@ SceneWithoutPlanes::SceneWithoutPlanes(const SceneProgram& program, const SceneW
         if (plain[i] != 0 && left[i] == 0) gone[i] = 1;
         if (gone[i] != 0 && nodes[i].parent != none) --left[nodes[i].parent];
     }
-    // Every box of a plain union is in the scene's space.
+    // The boxes of children of plain unions are in scene space.
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         const bool whole = gone[i] == 0 && plain[i] == 0 && (nodes[i].parent == none || plain[nodes[i].parent] != 0);
         if (!whole) continue;
@@ -145,7 +145,7 @@ std::uint32_t planesOf(const SceneProgram& program, const SceneWords& words)
 
 int cellsAcross(std::size_t shapes)
 {
-    // A cell is about as large as a shape of an even cloud of them, twice over.
+    // 14 cells per shape along each axis, if the shapes are distributed evenly.
     return std::clamp(static_cast<int>(14 * std::cbrt(static_cast<double>(shapes))), 24, 144);
 }
 
@@ -169,12 +169,12 @@ std::shared_ptr<const NearScene> nearScene(const SceneProgram& program, const Sc
         const render::Box box = grown(near->box, 0.05 * longest);
         const auto shapes = static_cast<std::size_t>(std::count_if(
             rest.steps.begin(), rest.steps.end(), [](const Step& step) { return step.type == Step::Type::shape; }));
-        // Larger cells take less to find, and hold more.
+        // Larger cells take less time to find, and each contains more shapes.
         for (int cells = across;; cells /= 2) {
             const double cell = 1.1 * longest / cells;
             const glm::ivec3 count = glm::max(glm::ivec3(glm::ceil(2.0 * box.halfSize() / cell - 1e-9)), glm::ivec3(1));
             near->cells = pruneCells(program, words, rest.steps, box, count, Pruner::asShaders, budget);
-            // If hardly anything is left out of a part, larger parts leave out less.
+            // If small blocks exclude hardly any shapes, larger ones exclude even fewer.
             const bool holdsAll = near->cells.evaluations > near->cells.looks * shapes / 4;
             if (near->cells.whole || holdsAll || cells < 2 * fewestCells) break;
         }

@@ -10,46 +10,47 @@
 
 namespace vitrine::scenes {
 
-/// A scene without the planes that it only adds: whoever traces a ray meets those in closed form, and what is left is
-/// often finite.
+/// A scene without the planes that are joined by hard unions. Ray tracing intersects these analytically, and the rest
+/// is often finite.
 struct SceneWithoutPlanes {
-    /// A half space of the whole scene.
+    /// Half space below a plane, in scene space.
     struct Plane {
-        glm::dvec3 normal{0};  ///< Unit; out of the solid.
-        double height = 0;     ///< Along it, meters.
+        glm::dvec3 normal{0};  ///< Unit normal, outward.
+        double height = 0;     ///< Offset along the normal, in meters.
         std::uint32_t material = 0;
     };
     std::vector<Plane> planes;
-    std::vector<Step> steps;  ///< Of the rest; empty where there is none.
-    render::Box box;          ///< Holds the rest; empty where there is none.
+    std::vector<Step> steps;  ///< Steps of the rest of the scene; empty if there is none.
+    render::Box box;          ///< Bounding box of the rest; empty if there is none.
 
-    /// Planes are taken from hard unions that stand where the scene does: from the root, and from unions in it.
+    /// Removes planes that are children of hard unions without a transformation, starting at the root.
     SceneWithoutPlanes(const SceneProgram&, const SceneWords&, std::size_t mostPlanes);
 };
 
-/// What of a scene is near each place, as shaders/sdf_scenes/near.glsl reads it.
+/// Shapes that are near each place of a scene, in the buffers that shaders/sdf_scenes/near.glsl reads.
 struct NearScene {
     static constexpr std::size_t mostPlanes = 4;
 
     std::shared_ptr<const render::Bytes> records, lists, grid;
     std::uint32_t planes = 0;
-    render::Box box;   ///< Holds all but the planes.
-    SceneCells cells;  ///< None where the scene has no end, none were asked for, or `crowded`.
-    /// Cells would take more than their budget: too many shapes are within the width of one blend.
+    render::Box box;   ///< Bounding box of everything except the planes.
+    SceneCells cells;  ///< Empty if the scene is unbounded, if none were requested, or if `crowded`.
+    /// Cells would exceed their budget: too many shapes lie within the width of one blend.
     bool crowded = false;
-    double seconds = 0;  ///< That making it took.
+    double seconds = 0;  ///< Time that it took to make.
     [[nodiscard]] std::uint64_t bytes() const { return records->size() + lists->size() + grid->size(); }
 };
 
-/// Cells along the longest side that serve a scene of so many shapes well.
+/// Returns a good number of cells along the longest side for a scene of `shapes` shapes.
 [[nodiscard]] int cellsAcross(std::size_t shapes);
 
-/// Budget of its cells: a thousand shapes take 20 MB and 6 million evaluations; beyond this, a picture
-/// waits for seconds.
+/// Budget of the cells: a thousand shapes take 20 MB and 6 million evaluations. Beyond this budget a picture would wait
+/// for seconds.
 inline constexpr PruneBudget cellBudget{128U << 20U, 60'000'000};
 
-/// `across`: cells along the longest side of what is not a plane; 0: without cells, every place has all steps. Where
-/// they would take more than the budget, there are fewer and larger ones, or none.
+/// Makes the lists. `across` is the number of cells along the longest side of everything except the planes. With 0
+/// there are no cells and every place has all steps. If the cells would exceed the budget, they are larger and fewer,
+/// or there are none.
 [[nodiscard]] std::shared_ptr<const NearScene> nearScene(const SceneProgram&, const SceneWords&, const ListVocabulary&,
                                                          int across, const PruneBudget& = cellBudget);
 

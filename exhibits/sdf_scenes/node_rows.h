@@ -7,12 +7,12 @@
 #include <limits>
 #include <numbers>
 
-// How the rows of the table of nodes are written; for the sources that hold the table only.
+// Helpers to declare the fields of node kinds. Only for the source files with these declarations.
 
 namespace vitrine::scenes {
 
 inline constexpr double radiansPerDegree = std::numbers::pi / 180;
-/// Sizes below a tenth of a millimeter are taken for a mistake, as are those above 10 km.
+/// Smallest and largest legal size in meters; values beyond are considered mistakes.
 inline constexpr double smallestSize = 1e-4, largestSize = 1e4;
 inline constexpr double noEnd = std::numeric_limits<double>::infinity();
 
@@ -25,7 +25,7 @@ inline Field size(std::string_view name, double initial, std::string_view help)
             largestSize, initial / sizeSpan, initial * sizeSpan, {initial, 0, 0},
             help};
 }
-/// May be 0.
+/// Returns a size field that may be 0.
 inline Field width(std::string_view name, double initial, std::string_view help)
 {
     return {name, FieldType::real, Unit::meter, 0, largestSize, 0, 1, {initial, 0, 0}, help};
@@ -74,12 +74,13 @@ inline glm::dvec3 vec3At(const double* v, std::size_t i)
     return {v[i], v[i + 1], v[i + 2]};
 }
 
-/// Covers a box of this half size around the origin, and is even in all coordinates.
+/// Returns the extent of a shape that is symmetric in all coordinates and fits a box of this half size around the
+/// origin.
 inline Extent evenExtent(const glm::dvec3& halfSize)
 {
     return {boxAround(halfSize), evenInAll};
 }
-/// What lies within `radius` of the segment from a to b.
+/// Returns the extent of all points within `radius` of the segment from a to b.
 inline Extent segmentExtent(const glm::dvec3& a, const glm::dvec3& b, double radius)
 {
     return {grown({glm::min(a, b), glm::max(a, b)}, radius), 0};
@@ -87,7 +88,7 @@ inline Extent segmentExtent(const glm::dvec3& a, const glm::dvec3& b, double rad
 
 }  // namespace vitrine::scenes
 
-// An expression that is GLSL and C++ at once; `Call` says what its names are.
+// Makes an expression available as GLSL text and as a C++ function with the given parameters.
 #define SCENE_FUNCTION(Result, expression, ...)                                                                        \
     {                                                                                                                  \
 #expression, [](__VA_ARGS__, [[maybe_unused]] const double* v) -> Result {                                     \

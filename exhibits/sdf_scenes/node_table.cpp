@@ -1,4 +1,4 @@
-// The numbers of a node as rows of a table, and back into the text.
+// Converts the numbers of a node to rows of a table and back into the text.
 
 #include "exhibits/framework/value_text.h"
 #include "exhibits/sdf_scenes/record_kinds.h"
@@ -14,7 +14,7 @@ namespace {
 
 constexpr const char* materialRow = "material";
 
-/// The value of a node at a path, or nothing.
+/// Returns the value of a node at a path; nullopt if there is none.
 std::optional<std::uint32_t> objectAt(const render::JsonText& json, std::string_view path)
 {
     const auto value = json.at(path);
@@ -77,7 +77,7 @@ void addRow(MadeTable& table, const NodeRow& row)
     }
 }
 
-/// Numbers of a field as they stand in the file or are computed, and which of them are computed.
+/// Numbers of a field, as written in the file or computed from expressions; lists those that are computed.
 class FieldNumbers {
 public:
     FieldNumbers(const Scene& scene, const std::vector<double>& numbers, std::string_view path, std::uint32_t value)

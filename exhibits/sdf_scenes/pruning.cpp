@@ -7,7 +7,7 @@
 namespace vitrine::scenes {
 namespace {
 
-/// Tests hold every field to this slope, and coordinates have their rounding.
+/// Largest slope of a field (asserted by tests), and the relative rounding error of coordinates.
 constexpr double steepest = 1 + 2e-6, rounding = 1e-12;
 
 }  // namespace
@@ -18,7 +18,8 @@ Pruner::Pruner(const SceneProgram& program, const SceneWords& words, double tole
 {
 }
 
-/// How far from where its children are asked for the center they are asked for points this far from the center.
+/// Returns the largest distance between the points at which the children are evaluated for the center and for a point
+/// at the distance `outside` from it.
 double Pruner::reachInside(std::uint32_t index, double outside) const
 {
     const ProgramNode& node = program_.nodes()[index];
@@ -29,13 +30,13 @@ double Pruner::reachInside(std::uint32_t index, double outside) const
         reach *= std::max({std::abs(factor[0]), std::abs(factor[1]), std::abs(factor[2])});
     }
     if (kind.copy) return std::numeric_limits<double>::infinity();
-    // Turned by an angle that grows along an axis, points move apart by no more than the slope at the center: the part
-    // that turns the center itself is as long as the center is far from the axis.
+    // For a twist (an angle that grows along an axis), the slope at the center bounds how far points move apart. The
+    // largest contribution is the center's own rotation, which is proportional to its distance from the axis.
     if (kind.place && kind.lipschitz) reach *= walk_.state(index).lipschitz;
     return reach;
 }
 
-/// A repeater with all that is in it.
+/// Copies a repeater and all of its content without pruning.
 void Pruner::copyRepeated(std::span<const Step> steps, std::size_t& i, const glm::dvec3& center)
 {
     const std::size_t begin = i;
@@ -54,7 +55,7 @@ void Pruner::copyRepeated(std::span<const Step> steps, std::size_t& i, const glm
     ++i;
 }
 
-/// Takes steps out of the kept ones.
+/// Removes the kept steps from `from` to before `to`.
 void Pruner::drop(std::size_t from, std::size_t to)
 {
     kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(from), kept_.begin() + static_cast<std::ptrdiff_t>(to));
@@ -63,7 +64,7 @@ void Pruner::drop(std::size_t from, std::size_t to)
         if (kept_[k].type == Step::Type::again) kept_[k].back -= moved;
 }
 
-/// Takes all of `dropped_` out at once: of many operands each move costs as much as all that are behind it.
+/// Removes all ranges of `dropped_` at once. Removing them one by one would be quadratic in the number of operands.
 void Pruner::dropAll()
 {
     if (dropped_.empty()) return;
@@ -79,7 +80,7 @@ void Pruner::dropAll()
     dropped_.clear();
 }
 
-/// Without all that was joined before.
+/// Removes everything that was joined before, so that the child of `step` is the first operand.
 void Pruner::startWith(const Step& step)
 {
     drop(entered_[step.node] + 1, entered_[step.child]);
@@ -87,8 +88,9 @@ void Pruner::startWith(const Step& step)
     joints_[step.node].clear();
 }
 
-/// Where a combination is exactly one operand, b is beyond a convex function of a (or a of b), so the four extremes
-/// tell for all between them; and its effect and shares are largest at one of them.
+/// Joins a child and tests which operand can be removed. If the result is exactly one operand at the four extremes, it
+/// is so everywhere in between: b lies beyond a convex function of a (or a beyond one of b). The effect and the weights
+/// are also largest at one of the extremes.
 void Pruner::combine(const Step& step)
 {
     const ProgramNode& node = program_.nodes()[step.node];
@@ -132,7 +134,7 @@ void Pruner::combine(const Step& step)
     walk_.setDistance(step.node, kind.combine.cpu(a, b, v));
 }
 
-/// A shape as an operand; whether there is one.
+/// Processes a shape as an operand. Returns false if the steps do not begin with one.
 bool Pruner::operand(std::span<const Step> steps, const glm::dvec3& center)
 {
     if (steps.size() < 4 || steps[1].type != Step::Type::shape) return false;
@@ -151,8 +153,9 @@ bool Pruner::operand(std::span<const Step> steps, const glm::dvec3& center)
     return true;
 }
 
-/// What is joined first and then covered by nearer ones, blend by blend. Without an operand the result so far moves to
-/// where its own share in later joints is smaller, so the shares that were found bound the effect.
+/// Removes operands whose effect is within the tolerance because later ones cover them, from the last to the first.
+/// Without an operand, the intermediate result only moves toward smaller own weights in later joints. So the weights
+/// found bound the effect.
 void Pruner::leave(std::uint32_t index)
 {
     std::vector<Joint>& joints = joints_[index];
@@ -161,7 +164,7 @@ void Pruner::leave(std::uint32_t index)
     const bool alike = std::all_of(joints.begin(), joints.end(), [&](const Joint& j) { return j.moves == moves; });
     double share = alike && moves != Moves::neither ? 1 : std::numeric_limits<double>::infinity();
     const double least = tolerance_ / static_cast<double>(joints.size());
-    dropped_.clear();  // From the last to the first, so that places before stay what they are.
+    dropped_.clear();  // Ranges from the last to the first, so that earlier indices stay valid.
     for (std::size_t k = joints.size(); k-- > 0 && std::isfinite(share);) {
         const Joint& joint = joints[k];
         if (moves != Moves::upOfFirst && joint.effectOfFormer * share <= least) {

@@ -18,7 +18,7 @@ std::string stringAt(const JsonText& json, std::uint32_t object, std::string_vie
     return value && json.value(*value).type == JsonType::string ? json.string(*value) : std::string();
 }
 
-/// "sphere", "instance of ball".
+/// Returns the kind for display: "sphere" or "instance of ball".
 std::string kindWords(const JsonText& json, std::uint32_t value)
 {
     const std::string kind = stringAt(json, value, "kind");
@@ -26,7 +26,7 @@ std::string kindWords(const JsonText& json, std::uint32_t value)
     return findKind(kind) || from.empty() ? kind : kind + " of " + from;
 }
 
-/// A value of the file that is still to be made a node.
+/// A value of the file that is yet to be converted to a node.
 struct Waiting {
     std::uint32_t value;
     std::string id;
@@ -117,7 +117,7 @@ std::uint32_t nodeAt(const Scene& scene, std::string_view path)
 
 std::string pathOf(const Scene& scene, std::uint32_t node)
 {
-    // From the root on, the first node below which something comes from elsewhere is what brought it.
+    // Searches from the root: the first node whose descendants come from elsewhere is the one that includes them.
     std::vector<std::uint32_t> way;
     for (std::uint32_t n = node; n != none; n = scene.nodes[n].parent) way.push_back(n);
     const JsonText& json = *scene.files.front().text;
@@ -148,7 +148,7 @@ std::shared_ptr<const Scene> onlyNode(const Scene& scene, std::string_view path)
             node.hidden = true;
         else if (node.parent != none)
             kept[node.parent] = 1;
-        // What is taken away is seen itself, without what it is taken from.
+        // Shows subtracted shapes themselves, without the shape that they are subtracted from.
         if (kept[i] && !inside[i] && node.kind->name == "subtraction") node.kind = findKind("union");
     }
     return only;

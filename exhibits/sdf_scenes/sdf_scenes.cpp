@@ -29,14 +29,14 @@ using scenes::ShownScene;
 
 struct PreparedScene final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
-    std::string note{};           ///< A full sentence where the environment is stretched; else empty.
-    std::vector<double> numbers;  ///< At the moment that it was prepared for ...
-    scenes::SceneWords words;     ///< ... and the same as the field takes them.
+    std::string note{};           ///< Sentence for the user if the environment is stretched; else empty.
+    std::vector<double> numbers;  ///< Numbers of the scene at the prepared time.
+    scenes::SceneWords words;     ///< The same numbers in the layout of the field evaluation.
     scenes::AskedScene asked;
-    scenes::AskedScene askedRight;  ///< Of the right half, where there is one.
+    scenes::AskedScene askedRight;  ///< For the right half if the opening is divided.
 };
 
-/// Where a divider lies, meters to the right of the opening's middle.
+/// Returns the position of the divider, in meters to the right of the opening's center.
 double dividerAt(double share)
 {
     return (2 * share - 1) * Portal().halfSize.x;
@@ -53,13 +53,13 @@ double orbitAt(const SdfScenesTable& t, const ParameterValues& values, double ti
     return std::remainder(values[t.orbit] + gone, 2 * std::numbers::pi);
 }
 
-/// What the shader has, and what it does without, and why.
+/// Decides which features the shader has, and records the reasons for those that it lacks.
 struct ScenePass {
     const SdfScenesTable& t;
     const ParameterValues& values;
     const ShownScene& shown;
     bool source;
-    std::string steps;  ///< What the names of its steps begin with.
+    std::string steps;  ///< Prefix of the names of its steps.
     render::Pass& pass;
     render::FramePlan& plan;
 
@@ -292,7 +292,7 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     const auto& prepared = static_cast<const PreparedScene&>(*context.prepared);
     const scenes::AskedScene& asked = portal.side > 0 ? prepared.askedRight : prepared.asked;
     const std::string steps = portal.side > 0 ? name + '/' : "sdf_scenes/";
-    // Shaders see the rows that every scene has, so that all scenes have one block of them.
+    // Shaders see only the rows that all scenes have, so that all scenes share one uniform block.
     std::vector<std::string> notes;
     const ParameterValues common = values.under({std::shared_ptr<const Parameters>(), &table_}, notes);
     render::Pass pass = portalPass(name, "in view", common, "sdf_scenes/scene.frag", portal, context);

@@ -10,8 +10,9 @@
 
 namespace vitrine {
 
-/// A scene of shapes from a file, behind a deep frame: its tree becomes a shader of its own, its parameters sliders.
-/// Read scene.h, then shown_scene.h (what is made of a scene once) and shaders/sdf_scenes/scene.frag.
+/// A scene of SDF shapes from a file, seen through a deep frame. Its tree is compiled to a shader of its own; its
+/// parameters become sliders. Read scene.h first, then shown_scene.h (data derived once per scene) and
+/// shaders/sdf_scenes/scene.frag.
 class SdfScenes final : public Exhibit,
                         public HasButton,
                         public HasSurroundings,
@@ -21,8 +22,8 @@ class SdfScenes final : public Exhibit,
 public:
     using Table = SdfScenesTable;
 
-    /// With another scene than the shipped one while the values name none. Where it cannot be read, a sphere takes its
-    /// place, and `tableFor` says why.
+    /// Starts with the scene file `first` (default: a shipped scene), used while the values name no file. If it cannot
+    /// be read, a sphere replaces it, and `tableFor` reports the reason.
     explicit SdfScenes(const std::filesystem::path& first = {});
     [[nodiscard]] std::string_view name() const override { return "sdf_scenes"; }
     [[nodiscard]] std::string_view title() const override { return "SDF Scenes"; }
@@ -34,10 +35,10 @@ public:
     [[nodiscard]] std::string_view buttonText() const override { return "let time run"; }
     [[nodiscard]] int place() const override { return 5; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
-    /// The opening.
+    /// Returns the box of the opening.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] bool surrounds(const ParameterValues&) const override { return true; }
-    /// Where the scene's camera stands.
+    /// Returns a camera at the position of the scene's camera.
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     bool press(ParameterValues&) const override;
@@ -67,18 +68,19 @@ public:
     [[nodiscard]] bool isDocument(const std::string& text) const override;
 
 private:
-    /// Of these values' table, or the one that is there at first.
+    /// Returns the scene of the values' table; the first scene if that has none.
     [[nodiscard]] const scenes::ShownScene& shown(const ParameterValues&) const;
-    /// All numbers of the scene at that time of the exhibit's clock, its look in place of the file's where asked for.
+    /// Returns all numbers of the scene at a time of the exhibit's clock. The parameter `look` replaces the file's look
+    /// if it names one.
     [[nodiscard]] std::vector<double> numbersAt(const ParameterValues&, double time) const;
-    /// With another document, and the table of it.
+    /// Returns the values with another document, and the table made for it.
     [[nodiscard]] ParameterValues withText(const ParameterValues&, std::string text, render::AssetStore&) const;
-    /// Where the scene lies behind the frame at that time.
+    /// Returns the placement of the scene behind the frame at a time.
     [[nodiscard]] Portal portalAt(const ParameterValues&, double time) const;
-    /// The same with `numbersAt` of that time, where these are there already.
+    /// The same, given the result of `numbersAt` for that time.
     [[nodiscard]] Portal portalAt(const ParameterValues&, double time, const std::vector<double>& numbers) const;
 
-    /// One pass: of all, or of the half on the portal's side with the values of that half.
+    /// Adds one pass: for the whole opening, or for the half on the portal's side with the values of that half.
     void planPart(const std::string& name, const ParameterValues&, const Portal&, const PlanContext&,
                   render::FramePlan&) const;
 

@@ -14,7 +14,7 @@
 namespace vitrine::scenes {
 namespace {
 
-/// A number of a material: what it is, and whether it stays.
+/// Numbers of a material: their values, and tests of whether they may exceed a limit at any time.
 struct MaterialNumbers {
     const Scene& scene;
     const Record& record;
@@ -30,12 +30,13 @@ struct MaterialNumbers {
     }
 };
 
-/// Rougher surfaces show a blurred environment in place of mirror images: shaders/sdf_scenes/our_look.glsl.
+/// Roughness above which reflections are looked up in a blurred environment instead of traced: see
+/// shaders/sdf_scenes/our_look.glsl.
 constexpr double roughestMirror = 0.35;
 
 void addMaterial(const MaterialNumbers& m, SceneContents& contents)
 {
-    // color, then of Phong's: ambient, diffuse, specular, shininess, mirror
+    // Order of the numbers: color, then for Phong ambient, diffuse, specular, shininess, mirror.
     if (m.record.kind->name == "phong") {
         const bool mirror = m.mayBeAbove(7, 0);
         contents.mirrors = contents.mirrors || mirror;
@@ -44,7 +45,7 @@ void addMaterial(const MaterialNumbers& m, SceneContents& contents)
         return;
     }
     contents.litInSource = true;
-    // metalness, roughness, reflectance, refractive index, transmission, emission
+    // Order of the numbers: color, metalness, roughness, reflectance, refractive index, transmission, emission.
     contents.mirrors = contents.mirrors || m.mayBeBelow(4, roughestMirror);
     contents.mirrorsInSource = contents.mirrorsInSource || (m.mayBeAbove(3, 0) && m.mayBeBelow(4, 0.3));
     contents.glass = contents.glass || m.mayBeAbove(7, 0);
@@ -67,8 +68,8 @@ glm::dvec3 vectorAt(const std::vector<double>& numbers, std::size_t i)
     return {numbers[i], numbers[i + 1], numbers[i + 2]};
 }
 
-/// The same scene, seen as a whole: where its file names no camera, the camera stands before what the scene covers. Its
-/// distance and target go by steps, so that moving a shape a little keeps the view.
+/// Returns the scene with a camera that shows all of its shapes, if its file has none. Distance and target are rounded
+/// to steps, so that moving a shape slightly does not change the view.
 std::shared_ptr<const Scene> framed(const std::shared_ptr<const Scene>& scene)
 {
     if (scene->hasCamera) return scene;
@@ -96,8 +97,8 @@ std::shared_ptr<const Scene> framed(const std::shared_ptr<const Scene>& scene)
     return made;
 }
 
-/// How far before the camera the frame can be, so that its pane cuts nothing: the nearest surface is no nearer than its
-/// corners.
+/// Returns the largest distance from the camera to the opening for which the pane cuts no surface: the corners are no
+/// farther away than the nearest surface.
 double openingOf(const Scene& scene, const std::shared_ptr<const SceneProgram>& program)
 {
     const std::vector<double> numbers = scene.numbersAt(0);
@@ -153,7 +154,7 @@ SceneCamera sceneCamera(const Scene& scene, const std::vector<double>& numbers, 
 
 namespace {
 
-/// From the eye to the opening, meters of the hall: never so near that the wall would be in the way.
+/// Returns the distance from the eye to the opening in meters of the hall; limited so that the wall is not in the way.
 double eyeToOpening(double fovY)
 {
     const Portal portal;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-// Shapes around the origin, and those between points.
+// Shapes around the origin, and shapes between points.
 
 namespace vitrine::scenes {
 
