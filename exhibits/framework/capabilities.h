@@ -49,7 +49,7 @@ public:
 class CastsGlassShadow {
 public:
     virtual ~CastsGlassShadow() = default;
-    /// Returns whether it does so with these values, and casts no other shadow.
+    /// Returns true if, with these values, all of its shadow is transmitted light.
     [[nodiscard]] virtual bool castsGlassShadow(const ParameterValues&) const = 0;
 };
 

@@ -38,7 +38,7 @@ struct FrameRequest {
     /// The frame is not drawn again: completes sliced passes in this frame, and waits for programs instead of using
     /// fallbacks.
     bool finished = false;
-    /// A named file that cannot be read is a Failure; otherwise the plan reports it.
+    /// True: Museum::prepare throws Failure if a named file cannot be read. False: the plan only contains a warning.
     bool needsFiles = false;
     /// The values have not changed for a while, so that specialized programs may be built (ShaderKey::better).
     bool rests = false;

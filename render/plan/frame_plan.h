@@ -168,7 +168,7 @@ struct Pass {
         int endPart = 1;
         bool used = false;  ///< It reads histories or outputs of a sliced pass, or is sliced itself: lib/temporal.glsl
                             ///< is filled.
-        bool valid = true;  ///< Everything that it reads of these has usable content.
+        bool valid = true;  ///< All histories and sliced outputs that it reads have usable content.
         View lastView;      ///< View of the frame that drew the histories.
         /// It reads an unfinished output, so that it must run again even if its `key` is unchanged.
         bool provisional = false;

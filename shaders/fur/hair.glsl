@@ -4,11 +4,11 @@
 
 // Directions of light and eye (unit vectors away from the hair) as angles relative to the hair.
 struct HairAngles {
-    float sinThetaI;     // of the light to the plane across the hair
-    float sinThetaO;     // of the eye to that plane
-    float cosHalfThetaD; // half the difference of these two angles
-    float cosPhi;        // angle between light and eye around the hair
-    float cosine;        // angle between light and eye
+    float sinThetaI;     // sine of the angle of the light to the plane across the hair
+    float sinThetaO;     // sine of the angle of the eye to that plane
+    float cosHalfThetaD; // cosine of half the difference of these two angles
+    float cosPhi;        // cosine of the angle between light and eye around the hair
+    float cosine;        // cosine of the angle between light and eye
 };
 
 // Scattering lobes of a hair for one pair of directions, 1/steradian: light reflected at the surface (R), transmitted

@@ -143,7 +143,7 @@ float squaredRadius(CoatStrands c, float left, float own)
 // the root. The squared radius is assumed to be linear over the segment, which gives a quadratic equation.
 float strandEntry(CoatStrands c, StrandLattice l, vec2 offset, vec2 pace, float from, float to, float end, float own)
 {
-    // The part of it below the tip.
+    // Part of the segment below the strand's tip.
     float sinks = to - from;
     float tip = clamp((end - from) / (abs(sinks) > 1.0e-6 ? sinks : 1.0e-6), 0.0, 1.0);
     float first = from < end ? 0.0 : tip;

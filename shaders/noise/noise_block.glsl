@@ -2,9 +2,9 @@
 #define NOISE_OCTAVES 11
 #define SEA_WAVES 64
 #define SEA_HIGHEST 4.5  // Standard deviations: exceeded at one place of 300,000, rays start there.
-// Cells after which an octave of the field repeats, so that it fits in a small volume texture, ...
+// Cells after which an octave of the field repeats, so that it fits in a small volume texture.
 #define FIELD_REPEAT 16
-#define FIELD_TEXELS 8   // ... with this number of texels per cell.
+#define FIELD_TEXELS 8    // Texels of that texture per cell.
 #define NOISE_PERIOD 256  // Cells after which the noise of foam and high clouds repeats.
 #define CLOUD_REPEAT 5200.0      // Meters after which the clouds' noise repeats, ...
 #define CLOUD_FINE_REPEAT 830.0  // ... and that of their edges.

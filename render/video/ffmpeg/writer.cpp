@@ -38,8 +38,8 @@ struct Recipe {
 constexpr const char* toHalfChroma =
     "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int,format=yuv420p";
 
-/// In pixels. Smaller frames are encoded without x264's macroblock tree. With it, the x264 of Debian 13 (0.164.3108) is
-/// not deterministic for frames of two by two macroblocks.
+/// Smallest side in pixels of a frame that is encoded with x264's macroblock tree. With it, the x264 of Debian 13
+/// (0.164.3108) is not deterministic for frames of two by two macroblocks.
 constexpr int leastForMacroblockTree = 64;
 
 /// Qualities without visible flicker and ringing: for documentation, not for an archive.
