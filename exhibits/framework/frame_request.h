@@ -17,10 +17,10 @@ enum class AverageIn : std::uint8_t { display, radiance };
 struct FrameRequest {
     render::Camera camera;
     render::Raster raster;
-    double time = 0;  ///< Seconds.
+    double time = 0;  ///< Time of the frame in seconds.
     std::uint32_t seed = 1;
-    int sample = 0;   ///< Index of this supersample, from 0 ...
-    int samples = 1;  ///< ... and their number.
+    int sample = 0;   ///< Index of this supersample, from 0.
+    int samples = 1;  ///< Number of supersamples.
     /// Above 0: number of the frame, from 1, in a picture in motion, whose pixels are averaged with those of earlier
     /// frames as the hall's parameters say. 0: static picture. Requires `samples` of 1.
     int movingFrame = 0;

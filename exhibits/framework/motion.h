@@ -53,10 +53,10 @@ struct Motion {
     Ease ease = Ease::inOut;  ///< Used if `isEased`.
     double period = 4;        ///< Seconds; unused by distance.
     double phase = 0;         ///< In periods, used if `isPeriodic`: position in the period when the clock starts.
-    double start = 0;         ///< Seconds on the clock; for ease.
-    int steps = 4;            ///< At least 2.
-    std::uint32_t seed = 1;   ///< For noise.
-    double nearest = 1, farthest = 6;  ///< Meters; for distance.
+    double start = 0;         ///< Start on the clock, in seconds; used by the kind ease.
+    int steps = 4;            ///< Number of positions, at least 2; used by the kind steps.
+    std::uint32_t seed = 1;   ///< Seed of the random positions; used by the kind noise.
+    double nearest = 1, farthest = 6;  ///< Distances of both ends in meters; used by the kind distance.
     std::optional<double> heldAt;      ///< The animation is frozen at this second, or at this distance in meters.
 
     bool operator==(const Motion&) const = default;

@@ -50,7 +50,7 @@ template <typename T> std::shared_ptr<const render::Bytes> bytesOf(const std::ve
 /// Lists of all cells without duplicates, and the start of each list.
 struct PackedLists {
     std::vector<ListStep> steps;
-    std::map<std::uint32_t, std::uint32_t> startOf;  ///< By `SceneCell::first`.
+    std::map<std::uint32_t, std::uint32_t> startOf;  ///< Key: `SceneCell::first`.
 };
 
 PackedLists packLists(const SceneCells& cells, ListWriter& writer)

@@ -72,7 +72,7 @@ private:
     std::vector<Step> kept_;
     std::vector<double> reach_;         // By node: distance between the points at which its children are evaluated.
     std::vector<std::size_t> entered_;  // By node: index of the kept step that enters it.
-    std::vector<std::vector<Joint>> joints_;  // By node.
+    std::vector<std::vector<Joint>> joints_;  // By node: its joints so far.
     // Ranges of removed steps, as indices of kept steps: from and to; the last range first.
     std::vector<std::pair<std::size_t, std::size_t>> dropped_;
 };

@@ -21,7 +21,7 @@ struct SceneLimits {
     std::size_t files = 64;        ///< The scene's own file and all included ones.
     std::size_t expansions = 64;   ///< Nesting depth of instances and includes.
     std::size_t findings = 20;     ///< Number of findings that are reported.
-    std::size_t copiesAsked = 64;  ///< Per repetition, at every point.
+    std::size_t copiesAsked = 64;  ///< Copies that one repetition may evaluate at a point.
     render::JsonLimits json{8U << 20U, 40'000, 1'000'000, 1U << 16U};
 };
 
@@ -64,8 +64,8 @@ struct SceneParameter {
 
 /// Position in a file.
 struct Origin {
-    std::uint32_t file = 0;   ///< In `Scene::files`.
-    std::uint32_t value = 0;  ///< In its `JsonText::values`.
+    std::uint32_t file = 0;   ///< Index in `Scene::files`.
+    std::uint32_t value = 0;  ///< Index in the file's `JsonText::values`.
 };
 
 /// Node of the tree. Nodes are stored in depth-first order: each before its children, and these in order.

@@ -35,8 +35,8 @@ struct Step {
     };
     Type type = Type::enter;
     std::uint32_t node = 0;   ///< Index in `SceneProgram::nodes`.
-    std::uint32_t child = 0;  ///< first, combine, modify, again.
-    std::uint32_t back = 0;   ///< again: the step to continue with.
+    std::uint32_t child = 0;  ///< Index of the child; used by first, combine, modify, again.
+    std::uint32_t back = 0;   ///< Index of the step to continue with; used by again.
 };
 
 /// Numbers with which a program is evaluated, in the form that it needs, and the bounds of each node.

@@ -13,7 +13,7 @@ inline constexpr double nothingNear = 1e9;
 
 /// The visible shape at a point, and the blended material.
 struct WalkSurface {
-    std::uint32_t node = none;                       ///< In `Scene::nodes`.
+    std::uint32_t node = none;                       ///< Index in `Scene::nodes`.
     std::array<double, wordsOfMaterial> material{};  ///< In the order of `wordsOfMaterial`.
 };
 
@@ -62,7 +62,7 @@ private:
 
     const SceneProgram& program_;
     const double* words_;
-    std::vector<const NodeKind*> kinds_;  // By node.
+    std::vector<const NodeKind*> kinds_;  // Kind of each program node.
     std::vector<State> states_;
     std::vector<WalkSurface> surfaces_;
     std::size_t shapesAsked_ = 0;

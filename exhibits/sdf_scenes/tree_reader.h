@@ -12,9 +12,9 @@ namespace vitrine::scenes {
 
 /// Names defined in one file.
 struct FileNames {
-    std::map<std::string, std::uint32_t> materials{};    ///< In `Scene::materials`.
-    std::map<std::string, std::uint32_t> definitions{};  ///< Values of the file.
-    std::uint32_t root = none;                           ///< Value of the file.
+    std::map<std::string, std::uint32_t> materials{};    ///< Indices in `Scene::materials`.
+    std::map<std::string, std::uint32_t> definitions{};  ///< Indices of values in the file's JSON.
+    std::uint32_t root = none;                           ///< Index of the root's value.
 };
 
 /// Reads the nodes of a scene into its tree, and expands instances and includes.

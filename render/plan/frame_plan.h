@@ -140,7 +140,7 @@ struct Pass {
     std::optional<glm::ivec2> columns;
     std::vector<Draw> draws;
     std::optional<DepthOnly> depthOnly;  ///< Depth-only variant. Unset: the pass's own program also draws the depth.
-    glm::ivec3 groups{1};                ///< Compute.
+    glm::ivec3 groups{1};                ///< Compute pass: number of work groups.
     std::vector<std::string> mipmaps;    ///< Images whose lower mip levels are made from level 0 after the pass.
     /// Work that the pass is known to do, by counter name ("fetches", "marchSteps"). Added to the report's counters
     /// when it runs.

@@ -64,8 +64,8 @@ struct PartProgress {
 /// Content of a renderer's persistent images and buffers, as the next plan needs it.
 struct PersistentState {
     std::map<std::string, std::uint64_t> passes = {};  ///< Pass -> key under which it last wrote its persistent images.
-    std::map<std::string, HistoryRecord> histories = {};  ///< By image.
-    std::map<std::string, PartProgress> parts = {};       ///< By pass.
+    std::map<std::string, HistoryRecord> histories = {};  ///< By image name.
+    std::map<std::string, PartProgress> parts = {};       ///< By pass name.
 };
 
 }  // namespace vitrine::render

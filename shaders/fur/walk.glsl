@@ -11,7 +11,7 @@ struct ShellPoint {
     vec3 way;       // derivative of the place by height, strand lengths
     vec3 turn;      // derivative of `way` by height
     float height;
-    vec3 placeX, placeY;    // meters, and so on
+    vec3 placeX, placeY;    // derivatives along X and Y: of the place in meters, and of the values above
     vec3 skinX, skinY;
     vec3 normalX, normalY;
     vec3 wayX, wayY;

@@ -35,9 +35,10 @@ float windowBars(MirroredWindow window)
 // Part of the lobe that all shapes take up, weighted by their shares; near shapes hide far ones.
 struct MirroredShapes {
     float share;
-    float ahead;    // times share
-    vec2 outwards;  // times share
-    vec3 color;     // times share
+    // sums over the shapes, each value multiplied by the shape's share
+    float ahead;
+    vec2 outwards;
+    vec3 color;
 };
 
 // A ray that the floor reflects stays in the vertical plane through the eye. So it can only hit shapes that the eye has

@@ -267,7 +267,7 @@ ConeMarch coneMarch(vec3 origin, vec3 axis, float chord, MarchSettings s)
         float f = fieldDistance(origin + axis * next);
         cone.evaluations = i + 1;
         if (i > 0 && next > freeTo && !((next - f) <= freeTo * (1.0 - chord))) {
-            next = freeTo;  // Too long.
+            next = freeTo;  // The step was too long: the balls do not overlap.
             slope = -1.0;
             continue;
         }

@@ -134,8 +134,8 @@ struct LatticeLine {
     float across;
     float ahead;   // cells per meter of the ray
     float aside;
-    int first;     // row
-    int stride;    // 1 or -1
+    int first;     // first row on the ray's path
+    int stride;    // step from row to row, 1 or -1
 };
 
 LatticeLine latticeLine(LanternRay ray, float from)

@@ -12,10 +12,10 @@ layout(std430, binding = STORAGE_EXHIBIT_B) readonly buffer SceneLists {
 
 // Filled by exhibits/sdf_scenes/near_scene.h.
 layout(std430, binding = STORAGE_EXHIBIT_C) readonly buffer SceneNear {
-    vec4 low;                           // low corner of the grid; w: cells per meter along x, ...
-    vec4 high;                          // ... y ...
-    vec4 heldLow;                       // ... and z. Box of everything except the planes.
-    vec4 heldHigh;
+    vec4 low;                           // low corner of the grid; w: cells per meter along x
+    vec4 high;                          // high corner of the grid; w: cells per meter along y
+    vec4 heldLow;                       // low corner of the box of all but the planes; w: cells per meter along z
+    vec4 heldHigh;                      // high corner of that box
     uvec4 count;                        // number of cells; w: 0 without a grid, when all steps matter everywhere
     vec4 planes[SCENE_MOST_PLANES];     // normal and height
     uint planeMaterials[SCENE_MOST_PLANES];
