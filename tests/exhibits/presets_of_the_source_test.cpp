@@ -134,7 +134,7 @@ TEST(PresetOfTheSource, OfTheCardHasItsUniforms)
     EXPECT_TRUE(v[t.scroll]);
 }
 
-TEST(PresetOfTheSource, N5_OfThePixelArtHasItsStrengths)
+TEST(PresetOfTheSource, OfThePixelArtHasItsStrengths)
 {
     const PixelArtTable t;
     const ParameterValues v = preset("pixel_art", "as-in-the-source", t);
@@ -178,7 +178,7 @@ TEST(PresetOfTheSource, OfTheNoiseHasItsConstants)
     for (const ParameterValues& v : {field, sum, sea, clouds}) EXPECT_EQ(v[t.look], NoiseLook::source);
 }
 
-TEST(PresetOfTheSource, P18_OfThePaperLanternsHasItsNumbers)
+TEST(PresetOfTheSource, OfThePaperLanternsHasItsNumbers)
 {
     const PaperLanternsTable t;
     const ParameterValues v = preset("paper_lanterns", "as-in-the-source", t);
@@ -228,7 +228,7 @@ glm::dvec3 linear(const glm::dvec3& shown)
     return light;
 }
 
-TEST(PresetOfTheSource, I4_I6_OfTheIceCreamHasItsPlacesAndMaterials)
+TEST(PresetOfTheSource, OfTheIceCreamHasItsPlacesAndMaterials)
 {
     const IceCreamTable t;
     const ParameterValues v = preset("ice_cream", "as-in-the-source", t);

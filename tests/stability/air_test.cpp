@@ -19,7 +19,7 @@ namespace r32 = vitrine::glsl32;
 using glm::dvec2;
 using glm::dvec3;
 
-TEST(AirPhase, H70_IntegratesToOneOverAllDirections)
+TEST(AirPhase, IntegratesToOneOverAllDirections)
 {
     const auto naive = [](float cosine, float g) { return (1 - g * g) / std::pow(1 + g * g - 2 * g * cosine, 1.5F); };
     EXPECT_TRUE(std::isnan(naive(1, 1)));
@@ -62,7 +62,7 @@ TEST(AirOpticalDepth, IsTheIntegralOfTheDensity)
     }
 }
 
-TEST(AirOpticalDepth, H67_LetsThroughBetweenNothingAndAllForEveryInput)
+TEST(AirOpticalDepth, LetsThroughBetweenNothingAndAllForEveryInput)
 {
     // With a slip of the sign, or a ray that enters behind where it leaves, light without end would come through.
     const auto naive = [](float density, float way) { return std::exp(-density * way); };
@@ -136,7 +136,7 @@ TEST(AirScattering, OfALitStretchIsThatOfTheTransportEquationForAnyNumberOfSteps
     }
 }
 
-TEST(AirScattering, H68_ASingleStepBringsNoEnergy)
+TEST(AirScattering, ASingleStepBringsNoEnergy)
 {
     const Air air = airs[1];
     const double exact = transported(air, 0, air.way, 0, 1);
@@ -175,7 +175,7 @@ TEST(AirScattering, AWhiteFurnaceStaysWhite)
                     air.through(air.way) + 0.5 * r64::airScattered(1, air.through(air.way)), 1e-9);
 }
 
-TEST(AirScattering, H66_NoDustScattersNothingAndTheLeastOfItInProportion)
+TEST(AirScattering, NoDustScattersNothingAndTheLeastOfItInProportion)
 {
     const auto naive = [](auto x) { return (1 - std::exp(-x)) / x; };
     EXPECT_TRUE(std::isnan(naive(0.0)));
@@ -246,7 +246,7 @@ Scalar marched(const Vec3& eye, const Vec3& direction, Scalar end, const Box& bo
     return sum;
 }
 
-TEST(AirBox, H69_RaysOfNoLengthWithoutEndAndAlongFacesAreDefined)
+TEST(AirBox, RaysOfNoLengthWithoutEndAndAlongFacesAreDefined)
 {
     // Slabs by division alone: 0/0 on a face and along it. And the depth of what never ends.
     const auto naive = [](float origin, float direction, float low) { return (low - origin) / direction; };

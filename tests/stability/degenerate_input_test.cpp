@@ -69,7 +69,7 @@ int longestMarch(const std::function<float(const vec3&)>& field)
     return longest;
 }
 
-TEST(DegenerateInput, H16_SolidsOfSizeZeroAreFiniteAndRaysPassThemQuickly)
+TEST(DegenerateInput, SolidsOfSizeZeroAreFiniteAndRaysPassThemQuickly)
 {
     const std::function<float(const vec3&)> fields[] = {
         [](const vec3& p) { return f32::sdfSphere(p, 0); },
@@ -97,7 +97,7 @@ TEST(DegenerateInput, H16_SolidsOfSizeZeroAreFiniteAndRaysPassThemQuickly)
     }
 }
 
-TEST(DegenerateInput, H18_TheEllipsoidIsDefinedAtItsCenterAndForFlatRadii)
+TEST(DegenerateInput, TheEllipsoidIsDefinedAtItsCenterAndForFlatRadii)
 {
     EXPECT_TRUE(std::isnan(naive::ellipsoid(vec3(0), vec3(1, 2, 3))));
     EXPECT_EQ(f32::sdfEllipsoid(vec3(0), vec3(1, 2, 3)), -1.0F);
@@ -114,7 +114,7 @@ TEST(DegenerateInput, H18_TheEllipsoidIsDefinedAtItsCenterAndForFlatRadii)
     }
 }
 
-TEST(DegenerateInput, H19_TheSteepEllipsoidCannotBeBlendedButItsBoundCan)
+TEST(DegenerateInput, TheSteepEllipsoidCannotBeBlendedButItsBoundCan)
 {
     // Along the flat direction, near the rim: the steep form claims ever more than the true distance
     // changes, the bound never does.
@@ -134,7 +134,7 @@ TEST(DegenerateInput, H19_TheSteepEllipsoidCannotBeBlendedButItsBoundCan)
     EXPECT_LT(bound, 1.001);
 }
 
-TEST(DegenerateInput, H20_ConesWithoutHeightOrWithoutEndAreFinite)
+TEST(DegenerateInput, ConesWithoutHeightOrWithoutEndAreFinite)
 {
     EXPECT_TRUE(std::isnan(naive::cappedCone(vec3(1, 0, 0), 0, 0.5F, 0.5F)));
     EXPECT_FLOAT_EQ(f32::sdfCappedCone(vec3(1, 0, 0), 0, 0.5F, 0.5F), 0.5F);  // A disk.
@@ -149,14 +149,14 @@ TEST(DegenerateInput, H20_ConesWithoutHeightOrWithoutEndAreFinite)
             }
 }
 
-TEST(DegenerateInput, H20_ARoundConeWhoseBallsHoldOneAnotherIsTheLargerBall)
+TEST(DegenerateInput, ARoundConeWhoseBallsHoldOneAnotherIsTheLargerBall)
 {
     EXPECT_DOUBLE_EQ(f64::sdfRoundCone(dvec3(2, 0, 0), 1, 0.2, 0.5), 1);
     EXPECT_DOUBLE_EQ(f64::sdfRoundCone(dvec3(2, 0.5, 0), 0.2, 1, 0.5), 1);
     EXPECT_DOUBLE_EQ(f64::sdfRoundCone(dvec3(2, 0, 0), 1, 1, 0), 1);
 }
 
-TEST(DegenerateInput, H21_ACapsuleBetweenEqualPointsIsABall)
+TEST(DegenerateInput, ACapsuleBetweenEqualPointsIsABall)
 {
     const vec3 a(0.1F, 0.2F, 0.3F);
     EXPECT_TRUE(std::isnan(naive::capsule(vec3(1), a, a, 0.2F)));
@@ -165,7 +165,7 @@ TEST(DegenerateInput, H21_ACapsuleBetweenEqualPointsIsABall)
     EXPECT_TRUE(std::isfinite(f32::sdfCapsule(vec3(1), vec3(0), vec3(1e-30F, 0, 0), 0.2F)));
 }
 
-TEST(DegenerateInput, H22_ABlendOfZeroIsTheHardOperationBitwise)
+TEST(DegenerateInput, ABlendOfZeroIsTheHardOperationBitwise)
 {
     EXPECT_TRUE(std::isnan(naive::smoothUnion(1, 1, 0)));
     test::Random random(2);
@@ -182,7 +182,7 @@ TEST(DegenerateInput, H22_ABlendOfZeroIsTheHardOperationBitwise)
     }
 }
 
-TEST(DegenerateInput, H23_BlendsStayWithinTheirBoundsForEveryWidth)
+TEST(DegenerateInput, BlendsStayWithinTheirBoundsForEveryWidth)
 {
     EXPECT_LT(naive::smoothUnion(0.1F, 0.2F, 1e30F), -1e28F);  // The field collapses.
     for (const float k : {1e-38F, 1e-30F, 1e-10F, 1e-3F, 1.0F, 1e3F, 1e30F, infinity})
@@ -200,7 +200,7 @@ TEST(DegenerateInput, H23_BlendsStayWithinTheirBoundsForEveryWidth)
             }
 }
 
-TEST(DegenerateInput, H25_TheExponentialBlendDoesNotOverflowFarAway)
+TEST(DegenerateInput, TheExponentialBlendDoesNotOverflowFarAway)
 {
     const auto naive = [](float a, float b, float k) { return -k * std::log2(std::exp2(-a / k) + std::exp2(-b / k)); };
     EXPECT_FALSE(std::isfinite(naive(-1e5F, -1e5F, 0.1F)));
@@ -209,7 +209,7 @@ TEST(DegenerateInput, H25_TheExponentialBlendDoesNotOverflowFarAway)
     EXPECT_FLOAT_EQ(f32::sdfSmoothUnionExponential(-1e5F, 1e5F, 0.1F), -1e5F);
 }
 
-TEST(DegenerateInput, H27_UnevenlyScaledFieldsNeverOvershoot)
+TEST(DegenerateInput, UnevenlyScaledFieldsNeverOvershoot)
 {
     const dvec3 scale(2, 0.5, 1);
     const auto plain = [&](const dvec3& p) { return f64::sdfSphere(p / scale, 0.4); };
@@ -229,7 +229,7 @@ TEST(DegenerateInput, H27_UnevenlyScaledFieldsNeverOvershoot)
     EXPECT_EQ(overshoots(corrected), 0);
 }
 
-TEST(DegenerateInput, H31_MixedFieldsEndExactlyOnTheirEnds)
+TEST(DegenerateInput, MixedFieldsEndExactlyOnTheirEnds)
 {
     const float a = 1e9F;
     const float b = 0.123456F;
@@ -240,7 +240,7 @@ TEST(DegenerateInput, H31_MixedFieldsEndExactlyOnTheirEnds)
     EXPECT_EQ(f32::lerpExact(a, b, 1), b);
 }
 
-TEST(DegenerateInput, H35_SubtractingASolidFromItselfLeavesNothing)
+TEST(DegenerateInput, SubtractingASolidFromItselfLeavesNothing)
 {
     const auto sphere = [](const vec3& p) { return f32::sdfSphere(p, 0.5F); };
     f32::Tracer plain{[&](const vec3& p) { return f32::sdfSubtraction(sphere(p), sphere(p)); }};
@@ -262,7 +262,7 @@ TEST(DegenerateInput, H35_SubtractingASolidFromItselfLeavesNothing)
     EXPECT_GT(speckle, 100);
 }
 
-TEST(DegenerateInput, H37_FieldsWithoutASurfaceGiveBackgroundInFewSteps)
+TEST(DegenerateInput, FieldsWithoutASurfaceGiveBackgroundInFewSteps)
 {
     for (const float everywhere : {1e9F, infinity}) {
         f32::Tracer tracer{[=](const vec3&) { return everywhere; }};

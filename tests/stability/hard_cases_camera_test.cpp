@@ -25,7 +25,7 @@ float asHalf(double x)
     return glm::unpackHalf1x16(glm::packHalf1x16(static_cast<float>(x)));
 }
 
-TEST(HardCases, H12_NormalsFromHalfFloatDepthAreStairsAndNoDepthHereIsHalf)
+TEST(HardCases, NormalsFromHalfFloatDepthAreStairsAndNoDepthHereIsHalf)
 {
     // A floor seen at 20 degrees, 3 to 12 m away; the slope of its depth between neighboring lines of a picture of
     // 720, from depth kept as it is and from a copy in half precision.
@@ -69,7 +69,7 @@ TEST(HardCases, H12_NormalsFromHalfFloatDepthAreStairsAndNoDepthHereIsHalf)
     EXPECT_GT(depths, 3);
 }
 
-TEST(HardCases, H13_OrthographicDepthIsLinearAndTheSunsMapIsReadThatWay)
+TEST(HardCases, OrthographicDepthIsLinearAndTheSunsMapIsReadThatWay)
 {
     const render::Box box{{-2, 0, -1}, {2, 3, 1}};
     const dvec3 towardsLight = glm::normalize(dvec3(0.3, 0.5, 0.8));
@@ -96,7 +96,7 @@ TEST(HardCases, H13_OrthographicDepthIsLinearAndTheSunsMapIsReadThatWay)
     EXPECT_GT(naiveWorst, 0.1);
 }
 
-TEST(HardCases, H30_AMillionTurnsLeaveTheViewOrthonormal)
+TEST(HardCases, AMillionTurnsLeaveTheViewOrthonormal)
 {
     constexpr int turns = 1'000'000;
     const auto skew = [](const auto& r) {

@@ -23,7 +23,7 @@ using glm::vec3;
 namespace f64 = glsl;
 namespace f32 = glsl32;
 
-TEST(HardCases, H92_TotalReflectionIsAllTheLightAndNoDirectionIsNaN)
+TEST(HardCases, TotalReflectionIsAllTheLightAndNoDirectionIsNaN)
 {
     // From glass into air. refract() has no direction to give beyond the critical angle.
     const vec3 normal(0, 1, 0);
@@ -55,7 +55,7 @@ TEST(HardCases, H92_TotalReflectionIsAllTheLightAndNoDirectionIsNaN)
     EXPECT_GT(total, 600);
 }
 
-TEST(HardCases, H97_ADayLaterTimeStillMovesSixtyTimesASecond)
+TEST(HardCases, ADayLaterTimeStillMovesSixtyTimesASecond)
 {
     // A float of a million seconds moves in steps of a sixteenth of a second.
     std::set<float> naive;
@@ -75,7 +75,7 @@ TEST(HardCases, H97_ADayLaterTimeStillMovesSixtyTimesASecond)
         EXPECT_NEAR(morphAt(0.3, 0.08, 1e6 + time), morphAt(0.3, 0.08, time), 1e-9);
 }
 
-TEST(HardCases, H107_NumbersThatGpusFlushToZeroMakeNoDifference)
+TEST(HardCases, NumbersThatGpusFlushToZeroMakeNoDifference)
 {
     if (!test::canFlushToZero()) GTEST_SKIP() << "this processor keeps denormal numbers";
     // What a GPU does and a CPU does not: a product below the normal range.
@@ -115,7 +115,7 @@ TEST(HardCases, H107_NumbersThatGpusFlushToZeroMakeNoDifference)
     }
 }
 
-TEST(HardCases, H110_HalfGrayIsEncodedOnceOnItsWayToAFileAndBack)
+TEST(HardCases, HalfGrayIsEncodedOnceOnItsWayToAFileAndBack)
 {
     const auto twice = [](double linear) { return render::srgbFromLinear(render::srgbFromLinear(linear)); };
     const double linear = render::linearFromSrgb(128 / 255.0);

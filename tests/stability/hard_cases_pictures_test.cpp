@@ -49,7 +49,7 @@ render::FramePlan spoiled(const Shot& shot, int i, int n)
     return plan;
 }
 
-TEST_F(HardCases, H108_ASampleThatIsNaNIsGoneWithTheNextPicture)
+TEST_F(HardCases, ASampleThatIsNaNIsGoneWithTheNextPicture)
 {
     Shot shot;
     const render::Image clean = sample(shot, 0, 4);
@@ -60,7 +60,7 @@ TEST_F(HardCases, H108_ASampleThatIsNaNIsGoneWithTheNextPicture)
     EXPECT_EQ(test::largestDifference(sample(shot, 0, 4), clean), 0);
 }
 
-TEST_F(HardCases, H109_AfterACutNothingOfTheOldViewRemains)
+TEST_F(HardCases, AfterACutNothingOfTheOldViewRemains)
 {
     Shot before;
     before.request.frame.transparent = false;
@@ -74,7 +74,7 @@ TEST_F(HardCases, H109_AfterACutNothingOfTheOldViewRemains)
     EXPECT_EQ(test::largestDifference(sample(after, 0, 8), fresh), 0);
 }
 
-TEST_F(HardCases, H113_APictureWiderThanAnyTextureIsDrawnInTiles)
+TEST_F(HardCases, APictureWiderThanAnyTextureIsDrawnInTiles)
 {
     Shot shot;
     shot.object().set(sdfTable().conePrepass, false);
@@ -88,7 +88,7 @@ TEST_F(HardCases, H113_APictureWiderThanAnyTextureIsDrawnInTiles)
     EXPECT_GT(wide.hits(), 0);
 }
 
-TEST_F(HardCases, H115_FourThousandSamplesOfOneAverageToOne)
+TEST_F(HardCases, FourThousandSamplesOfOneAverageToOne)
 {
     constexpr int samples = 4096;
     render::FramePlan plan;
@@ -181,7 +181,7 @@ int whitePixels(const Picture& p)
     return count;
 }
 
-TEST_F(HardCases, H85_NormalsWithoutLengthInAVisitorsFileLeaveNumbersInThePicture)
+TEST_F(HardCases, NormalsWithoutLengthInAVisitorsFileLeaveNumbersInThePicture)
 {
     // Normalized as they are, these normals would be NaN.
     const auto lit = [](float x, float y, float z) {
@@ -200,7 +200,7 @@ TEST_F(HardCases, H85_NormalsWithoutLengthInAVisitorsFileLeaveNumbersInThePictur
     }
 }
 
-TEST_F(HardCases, H28_AModelScaledToAPlaneOrALineIsDrawnWithoutNaN)
+TEST_F(HardCases, AModelScaledToAPlaneOrALineIsDrawnWithoutNaN)
 {
     for (const char* scale : {"[1, 1, 0]", "[1, 0, 1]", "[0, 0, 0]", "[1e-30, 1e-30, 1e-30]", "[1, 1, 1e-40]"}) {
         test::GltfBuilder builder = quad(0, 0, 1);

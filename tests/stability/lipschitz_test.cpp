@@ -155,7 +155,7 @@ TEST(Lipschitz, AtFloat32EveryFieldIsFiniteNearFloat64AndNoSteeper)
     }
 }
 
-TEST(Lipschitz, H26_SubtractingMoreThanThereIsLeavesABoundAndNoSurface)
+TEST(Lipschitz, SubtractingMoreThanThereIsLeavesABoundAndNoSurface)
 {
     const auto solid = [](const dvec3& p) { return glsl::sdfBox(p, dvec3(0.5)); };
     const auto larger = [](const dvec3& p) { return glsl::sdfSphere(p, 3); };

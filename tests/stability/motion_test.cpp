@@ -31,7 +31,7 @@ SpringState stepped(SpringState s, const glm::dvec3& target, const Spring& sprin
 const SpringState start{{0.7, -0.2, 0.1}, {3, 1, -8}};
 const glm::dvec3 target(0.1, -0.3, 0);
 
-TEST(Spring, H72_H74_H75_LeavesItsStateAloneWhenTheClockIsBroken)
+TEST(Spring, LeavesItsStateAloneWhenTheClockIsBroken)
 {
     // Speed as way by time: nothing by nothing in a paused frame, and no number ever after.
     const auto speed = [](double way, double seconds) { return way / seconds; };
@@ -64,7 +64,7 @@ TEST(Spring, H72_H74_H75_LeavesItsStateAloneWhenTheClockIsBroken)
     expectStill();
 }
 
-TEST(Spring, H73_H79_SaysWhereTheSemiImplicitMethodBreaks)
+TEST(Spring, SaysWhereTheSemiImplicitMethodBreaks)
 {
     for (const Spring spring : {Spring{2 * pi * 5, 1}, Spring{2 * pi * 10, 1}, Spring{2 * pi * 3, 0.2}}) {
         const double limit = longestSemiImplicitStep(spring);
@@ -85,7 +85,7 @@ TEST(Spring, H73_H79_SaysWhereTheSemiImplicitMethodBreaks)
     EXPECT_LT(glm::length(advance(start, target, spring, 10, closed).value - target), 1e-9);
 }
 
-TEST(Spring, H76_TakesOneStepOfASecondLikeSixHundred)
+TEST(Spring, TakesOneStepOfASecondLikeSixHundred)
 {
     // By the closed form: 4 Hz, damping 0.15, from 1 at rest: 0.02115 after a second.
     const Spring spring{2 * pi * 4, 0.15};
@@ -101,7 +101,7 @@ TEST(Spring, H76_TakesOneStepOfASecondLikeSixHundred)
     EXPECT_GT(std::abs(stepped({{1, 0, 0}, {}}, {}, spring, 1, 60, FurSpring::semiImplicit).value.x - 0.02115), 0.005);
 }
 
-TEST(Spring, H77_ChangesSmoothlyThroughCriticalDamping)
+TEST(Spring, ChangesSmoothlyThroughCriticalDamping)
 {
     // The sine's share by its formula: 0/0 at critical damping, the root of a negative number a billionth beyond.
     const auto naive = [](double zeta, double omega, double t) {
@@ -125,7 +125,7 @@ TEST(Spring, H77_ChangesSmoothlyThroughCriticalDamping)
     }
 }
 
-TEST(Spring, H78_StaysFiniteWithoutStiffnessOrDampingAndWithFarTooMuch)
+TEST(Spring, StaysFiniteWithoutStiffnessOrDampingAndWithFarTooMuch)
 {
     // The damping ratio of no stiffness, or of no mass: c / (2 sqrt(k m)) without damping either.
     const auto ratio = [](double c, double k, double m) { return c / (2 * std::sqrt(k * m)); };
@@ -142,7 +142,7 @@ TEST(Spring, H78_StaysFiniteWithoutStiffnessOrDampingAndWithFarTooMuch)
             }
 }
 
-TEST(Spring, H79_NeverGainsEnergyWhateverTheStep)
+TEST(Spring, NeverGainsEnergyWhateverTheStep)
 {
     for (const double hertz : {0.5, 10.0, 1000.0}) {
         for (const double zeta : {0.0, 0.3, 1.0, 5.0}) {
@@ -162,7 +162,7 @@ TEST(Spring, H79_NeverGainsEnergyWhateverTheStep)
               energy(start, target, spring));
 }
 
-TEST(Spring, H86_KeepsItsLimit)
+TEST(Spring, KeepsItsLimit)
 {
     SpringState s = start;
     for (int i = 0; i < 1000; ++i) {
@@ -177,7 +177,7 @@ TEST(Spring, H86_KeepsItsLimit)
     EXPECT_EQ(atLimit.rate, glm::dvec3(0, 1, 0));  // Nothing leads further out, what leads along stays.
 }
 
-TEST(Spring, H91_CatchesUpAnHourInOneStep)
+TEST(Spring, CatchesUpAnHourInOneStep)
 {
     const Spring spring{2 * pi * 2.2, 0.0002};  // Still swinging after an hour.
     constexpr int missed = 3600 * 60;
@@ -190,7 +190,7 @@ TEST(Spring, H91_CatchesUpAnHourInOneStep)
     EXPECT_GT(glm::length(advance(start, target, spring, 3600, FurSpring::explicitEuler).rate), 1e5);
 }
 
-TEST(Rotation, H81_IsTheSameForAQuaternionAndItsNegative)
+TEST(Rotation, IsTheSameForAQuaternionAndItsNegative)
 {
     // Axis and angle as every text book has them go the long way round for one of the two.
     const auto naive = [](const glm::dquat& q) { return 2 * std::acos(q.w); };
@@ -227,7 +227,7 @@ double lengthOf(const dvec3& root, const dvec3& tip, double curvature, int model
     return length;
 }
 
-TEST(Bending, H80_KeepsTheLengthWithinOnePercentAtEveryAngle)
+TEST(Bending, KeepsTheLengthWithinOnePercentAtEveryAngle)
 {
     const dvec3 root(0, 1, 0);
     for (int degrees = 0; degrees <= 180; degrees += 5) {
@@ -246,7 +246,7 @@ TEST(Bending, H80_KeepsTheLengthWithinOnePercentAtEveryAngle)
     EXPECT_NEAR(shortest(pi), 0, 1e-12);
 }
 
-TEST(Bending, H82_IsDefinedAtNothingAndAtHalfATurn)
+TEST(Bending, IsDefinedAtNothingAndAtHalfATurn)
 {
     // Spherical interpolation by its formula: nearly equal directions have a sine of zero.
     const auto naive = [](float cosine, float k) {
@@ -275,7 +275,7 @@ TEST(Bending, H82_IsDefinedAtNothingAndAtHalfATurn)
     }
 }
 
-TEST(Bodies, H90_ComeToRestOnTheFloorAndSleepUntilTheyAreDisturbed)
+TEST(Bodies, ComeToRestOnTheFloorAndSleepUntilTheyAreDisturbed)
 {
     RigidBodies world({.radius = 1.6});
     const int ball = world.add(BallShape{0.3}, {{0, 0.5, 0}}, 1);

@@ -63,7 +63,7 @@ TEST(NoiseSums, StayInTheirRange)
     }
 }
 
-TEST(NoiseSums, H102_OfNoOctavesOrAnyGainAreFiniteAndInTheirRange)
+TEST(NoiseSums, OfNoOctavesOrAnyGainAreFiniteAndInTheirRange)
 {
     for (const int octaves : {0, 1, 10})
         for (const double gain : {0.0, 1.0, 2.0})
@@ -80,7 +80,7 @@ TEST(NoiseSums, H102_OfNoOctavesOrAnyGainAreFiniteAndInTheirRange)
             }
 }
 
-TEST(NoiseSums, H104_StayInTheirRangeHoweverFarTheirDomainIsWarped)
+TEST(NoiseSums, StayInTheirRangeHoweverFarTheirDomainIsWarped)
 {
     test::Random random(23);
     for (int i = 0; i < 10000; ++i) {

@@ -177,7 +177,7 @@ TEST(Noise, HasNoSeams)
     expectContinuous(kinds4());
 }
 
-TEST(Noise, H100_OfTheGradientKindIsZeroAtLatticePoints)
+TEST(Noise, OfTheGradientKindIsZeroAtLatticePoints)
 {
     for (int i = 0; i < 200; ++i) {
         const glm::ivec3 cell(i * 7 - 300, i * 3 - 100, 50 - i);
@@ -365,7 +365,7 @@ TEST(Noise, OfTheSimplexKindShowsLittleOfItsLattice)
     EXPECT_LT(gradient, 0.8) << "gradient noise is fainter on its planes, as it should be";
 }
 
-TEST(Noise, H98_FarFromTheOriginIsAsExactAsNearIt)
+TEST(Noise, FarFromTheOriginIsAsExactAsNearIt)
 {
     test::Random random(19);
     double near = 0, far = 0, naive = 0;

@@ -15,7 +15,7 @@ using glm::vec3;
 namespace f64 = glsl;
 namespace f32 = glsl32;
 
-TEST(Numerics, H43_FresnelSurvivesACosineAboveOne)
+TEST(Numerics, FresnelSurvivesACosineAboveOne)
 {
     // GPUs compute pow(x, y) as exp2(y log2 x), which is NaN for every negative x.
     const auto naive = [](float cosine, float f0) { return f0 + (1 - f0) * std::exp2(5 * std::log2(1 - cosine)); };
@@ -29,7 +29,7 @@ TEST(Numerics, H43_FresnelSurvivesACosineAboveOne)
     }
 }
 
-TEST(Numerics, H93_FresnelOfClearSurfacesIsThatOfTheTwoPolarizations)
+TEST(Numerics, FresnelOfClearSurfacesIsThatOfTheTwoPolarizations)
 {
     for (const double index : {1.0, 1.33, 1.5, 2.4, 1 / 1.33, 1 / 1.5, 1 / 2.4}) {
         for (int i = 1; i <= 1000; ++i) {
@@ -53,7 +53,7 @@ TEST(Numerics, H93_FresnelOfClearSurfacesIsThatOfTheTwoPolarizations)
         EXPECT_NEAR(f32::fresnelDielectric(cosine, 1), 0, 1e-10) << cosine;  // H93
 }
 
-TEST(Numerics, H44_AnglesOfCosinesBeyondOneAreDefinedAndAccurate)
+TEST(Numerics, AnglesOfCosinesBeyondOneAreDefinedAndAccurate)
 {
     // acos itself is NaN beyond 1, where rounding puts the product of two unit vectors.
     EXPECT_EQ(f32::safeAcos(1.0000001F), 0);
@@ -64,7 +64,7 @@ TEST(Numerics, H44_AnglesOfCosinesBeyondOneAreDefinedAndAccurate)
     }
 }
 
-TEST(Numerics, H45_TheAngleOfTheOriginIsZero)
+TEST(Numerics, TheAngleOfTheOriginIsZero)
 {
     EXPECT_EQ(f32::angleOf(0, 0), 0);
     EXPECT_EQ(f32::angleOf(-0.0F, -0.0F), 0);  // C says -pi.
@@ -72,7 +72,7 @@ TEST(Numerics, H45_TheAngleOfTheOriginIsZero)
     EXPECT_FLOAT_EQ(f32::angleOf(0, -1), float(M_PI));
 }
 
-TEST(Numerics, H99_FractionsNeverReachOne)
+TEST(Numerics, FractionsNeverReachOne)
 {
     EXPECT_EQ(-1e-9F - std::floor(-1e-9F), 1.0F);  // One past the end of a table.
     for (float x = -1e-6F; x < 0; x = std::nextafter(x, 1.0F) * 0.99999F) {
@@ -84,7 +84,7 @@ TEST(Numerics, H99_FractionsNeverReachOne)
     EXPECT_EQ(f32::fractBelowOne(-0.0F), 0);
 }
 
-TEST(Numerics, H101_PowersOfZeroAreDefined)
+TEST(Numerics, PowersOfZeroAreDefined)
 {
     const auto onDriver = [](float x, float y) { return std::exp2(y * std::log2(x)); };
     EXPECT_TRUE(std::isnan(onDriver(0, 0)));
@@ -94,7 +94,7 @@ TEST(Numerics, H101_PowersOfZeroAreDefined)
     EXPECT_FLOAT_EQ(f32::powPositive(0.5F, 2.2F), std::pow(0.5F, 2.2F));
 }
 
-TEST(Numerics, H103_AStepBetweenEqualEdgesIsAHardStep)
+TEST(Numerics, AStepBetweenEqualEdgesIsAHardStep)
 {
     // GLSL leaves smoothstep between equal edges undefined: a driver gives 0, 1 or NaN.
     EXPECT_EQ(f32::smoothStep(0.5F, 0.5F, 0.49F), 0);
@@ -123,7 +123,7 @@ TEST(Numerics, ValuesThatAreNotNumbersAreReplaced)
     EXPECT_EQ(f32::finiteOr(1e38F, 7), 1e38F);
 }
 
-TEST(Hash, H89_LatticePointsFarFromTheOriginStayDistinct)
+TEST(Hash, LatticePointsFarFromTheOriginStayDistinct)
 {
     // The sine hash that shaders copy from one another.
     const auto sine = [](float x, float y) {
@@ -141,7 +141,7 @@ TEST(Hash, H89_LatticePointsFarFromTheOriginStayDistinct)
     EXPECT_GE(fromPcg.size(), 4095U);  // 4096 draws of 32 bits: two equal once in 500 tries.
 }
 
-TEST(Hash, H40_NeighborsAreDistinctBeyondTheIntegersOfAFloat)
+TEST(Hash, NeighborsAreDistinctBeyondTheIntegersOfAFloat)
 {
     const int far = (1 << 24) + 1;
     EXPECT_EQ(float(far), float(far - 1));  // As floats they are the same cell.

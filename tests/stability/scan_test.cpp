@@ -61,7 +61,7 @@ std::vector<std::string> namesOfAll()
 INSTANTIATE_TEST_SUITE_P(Exhibits, ScanOfExhibit, testing::ValuesIn(namesOfAll()),
                          [](const auto& p) { return p.param; });
 
-TEST_F(StabilityScan, H84_EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
+TEST_F(StabilityScan, EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
 {
     // How high layer 0 of a single one lies, as a share, would be 0/0.
     const Museum& museum = gallery().museum;

@@ -85,7 +85,7 @@ TEST(Shadows, APointHalfBehindAStraightEdgeSeesHalfTheLight)
     EXPECT_EQ(sheet.shadowArea(dvec3(-1, 0, 0), up, 0.1, 0.01, 5, 400, 16, 0).visibility, 0);
 }
 
-TEST(Shadows, H49_H50_StartsAtZeroAndLightsWithoutExtentGiveNumbers)
+TEST(Shadows, StartsAtZeroAndLightsWithoutExtentGiveNumbers)
 {
     f32::Tracer tracer{[](const vec3& p) { return float(scene(glm::dvec3(p))); }};
     EXPECT_TRUE(std::isnan(0.0F / (0.06F * 0.0F)));  // h / (w t) at the start.
@@ -109,7 +109,7 @@ TEST(Shadows, H49_H50_StartsAtZeroAndLightsWithoutExtentGiveNumbers)
               0);  // Nothing between p and the light.
 }
 
-TEST(Occlusion, H52_IsOneWithoutARadiusAndStaysBetweenZeroAndOne)
+TEST(Occlusion, IsOneWithoutARadiusAndStaysBetweenZeroAndOne)
 {
     f32::Tracer tracer{[](const vec3& p) { return float(scene(glm::dvec3(p))); }};
     test::Random random(4);

@@ -163,7 +163,7 @@ TEST(SphereTracing, HitsLieWithinTheToleranceOfTheSurface)
     }
 }
 
-TEST(RayBox, H1_StartsWhereTheRayIsInsideWhereverTheCameraIs)
+TEST(RayBox, StartsWhereTheRayIsInsideWhereverTheCameraIs)
 {
     auto tracer = exactTracer([](const dvec3&) { return 1.0; });
     const dvec3 low(-1, -2, -3);
@@ -205,7 +205,7 @@ TEST(RayBox, H1_StartsWhereTheRayIsInsideWhereverTheCameraIs)
 }
 
 /// H1: the share of the picture that the mug covers while the camera is pushed through its box.
-TEST(RayBox, H1_TheSilhouetteGrowsSteadilyWhileTheCameraPassesThroughTheBox)
+TEST(RayBox, TheSilhouetteGrowsSteadilyWhileTheCameraPassesThroughTheBox)
 {
     const auto shape = f64::torusMugShape(mug());
     auto tracer = exactTracer([&](const dvec3& p) { return f64::sdfTorusMug(p, shape); });
@@ -237,7 +237,7 @@ TEST(RayBox, H1_TheSilhouetteGrowsSteadilyWhileTheCameraPassesThroughTheBox)
     }
 }
 
-TEST(RayBox, H2_TheNearPlaneMakesNoDifference)
+TEST(RayBox, TheNearPlaneMakesNoDifference)
 {
     // A start on the rasterized hull begins no nearer than the near plane; the analytic start does not know it.
     auto tracer = exactTracer([](const dvec3& p) { return f64::sdfSphere(p, 0.5); });
@@ -254,7 +254,7 @@ TEST(RayBox, H2_TheNearPlaneMakesNoDifference)
     EXPECT_TRUE(tracer.sphereTrace(eye, ray, tracer.marchSettings(span.x, span.y, 1e-3)).hit);
 }
 
-TEST(SphereTracing, H3_ACameraInsideTheSolidSeesItsInside)
+TEST(SphereTracing, ACameraInsideTheSolidSeesItsInside)
 {
     const Field sphere = [](const dvec3& p) { return f64::sdfSphere(p, 0.5); };
     // The plain loop walks backwards from where it is, without end.
@@ -284,7 +284,7 @@ TEST(SphereTracing, H3_ACameraInsideTheSolidSeesItsInside)
     EXPECT_DOUBLE_EQ(cut.t, 2.8);
 }
 
-TEST(SphereTracing, H4_ARayThatStartsOnTheSurfaceDoesNotHitItsOwnStart)
+TEST(SphereTracing, ARayThatStartsOnTheSurfaceDoesNotHitItsOwnStart)
 {
     auto tracer = exactTracer(
         [](const dvec3& p) { return std::min(f64::sdfSphere(p, 0.5), f64::sdfSphere(p - dvec3(0, 2, 0), 0.5)); });
@@ -310,7 +310,7 @@ TEST(SphereTracing, H4_ARayThatStartsOnTheSurfaceDoesNotHitItsOwnStart)
     EXPECT_LE(tracer.fieldDistance(dvec3(0.5, 0, 0)), 0);
 }
 
-TEST(SphereTracing, H15_GrazingFloorsGetNoHolesFromTheStepLimit)
+TEST(SphereTracing, GrazingFloorsGetNoHolesFromTheStepLimit)
 {
     // Horizon to foreground over a floor with wires on it, 64 steps at most.
     const Field32 field = [](const vec3& p) {
@@ -343,7 +343,7 @@ TEST(SphereTracing, H15_GrazingFloorsGetNoHolesFromTheStepLimit)
     EXPECT_EQ(invented, 0);
 }
 
-TEST(SphereTracing, H33_ThinWiresFarAwayAreNotLost)
+TEST(SphereTracing, ThinWiresFarAwayAreNotLost)
 {
     // A wire of 1 cm at 30 m, out in the world where float32 positions are coarse.
     const vec3 offset(3000, 1.5F, -4000);
@@ -380,7 +380,7 @@ TEST(SphereTracing, H33_ThinWiresFarAwayAreNotLost)
     EXPECT_EQ(found, truth);
 }
 
-TEST(SphereTracing, H34_RaysThatTouchASphereCostABoundedNumberOfSteps)
+TEST(SphereTracing, RaysThatTouchASphereCostABoundedNumberOfSteps)
 {
     int naive = 0;
     int longest = 0;

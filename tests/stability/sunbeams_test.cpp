@@ -67,7 +67,7 @@ TEST(ShaftWeights, OfGeometricTapsAddUpToOneForEverySetting)
     }
 }
 
-TEST(ShaftWeights, H58_ThePlainSumIsTheClosedFormAlsoWhereItIsZeroOverZero)
+TEST(ShaftWeights, ThePlainSumIsTheClosedFormAlsoWhereItIsZeroOverZero)
 {
     for (const int n : {1, 2, 64, 128, 512}) {
         for (const double decay : decays) {
@@ -86,7 +86,7 @@ TEST(ShaftWeights, H58_ThePlainSumIsTheClosedFormAlsoWhereItIsZeroOverZero)
     EXPECT_TRUE(std::isnan(naive(1, 64)));
 }
 
-TEST(ShaftWeights, H60_MoreSamplesMakeNothingBrighter)
+TEST(ShaftWeights, MoreSamplesMakeNothingBrighter)
 {
     // A mask of bars: the mean over many lines must not move by half a percent from 8 to 512 samples.
     const auto mean = [](int samples, bool normalized) {
@@ -130,7 +130,7 @@ TEST(ShaftWeights, GeometricStepsHaveTheirMeanHoweverLongTheyAre)
     }
 }
 
-TEST(ShaftWeights, H59_ADecayAboveOneIsNoBrighterThanTheMask)
+TEST(ShaftWeights, ADecayAboveOneIsNoBrighterThanTheMask)
 {
     // The original's sum at a decay of 1.1: four and a half thousand times the mask.
     double naive = 0;
@@ -150,7 +150,7 @@ TEST(ShaftWeights, H59_ADecayAboveOneIsNoBrighterThanTheMask)
     }
 }
 
-TEST(ShaftWeights, H62_WithoutAWayToGoTheMaskItselfIsSeen)
+TEST(ShaftWeights, WithoutAWayToGoTheMaskItselfIsSeen)
 {
     // A step's share of nothing.
     const auto naive = [](double i, double n, double density, double a) {
@@ -163,7 +163,7 @@ TEST(ShaftWeights, H62_WithoutAWayToGoTheMaskItselfIsSeen)
     EXPECT_NEAR(gathered(64, 0, 1, [](double t) { return t > 0.99 ? 0.375 : 0; }), 0.375, 1e-12);
 }
 
-TEST(ShaftWeights, H63_DensityBeyondOneDoesNotReachThroughTheLight)
+TEST(ShaftWeights, DensityBeyondOneDoesNotReachThroughTheLight)
 {
     for (const double density : {1.0, 1.5, 100.0})
         for (int i = 0; i < 8; ++i) EXPECT_GE(r64::shaftStep(i, 8, r64::shaftDensity(density, 1), 0.5), 0);

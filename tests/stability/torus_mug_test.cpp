@@ -46,7 +46,7 @@ double moment(int i)
     return i / double(moments - 1);
 }
 
-TEST(TorusMug, H31_EndsBitwiseOnThePureShapes)
+TEST(TorusMug, EndsBitwiseOnThePureShapes)
 {
     test::Random random(1);
     const auto torus = f32::torusMugShape(sizes32(0));
@@ -284,7 +284,7 @@ TEST(TorusMug, StandsOnItsGroundAndFillsItsBoxAtEveryMoment)
     }
 }
 
-TEST(TorusMug, H32_NormalsAreUnitVectorsOnTheSaddlesAndEverywhere)
+TEST(TorusMug, NormalsAreUnitVectorsOnTheSaddlesAndEverywhere)
 {
     test::Random random(6);
     for (int i = 0; i < moments; ++i) {

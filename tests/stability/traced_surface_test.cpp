@@ -21,7 +21,7 @@ namespace f64 = glsl;
 namespace f32 = glsl32;
 using Field = std::function<double(const dvec3&)>;
 
-TEST(Normals, H53_StayAccurateFarAway)
+TEST(Normals, StayAccurateFarAway)
 {
     // A sphere at 200 m: a step of 1e-5 m drowns in the rounding of positions.
     const vec3 center(0, 0, -200);
@@ -75,7 +75,7 @@ TEST(Normals, AllMethodsAgreeOnSmoothFieldsAndCentralOnesLeanLeastAtCreases)
     EXPECT_NEAR(box.fieldNormal(dvec3(0.5, 0.5 - 1.1 * h, 0), h, box.NORMAL_CENTRAL, up).x, 1, 1e-9);
 }
 
-TEST(Reflection, H41_APlaneInAConstantSceneReflectsWithoutAcne)
+TEST(Reflection, APlaneInAConstantSceneReflectsWithoutAcne)
 {
     // Mirror floor under a white sky: each reflected ray must leave.
     f32::Tracer tracer{[](const vec3& p) { return p.y; }};
@@ -103,7 +103,7 @@ TEST(Reflection, H41_APlaneInAConstantSceneReflectsWithoutAcne)
     EXPECT_EQ(acne, 0);
 }
 
-TEST(Reflection, H42_ACorridorOfMirrorsAddsNoEnergy)
+TEST(Reflection, ACorridorOfMirrorsAddsNoEnergy)
 {
     // Two facing mirrors, white sky at the open ends: with reflectance 1 the light is 1 after any number of
     // bounces, with Schlick's it is at most 1.

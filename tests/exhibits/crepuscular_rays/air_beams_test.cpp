@@ -37,7 +37,7 @@ struct SlabShot : RayShot {
     }
 };
 
-TEST_F(Rays, H68_OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
+TEST_F(Rays, OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
 {
     SlabShot shot;
     const dvec3 towardsSun = glm::normalize(dvec3(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree),

@@ -114,7 +114,7 @@ TEST_F(Rays, OfASunBeyondTheEdgeAreTheShareOfTheWayInsideThePictureTimesTheFade)
     }
 }
 
-TEST_F(Rays, H59_AreNeverBrighterThanTheMask)
+TEST_F(Rays, AreNeverBrighterThanTheMask)
 {
     RayShot shot(RayTechnique::screen);
     shot.rays().set(raysTable().jitter, true);
@@ -213,7 +213,7 @@ TEST_F(Rays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
     }
 }
 
-TEST_F(Rays, H57_AreTheMaskItselfWithTheSunOnAPixelsCenter)
+TEST_F(Rays, AreTheMaskItselfWithTheSunOnAPixelsCenter)
 {
     // A step from the pixel to the light as a share of their distance: nothing by nothing.
     const auto naive = [](const dvec2& path) { return path / glm::length(path); };
@@ -231,7 +231,7 @@ TEST_F(Rays, H57_AreTheMaskItselfWithTheSunOnAPixelsCenter)
     }
 }
 
-TEST_F(Rays, H69_AreFiniteTowardsTheSkyAndWithTheEyeInTheWindow)
+TEST_F(Rays, AreFiniteTowardsTheSkyAndWithTheEyeInTheWindow)
 {
     // Rays without end, and rays that begin where the air ends.
     for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {

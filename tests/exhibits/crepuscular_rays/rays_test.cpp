@@ -71,7 +71,7 @@ TEST_F(Rays, LeaveThePictureAsItIsToTheBitWhenTheyAreOff)
     EXPECT_EQ(test::largestDifference(off.image, changed.take().image), 0);
 }
 
-TEST_F(Rays, R5_AreOfferedBesideThePictureWithoutThem)
+TEST_F(Rays, AreOfferedBesideThePictureWithoutThem)
 {
     const std::size_t rays = *gallery().museum.find("crepuscular_rays");
     const Subject& subject = gallery().museum.subject(rays);
@@ -86,7 +86,7 @@ TEST_F(Rays, R5_AreOfferedBesideThePictureWithoutThem)
     }
 }
 
-TEST_F(Rays, H54_OfTheSunBehindChangeNothing)
+TEST_F(Rays, OfTheSunBehindChangeNothing)
 {
     // The original projects a sun behind the camera into the middle of the picture, and draws rays there.
     RayShot shot(RayTechnique::none);
@@ -118,7 +118,7 @@ TEST_F(Rays, InScreenSpaceAreInProportionToTheSunsStrengthDownToNone)
     EXPECT_EQ(shot.take().mean(), 0);
 }
 
-TEST_F(Rays, H56_AreTheMeanThatFloat64Finds)
+TEST_F(Rays, AreTheMeanThatFloat64Finds)
 {
     // The sun in the picture; beyond its upper edge; and beyond its corner.
     const std::pair<dvec3, dvec3> views[] = {
@@ -203,7 +203,7 @@ TEST_F(Rays, OfMoreSamplesAreNoBrighter)
     EXPECT_GT(shot.take().mean(), 1.5 * few);
 }
 
-TEST_F(Rays, H65_OfADiskAreCenteredAtHalfSizeToATwentiethOfAPixel)
+TEST_F(Rays, OfADiskAreCenteredAtHalfSizeToATwentiethOfAPixel)
 {
     // Alone, the sky within five degrees of the sun shines: a disk in the picture, whole pixels or not.
     for (const glm::ivec2 size : {glm::ivec2(97, 55), glm::ivec2(96, 54), glm::ivec2(101, 53)}) {
@@ -262,7 +262,7 @@ TEST_F(Rays, OfTheOriginalAddUpToItsClosedFormOnAWhiteMask)
     }
 }
 
-TEST_F(Rays, H62_WithoutDensityAreTheMaskToTheBit)
+TEST_F(Rays, WithoutDensityAreTheMaskToTheBit)
 {
     RayShot shot(RayTechnique::screen);
     shot.rays().set(raysTable().density, 0.0);

@@ -281,7 +281,7 @@ TEST(Preset, OfTheWholeExhibitionHasDottedKeys)
 }
 
 // Whatever a damaged file says: a legal set of values, or a Failure and nothing changed.
-TEST(Preset, H106_NeverCrashesOnDamagedFiles)
+TEST(Preset, NeverCrashesOnDamagedFiles)
 {
     Preset rich = plain();
     rich.values.set(everyKind.morph, 0.123456789);

@@ -83,7 +83,7 @@ TEST(RecordedJump, TakesEachStepOnceAndAnswersManyThreadsAlike)
     EXPECT_EQ(jump.stepsTaken(), alone.steps()) << "what was simulated is not simulated again";
 }
 
-TEST(Bounce, H90_BeginsAndEndsWhereTheBodiesLie)
+TEST(Bounce, BeginsAndEndsWhereTheBodiesLie)
 {
     Bounce bounce(settings());
     EXPECT_LT(apart(bounce.at(0), restStates(settings())), 1e-12);

@@ -43,7 +43,7 @@ glm::dvec3 mirrored(const glm::dvec3& v)
     return {-v.x, v.y, v.z};
 }
 
-TEST_F(FurScaled, H87_AMirroredExhibitIsTheMirrorImageOfItself)
+TEST_F(FurScaled, AMirroredExhibitIsTheMirrorImageOfItself)
 {
     const Shot plain = furShot();
     Shot turned = plain;
@@ -71,7 +71,7 @@ TEST_F(FurScaled, H87_AMirroredExhibitIsTheMirrorImageOfItself)
     EXPECT_LT(sameUnmirrored, 0.5 * furry) << "the scene is symmetric: the comparison proves nothing";
 }
 
-TEST_F(FurScaled, H87_NormalsOfAnUnevenlyScaledSkinAreThoseOfItsEllipsoid)
+TEST_F(FurScaled, NormalsOfAnUnevenlyScaledSkinAreThoseOfItsEllipsoid)
 {
     Shot shot = furShot();
     for (const Real length :
@@ -107,7 +107,7 @@ TEST_F(FurScaled, H87_NormalsOfAnUnevenlyScaledSkinAreThoseOfItsEllipsoid)
     EXPECT_GT(median(glm::dmat3(scale)), 0.2) << "normals carried like directions would do as well";
 }
 
-TEST_F(FurScaled, H87_AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
+TEST_F(FurScaled, AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
 {
     // How far the fur reaches beyond its skin, up and aside: as far as the scaled sphere of skin and fur, float64.
     Shot shot = furShot();

@@ -39,7 +39,7 @@ double plainLookup(const glm::dvec3& d)
     return columnBrightness(column) * (1 - t) + columnBrightness((column + 1) % width) * t;
 }
 
-TEST_F(Panorama, H47_AtThePolesAPixelIsTheMeanOfAllColumnsThatItHolds)
+TEST_F(Panorama, AtThePolesAPixelIsTheMeanOfAllColumnsThatItHolds)
 {
     const TemporaryFolder folder;
     render::Image picture(width, width / 2, 3);
@@ -80,7 +80,7 @@ TEST_F(Panorama, H47_AtThePolesAPixelIsTheMeanOfAllColumnsThatItHolds)
     }
 }
 
-TEST_F(Panorama, H47_AboveTheFirstRowLiesNotTheLastOne)
+TEST_F(Panorama, AboveTheFirstRowLiesNotTheLastOne)
 {
     // The picture repeats, so that its seam does not show; upwards, that would bring the ground into the sky.
     const TemporaryFolder folder;

@@ -93,13 +93,13 @@ int candiesSeen(bool placesOfTheSource)
     return seen;
 }
 
-TEST_F(IceCreamPicture, I4_I12_TenCandiesAreSeenFromTheWayAroundIt)
+TEST_F(IceCreamPicture, TenCandiesAreSeenFromTheWayAroundIt)
 {
     EXPECT_EQ(candiesSeen(false), 10);
     EXPECT_EQ(candiesSeen(true), 8) << "the source has the first one behind the camera and the fifth one in the cream";
 }
 
-TEST_F(IceCreamPicture, I12_UndersidesAreDarkerThanTops)
+TEST_F(IceCreamPicture, UndersidesAreDarkerThanTops)
 {
     IceCreamShot shot;
     flat(shot.values());
@@ -137,7 +137,7 @@ dvec3 blinnPhong(const ParameterValues& values, const dvec3& n, const dvec3& toE
     return (color + shine) * diffuse * values[t().sourceSunColor].value * values[t().sourceSunStrength];
 }
 
-TEST_F(IceCreamPicture, I6_RoughnessIsTheSourcesExponent)
+TEST_F(IceCreamPicture, RoughnessIsTheSourcesExponent)
 {
     for (const double roughness : {0.25, 0.65}) {
         IceCreamShot shot;
@@ -189,7 +189,7 @@ double shareOfSun(const glm::dvec2& at, SdfShadow method)
     return with / shot.take().mean();
 }
 
-TEST_F(IceCreamPicture, I5_ShadowsReachFartherThanFiveMeters)
+TEST_F(IceCreamPicture, ShadowsReachFartherThanFiveMeters)
 {
     // The sun's rays fall 0.12 meters for each meter: the middle of the cream, 0.9 high, shades the ground at 7.5.
     for (const SdfShadow method : {SdfShadow::classic, SdfShadow::improved, SdfShadow::signedDistance}) {
@@ -200,7 +200,7 @@ TEST_F(IceCreamPicture, I5_ShadowsReachFartherThanFiveMeters)
     }
 }
 
-TEST_F(IceCreamPicture, I13_NormalsAreThoseOfFloat64)
+TEST_F(IceCreamPicture, NormalsAreThoseOfFloat64)
 {
     IceCreamShot shot;
     shot.values().set(t().ground, false);
@@ -235,7 +235,7 @@ TEST_F(IceCreamPicture, I13_NormalsAreThoseOfFloat64)
     EXPECT_LT(worst(3e-4), 0.1);
 }
 
-TEST_F(IceCreamPicture, I11_EachStageOfTheBuildUpIsAnotherPictureAndTheLastOneIsTheWhole)
+TEST_F(IceCreamPicture, EachStageOfTheBuildUpIsAnotherPictureAndTheLastOneIsTheWhole)
 {
     IceCreamShot shot;
     shot.size(128, 96).see({0.4, 1.5, 2}, {0, 0.6, 0});
@@ -260,7 +260,7 @@ TEST_F(IceCreamPicture, I11_EachStageOfTheBuildUpIsAnotherPictureAndTheLastOneIs
     EXPECT_GT(test::largestDifference(shot.take().image, finished.image), 0.01);
 }
 
-TEST_F(IceCreamPicture, I9_EdgesAreSmoothOnlyWhenFinished)
+TEST_F(IceCreamPicture, EdgesAreSmoothOnlyWhenFinished)
 {
     IceCreamShot shot;
     flat(shot.values());
@@ -276,7 +276,7 @@ TEST_F(IceCreamPicture, I9_EdgesAreSmoothOnlyWhenFinished)
     EXPECT_EQ(partly(), 0);
 }
 
-TEST_F(IceCreamPicture, I7_EachPartCanBeShownAloneAndHasAColorOfItsOwn)
+TEST_F(IceCreamPicture, EachPartCanBeShownAloneAndHasAColorOfItsOwn)
 {
     IceCreamShot shot;
     flat(shot.values());
@@ -306,7 +306,7 @@ TEST_F(IceCreamPicture, I7_EachPartCanBeShownAloneAndHasAColorOfItsOwn)
     }
 }
 
-TEST_F(IceCreamPicture, I15_TheEmojiIsFramedAndLegibleAtEverySize)
+TEST_F(IceCreamPicture, TheEmojiIsFramedAndLegibleAtEverySize)
 {
     for (const int size : {16, 32, 64, 256, 1024}) {
         IceCreamShot shot;
@@ -341,7 +341,7 @@ TEST_F(IceCreamPicture, I15_TheEmojiIsFramedAndLegibleAtEverySize)
     }
 }
 
-TEST_F(IceCreamPicture, I3_I14_AThousandSprinklesLieOnTheCream)
+TEST_F(IceCreamPicture, AThousandSprinklesLieOnTheCream)
 {
     IceCreamShot shot;
     flat(shot.values());

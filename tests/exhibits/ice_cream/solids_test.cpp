@@ -71,7 +71,7 @@ dvec3 pointNear(const EverySolid& every, const render::Box& box, RandomNumbers& 
     return p;
 }
 
-TEST(Solids, I14_TheFewThatAreEvaluatedGiveWhatAllOfThemGive)
+TEST(Solids, TheFewThatAreEvaluatedGiveWhatAllOfThemGive)
 {
     RandomNumbers numbers(11);
     double largest = 0;
@@ -98,7 +98,7 @@ TEST(Solids, I14_TheFewThatAreEvaluatedGiveWhatAllOfThemGive)
 }
 
 /// Where a bound from below meets one from above, rounding must not leave out the solid that both are of.
-TEST(Solids, I14_AtFloat32NoneIsLostToRounding)
+TEST(Solids, AtFloat32NoneIsLostToRounding)
 {
     RandomNumbers numbers(15);
     for (int stage = 0; stage <= static_cast<int>(IceCreamStage::finished); ++stage) {
@@ -118,7 +118,7 @@ TEST(Solids, I14_AtFloat32NoneIsLostToRounding)
 }
 
 /// A fault that this has to see: one cone of each layer instead of two.
-TEST(Solids, I14_OneConeInsteadOfTwoWouldBeSeen)
+TEST(Solids, OneConeInsteadOfTwoWouldBeSeen)
 {
     const IceCreamShape shape = iceCreamShape(table(), source(), 0);
     IceCreamShape one = shape;
@@ -159,12 +159,12 @@ int overshoots(const std::function<double(glsl::IceCream&, const dvec3&)>& step)
     return beyond;
 }
 
-TEST(Solids, I13_NoStepPassesASurfaceHoweverTheCreamIsTwisted)
+TEST(Solids, NoStepPassesASurfaceHoweverTheCreamIsTwisted)
 {
     EXPECT_EQ(overshoots([](glsl::IceCream& solids, const dvec3& p) { return solids.iceCreamDistance(p); }), 0);
 }
 
-TEST(Solids, I13_TheTwistedLevelItselfWouldPassSurfaces)
+TEST(Solids, TheTwistedLevelItselfWouldPassSurfaces)
 {
     EXPECT_GT(overshoots([](glsl::IceCream& solids, const dvec3& p) { return solids.iceCreamLevel(p); }), 20);
 }
@@ -197,7 +197,7 @@ dvec3 sourceRay(int x, int y, int width, int height)
                           up * ((0.5 * height - y - 0.5) / height));
 }
 
-TEST(IceCreamMarch, I12_ARayThatIsOutOfStepsIsNoHit)
+TEST(IceCreamMarch, ARayThatIsOutOfStepsIsNoHit)
 {
     constexpr int width = 98, height = 55;
     constexpr double halfPixel = 0.5 / 441;  // Of the source's window.
@@ -238,7 +238,7 @@ TEST(IceCreamMarch, I12_ARayThatIsOutOfStepsIsNoHit)
     EXPECT_GT(ofTheSource, 20) << "rays near the horizon run out of steps, and the source takes them for hits";
 }
 
-TEST(IceCreamMarch, I13_NormalsAtFloat32AreThoseOfFloat64ByTheStepOfTheTable)
+TEST(IceCreamMarch, NormalsAtFloat32AreThoseOfFloat64ByTheStepOfTheTable)
 {
     const IceCreamShape shape = iceCreamShape(table(), source(), 0);
     glsl::IceCream exact = solidsOf(shape);
@@ -299,7 +299,7 @@ double radiusAt(int parts, double y, double angle = 0)
     return 2 - firstMet(parts, out * 2.0 + dvec3(0, y, 0), -out);
 }
 
-TEST(IceCreamDimensions, I2_OfTheWaferAreTheSources)
+TEST(IceCreamDimensions, OfTheWaferAreTheSources)
 {
     constexpr int foot = 1 << PART_FOOT, collar = 1 << PART_COLLAR, bowl = 1 << PART_BOWL;
     EXPECT_NEAR(radiusAt(foot, 1e-6), 0.20, 1e-5);
@@ -337,7 +337,7 @@ int hills(const std::function<double(double)>& f, double from, double to, bool c
     return found;
 }
 
-TEST(IceCreamDimensions, I2_ThreeRingsAndSevenBarsCrossTheFoot)
+TEST(IceCreamDimensions, ThreeRingsAndSevenBarsCrossTheFoot)
 {
     constexpr int rings = 1 << PART_RINGS, bars = 1 << PART_BARS;
     for (const double y : {0.115, 0.23, 0.345}) EXPECT_NEAR(radiusAt(rings, y), 0.2 + 0.05 * y / 0.46 + 0.0075, 1e-6);
@@ -360,7 +360,7 @@ TEST(IceCreamDimensions, I2_ThreeRingsAndSevenBarsCrossTheFoot)
               12);
 }
 
-TEST(IceCreamDimensions, I3_TheLayersHaveSevenAndFiveLobes)
+TEST(IceCreamDimensions, TheLayersHaveSevenAndFiveLobes)
 {
     const IceCreamShape shape = iceCreamShape(table(), source(), 0);
     const EverySolid every(shape);
@@ -377,7 +377,7 @@ TEST(IceCreamDimensions, I3_TheLayersHaveSevenAndFiveLobes)
     }
 }
 
-TEST(IceCreamDimensions, I3_TheConesLeanAndTwistAsInTheSource)
+TEST(IceCreamDimensions, TheConesLeanAndTwistAsInTheSource)
 {
     const IceCreamShape shape = iceCreamShape(table(), source(), 0);
     // Worked out by hand from the source's matrices: base and tip, before repetition and twist.
@@ -407,7 +407,7 @@ TEST(IceCreamDimensions, I3_TheConesLeanAndTwistAsInTheSource)
     EXPECT_FLOAT_EQ(shape.waferBlend, 0.01F);
 }
 
-TEST(IceCreamDimensions, I4_I12_NoCandyIsLostBehindTheCamera)
+TEST(IceCreamDimensions, NoCandyIsLostBehindTheCamera)
 {
     const IceCreamShape shape = iceCreamShape(table(), source(), 0);
     const EverySolid every(shape);
@@ -428,7 +428,7 @@ TEST(IceCreamDimensions, I4_I12_NoCandyIsLostBehindTheCamera)
     EXPECT_LT(every.cream({-0.06, 1.1, -0.11}), -0.036);
 }
 
-TEST(IceCreamDimensions, I4_CandiesSpinAndFloatAsTheSourceTellsThem)
+TEST(IceCreamDimensions, CandiesSpinAndFloatAsTheSourceTellsThem)
 {
     ParameterValues values = source();
     values.set(table().animate, true);

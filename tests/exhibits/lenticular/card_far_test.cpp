@@ -67,7 +67,7 @@ TEST_F(CardFar, WhereAPixelHoldsManyFringesItShowsTheMeanOfAllViews)
     }
 }
 
-TEST_F(CardFar, H95_LensesSmallerThanAPixelLeaveNoMoire)
+TEST_F(CardFar, LensesSmallerThanAPixelLeaveNoMoire)
 {
     // At its distance the whole card shows the same strips, so every difference between pixels is moire. The
     // lens is out of focus: one ray a pixel lands anywhere in the spot.
@@ -168,7 +168,7 @@ TEST_F(CardFar, ThePrintedRasterLooksAsItsViewsDo)
     }
 }
 
-TEST_F(CardFar, H96_NothingIsEverNotANumber)
+TEST_F(CardFar, NothingIsEverNotANumber)
 {
     CardShot shot;
     const LenticularTable& t = cardTable();

@@ -201,7 +201,7 @@ TEST_F(PictureTest, TransparencyTakesTheBackgroundAwayAndNothingElse)
     });
 }
 
-TEST_F(PictureTest, W5_ShadowsAndProbeCanBeSwitchedOffAndAreSeen)
+TEST_F(PictureTest, ShadowsAndProbeCanBeSwitchedOffAndAreSeen)
 {
     Shot shot;
     shot.inHall();

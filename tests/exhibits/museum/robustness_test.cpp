@@ -20,7 +20,7 @@ using test::Shot;
 
 class Robustness : public test::GlTest {};
 
-TEST_F(Robustness, H10_IsErrorFreeAtEverySizeWithEverySwitch)
+TEST_F(Robustness, IsErrorFreeAtEverySizeWithEverySwitch)
 {
     for (const glm::ivec2 size : {glm::ivec2(1, 1), glm::ivec2(3, 2), glm::ivec2(101, 57)}) {
         for (const bool inHall : {false, true}) {
@@ -63,7 +63,7 @@ TEST_F(Robustness, ThinAndTallPicturesAreNoSpecialCase)
     }
 }
 
-TEST_F(Robustness, H113_APictureOfNothingIsRefused)
+TEST_F(Robustness, APictureOfNothingIsRefused)
 {
     Shot shot;
     shot.size(0, 5);
@@ -184,7 +184,7 @@ TEST_F(Robustness, WhatIsShownAsNumbersIsTheSameColorInFilesOfLight)
     }
 }
 
-TEST_F(Robustness, H48_APanoramaWithTexelsThatAreNoNumbersLeavesThePictureFinite)
+TEST_F(Robustness, APanoramaWithTexelsThatAreNoNumbersLeavesThePictureFinite)
 {
     const test::TemporaryFolder folder;
     render::Image panorama(16, 8, 3, 0.5F);
@@ -203,7 +203,7 @@ TEST_F(Robustness, H48_APanoramaWithTexelsThatAreNoNumbersLeavesThePictureFinite
     }
 }
 
-TEST_F(Robustness, H6_WhereNothingIsThereIsNeitherDepthNorNormal)
+TEST_F(Robustness, WhereNothingIsThereIsNeitherDepthNorNormal)
 {
     for (const bool inHall : {false, true}) {
         Shot shot;
@@ -224,7 +224,7 @@ TEST_F(Robustness, H6_WhereNothingIsThereIsNeitherDepthNorNormal)
     }
 }
 
-TEST_F(Robustness, H97_ATimeFarOffShowsWhatItsPhaseShows)
+TEST_F(Robustness, ATimeFarOffShowsWhatItsPhaseShows)
 {
     Shot shot;
     shot.object().set(sdfTable().animate, true);
@@ -239,7 +239,7 @@ TEST_F(Robustness, H97_ATimeFarOffShowsWhatItsPhaseShows)
     EXPECT_GT(test::largestDifference(shot.take().image, now.image), 0);
 }
 
-TEST_F(Robustness, H10_TheRendererKeepsNothingOfASizeThatIsGone)
+TEST_F(Robustness, TheRendererKeepsNothingOfASizeThatIsGone)
 {
     Shot shot;
     const Picture before = shot.take();

@@ -102,7 +102,7 @@ TEST(Walk, AStepIntoNowhereKeepsThePlace)
         EXPECT_EQ(test::museum().walk(from, to), from);
 }
 
-TEST(Walk, W1_EveryPlaceCanBeReachedOnFoot)
+TEST(Walk, EveryPlaceCanBeReachedOnFoot)
 {
     constexpr double grid = 0.25;
     const dvec3 start = test::museum().initialSceneState().camera.eye;
@@ -166,7 +166,7 @@ std::optional<LookedAt> lookFrom(const dvec3& eye, const dvec3& target)
     return test::museum().lookedAt(test::museum().prepare(sceneState, request));
 }
 
-TEST(LookedAt, W2_TheButtonAnswersWithinTwoMetersOnly)
+TEST(LookedAt, TheButtonAnswersWithinTwoMetersOnly)
 {
     const dvec3 away = glm::normalize(dvec3(0.3, 0.5, 1));
     for (const double distance : {0.3, 1.0, 1.5, 1.99}) {
@@ -179,7 +179,7 @@ TEST(LookedAt, W2_TheButtonAnswersWithinTwoMetersOnly)
         EXPECT_FALSE(lookFrom(button() + away * distance, button())) << distance;
 }
 
-TEST(LookedAt, W2_TheButtonAnswersOnlyWhenTheLookRestsOnIt)
+TEST(LookedAt, TheButtonAnswersOnlyWhenTheLookRestsOnIt)
 {
     const dvec3 eye = button() + dvec3(0, 0.6, 1.2);
     EXPECT_TRUE(lookFrom(eye, button() + dvec3(0.05, 0, 0)));

@@ -156,7 +156,7 @@ TEST(CloudMedium, ScattersAllOfTheLightSomewhere)
         }
 }
 
-TEST(CloudMedium, H105_OfLessThanNoDensityDoesNotGlow)
+TEST(CloudMedium, OfLessThanNoDensityDoesNotGlow)
 {
     double last = 1;
     for (double depth = -50; depth < 50; depth += 0.25) {

@@ -38,7 +38,7 @@ class NoiseWorks : public GlTest {};
 
 constexpr NoiseWork allWorks[] = {NoiseWork::field, NoiseWork::fractal, NoiseWork::sea, NoiseWork::clouds};
 
-TEST_F(NoiseWorks, E17_AreFourThatDifferAndMove)
+TEST_F(NoiseWorks, AreFourThatDifferAndMove)
 {
     for (const NoiseLook look : {NoiseLook::ours, NoiseLook::source}) {
         std::vector<Picture> pictures;
@@ -54,7 +54,7 @@ TEST_F(NoiseWorks, E17_AreFourThatDifferAndMove)
     }
 }
 
-TEST_F(NoiseWorks, E21_StayFiniteAtAnyTimeAndPlace)
+TEST_F(NoiseWorks, StayFiniteAtAnyTimeAndPlace)
 {
     for (const NoiseLook look : {NoiseLook::ours, NoiseLook::source})
         for (const NoiseWork work : allWorks)
@@ -128,7 +128,7 @@ WorkShot exactShot(NoiseWork work)
     return shot;
 }
 
-TEST_F(NoiseWorks, E18_TheFieldIsWhereTheNoiseAtFloat64CrossesItsThreshold)
+TEST_F(NoiseWorks, TheFieldIsWhereTheNoiseAtFloat64CrossesItsThreshold)
 {
     for (const NoiseLookup lookup : {NoiseLookup::evaluated, NoiseLookup::baked})
         for (const NoiseKind kind : {NoiseKind::value, NoiseKind::gradient, NoiseKind::simplex}) {
@@ -143,7 +143,7 @@ TEST_F(NoiseWorks, E18_TheFieldIsWhereTheNoiseAtFloat64CrossesItsThreshold)
         }
 }
 
-TEST_F(NoiseWorks, E18_NoRayPassesThroughTheSumOfOctavesByTheWholeBounds)
+TEST_F(NoiseWorks, NoRayPassesThroughTheSumOfOctavesByTheWholeBounds)
 {
     for (const NoiseSumKind sum : {NoiseSumKind::fbm, NoiseSumKind::ridged}) {
         WorkShot shot = exactShot(NoiseWork::fractal);
@@ -241,7 +241,7 @@ double tallHeight(const NoiseBlock& block, double chop, const glm::dvec2& p)
     return height;
 }
 
-TEST_F(NoiseWorks, E17_TheSeaIsWhereItsWavesAtFloat64Are)
+TEST_F(NoiseWorks, TheSeaIsWhereItsWavesAtFloat64Are)
 {
     for (const double wind : {7.5, 18.0})
         for (const double share : {0.45, 1.0}) {
@@ -308,7 +308,7 @@ double shimmer(NoiseWork work, int samples)
     return sum / (before.width() * before.height());
 }
 
-TEST_F(NoiseWorks, E22_ShimmerLittleMoreWithOneSampleThanWith64)
+TEST_F(NoiseWorks, ShimmerLittleMoreWithOneSampleThanWith64)
 {
     EXPECT_LT(shimmer(NoiseWork::sea, 1), 1.5 * shimmer(NoiseWork::sea, 64));
     EXPECT_LT(shimmer(NoiseWork::field, 1), 1.5 * shimmer(NoiseWork::field, 64));

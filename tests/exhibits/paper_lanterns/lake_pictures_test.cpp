@@ -30,7 +30,7 @@ double meanOf(const Picture& p, int first, int last)
     return sum / ((last - first) * p.width());
 }
 
-TEST_F(LakePictures, P4_EachLightIsOnlyItsOwn)
+TEST_F(LakePictures, EachLightIsOnlyItsOwn)
 {
     LakeShot shot;
     shot.inTheDark().set(rows().ripples, 0.02);
@@ -45,7 +45,7 @@ TEST_F(LakePictures, P4_EachLightIsOnlyItsOwn)
     EXPECT_GT(meanOf(shot.take(), 31, 60), 3 * meanOf(dark, 31, 60));
 }
 
-TEST_F(LakePictures, P2_ShowsThreePartsAndTheWater)
+TEST_F(LakePictures, ShowsThreePartsAndTheWater)
 {
     LakeShot shot;
     shot.set(rows().show, LakeShow::parts).set(rows().fog, 0.0).set(rows().pointSize, 0.5);
@@ -70,7 +70,7 @@ TEST_F(LakePictures, P2_ShowsThreePartsAndTheWater)
     EXPECT_EQ(count(), glm::ivec3(0));
 }
 
-TEST_F(LakePictures, P5_PaperIsLitOnBothSides)
+TEST_F(LakePictures, PaperIsLitOnBothSides)
 {
     // Into a lantern from above: its inside, and the outside of the others.
     LakeShot shot;
@@ -95,7 +95,7 @@ TEST_F(LakePictures, P5_PaperIsLitOnBothSides)
     EXPECT_LT(outside, 0.5 * before);
 }
 
-TEST_F(LakePictures, P9_AVisitorsPanoramaIsTheSkyAndIsMirrored)
+TEST_F(LakePictures, AVisitorsPanoramaIsTheSkyAndIsMirrored)
 {
     const TemporaryFolder folder;
     const auto file = folder.path() / "sky.hdr";
@@ -109,7 +109,7 @@ TEST_F(LakePictures, P9_AVisitorsPanoramaIsTheSkyAndIsMirrored)
     EXPECT_GT(p.color(48, 36).x, 4 * p.color(48, 36).y);
 }
 
-TEST_F(LakePictures, P9_HorizonHasTheColorOfTheMist)
+TEST_F(LakePictures, HorizonHasTheColorOfTheMist)
 {
     LakeShot shot;
     shot.set(rows().fog, 0.05).set(rows().candles, false).set(rows().horizonColor, ColorValue{{0.1, 0.4, 0.2}});
@@ -123,7 +123,7 @@ TEST_F(LakePictures, P9_HorizonHasTheColorOfTheMist)
     EXPECT_GT(std::abs(clear.y / clear.x - 4), 1);
 }
 
-TEST_F(LakePictures, P11_CalmWaterMirrorsALanternWhereItStands)
+TEST_F(LakePictures, CalmWaterMirrorsALanternWhereItStands)
 {
     LakeShot shot;
     shot.inTheDark().set(rows().lanterns, 1).set(rows().crowding, 1.0).set(rows().irregularity, 0.0);
@@ -146,7 +146,7 @@ TEST_F(LakePictures, P11_CalmWaterMirrorsALanternWhereItStands)
     EXPECT_NEAR(column / sum, ownColumn / own, 1.5);
 }
 
-TEST_F(LakePictures, P12_HeightsAndNormalsAreExaggerated)
+TEST_F(LakePictures, HeightsAndNormalsAreExaggerated)
 {
     for (const LakeShow show : {LakeShow::heights, LakeShow::normals}) {
         LakeShot shot;
@@ -157,7 +157,7 @@ TEST_F(LakePictures, P12_HeightsAndNormalsAreExaggerated)
     }
 }
 
-TEST_F(LakePictures, P15_LanternsLightTheWaterAndEachOther)
+TEST_F(LakePictures, LanternsLightTheWaterAndEachOther)
 {
     LakeShot shot;
     shot.inTheDark().set(rows().bounces, 0).set(rows().waterColor, ColorValue{{0.3, 0.3, 0.3}});
@@ -183,7 +183,7 @@ TEST_F(LakePictures, P15_LanternsLightTheWaterAndEachOther)
     EXPECT_GT(most, 0.03);
 }
 
-TEST_F(LakePictures, P16_EachBounceAddsLessAndNoneIsBlack)
+TEST_F(LakePictures, EachBounceAddsLessAndNoneIsBlack)
 {
     LakeShot shot;
     shot.set(rows().waveHeight, 3.0);
@@ -199,7 +199,7 @@ TEST_F(LakePictures, P16_EachBounceAddsLessAndNoneIsBlack)
     EXPECT_LE(colorDifference(pictures[2], pictures[3]), second);
 }
 
-TEST_F(LakePictures, P18_ALanternThatIsSetFreeRises)
+TEST_F(LakePictures, ALanternThatIsSetFreeRises)
 {
     LakeShot shot;
     shot.inTheDark().set(rows().crowding, 0.0);

@@ -18,7 +18,7 @@ using test::lakeAtFloat64;
 using test::lanternsTable;
 using test::sourceLake;
 
-TEST(LakeWaves, P8_AreTheSourcesFiveAndStayWithinTheirBounds)
+TEST(LakeWaves, AreTheSourcesFiveAndStayWithinTheirBounds)
 {
     const std::vector<LakeWave> waves = sourceWaves(false);
     const double lengths[] = {11.2, 8.0, 5.7, 4.1, 2.9}, amplitudes[] = {0.09, 0.054, 0.0324, 0.0194, 0.0117};
@@ -48,7 +48,7 @@ TEST(LakeWaves, P8_AreTheSourcesFiveAndStayWithinTheirBounds)
     EXPECT_GT(steepest, 0.12);
 }
 
-TEST(LakeWaves, P8_AreTheSourcesSumWithItsSign)
+TEST(LakeWaves, AreTheSourcesSumWithItsSign)
 {
     glsl::Lake lake = lakeAtFloat64(sourceLake(), 3.1);
     const dvec2 directions[] = {
@@ -110,7 +110,7 @@ dvec2 rideError(const ParameterValues& values)
     return worst;
 }
 
-TEST(LanternsAfloat, P10_P14_SitOnTheWaterWithinACentimeterAndADegree)
+TEST(LanternsAfloat, SitOnTheWaterWithinACentimeterAndADegree)
 {
     ParameterValues values = sourceLake();
     const dvec2 error = rideError(values);
@@ -123,7 +123,7 @@ TEST(LanternsAfloat, P10_P14_SitOnTheWaterWithinACentimeterAndADegree)
     EXPECT_GT(rough.y, 3 * std::numbers::pi / 180);
 }
 
-TEST(LanternsAfloat, P18_DriftWithTheWindAndKeepTheirLook)
+TEST(LanternsAfloat, DriftWithTheWindAndKeepTheirLook)
 {
     ParameterValues values = sourceLake();
     values.set(lanternsTable().drift, 1.0);
@@ -148,7 +148,7 @@ double waterByEvenSteps(glsl::Lake& lake, const dvec3& o, const dvec3& d)
     return -1;
 }
 
-TEST(LakeWater, P8_IsMetWhereItIsByItsBounds)
+TEST(LakeWater, IsMetWhereItIsByItsBounds)
 {
     ParameterValues values = sourceLake();
     values.set(lanternsTable().waveHeight, 3.0);
@@ -175,7 +175,7 @@ TEST(LakeWater, P8_IsMetWhereItIsByItsBounds)
     EXPECT_GT(control, 3);
 }
 
-TEST(LakeWater, P16_MirrorsByFresnelsLaw)
+TEST(LakeWater, MirrorsByFresnelsLaw)
 {
     EXPECT_NEAR(glsl::fresnelDielectric(1, 1.333), std::pow(0.333 / 2.333, 2), 1e-9);
     // At Brewster's angle only the light that swings across is mirrored.

@@ -39,7 +39,7 @@ double seamInTheMiddle(const Picture& p)
     return columnStep(p, middle) / beside;
 }
 
-TEST_F(LakeViews, P3_SeamOfThePaperIsNotSeenAtEitherParity)
+TEST_F(LakeViews, SeamOfThePaperIsNotSeenAtEitherParity)
 {
     // The angle comes around in the middle: between two quads of pixels in one picture, within a quad in the other.
     for (const int width : {64, 66}) {
@@ -56,7 +56,7 @@ TEST_F(LakeViews, P3_SeamOfThePaperIsNotSeenAtEitherParity)
     }
 }
 
-TEST_F(LakeViews, P9_APanoramaHasNoSeamAtEitherParity)
+TEST_F(LakeViews, APanoramaHasNoSeamAtEitherParity)
 {
     const TemporaryFolder folder;
     const auto file = folder.path() / "sky.hdr";
@@ -83,7 +83,7 @@ TEST_F(LakeViews, P9_APanoramaHasNoSeamAtEitherParity)
     }
 }
 
-TEST_F(LakeViews, P12_HeightsAreThoseOfTheWaterTimesTheExaggeration)
+TEST_F(LakeViews, HeightsAreThoseOfTheWaterTimesTheExaggeration)
 {
     LakeShot shot;
     constexpr double exaggeration = 3;
@@ -177,7 +177,7 @@ double luminanceAt(LakeShot& shot, const Picture& p, const dvec3& place)
     return sum / 9;
 }
 
-TEST_F(LakeViews, H71_TheMistIsLitFinitelyAroundAnEyeInAFlame)
+TEST_F(LakeViews, TheMistIsLitFinitelyAroundAnEyeInAFlame)
 {
     LakeShot shot;
     shot.inTheDark().set(row().fog, 0.05).set(row().flicker, 0.0);
@@ -196,7 +196,7 @@ TEST_F(LakeViews, H71_TheMistIsLitFinitelyAroundAnEyeInAFlame)
     EXPECT_NE(middle({0, 0, 0}), here) << "the mist was not lit";
 }
 
-TEST_F(LakeViews, P15_ALanternShadesItsBaseFromTheMoonWhereATracedRayIsBlocked)
+TEST_F(LakeViews, ALanternShadesItsBaseFromTheMoonWhereATracedRayIsBlocked)
 {
     LakeShot shot;
     shot.inTheDark().set(row().candles, false).set(row().bounces, 0).set(row().moon, 10.0).set(row().moonSize, 0.01);
@@ -239,7 +239,7 @@ TEST_F(LakeViews, P15_ALanternShadesItsBaseFromTheMoonWhereATracedRayIsBlocked)
     EXPECT_LT(shaded / shadedPlaces, 0.3 * lit / litPlaces);
 }
 
-TEST_F(LakeViews, P15_ALanternsMoonShadowFallsOnTheWaterWhereItShows)
+TEST_F(LakeViews, ALanternsMoonShadowFallsOnTheWaterWhereItShows)
 {
     LakeShot shot;
     shot.inTheDark().set(row().candles, false).set(row().bounces, 0).set(row().moon, 10.0).set(row().moonSize, 0.01);

@@ -68,7 +68,7 @@ int placesUnlikeTheSources(glsl::Lake lake)
     return unlike;
 }
 
-TEST(LanternShape, P1_IsTheSources)
+TEST(LanternShape, IsTheSources)
 {
     const glsl::Lake lake = lakeAtFloat64(lanternsTable().initial(), 0);
     EXPECT_EQ(placesUnlikeTheSources(lake), 0);
@@ -85,7 +85,7 @@ double surfaceAlong(glsl::Lake& lake, const dvec3& from, const dvec3& direction)
     return t;
 }
 
-TEST(LanternShape, P1_HasTheDecodedDimensions)
+TEST(LanternShape, HasTheDecodedDimensions)
 {
     glsl::Lake lake = lakeAtFloat64(lanternsTable().initial(), 0);
     // Between two posts, on the outside and on the inside of the paper, which is 3 cm to each side of 75.
@@ -101,7 +101,7 @@ TEST(LanternShape, P1_HasTheDecodedDimensions)
                 3 - (0.75 * 0.707 * std::sqrt(2) + 0.05), 1e-3);
 }
 
-TEST(LanternShape, P2_P17_TellsTheNearestPartWithTheDistance)
+TEST(LanternShape, TellsTheNearestPartWithTheDistance)
 {
     glsl::Lake lake = lakeAtFloat64(lanternsTable().initial(), 0);
     std::mt19937 random(6);
@@ -133,7 +133,7 @@ TEST(LanternShape, P2_P17_TellsTheNearestPartWithTheDistance)
     EXPECT_GT(lake.lanternField({0.9, 1.0, 0.1}).distance, 0.1);
 }
 
-TEST(LanternShape, P7_NeverOverestimates)
+TEST(LanternShape, NeverOverestimates)
 {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> side(-2, 2), small(-0.1, 0.1);
@@ -146,7 +146,7 @@ TEST(LanternShape, P7_NeverOverestimates)
     }
 }
 
-TEST(Flame, P6_FlickersBetweenTheSourcesNumbers)
+TEST(Flame, FlickersBetweenTheSourcesNumbers)
 {
     double low = 1, high = 0;
     for (int i = 0; i < 40000; ++i) {
@@ -181,7 +181,7 @@ double correlation(const ParameterValues& values, int a, int b)
     return (sab - sa * sb / count) / std::sqrt((saa - sa * sa / count) * (sbb - sb * sb / count));
 }
 
-TEST(Flame, P15_HasAPhaseOfItsOwn)
+TEST(Flame, HasAPhaseOfItsOwn)
 {
     ParameterValues values = sourceLake();
     values.set(lanternsTable().drift, 0.0);
@@ -192,7 +192,7 @@ TEST(Flame, P15_HasAPhaseOfItsOwn)
     EXPECT_GT(correlation(values, 0, 7), 0.999);
 }
 
-TEST(Paper, P5_KeepsAllLightThatItDoesNotAbsorb)
+TEST(Paper, KeepsAllLightThatItDoesNotAbsorb)
 {
     for (const double scatter : {0.0, 1e-8, 0.01, 0.5, 1.6, 20.0, 1000.0})
         for (const double absorb : {0.0, 1e-9, 0.01, 0.3, 5.0, 400.0}) {
@@ -237,7 +237,7 @@ dvec2 tracedSheet(double scatter, double absorb, int photons)
     return left;
 }
 
-TEST(Paper, P5_P15_IsWhatTracedLightSays)
+TEST(Paper, IsWhatTracedLightSays)
 {
     for (const dvec2 kind : {dvec2(1.6, 0.02), dvec2(1.6, 0.3), dvec2(0.4, 0.1), dvec2(6, 1)}) {
         const auto sheet = glsl::sheetOf(kind.x, kind.y);
@@ -254,7 +254,7 @@ TEST(Paper, P5_P15_IsWhatTracedLightSays)
     }
 }
 
-TEST(Paper, P3_HasNoSeam)
+TEST(Paper, HasNoSeam)
 {
     double widest = 0, control = 0;
     for (int i = 0; i < 400; ++i) {
@@ -275,7 +275,7 @@ TEST(Paper, P3_HasNoSeam)
     EXPECT_GT(control, 0.1);
 }
 
-TEST(Paper, P13_TiltsAsASurfaceWithThoseBumpsDoes)
+TEST(Paper, TiltsAsASurfaceWithThoseBumpsDoes)
 {
     std::mt19937 random(9);
     std::uniform_real_distribution<double> around(-pi, pi), up(0.1, 1.9);

@@ -58,7 +58,7 @@ Missed missedBy(int repetition)
     return result;
 }
 
-TEST(Lattice, P7_CutsNoLanternAlong100RandomPaths)
+TEST(Lattice, CutsNoLanternAlong100RandomPaths)
 {
     const Missed ours = missedBy(REPEAT_CELL_WALL);
     EXPECT_GT(ours.hits, 1500);

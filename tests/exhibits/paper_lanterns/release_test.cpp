@@ -114,7 +114,7 @@ std::vector<ParameterValues> lakes()
     return all;
 }
 
-TEST(LanternsAfloat, P18_OneThatDriftsAwaySteersClearOfTheOthers)
+TEST(LanternsAfloat, OneThatDriftsAwaySteersClearOfTheOthers)
 {
     int straightOn = 0;
     std::vector<double> far;
@@ -131,7 +131,7 @@ TEST(LanternsAfloat, P18_OneThatDriftsAwaySteersClearOfTheOthers)
     EXPECT_GT(far[4], 6);
 }
 
-TEST(LanternsAfloat, P18_OneThatRisesTouchesNoOtherOnItsWayUp)
+TEST(LanternsAfloat, OneThatRisesTouchesNoOtherOnItsWayUp)
 {
     for (ParameterValues values : lakes()) {
         values.set(lanternsTable().release, LakeRelease::rises);
@@ -163,7 +163,7 @@ Reckoned expectSameWay(const ParameterValues& values, double begun)
     return sum;
 }
 
-TEST(LanternsAfloat, P18_OnlyThoseThatOneMayMeetAreLookedAt)
+TEST(LanternsAfloat, OnlyThoseThatOneMayMeetAreLookedAt)
 {
     Reckoned all;
     for (ParameterValues values : lakes())
@@ -178,7 +178,7 @@ TEST(LanternsAfloat, P18_OnlyThoseThatOneMayMeetAreLookedAt)
     EXPECT_LT(all.most, 2000);
 }
 
-TEST(LanternsAfloat, P18_OneThatHasComeToRestStaysWhereItIs)
+TEST(LanternsAfloat, OneThatHasComeToRestStaysWhereItIs)
 {
     const PaperLanternsTable& t = lanternsTable();
     ParameterValues values = lakes()[1];
@@ -203,7 +203,7 @@ ParameterValues fullLake()
     return values;
 }
 
-TEST(LanternsAfloat, P18_OneThatWasSetFreeStaysTheSameWhenTimeStands)
+TEST(LanternsAfloat, OneThatWasSetFreeStaysTheSameWhenTimeStands)
 {
     const PaperLanternsTable& t = lanternsTable();
     ParameterValues values = fullLake();
@@ -229,7 +229,7 @@ TEST(LanternsAfloat, P18_OneThatWasSetFreeStaysTheSameWhenTimeStands)
     EXPECT_NE(other.freedCell, first.freedCell);
 }
 
-TEST(LanternsAfloat, P18_OneThatWasSetFreeStaysTheSameWhenItsCellHasLeftTheLake)
+TEST(LanternsAfloat, OneThatWasSetFreeStaysTheSameWhenItsCellHasLeftTheLake)
 {
     const PaperLanternsTable& t = lanternsTable();
     ParameterValues values = fullLake();
@@ -246,7 +246,7 @@ TEST(LanternsAfloat, P18_OneThatWasSetFreeStaysTheSameWhenItsCellHasLeftTheLake)
     EXPECT_GT(left, 5);
 }
 
-TEST(LanternsAfloat, P18_OneOfACrowdLeavesItsCellEmpty)
+TEST(LanternsAfloat, OneOfACrowdLeavesItsCellEmpty)
 {
     ParameterValues values = fullLake();
     const auto afloat = [&](double seconds, double since) {

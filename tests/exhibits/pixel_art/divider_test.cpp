@@ -11,7 +11,7 @@
 namespace vitrine {
 namespace {
 
-TEST(PixelDivider, N3_LiesUnderThePointerToHalfATexel)
+TEST(PixelDivider, LiesUnderThePointerToHalfATexel)
 {
     const PixelArt exhibit;
     const PixelArtTable& t = exhibit.parameters();

@@ -48,7 +48,7 @@ TEST_F(MadeOfPictures, SpritesFitTheirFramesFromAllSides)
     EXPECT_EQ(tiny.front().color.width, 1);
 }
 
-TEST_F(MadeOfPictures, N19_TheTableOfMethodsHasALineForEachAndTheirErrors)
+TEST_F(MadeOfPictures, TheTableOfMethodsHasALineForEachAndTheirErrors)
 {
     MethodTable measured({{"bars", barParts()}}, {{PixelResolution::r240, DepthBits::float32}}, 1);
     int steps = 1;

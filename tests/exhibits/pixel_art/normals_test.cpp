@@ -101,7 +101,7 @@ PixelCamera cameraOf(bool orthographic, ivec2 size = {320, 180})
     return camera;
 }
 
-TEST(NormalsFromDepth, N1_PlanesAreExactAtAnySlopeAndEitherWayRound)
+TEST(NormalsFromDepth, PlanesAreExactAtAnySlopeAndEitherWayRound)
 {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> some(-1, 1);
@@ -133,7 +133,7 @@ TEST(NormalsFromDepth, N1_PlanesAreExactAtAnySlopeAndEitherWayRound)
     }
 }
 
-TEST(NormalsFromDepth, N12_ErrorsFallInTheKnownOrder)
+TEST(NormalsFromDepth, ErrorsFallInTheKnownOrder)
 {
     for (const bool orthographic : {true, false}) {
         const TracedPicture traced(cameraOf(orthographic, {640, 400}), solids);
@@ -149,7 +149,7 @@ TEST(NormalsFromDepth, N12_ErrorsFallInTheKnownOrder)
     }
 }
 
-TEST(NormalsFromDepth, N11_FewerFetchesGiveTheSameNormalsToTheBit)
+TEST(NormalsFromDepth, FewerFetchesGiveTheSameNormalsToTheBit)
 {
     const TracedPicture traced(cameraOf(false), solids);
     for (const double levels : {0.0, 65535.0}) {
@@ -177,7 +177,7 @@ TEST(NormalsFromDepth, FetchAsManyTexelsAsTheFrameReportCounts)
     }
 }
 
-TEST(NormalsFromDepth, N10_ReversedAndStandardDepthGiveTheSameNormals)
+TEST(NormalsFromDepth, ReversedAndStandardDepthGiveTheSameNormals)
 {
     const TracedPicture traced(cameraOf(false), solids);
     Buffer reversed(traced, 0, false, true), standard(traced, 0, true, true);
@@ -191,7 +191,7 @@ TEST(NormalsFromDepth, N10_ReversedAndStandardDepthGiveTheSameNormals)
     }
 }
 
-TEST(NormalsFromDepth, N13_H11_AVoteMendsBarsOfOneAndTwoTexels)
+TEST(NormalsFromDepth, AVoteMendsBarsOfOneAndTwoTexels)
 {
     const TracedPicture traced(cameraOf(true, {240, 135}), bars);
     Buffer buffer(traced);
@@ -200,7 +200,7 @@ TEST(NormalsFromDepth, N13_H11_AVoteMendsBarsOfOneAndTwoTexels)
     EXPECT_LT(vote.beyond20, nine.beyond20);
 }
 
-TEST(NormalsFromDepth, N13_AtTwiceTheSizeEdgesOfBarsBendNoParabola)
+TEST(NormalsFromDepth, AtTwiceTheSizeEdgesOfBarsBendNoParabola)
 {
     // Their faces are planes of two to four texels: what lies beyond an edge must not bend the slope on this side.
     const TracedPicture traced(cameraOf(true, {480, 270}), bars);
@@ -244,7 +244,7 @@ bool isZeroWhenClamped(Buffer& buffer, ivec2 p)
     return glm::length(glm::cross(axis({1, 0}), axis({0, 1}))) < 1e-12;
 }
 
-TEST(NormalsFromDepth, H9_AreOfUnitLengthEverywhereUpToTheBorder)
+TEST(NormalsFromDepth, AreOfUnitLengthEverywhereUpToTheBorder)
 {
     for (const ivec2 size : {ivec2(1, 1), ivec2(1, 9), ivec2(9, 1), ivec2(2, 2), ivec2(3, 5), ivec2(61, 37)})
         for (const bool orthographic : {true, false}) {
@@ -265,7 +265,7 @@ TEST(NormalsFromDepth, H9_AreOfUnitLengthEverywhereUpToTheBorder)
     EXPECT_GT(zeros, 300);
 }
 
-TEST(NormalsFromDepth, N17_TheSkyIsToldFromWhatIsSeenEitherWayRound)
+TEST(NormalsFromDepth, TheSkyIsToldFromWhatIsSeenEitherWayRound)
 {
     const TracedPicture traced(cameraOf(true), [](const dvec3& o, const dvec3& d) {
         std::optional<TracedHit> best;
@@ -282,7 +282,7 @@ TEST(NormalsFromDepth, N17_TheSkyIsToldFromWhatIsSeenEitherWayRound)
         }
 }
 
-TEST(SharpTexels, N18_AreSquaresWithBordersOfOnePixel)
+TEST(SharpTexels, AreSquaresWithBordersOfOnePixel)
 {
     for (const double wide : {0.07, 0.21, 0.5}) {
         double last = 0;
@@ -298,7 +298,7 @@ TEST(SharpTexels, N18_AreSquaresWithBordersOfOnePixel)
     }
 }
 
-TEST(PixelCamera, N20_SnappingMovesItByWholeTexels)
+TEST(PixelCamera, SnappingMovesItByWholeTexels)
 {
     const PixelArtTable t;
     ParameterValues values = t.initial();
@@ -325,7 +325,7 @@ TEST(PixelCamera, N20_SnappingMovesItByWholeTexels)
     EXPECT_NEAR(glm::dot(eyeAt(0.3 * texel).view.eye - start.view.eye, right) / texel, 0.3, 1e-9);
 }
 
-TEST(PixelCamera, N8_OrbitsAndTurnsByWholeSteps)
+TEST(PixelCamera, OrbitsAndTurnsByWholeSteps)
 {
     const PixelArtTable t;
     ParameterValues values = t.initial();

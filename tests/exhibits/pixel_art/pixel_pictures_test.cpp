@@ -83,7 +83,7 @@ dvec3 at(const Image& image, int x, int y)
 
 class PixelPictures : public GlTest {};
 
-TEST_F(PixelPictures, N1_NormalsAreThoseOfTheSameMethodAtFloat64)
+TEST_F(PixelPictures, NormalsAreThoseOfTheSameMethodAtFloat64)
 {
     for (const PixelProjection projection : {PixelProjection::orthographic, PixelProjection::perspective})
         for (const NormalsBy method : {NormalsBy::tap3, NormalsBy::tap4, NormalsBy::tap5, NormalsBy::tap9,
@@ -122,7 +122,7 @@ TEST_F(PixelPictures, N1_NormalsAreThoseOfTheSameMethodAtFloat64)
         }
 }
 
-TEST_F(PixelPictures, N11_NineTapAndNinePlusAreTheSameToTheBit)
+TEST_F(PixelPictures, NineTapAndNinePlusAreTheSameToTheBit)
 {
     for (const PixelProjection projection : {PixelProjection::orthographic, PixelProjection::perspective}) {
         SmallShot shot;
@@ -136,7 +136,7 @@ TEST_F(PixelPictures, N11_NineTapAndNinePlusAreTheSameToTheBit)
     }
 }
 
-TEST_F(PixelPictures, N10_EitherWayRoundIsTheSamePicture)
+TEST_F(PixelPictures, EitherWayRoundIsTheSamePicture)
 {
     for (const DepthBits bits : {DepthBits::unorm24, DepthBits::unorm16}) {
         SmallShot shot;
@@ -232,7 +232,7 @@ TEST_F(PixelPictures, ThePaletteIsTheNearestToThePictureBeforeIt)
     EXPECT_LE(differ, 240 * 135 / 400);
 }
 
-TEST_F(PixelPictures, N13_H11_AVoteMendsDrawnBarsOfOneToThreeTexels)
+TEST_F(PixelPictures, AVoteMendsDrawnBarsOfOneToThreeTexels)
 {
     for (const PixelProjection projection : {PixelProjection::orthographic, PixelProjection::perspective}) {
         SmallShot shot;
@@ -254,7 +254,7 @@ TEST_F(PixelPictures, N13_H11_AVoteMendsDrawnBarsOfOneToThreeTexels)
     }
 }
 
-TEST_F(PixelPictures, N3_TheDividerDividesToTheTexel)
+TEST_F(PixelPictures, TheDividerDividesToTheTexel)
 {
     SmallShot shot;
     shot.values.set(table().view, PixelView::normals);
@@ -278,7 +278,7 @@ TEST_F(PixelPictures, N3_TheDividerDividesToTheTexel)
     }
 }
 
-TEST_F(PixelPictures, N14_SmoothingBringsFacetsNearerToTheDrawnNormals)
+TEST_F(PixelPictures, SmoothingBringsFacetsNearerToTheDrawnNormals)
 {
     SmallShot shot;
     shot.size = {240, 135};
@@ -299,7 +299,7 @@ TEST_F(PixelPictures, N14_SmoothingBringsFacetsNearerToTheDrawnNormals)
     EXPECT_LT(error(3), 0.8 * error(0));
 }
 
-TEST_F(PixelPictures, N20_ASlowPanMovesThePictureByWholeTexelsOnly)
+TEST_F(PixelPictures, ASlowPanMovesThePictureByWholeTexelsOnly)
 {
     SmallShot shot;
     shot.parts = barParts();
@@ -351,7 +351,7 @@ Panned pannedBy(int texels, SmallShot shot)
 
 // The rasterizer leaves depths a rounding apart. Sides of equal worth are told by more than that, and no tone begins
 // where walls are; without these, 29 to 85 normals of the bars changed, and 57 to 200 texels of either scene.
-TEST_F(PixelPictures, N20_NormalsFromDepthStayWhenTheCameraMovesByWholeTexels)
+TEST_F(PixelPictures, NormalsFromDepthStayWhenTheCameraMovesByWholeTexels)
 {
     for (const NormalsBy method : {NormalsBy::trueNormals, NormalsBy::tap9Plus, NormalsBy::parabola, NormalsBy::vote})
         for (const bool bars : {false, true})
@@ -372,7 +372,7 @@ std::tuple<int, int, int> codes(const Image& image, int x, int y)
             render::srgb8FromLinear(image.at(x, y, 2))};
 }
 
-TEST_F(PixelPictures, N20_ThePictureHasColorsOfThePaletteOnly)
+TEST_F(PixelPictures, ThePictureHasColorsOfThePaletteOnly)
 {
     for (const PaletteName name : {PaletteName::isle, PaletteName::gameBoy, PaletteName::c64, PaletteName::nes})
         for (const Dither dither : {Dither::none, Dither::ordered, Dither::blueNoise, Dither::errorDiffusion}) {
@@ -390,7 +390,7 @@ TEST_F(PixelPictures, N20_ThePictureHasColorsOfThePaletteOnly)
         }
 }
 
-TEST_F(PixelPictures, N20_DitheringKeepsTheMean)
+TEST_F(PixelPictures, DitheringKeepsTheMean)
 {
     SmallShot shot;
     shot.size = {256, 300};
@@ -415,7 +415,7 @@ TEST_F(PixelPictures, N20_DitheringKeepsTheMean)
     EXPECT_GT(std::abs(none.x - none.y), 0.01);
 }
 
-TEST_F(PixelPictures, N16_AnOutlineIsOneTexelWideOnTheNearSide)
+TEST_F(PixelPictures, AnOutlineIsOneTexelWideOnTheNearSide)
 {
     for (const PixelProjection projection : {PixelProjection::orthographic, PixelProjection::perspective}) {
         SmallShot shot;
@@ -439,7 +439,7 @@ TEST_F(PixelPictures, N16_AnOutlineIsOneTexelWideOnTheNearSide)
     }
 }
 
-TEST_F(PixelPictures, N6_StrengthsOfLinesAct)
+TEST_F(PixelPictures, StrengthsOfLinesAct)
 {
     SmallShot shot;
     const Image start = shot.take().lit;
@@ -450,7 +450,7 @@ TEST_F(PixelPictures, N6_StrengthsOfLinesAct)
     EXPECT_NE(without.pixels, shot.take().lit.pixels);
 }
 
-TEST_F(PixelPictures, N9_TheTestSceneMovesAndComesBackAfterItsRound)
+TEST_F(PixelPictures, TheTestSceneMovesAndComesBackAfterItsRound)
 {
     const auto first = testParts(0), middle = testParts(1.3), again = testParts(worldRound);
     ASSERT_EQ(first.size(), 4U);

@@ -52,7 +52,7 @@ double levels(const Picture& a, const Picture& b)
     return 255 * most;
 }
 
-TEST_F(GlassInTheHall, S14_ClearGlassOfIndex1ThrowsNoShadowAndShowsWhatIsBehindIt)
+TEST_F(GlassInTheHall, ClearGlassOfIndex1ThrowsNoShadowAndShowsWhatIsBehindIt)
 {
     Shot shot = glassInHall(1.0);
     shot.request.frame.averageIn = AverageIn::display;
@@ -166,7 +166,7 @@ std::vector<double> errorsOnThePlinth(double drawnIndex, double tracedIndex)
     return errors;
 }
 
-TEST_F(GlassInTheHall, S14_ThePlinthIsSeenWhereFloat64FindsItThroughTheGlass)
+TEST_F(GlassInTheHall, ThePlinthIsSeenWhereFloat64FindsItThroughTheGlass)
 {
     const std::vector<double> errors = errorsOnThePlinth(1.5, 1.5);
     ASSERT_GT(errors.size(), 300U);
@@ -179,7 +179,7 @@ TEST_F(GlassInTheHall, S14_ThePlinthIsSeenWhereFloat64FindsItThroughTheGlass)
     EXPECT_GT(other[other.size() * 9 / 10], 1.0);
 }
 
-TEST_F(GlassInTheHall, S14_ColoredGlassThrowsAColoredShadow)
+TEST_F(GlassInTheHall, ColoredGlassThrowsAColoredShadow)
 {
     // Red glass that bends nothing: where the shadow of an opaque torus lies, the sun's red is left, and little else.
     const auto lit = [](Shot shot) {
@@ -206,7 +206,7 @@ TEST_F(GlassInTheHall, S14_ColoredGlassThrowsAColoredShadow)
     EXPECT_GT(tinted, shadow * 8 / 10);
 }
 
-TEST_F(GlassInTheHall, S14_OnlyGlassCopiesThePictureAndOnlyRoughGlassBlursIt)
+TEST_F(GlassInTheHall, OnlyGlassCopiesThePictureAndOnlyRoughGlassBlursIt)
 {
     const auto planOf = [](const Shot& shot) {
         return test::planned(gallery().museum, shot.sceneState, shot.request.frame, {});

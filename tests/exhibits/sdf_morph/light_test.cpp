@@ -31,7 +31,7 @@ dvec3 meanOfObject(const Picture& p)
     return sum / static_cast<double>(std::max(p.hits(), 1));
 }
 
-TEST_F(Light, S6_TheHighlightMovesWithTheSun)
+TEST_F(Light, TheHighlightMovesWithTheSun)
 {
     Shot shot;
     shot.object().set(sdfTable().roughness, 0.35);
@@ -60,7 +60,7 @@ TEST_F(Light, S6_TheHighlightMovesWithTheSun)
     EXPECT_LT(highlight(2.4).y, right.y - 1);  // Higher sun, higher highlight.
 }
 
-TEST_F(Light, S6_TheEnvironmentsColorAppearsOnTheObject)
+TEST_F(Light, TheEnvironmentsColorAppearsOnTheObject)
 {
     test::TemporaryFolder folder;
     Shot shot;
@@ -80,7 +80,7 @@ TEST_F(Light, S6_TheEnvironmentsColorAppearsOnTheObject)
     }
 }
 
-TEST_F(Light, S6_AMirrorShowsTheEnvironmentWhereTheReflectedRayGoes)
+TEST_F(Light, AMirrorShowsTheEnvironmentWhereTheReflectedRayGoes)
 {
     // A smooth room that differs in every direction, and a smooth torus: each pixel shows what lies where its
     // mirrored ray goes. Linear in the direction, so that blurring hardly changes it.
@@ -116,7 +116,7 @@ TEST_F(Light, S6_AMirrorShowsTheEnvironmentWhereTheReflectedRayGoes)
     EXPECT_LT(errors[errors.size() * 95 / 100], 0.12);
 }
 
-TEST_F(Light, H42_InAWhiteRoomNothingIsBrighterThanTheRoom)
+TEST_F(Light, InAWhiteRoomNothingIsBrighterThanTheRoom)
 {
     test::TemporaryFolder folder;
     test::writePanorama(folder / "white.hdr", [](const dvec3&) { return dvec3(1); });
@@ -144,7 +144,7 @@ TEST_F(Light, H42_InAWhiteRoomNothingIsBrighterThanTheRoom)
             }
 }
 
-TEST_F(Light, H41_AConstantRoomIsMirroredWithoutAcne)
+TEST_F(Light, AConstantRoomIsMirroredWithoutAcne)
 {
     // A mirror torus in a constant room, seen with any number of bounces: where a ray starts on the surface
     // it left, it would find that surface and darken a pixel here and there.
@@ -180,7 +180,7 @@ TEST_F(Light, H41_AConstantRoomIsMirroredWithoutAcne)
     EXPECT_GT(open, 300);
 }
 
-TEST_F(Light, S13_EachBounceTakesLessThanTheOneBefore)
+TEST_F(Light, EachBounceTakesLessThanTheOneBefore)
 {
     // In a white room a gray mirror shows how often each ray met it: every meeting leaves 60 % of the light.
     test::TemporaryFolder folder;
@@ -209,7 +209,7 @@ TEST_F(Light, S13_EachBounceTakesLessThanTheOneBefore)
     EXPECT_GT(light[0] - light[1], 0.005);
 }
 
-TEST_F(Light, S13_EachBounceChangesFewerPixels)
+TEST_F(Light, EachBounceChangesFewerPixels)
 {
     Shot shot;
     ParameterValues& o = shot.object();
@@ -303,7 +303,7 @@ TEST_F(Light, WhatStandsBetweenTheSunAndTheMarchedObjectDarkensIt)
     EXPECT_LT(shaded, sunless + 0.4 * (free - sunless)) << "the card takes most of it away";
 }
 
-TEST_F(Light, H51_TowardsASunBehindTheSurfaceNoRayIsSent)
+TEST_F(Light, TowardsASunBehindTheSurfaceNoRayIsSent)
 {
     Shot shot;
     shot.request.frame.channels.evaluations = true;

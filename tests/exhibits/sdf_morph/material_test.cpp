@@ -36,7 +36,7 @@ Shot glass(double index)
     return shot;
 }
 
-TEST_F(Material, S14_GlassIsFiniteAndRefracts)
+TEST_F(Material, GlassIsFiniteAndRefracts)
 {
     for (const double morph : {0.0, 0.5, 1.0}) {
         Shot shot = glass(1.5);
@@ -48,12 +48,12 @@ TEST_F(Material, S14_GlassIsFiniteAndRefracts)
     }
 }
 
-TEST_F(Material, S14_AnotherIndexBendsOtherwise)
+TEST_F(Material, AnotherIndexBendsOtherwise)
 {
     EXPECT_GT(test::colorDifference(glass(1.3).take(), glass(1.9).take()), 0.01);
 }
 
-TEST_F(Material, S14_H93_ClearGlassOfIndex1IsNotThere)
+TEST_F(Material, ClearGlassOfIndex1IsNotThere)
 {
     // Rays go straight on, and nothing mirrors: what is seen is what lies behind, as the probe has it.
     test::TemporaryFolder folder;
@@ -123,7 +123,7 @@ GlassErrors glassErrors(const dvec3& scale)
     return result;
 }
 
-TEST_F(Material, S14_ColoredGlassDarkensWithItsDepthInTheWorldHoweverItIsScaled)
+TEST_F(Material, ColoredGlassDarkensWithItsDepthInTheWorldHoweverItIsScaled)
 {
     for (const dvec3& scale : {dvec3(1), dvec3(1, 1, 0.1), dvec3(0.5, 2, 1)}) {
         const GlassErrors e = glassErrors(scale);
@@ -132,7 +132,7 @@ TEST_F(Material, S14_ColoredGlassDarkensWithItsDepthInTheWorldHoweverItIsScaled)
     }
 }
 
-TEST_F(Material, S14_SeenAlongItsFlatSideSquashedGlassIsAsThinAsItIs)
+TEST_F(Material, SeenAlongItsFlatSideSquashedGlassIsAsThinAsItIs)
 {
     // A torus of 0.24 m of tube, a tenth as thick: 24 mm leave 0.3^0.24 = 0.749 of what 100 mm leave 0.3 of.
     Shot shot = glass(1.0);
@@ -164,7 +164,7 @@ Picture twin(int cells)
     return shot.take();
 }
 
-TEST_F(Material, S7_TheMeshComesNearerToTheMarchedObjectTheFinerItIs)
+TEST_F(Material, TheMeshComesNearerToTheMarchedObjectTheFinerItIs)
 {
     Shot shot;
     shot.object().set(sdfTable().hitTolerance, 0.05);
@@ -192,7 +192,7 @@ TEST_F(Material, S7_TheMeshComesNearerToTheMarchedObjectTheFinerItIs)
     }
 }
 
-TEST_F(Material, S7_IsOfferedBesideItsMeshWithEachAsItIsAlone)
+TEST_F(Material, IsOfferedBesideItsMeshWithEachAsItIsAlone)
 {
     const Subject& subject = gallery().museum.subject(*gallery().museum.find("sdf_morph"));
     Shot shot;
@@ -210,7 +210,7 @@ TEST_F(Material, S7_IsOfferedBesideItsMeshWithEachAsItIsAlone)
     EXPECT_EQ(test::largestDifference(back.take().image, marched.image), 0);
 }
 
-TEST_F(Material, S7_TheMeshFillsTheNormalChannelToo)
+TEST_F(Material, TheMeshFillsTheNormalChannelToo)
 {
     const Picture mesh = twin(48);
     mesh.each([&](int x, int y) {

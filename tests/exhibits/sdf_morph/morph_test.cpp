@@ -18,7 +18,7 @@ TEST(Morph, StartsWhereTheSliderStands)
     for (const double morph : {0.0, 0.1, 1.0 / 3, 0.62, 1.0}) EXPECT_EQ(morphAt(morph, 0.08, 0), morph);
 }
 
-TEST(Morph, H97_IsTheSameAfterEveryPeriodEvenAfterThirtyYears)
+TEST(Morph, IsTheSameAfterEveryPeriodEvenAfterThirtyYears)
 {
     // With a speed of 1/8 Hz the period is 8 s, exactly; 1e9 s is 125 million of them.
     for (const double morph : {0.0, 0.25, 0.625, 1.0})

@@ -63,7 +63,7 @@ void expectTheNearerOne(const Picture& both, const Picture& a, const Picture& b)
     EXPECT_GT(fromB, 20) << "the second must hide part of the first";
 }
 
-TEST_F(Scene, S4_ThePlinthHidesTheObjectPixelExactly)
+TEST_F(Scene, ThePlinthHidesTheObjectPixelExactly)
 {
     Shot shot;
     shot.inHall();
@@ -81,7 +81,7 @@ TEST_F(Scene, S4_ThePlinthHidesTheObjectPixelExactly)
     });
 }
 
-TEST_F(Scene, S9_S10_SunkIntoThePlinthTheTwoIntersect)
+TEST_F(Scene, SunkIntoThePlinthTheTwoIntersect)
 {
     Shot shot;
     shot.inHall();
@@ -92,7 +92,7 @@ TEST_F(Scene, S9_S10_SunkIntoThePlinthTheTwoIntersect)
     expectTheNearerOne(both, Shot(empty).transform(away).take(), withoutHall(shot));
 }
 
-TEST_F(Scene, S9_S10_TheBoxOverlayIntersectsTheObject)
+TEST_F(Scene, TheBoxOverlayIntersectsTheObject)
 {
     Shot shot;
     shot.object().set(sdfTable().boxSize, 0.7);
@@ -135,7 +135,7 @@ render::FramePlan withTheObjectOf(const render::FramePlan& plan, const render::F
     return both;
 }
 
-TEST_F(Scene, S10_TwoIntersectingFieldsGiveTheirUnion)
+TEST_F(Scene, TwoIntersectingFieldsGiveTheirUnion)
 {
     Shot first;
     first.object().set(sdfTable().morph, 0.0);
@@ -163,7 +163,7 @@ TEST_F(Scene, S10_TwoIntersectingFieldsGiveTheirUnion)
     EXPECT_GT(both, 100);
 }
 
-TEST_F(Scene, S11_TheShadowMapHoldsWhereTheSunsRaysHit)
+TEST_F(Scene, TheShadowMapHoldsWhereTheSunsRaysHit)
 {
     for (const double morph : {0.0, 1.0}) {
         Shot shot;
@@ -208,7 +208,7 @@ TEST_F(Scene, S11_TheShadowMapHoldsWhereTheSunsRaysHit)
     }
 }
 
-TEST_F(Scene, S11_TheFloorIsDarkExactlyWhereTheObjectHidesTheSun)
+TEST_F(Scene, TheFloorIsDarkExactlyWhereTheObjectHidesTheSun)
 {
     Shot shot;
     shot.inHall();
@@ -249,7 +249,7 @@ TEST_F(Scene, S11_TheFloorIsDarkExactlyWhereTheObjectHidesTheSun)
     EXPECT_EQ(wrong, 0);
 }
 
-TEST_F(Scene, S11_TheObjectLiesInTheShadowOfTheWalls)
+TEST_F(Scene, TheObjectLiesInTheShadowOfTheWalls)
 {
     Shot shot;
     shot.inHall();

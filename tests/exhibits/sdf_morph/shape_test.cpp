@@ -41,7 +41,7 @@ void expectOutlineOfTheField(Shot& shot, const char* what)
     EXPECT_GT(hits, 20) << what << ": the test must see the object";
 }
 
-TEST_F(Shape, S1_NothingIsDrawnOutsideTheBoundingMesh)
+TEST_F(Shape, NothingIsDrawnOutsideTheBoundingMesh)
 {
     for (const double size : {1.0, 0.5, 3.0}) {
         Shot shot;
@@ -60,7 +60,7 @@ TEST_F(Shape, S1_NothingIsDrawnOutsideTheBoundingMesh)
     }
 }
 
-TEST_F(Shape, S1_OutOfViewNotOnePixelIsMarched)
+TEST_F(Shape, OutOfViewNotOnePixelIsMarched)
 {
     Shot shot;
     shot.see({0, 0, 2}, {0, 0, 9});
@@ -72,7 +72,7 @@ TEST_F(Shape, S1_OutOfViewNotOnePixelIsMarched)
     for (const float alpha : maker.picture().pixels) EXPECT_TRUE(alpha == 0 || !std::isfinite(alpha));
 }
 
-TEST_F(Shape, S5_TorusAndMugAndAllBetweenHaveTheOutlineOfTheField)
+TEST_F(Shape, TorusAndMugAndAllBetweenHaveTheOutlineOfTheField)
 {
     for (const double morph : {0.0, 0.25, 0.5, 0.62, 0.85, 1.0}) {
         Shot shot;
@@ -81,7 +81,7 @@ TEST_F(Shape, S5_TorusAndMugAndAllBetweenHaveTheOutlineOfTheField)
     }
 }
 
-TEST_F(Shape, S5_TheOutlineOfTheTorusIsNotThatOfTheMug)
+TEST_F(Shape, TheOutlineOfTheTorusIsNotThatOfTheMug)
 {
     // Control: the test above can tell one shape from the other.
     Shot shot;
@@ -94,7 +94,7 @@ TEST_F(Shape, S5_TheOutlineOfTheTorusIsNotThatOfTheMug)
     EXPECT_GT(wrong, 100);
 }
 
-TEST_F(Shape, S5_DepthIsThatOfTheExactShapes)
+TEST_F(Shape, DepthIsThatOfTheExactShapes)
 {
     for (const double morph : {0.0, 1.0}) {
         Shot shot;
@@ -115,7 +115,7 @@ TEST_F(Shape, S5_DepthIsThatOfTheExactShapes)
     }
 }
 
-TEST_F(Shape, S5_NoHolesWhileItMelts)
+TEST_F(Shape, NoHolesWhileItMelts)
 {
     // A hole is a pixel without a hit whose eight neighbors all have one, and which the field says is solid.
     for (int i = 0; i <= 8; ++i) {
@@ -132,7 +132,7 @@ TEST_F(Shape, S5_NoHolesWhileItMelts)
     }
 }
 
-TEST_F(Shape, S2_FromInsideTheBoundingMeshTheObjectIsStillSeen)
+TEST_F(Shape, FromInsideTheBoundingMeshTheObjectIsStillSeen)
 {
     Shot torus;
     torus.object().set(sdfTable().morph, 0.0);
@@ -149,7 +149,7 @@ TEST_F(Shape, S2_FromInsideTheBoundingMeshTheObjectIsStillSeen)
     EXPECT_GT(inside.hits(), inside.width() * inside.height() / 2);
 }
 
-TEST_F(Shape, H1_TheOutlineStaysWholeWhileTheCameraEntersTheBoundingMesh)
+TEST_F(Shape, TheOutlineStaysWholeWhileTheCameraEntersTheBoundingMesh)
 {
     Shot shot;
     shot.object().set(sdfTable().morph, 0.62);
@@ -170,7 +170,7 @@ TEST_F(Shape, H1_TheOutlineStaysWholeWhileTheCameraEntersTheBoundingMesh)
     }
 }
 
-TEST_F(Shape, H2_TheNearPlaneCutsNoHoleIntoTheBoundingMesh)
+TEST_F(Shape, TheNearPlaneCutsNoHoleIntoTheBoundingMesh)
 {
     // The front of the mesh lies between eye and near plane; the object behind it does not.
     Shot shot;
@@ -183,7 +183,7 @@ TEST_F(Shape, H2_TheNearPlaneCutsNoHoleIntoTheBoundingMesh)
     }
 }
 
-TEST_F(Shape, H3_H4_InTheSolidOrOnItsSurfaceThePictureIsFinite)
+TEST_F(Shape, InTheSolidOrOnItsSurfaceThePictureIsFinite)
 {
     for (const dvec3 eye :
          {dvec3(0.35, 0, 0), dvec3(0.47, 0, 0), dvec3(0.4701, 0, 0), dvec3(0.23, 0, 0), dvec3(0, 0.35, 0.12)}) {
@@ -214,7 +214,7 @@ std::vector<std::pair<const char*, dmat4>> transforms()
              glm::rotate(glm::scale(glm::rotate(one, 0.6, dvec3(0, 0, 1)), dvec3(1, -1.4, 0.6)), 0.4, dvec3(0, 1, 0))}};
 }
 
-TEST_F(Shape, S3_FollowsItsTransform)
+TEST_F(Shape, FollowsItsTransform)
 {
     for (const auto& [name, transform] : transforms()) {
         Shot shot;
@@ -248,7 +248,7 @@ Picture meshTwin(Shot shot, int cells)
     return shot.take();
 }
 
-TEST_F(Shape, S3_S12_OutlineAndDepthAreThoseOfTheRasterizedTwin)
+TEST_F(Shape, OutlineAndDepthAreThoseOfTheRasterizedTwin)
 {
     for (const auto& [name, transform] : transforms()) {
         Shot shot;
@@ -277,7 +277,7 @@ TEST_F(Shape, S3_S12_OutlineAndDepthAreThoseOfTheRasterizedTwin)
     EXPECT_GT(differenceOffTheEdge(still, meshTwin(shot, 48)), 20);
 }
 
-TEST_F(Shape, S12_NormalsGoByTheInverseTranspose)
+TEST_F(Shape, NormalsGoByTheInverseTranspose)
 {
     for (const auto& [name, transform] : transforms()) {
         Shot shot;
@@ -309,7 +309,7 @@ TEST_F(Shape, S12_NormalsGoByTheInverseTranspose)
     }
 }
 
-TEST_F(Shape, H53_NormalsStayQuietFarAway)
+TEST_F(Shape, NormalsStayQuietFarAway)
 {
     for (const double far : {3.0, 12.0, 40.0}) {
         Shot shot;
@@ -332,7 +332,7 @@ TEST_F(Shape, H53_NormalsStayQuietFarAway)
     }
 }
 
-TEST_F(Shape, H33_AThinRingFarAwayIsNotLost)
+TEST_F(Shape, AThinRingFarAwayIsNotLost)
 {
     Shot shot;
     shot.object().set(sdfTable().morph, 0.0);
@@ -342,7 +342,7 @@ TEST_F(Shape, H33_AThinRingFarAwayIsNotLost)
     expectOutlineOfTheField(shot, "wire of 1 cm at 30 m");
 }
 
-TEST_F(Shape, H15_GrazingRaysLeaveNoHolesWithFewSteps)
+TEST_F(Shape, GrazingRaysLeaveNoHolesWithFewSteps)
 {
     // A ray out of steps ends on its best candidate: everything that is solid is drawn even so.
     Shot shot;
@@ -363,7 +363,7 @@ TEST_F(Shape, H15_GrazingRaysLeaveNoHolesWithFewSteps)
     EXPECT_GT(test::largestDifference(shot.take().image, picture.image), 0);
 }
 
-TEST_F(Shape, S8_ABoxTooSmallClipsVisibly)
+TEST_F(Shape, ABoxTooSmallClipsVisibly)
 {
     Shot shot;
     const Picture whole = shot.take();
@@ -381,7 +381,7 @@ TEST_F(Shape, S8_ABoxTooSmallClipsVisibly)
     });
 }
 
-TEST_F(Shape, S8_TheOverlayShowsTheBoxAndTurnsRedWhenItClips)
+TEST_F(Shape, TheOverlayShowsTheBoxAndTurnsRedWhenItClips)
 {
     Shot shot;
     const int plain = shot.take().hits();

@@ -150,7 +150,7 @@ TEST(SceneExhibit, AParameterThatIsCalledAsARowOfTheTableHasANameOfItsOwn)
     EXPECT_TRUE(shown.values().table().find("ownBounces"));
 }
 
-TEST(SceneExhibit, E21_E23_AFileThatCannotBeReadKeepsTheLastSceneAndIsReadAgain)
+TEST(SceneExhibit, AFileThatCannotBeReadKeepsTheLastSceneAndIsReadAgain)
 {
     const test::TemporaryFolder folder;
     const std::string path = (folder / "a.json").string();
@@ -189,7 +189,7 @@ TEST(SceneExhibit, OutOfViewItPlansNothing)
     EXPECT_EQ(reasonFor(shown.plan(), "sdf_scenes"), "out of view");
 }
 
-TEST(SceneExhibit, E20_EveryShippedSceneIsSeenFromItsOwnCamera)
+TEST(SceneExhibit, EveryShippedSceneIsSeenFromItsOwnCamera)
 {
     for (const char* name : {"torus", "primitives", "environment_mapping_1", "mercury", "dahlia"}) {
         Shown shown(std::string(name) + ".json");
@@ -209,7 +209,7 @@ TEST(SceneExhibit, E20_EveryShippedSceneIsSeenFromItsOwnCamera)
     }
 }
 
-TEST(SceneExhibit, E15_OnlyWhatMovesIsDrawnAgain)
+TEST(SceneExhibit, OnlyWhatMovesIsDrawnAgain)
 {
     Shown still("torus.json"), moving("mercury.json");
     const Exhibit& exhibit = museum().exhibit(still.exhibit);

@@ -44,7 +44,7 @@ std::string refusal(const std::string& root)
     return test::findingsText(read);
 }
 
-TEST(HardScenes, H16_H20_H21_TheSmallestShapesAreFiniteAndRaysPassThemQuickly)
+TEST(HardScenes, TheSmallestShapesAreFiniteAndRaysPassThemQuickly)
 {
     for (const scenes::NodeKind& kind : scenes::nodeKinds()) {
         if (kind.form != scenes::Form::shape) continue;
@@ -69,7 +69,7 @@ TEST(HardScenes, H16_H20_H21_TheSmallestShapesAreFiniteAndRaysPassThemQuickly)
                 1.8, 1e-12);
 }
 
-TEST(HardScenes, H16_H17_H28_SizesAndScalesOfZeroOrLessAreRefused)
+TEST(HardScenes, SizesAndScalesOfZeroOrLessAreRefused)
 {
     for (const char* root : {R"({"kind": "sphere", "radius": 0})", R"({"kind": "sphere", "radius": -1})",
                              R"({"kind": "box", "size": [1, 0, 1]})", R"({"kind": "torus", "minorRadius": -0.1})",
@@ -80,7 +80,7 @@ TEST(HardScenes, H16_H17_H28_SizesAndScalesOfZeroOrLessAreRefused)
     EXPECT_NEAR(SceneField(scene, 10).distance({1, 0, 0}), 1, 1e-3);
 }
 
-TEST(HardScenes, H18_H19_TheEllipsoidIsExactAtItsCenterAndBlends)
+TEST(HardScenes, TheEllipsoidIsExactAtItsCenterAndBlends)
 {
     const SceneField thin = test::fieldOf(R"({"kind": "ellipsoid", "radii": [1, 0.01, 1]})");
     EXPECT_NEAR(thin.distance({0, 0, 0}), -0.01, 1e-7);
@@ -96,7 +96,7 @@ std::string twoOf(const std::string& kind, const std::string& blend, const std::
            R"(, "children": [{"kind": "sphere"}, {"kind": "box", "translate": [0.6, 0, 0]}]})";
 }
 
-TEST(HardScenes, H22_H23_H25_BlendsOfAnyWidthStayNumbersAndAtZeroAreHard)
+TEST(HardScenes, BlendsOfAnyWidthStayNumbersAndAtZeroAreHard)
 {
     const SceneField a = test::fieldOf(R"({"kind": "sphere"})");
     const SceneField b = test::fieldOf(R"({"kind": "box", "translate": [0.6, 0, 0]})");
@@ -121,7 +121,7 @@ TEST(HardScenes, H22_H23_H25_BlendsOfAnyWidthStayNumbersAndAtZeroAreHard)
     }
 }
 
-TEST(HardScenes, H26_H27_NoStepOvershootsDeepCutsAndUnevenScales)
+TEST(HardScenes, NoStepOvershootsDeepCutsAndUnevenScales)
 {
     test::Random random(74);
     for (
@@ -138,7 +138,7 @@ TEST(HardScenes, H26_H27_NoStepOvershootsDeepCutsAndUnevenScales)
     for (int i = 0; i < 1000; ++i) ASSERT_GT(gone.distance(random.point(3)), 0);
 }
 
-TEST(HardScenes, H35_ASolidWithoutItselfHasNoInside)
+TEST(HardScenes, ASolidWithoutItselfHasNoInside)
 {
     test::Random random(75);
     const char* const box = R"({"kind": "box"})";
@@ -153,7 +153,7 @@ TEST(HardScenes, H35_ASolidWithoutItselfHasNoInside)
     }
 }
 
-TEST(HardScenes, H36_ADepthOfTenThousandNeedsNoStack)
+TEST(HardScenes, ADepthOfTenThousandNeedsNoStack)
 {
     std::string text = R"({"kind": "sphere"})";
     for (int depth = 0; depth < 10'000; ++depth) text = "{\"kind\": \"union\", \"children\": [" + text + "]}";
@@ -166,7 +166,7 @@ TEST(HardScenes, H36_ADepthOfTenThousandNeedsNoStack)
     EXPECT_EQ(scenes::ListVocabulary::of(field.program()).results, 0U);
 }
 
-TEST(HardScenes, H37_WithoutAnythingThatShowsThereIsBackground)
+TEST(HardScenes, WithoutAnythingThatShowsThereIsBackground)
 {
     for (const char* root :
          {R"({"kind": "sphere", "hidden": true})",
@@ -179,7 +179,7 @@ TEST(HardScenes, H37_WithoutAnythingThatShowsThereIsBackground)
     }
 }
 
-TEST(HardScenes, H40_CopiesFarFromTheOriginAreDistinct)
+TEST(HardScenes, CopiesFarFromTheOriginAreDistinct)
 {
     const SceneField field = test::fieldOf(
         R"({"kind": "repeat", "spacing": [1, 0, 0], "count": [0, 0, 0], "child": {"kind": "sphere", "radius": 0.2}})");

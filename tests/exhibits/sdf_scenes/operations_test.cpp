@@ -188,7 +188,7 @@ TEST(SceneOperations, BlendMaterialsWhereTheyBlendShapes)
 }
 
 /// Every copy written out gives the same distances as a repetition.
-TEST(SceneOperations, H38_RepetitionsAreTheUnionOfTheirCopies)
+TEST(SceneOperations, RepetitionsAreTheUnionOfTheirCopies)
 {
     test::Random random(9);
     for (int sample = 0; sample < 40; ++sample) {
@@ -213,7 +213,7 @@ TEST(SceneOperations, H38_RepetitionsAreTheUnionOfTheirCopies)
     }
 }
 
-TEST(SceneOperations, H38_RepetitionsAroundAnAxisAreTheUnionOfTheirCopies)
+TEST(SceneOperations, RepetitionsAroundAnAxisAreTheUnionOfTheirCopies)
 {
     test::Random random(10);
     for (int sample = 0; sample < 40; ++sample) {
@@ -235,7 +235,7 @@ TEST(SceneOperations, H38_RepetitionsAroundAnAxisAreTheUnionOfTheirCopies)
     }
 }
 
-TEST(SceneOperations, H39_EndlessRepetitionsAreTheSameOneCellOnAlsoBelowZero)
+TEST(SceneOperations, EndlessRepetitionsAreTheSameOneCellOnAlsoBelowZero)
 {
     const SceneField field = test::fieldOf(R"({"kind": "repeat", "spacing": [1, 2, 1.5], "count": [0, 0, 0],
         "child": {"kind": "box", "size": [0.5, 0.7, 0.2], "translate": [0.2, 0.1, -0.3], "rotate": [10, 20, 30]}})");

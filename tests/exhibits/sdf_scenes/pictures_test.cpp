@@ -37,7 +37,7 @@ double firstHit(const scenes::SceneField& field, const dvec3& origin, const dvec
     return std::numeric_limits<double>::infinity();
 }
 
-TEST_F(ScenePicture, E1_E2_ShowsSurfacesWhereTheEvaluatorFindsThem)
+TEST_F(ScenePicture, ShowsSurfacesWhereTheEvaluatorFindsThem)
 {
     for (const char* name : {"primitives", "unions", "torus", "mercury", "still_life"}) {
         SceneShot shot(shippedScene(name));
@@ -104,7 +104,7 @@ dvec3 shownAt(const test::Picture& p, int x, int y)
     return number;
 }
 
-TEST_F(ScenePicture, E8_E22_AsInTheSourceIsPhongWithAMirrorShownAsNumbers)
+TEST_F(ScenePicture, AsInTheSourceIsPhongWithAMirrorShownAsNumbers)
 {
     SceneShot shot = sourceShot(folder_, "", R"({"kind": "point", "position": [2, 3, 4], "color": [0.9, 1, 0.8]})",
                                 R"(, "ambient": [0.5, 0.6, 0.7])");
@@ -137,7 +137,7 @@ TEST_F(ScenePicture, E8_E22_AsInTheSourceIsPhongWithAMirrorShownAsNumbers)
     EXPECT_LT(worst, 0.012);
 }
 
-TEST_F(ScenePicture, E8_BouncesAreCounted)
+TEST_F(ScenePicture, BouncesAreCounted)
 {
     // The eye between two boards that mirror each other: each bounce adds up to half of the one before.
     SceneShot shot(test::writeScene(folder_, R"({"kind": "union", "material": "mirror", "children": [
@@ -156,7 +156,7 @@ TEST_F(ScenePicture, E8_BouncesAreCounted)
         EXPECT_GT(test::largestDifference(pictures[i].image, pictures[i - 1].image), 1e-3) << i;
 }
 
-TEST_F(ScenePicture, E9_E10_WhatIsBehindTheLightKeepsNothingAway)
+TEST_F(ScenePicture, WhatIsBehindTheLightKeepsNothingAway)
 {
     const std::string light = R"({"kind": "point", "position": [0, 0, 3], "color": [1, 1, 1]})";
     const auto middle = [&](const char* others, const char* look) {
@@ -182,7 +182,7 @@ TEST_F(ScenePicture, E9_E10_WhatIsBehindTheLightKeepsNothingAway)
     }
 }
 
-TEST_F(ScenePicture, E11_OcclusionOfAWallIsAHalfAtItsFoot)
+TEST_F(ScenePicture, OcclusionOfAWallIsAHalfAtItsFoot)
 {
     // A floor before an endless wall; light from everywhere, white.
     const std::string head = R"("camera": {"position": [0, 2, 2], "target": [0, 0, 0], "fieldOfView": 40},
@@ -226,7 +226,7 @@ TEST_F(ScenePicture, E11_OcclusionOfAWallIsAHalfAtItsFoot)
     EXPECT_GT(openness(SceneOcclusion::hemisphere, 32) / all, 0.97) << "E13: what is farther away than the range";
 }
 
-TEST_F(ScenePicture, E14_SixFacesSurroundTheSceneWhereTheirNamesSay)
+TEST_F(ScenePicture, SixFacesSurroundTheSceneWhereTheirNamesSay)
 {
     const dvec3 colors[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};
     const char* const names[] = {"right", "left", "top", "bottom", "front", "back"};
@@ -251,7 +251,7 @@ TEST_F(ScenePicture, E14_SixFacesSurroundTheSceneWhereTheirNamesSay)
     }
 }
 
-TEST_F(ScenePicture, E14_AFaceThatChangedIsSeenWhenTheSceneIsReadAgain)
+TEST_F(ScenePicture, AFaceThatChangedIsSeenWhenTheSceneIsReadAgain)
 {
     const auto write = [&](const std::string& name, double red) {
         writePicture(folder_ / (name + ".png"),

@@ -26,7 +26,7 @@ bool isOurs(const std::filesystem::path& path)
     return ours.contains(path.stem().string());
 }
 
-TEST(SceneFiles, E20_TheFifteenCompositionsAreRead)
+TEST(SceneFiles, TheFifteenCompositionsAreRead)
 {
     int read = 0;
     for (const std::filesystem::path& path : shippedScenes()) {

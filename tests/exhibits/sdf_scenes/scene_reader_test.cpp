@@ -42,7 +42,7 @@ TEST(SceneReader, SaysWhereWhatAndWhatToDo)
               "test.json:3:28: root.material: \"gold\" is no material; take one of old gold.");
 }
 
-TEST(SceneReader, E21_RefusesWhatMakesNoShape)
+TEST(SceneReader, RefusesWhatMakesNoShape)
 {
     const std::pair<const char*, const char*> bad[] = {
         {R"({"kind": "box", "size": [1, 0, 1]})", "root.size[1]: this is 0 m"},

@@ -31,7 +31,7 @@ auto keyOf(const Rgb8& c)
     return std::tuple(c.r, c.g, c.b);
 }
 
-TEST(Palettes, N20_AreAtLeastEightWithoutRepetition)
+TEST(Palettes, AreAtLeastEightWithoutRepetition)
 {
     std::set<std::vector<std::tuple<int, int, int>>> all;
     for (const PaletteName name : shipped) {

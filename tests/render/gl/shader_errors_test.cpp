@@ -101,7 +101,7 @@ TEST_F(ShaderErrors, IncludesNestedTooDeepAreRefused)
     EXPECT_NE(built.problem.text.find("16"), std::string::npos) << built.problem.text;
 }
 
-TEST_F(ShaderErrors, H112_StagesThatDoNotFitAreAProblemOfTheirLink)
+TEST_F(ShaderErrors, StagesThatDoNotFitAreAProblemOfTheirLink)
 {
     write("bad.frag", "in vec3 nobodyWritesThis;\nlayout(location = 0) out vec4 color;\nvoid main()\n{\n    color = "
                       "vec4(nobodyWritesThis, 1.0);\n}\n");
@@ -124,7 +124,7 @@ TEST_F(ShaderErrors, DriversLogsOfThreeMakersAreUnderstood)
     EXPECT_EQ(render::firstError("99:1(1): error: out of the list", files).file, "");
 }
 
-TEST_F(ShaderErrors, H112_APlanWithABrokenShaderFailsWithFileAndLineAndKeepsThePicture)
+TEST_F(ShaderErrors, APlanWithABrokenShaderFailsWithFileAndLineAndKeepsThePicture)
 {
     test::Shot shot;
     const render::Image before = shot.take().image;

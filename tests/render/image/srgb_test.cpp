@@ -9,7 +9,7 @@ namespace {
 
 using namespace vitrine::render;
 
-TEST(Srgb, H110_EveryCodeSurvivesARoundTrip)
+TEST(Srgb, EveryCodeSurvivesARoundTrip)
 {
     for (int i = 0; i < 256; ++i) EXPECT_EQ(srgb8FromLinear(static_cast<float>(linearFromSrgb(i / 255.0))), i);
     for (int i = 0; i < 65536; ++i) EXPECT_EQ(srgb16FromLinear(static_cast<float>(linearFromSrgb(i / 65535.0))), i);
