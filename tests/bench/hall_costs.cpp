@@ -1,6 +1,7 @@
-// What the hall and its exhibit cost: every row of a table is measured in turn in each round, so that a
-// noisy machine disturbs all alike. Prints tables and what they come to; passes or fails nothing.
-//   bench_hall_costs [--size 640x360] [--rounds 9]
+// Cost of the hall and of its exhibits. Rows of a table are measured in turn in each round, so that a noisy machine
+// disturbs all alike.
+
+#include "tests/bench/bench.h"
 
 #include "exhibits/exhibits.h"
 #include "exhibits/museum/museum.h"
@@ -12,15 +13,12 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <string>
 #include <vector>
 
+namespace vitrine::bench {
 namespace {
-
-using namespace vitrine;
 
 struct Row {
     std::string name;
@@ -28,12 +26,6 @@ struct Row {
     std::vector<double> cpu, wall;
     render::FrameReport last;
 };
-
-double median(std::vector<double> values)
-{
-    std::sort(values.begin(), values.end());
-    return values[values.size() / 2];
-}
 
 void measure(std::vector<Row>& rows, int rounds)
 {
@@ -65,15 +57,10 @@ void print(const char* title, const std::vector<Row>& rows)
 
 }  // namespace
 
-int main(int argc, char** argv)
+bool hallCosts(const Options& options)
 {
-    glm::ivec2 size(640, 360);
-    int rounds = 9;
-    for (int i = 1; i + 1 < argc; i += 2) {
-        if (std::strcmp(argv[i], "--size") == 0) std::sscanf(argv[i + 1], "%dx%d", &size.x, &size.y);
-        if (std::strcmp(argv[i], "--rounds") == 0) rounds = std::max(std::atoi(argv[i + 1]), 3);
-    }
-
+    const glm::ivec2 size = options.size;
+    const int rounds = options.runsOr(9);
     const double start = render::wallSeconds();
     const render::gl::HeadlessContext context;
     const double contextReady = render::wallSeconds();
@@ -237,5 +224,7 @@ int main(int argc, char** argv)
     variant("area shadow, 16 rays", [&](ParameterValues& v) { v.set(table.shadowMethod, SdfShadow::area); });
     measure(variants, rounds);
     print("The exhibit alone", variants);
-    return 0;
+    return true;
 }
+
+}  // namespace vitrine::bench

@@ -1,7 +1,8 @@
 // Interlacing 16 views of 1200 x 800 into 4800 x 3200 (600 dpi, 40.15 LPI): the interlacer beside a plain copy
 // of the same bytes and beside a straightforward loop over the pixels; then a larger print into a file, with the
-// encoder working while the next rows are made, and one after the other. Prints a table; passes or fails nothing.
-//   bench_interlacing [--runs 25]
+// encoder working while the next rows are made, and one after the other.
+
+#include "tests/bench/bench.h"
 
 #include "exhibits/printing/interlace.h"
 #include "exhibits/printing/print_file.h"
@@ -11,16 +12,15 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <random>
 #include <thread>
 
-using namespace vitrine;
-using namespace vitrine::printing;
-
+namespace vitrine::bench {
 namespace {
+
+using namespace vitrine::printing;
 
 constexpr int viewCount = 16;
 int runs = 25;  // The machine may have other work: the best run counts.
@@ -119,9 +119,9 @@ void toFiles(const ViewSet& views, const Interlacer& maker, const PrintLayout& l
 
 }  // namespace
 
-int main(int argc, char** argv)
+bool interlacing(const Options& options)
 {
-    if (argc == 3 && std::strcmp(argv[1], "--runs") == 0) runs = std::max(std::atoi(argv[2]), 1);
+    runs = options.runsOr(runs);
     const ViewSet views = noisyViews();
     const PrintLayout area = layoutFor(Method::area);
     const PrintLayout nearest = layoutFor(Method::nearest);
@@ -171,4 +171,7 @@ int main(int argc, char** argv)
     std::printf("\nOne thread interlaces %.0f MPixel/s with the nearest view (goal: 1000) and %.0f with areas in "
                 "linear light (goal: 500).\n",
                 nearestRate, areaRate);
+    return true;
 }
+
+}  // namespace vitrine::bench

@@ -1,22 +1,19 @@
 // A print of 40,000 x 36,000 pixels, 1.7 x 1.5 m at 600 dpi, by `vitrine print` from files: its time and its peak of
 // memory, which is held to 300 MB, though the print has 4.3 GB and the views alone 390 MB. Needs 5 GB below TMPDIR,
-// /tmp by default. Prints a table; passes or fails nothing.
-//   bench_large_print [--scale 1] [--compression none]    a scale of 0.1 is a tenth of the size; or deflate
+// /tmp by default.
+
+#include "tests/bench/bench.h"
 
 #include "render/image/image_io.h"
 #include "tests/bench/child.h"
 #include "tests/support/temporary_folder.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <filesystem>
 
+namespace vitrine::bench {
 namespace {
-
-using namespace vitrine;
 
 constexpr int viewCount = 24;
 constexpr int viewWidth = 1600;
@@ -41,14 +38,9 @@ void writeViews(const std::string& folder)
 
 }  // namespace
 
-int main(int argc, char** argv)
+bool largePrint(const Options& options)
 {
-    double scale = 1;
-    std::string compression = "none";
-    for (int i = 1; i + 1 < argc; i += 2) {
-        if (std::strcmp(argv[i], "--scale") == 0) scale = std::clamp(std::atof(argv[i + 1]), 0.01, 1.0);
-        if (std::strcmp(argv[i], "--compression") == 0) compression = argv[i + 1];
-    }
+    const double scale = options.scale;
     const test::TemporaryFolder folder;
     writeViews(folder / "views");
     const auto width = static_cast<long long>(40000 * scale);
@@ -60,17 +52,18 @@ int main(int argc, char** argv)
                 viewCount, viewWidth, viewHeight, width, height);
     std::printf("| file | MB | s (wall) | s (CPU) | MPixel/s | peak of memory, MB |\n|---|---|---|---|---|---|\n");
     const std::string out = folder / "print.tif";
-    const bench::Run run = bench::runProgram({"print", "--views", folder / "views", "--lpi", "40", "--dpi", "600",
-                                              "--width-mm", millimeters(width), "--height-mm", millimeters(height),
-                                              "--compression", compression, "--out", out});
+    const Run run = runProgram({"print", "--views", folder / "views", "--lpi", "40", "--dpi", "600", "--width-mm",
+                                millimeters(width), "--height-mm", millimeters(height), "--out", out});
     if (run.code != 0) {
-        std::fprintf(stderr, "bench_large_print: vitrine print ended with %d.\n", run.code);
-        return 1;
+        std::fprintf(stderr, "bench: vitrine print ended with %d.\n", run.code);
+        return false;
     }
-    std::printf("| TIFF, compression %s | %.0f | %.1f | %.1f | %.0f | %.0f |\n", compression.c_str(),
+    std::printf("| TIFF | %.0f | %.1f | %.1f | %.0f | %.0f |\n",
                 static_cast<double>(std::filesystem::file_size(out)) / 1e6, run.wallSeconds, run.cpuSeconds,
                 pixels / run.wallSeconds / 1e6, run.peakMegabytes);
     std::printf("\nA print of %lld x %lld takes %.0f MB of memory at most (goal: 300).\n", width, height,
                 run.peakMegabytes);
-    return 0;
+    return true;
 }
+
+}  // namespace vitrine::bench

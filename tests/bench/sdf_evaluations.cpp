@@ -1,5 +1,7 @@
-// Prints how many evaluations of the field the tracing variants of lib/sphere_tracing.glsl take per pixel,
-// and what that costs in correctness. Counts are exact and do not depend on the machine.
+// Evaluations of the field per pixel by the tracing variants of lib/sphere_tracing.glsl, and what they miss. Counts are
+// exact and do not depend on the machine.
+
+#include "tests/bench/bench.h"
 
 #include "exhibits/sdf_morph/torus_mug_cpu.h"
 #include "exhibits/sdf_morph/torus_mug_cpu32.h"
@@ -12,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+namespace vitrine::bench {
 namespace {
 
 namespace exact = vitrine::glsl;
@@ -237,7 +240,7 @@ void normals(const View& view)
 
 }  // namespace
 
-int main()
+bool sdfEvaluations(const Options&)
 {
     const View view;
     const Variant variants[] = {
@@ -253,7 +256,7 @@ int main()
         {"automatic relaxation + box + cones", 2, 1, true, true},
     };
     std::printf(
-        "Evaluations per pixel of the whole %d x %d frame, float32; tolerance half a pixel unless stated.\n"
+        "```\nEvaluations per pixel of the whole %d x %d frame, float32; tolerance half a pixel unless stated.\n"
         "Missed and extra: pixels against a float64 trace to 1e-9 m. Cones: one march per %d x %d pixels, included.\n",
         width, height, block, block);
     std::vector<Found> plain, best;
@@ -279,5 +282,8 @@ int main()
         plain[0].evaluations, plain[1].evaluations, plain[2].evaluations);
     shadows(view, 1);
     normals(view);
-    return 0;
+    std::printf("```\n");
+    return true;
 }
+
+}  // namespace vitrine::bench

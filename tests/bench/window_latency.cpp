@@ -1,7 +1,9 @@
 // How long the window takes to answer a hand, and what it costs while nobody touches it. The program itself is started
-// on the display, real events are sent (XTEST), and the screen is read until it shows the answer. Prints tables; passes
-// or fails nothing. Another build of the program can be measured beside this one:
-//   xvfb-run -a -s "-screen 0 1600x1000x24" bench_window_latency [--runs 8] [--idle-only] [--program NAME=PATH]...
+// on the display, real events are sent (XTEST), and the screen is read until it shows the answer.
+// Another build of the program can be measured beside this one:
+//   xvfb-run -a -s "-screen 0 1600x1000x24" bench window_latency [--program NAME=PATH]...
+
+#include "tests/bench/bench.h"
 
 #include "render/measure/clock.h"
 #include "tests/support/temporary_folder.h"
@@ -17,7 +19,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <functional>
@@ -27,9 +28,8 @@
 #include <string>
 #include <vector>
 
+namespace vitrine::bench {
 namespace {
-
-using namespace vitrine;
 
 constexpr double longestAnswer = 20;  ///< Seconds; what takes longer counts as this.
 
@@ -223,10 +223,6 @@ std::string spread(std::vector<double> times)
     return text;
 }
 
-}  // namespace
-
-namespace {
-
 constexpr Rect otherTab{1350, 52, 54, 16};
 constexpr Rect typed{1314, 84, 7, 18};  // Right of the filter's text "exposure" and its caret.
 constexpr Rect slider{1395, 150, 96, 12};
@@ -399,47 +395,32 @@ bool measureIdle(const Hands& hands, const std::string& name, const std::string&
 
 }  // namespace
 
-int main(int argc, char** argv)
+bool windowLatency(const Options& options)
 {
-    int runs = 6;
-    bool answers = true;
-    double settle = 60;
+    const int runs = options.runsOr(6);
+    constexpr double settle = 60;
     std::vector<std::pair<std::string, std::string>> programs{{"this commit", VITRINE_PROGRAM}};
-    for (int i = 1; i < argc; ++i) {
-        const std::string word = argv[i];
-        if (word == "--idle-only")
-            answers = false;
-        else if (word == "--runs" && i + 1 < argc)
-            runs = std::max(std::atoi(argv[++i]), 1);
-        else if (word == "--settle" && i + 1 < argc)
-            settle = std::atof(argv[++i]);
-        else if (word == "--program" && i + 1 < argc) {
-            const std::string pair = argv[++i];
-            const std::size_t equals = std::min(pair.find('='), pair.size() - 1);
-            programs.emplace_back(pair.substr(0, equals), pair.substr(equals + 1));
-        }
-    }
+    programs.insert(programs.end(), options.programs.begin(), options.programs.end());
     const Hands hands;
     if (!hands.ready()) {
-        std::fprintf(stderr, "bench_window_latency: needs a display and libXtst.so.6 (Debian: libxtst6).\n");
-        return 1;
+        std::fprintf(stderr, "bench: needs a display and libXtst.so.6 (Debian: libxtst6).\n");
+        return false;
     }
     const test::TemporaryFolder cache;
     bool shown = true;
-    if (answers) {
-        std::printf("Milliseconds from an event to its answer on the screen, window of 1600 x 1000 pixels: median (to "
-                    "the longest) of %d. Goal: 100.\n\n",
-                    runs);
-        std::printf("| program | while | click on File to its menu | key to the filter | slider to its number "
-                    "|\n|---|---|---|---|---|\n");
-        for (const auto& [name, path] : programs)
-            shown = shown && measureAnswers(hands, name, path, cache / "cache", runs);
-    }
+    std::printf("Milliseconds from an event to its answer on the screen, window of 1600 x 1000 pixels: median (to "
+                "the longest) of %d. Goal: 100.\n\n",
+                runs);
+    std::printf("| program | while | click on File to its menu | key to the filter | slider to its number "
+                "|\n|---|---|---|---|---|\n");
+    for (const auto& [name, path] : programs) shown = shown && measureAnswers(hands, name, path, cache / "cache", runs);
     std::printf("\nSeconds of processor time in ten seconds in which nobody touches the window, by default values, "
                 "after %.0f s at most.\n\n",
                 settle);
     std::printf("| program | entrance | place 1 | place 2 | place 3 | place 4 |\n|---|---|---|---|---|---|\n");
     for (const auto& [name, path] : programs) shown = shown && measureIdle(hands, name, path, cache / "cache", settle);
-    if (!shown) std::fprintf(stderr, "bench_window_latency: no window came.\n");
-    return shown ? 0 : 1;
+    if (!shown) std::fprintf(stderr, "bench: no window came.\n");
+    return shown;
 }
+
+}  // namespace vitrine::bench

@@ -1,20 +1,17 @@
 // From the start of the process to the first picture that the window shows, as a user meets it: the program itself is
 // started with a display, says when its first picture was on the screen and when all exhibits in view were, and closes.
-// Once with the programs (shaders) in the cache and once without, in turn. Prints a table; passes or fails nothing.
-//   xvfb-run -a bench_window_start [--runs 5]
+// Once with the programs (shaders) in the cache and once without, in turn.
 
+#include "tests/bench/bench.h"
 #include "tests/bench/child.h"
 #include "tests/support/temporary_folder.h"
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <optional>
 
+namespace vitrine::bench {
 namespace {
-
-using namespace vitrine;
 
 std::string shownSize;
 
@@ -28,14 +25,14 @@ struct Start {
 std::optional<Start> start(const std::string& cache)
 {
     const test::TemporaryFolder home;
-    const bench::Run run = bench::runProgram({},
-                                             {{"VITRINE_FIRST_PICTURE", "1"},
-                                              {"QT_QPA_PLATFORM", "xcb"},
-                                              {"XDG_CACHE_HOME", cache},
-                                              {"XDG_STATE_HOME", home / "state"},
-                                              {"XDG_CONFIG_HOME", home / "config"},
-                                              {"XDG_DATA_HOME", home / "data"}},
-                                             120);
+    const Run run = runProgram({},
+                               {{"VITRINE_FIRST_PICTURE", "1"},
+                                {"QT_QPA_PLATFORM", "xcb"},
+                                {"XDG_CACHE_HOME", cache},
+                                {"XDG_STATE_HOME", home / "state"},
+                                {"XDG_CONFIG_HOME", home / "config"},
+                                {"XDG_DATA_HOME", home / "data"}},
+                               120);
     double shown = 0, all = 0;
     char size[64] = "";
     if (run.code != 0 ||
@@ -65,10 +62,9 @@ double row(const char* name, const std::vector<Start>& starts)
 
 }  // namespace
 
-int main(int argc, char** argv)
+bool windowStart(const Options& options)
 {
-    int runs = 5;
-    if (argc == 3 && std::strcmp(argv[1], "--runs") == 0) runs = std::max(std::atoi(argv[2]), 1);
+    const int runs = options.runsOr(5);
     const test::TemporaryFolder caches;
     std::vector<Start> warm, cold;
     (void)start(caches / "warm");  // Fills it, and brings the program's files into memory.
@@ -76,8 +72,8 @@ int main(int argc, char** argv)
         const std::optional<Start> first = start(caches / ("cold-" + std::to_string(run)));
         const std::optional<Start> again = start(caches / "warm");
         if (!first || !again) {
-            std::fprintf(stderr, "bench_window_start: no picture was shown; is there a display?\n");
-            return 1;
+            std::fprintf(stderr, "bench: no picture was shown; is there a display?\n");
+            return false;
         }
         cold.push_back(*first);
         warm.push_back(*again);
@@ -92,5 +88,7 @@ int main(int argc, char** argv)
     std::printf("\nFrom the start of the process to the window's first picture: %.1f s with the programs cached (goal: "
                 "1.0 s), %.1f s when they are compiled.\n",
                 cached, compiled);
-    return 0;
+    return true;
 }
+
+}  // namespace vitrine::bench

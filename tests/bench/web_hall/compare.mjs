@@ -1,5 +1,5 @@
-// Measures the page and bench_hall_costs in turn, and prints one table of wall times.
-//   node compare.mjs ROOT_OF_THE_SOURCE FOLDER_OF_THREE CHROMIUM BENCH_HALL_COSTS [ROUNDS]
+// Measures the page and the case hall_costs in turn, and prints one table of wall times.
+//   node compare.mjs ROOT_OF_THE_SOURCE FOLDER_OF_THREE CHROMIUM BENCH [ROUNDS]
 import {execFileSync} from 'node:child_process';
 import path from 'node:path';
 import {fileURLToPath} from 'node:url';
@@ -15,7 +15,7 @@ function page() {
 
 // Medians of its own rounds: the column "ms (wall)".
 function ours() {
-    const rows = execFileSync(bench, {encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit']}).split('\n').map(line => line.split('|').map(cell => cell.trim()));
+    const rows = execFileSync(bench, ['hall_costs'], {encoding: 'utf8', stdio: ['ignore', 'pipe', 'inherit']}).split('\n').map(line => line.split('|').map(cell => cell.trim()));
     const column = rows.find(row => row.includes('ms (wall)') && row[1] === 'what').indexOf('ms (wall)');
     return Object.fromEntries(views.map(view => [view, Number(rows.find(row => row[1] === 'empty hall, ' + view)[column])]));
 }

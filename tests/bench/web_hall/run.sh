@@ -1,9 +1,9 @@
 #!/bin/sh
-# The empty hall as bench_hall_costs draws it beside the same hall as a plain page of three.js does, in one run: prints one
-# table. Needs Chromium, node and npm; says so and ends with 77 where they are not.
-#   sh tests/bench/web_hall.sh [ROUNDS]
+# The empty hall as the case hall_costs of bench draws it beside the same hall as a plain page of three.js does, in one run:
+# prints one table. Needs Chromium, node and npm; says so and ends with 77 where they are not.
+#   sh tests/bench/web_hall/run.sh [ROUNDS]
 set -e
-cd "$(dirname "$0")/../.."
+cd "$(dirname "$0")/../../.."
 chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
 if [ -z "$chromium" ] || ! command -v node >/dev/null || ! command -v npm >/dev/null; then
     echo "web_hall: not measured: it needs Chromium, node and npm (Debian: chromium, nodejs, npm)" >&2
@@ -12,4 +12,4 @@ fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 (cd "$folder" && npm init -y >/dev/null && npm install --silent --no-audit --no-fund three@0.182.0) >&2
-LIBGL_ALWAYS_SOFTWARE=1 node tests/bench/web_hall/compare.mjs "$PWD" "$folder/node_modules/three" "$chromium" build/release/tests/bench_hall_costs "${1:-3}"
+LIBGL_ALWAYS_SOFTWARE=1 node tests/bench/web_hall/compare.mjs "$PWD" "$folder/node_modules/three" "$chromium" build/release/tests/bench "${1:-3}"
