@@ -3,7 +3,6 @@
 #include "app/apply_preset.h"
 #include "app/number_option.h"
 #include "exhibits/framework/expression.h"
-#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/framework/value_text.h"
@@ -278,10 +277,6 @@ std::size_t rowNamed(const Museum& museum, const SceneState& sceneState, const A
 {
     const Parameters& table = sceneState.values[assignment.owner].table();
     const auto row = table.find(assignment.name);
-    for (const GoneRow& gone : GoneRows::of(table))
-        if (!row && gone.name == assignment.name && !gone.became.empty())
-            throw Failure(Blame::usage, option + ' ' + assignment.name + ": this is no parameter any more. " +
-                                            std::string(gone.became));
     if (!row) {
         std::vector<std::string> names;
         for (const ParameterInfo& info : sceneState.values[assignment.owner].rows()) names.emplace_back(info.name);

@@ -1644,8 +1644,8 @@ Zeiten nach: %2.</translation>
         <translation>Ein Name unter „nodes“.</translation>
     </message>
     <message>
-        <source>a newer Vitrine wrote this (version {1}; this one reads up to {2}); open it with that one.</source>
-        <translation>ein neueres Vitrine hat das geschrieben (Version {1}; dieses liest bis {2}); öffnen Sie es mit jenem.</translation>
+        <source>a newer Vitrine wrote this (version {1}; this one reads version {2}); open it with that one.</source>
+        <translation>ein neueres Vitrine hat dies geschrieben (Version {1}; dieses liest Version {2}); öffnen Sie es damit.</translation>
     </message>
     <message>
         <source>A node cannot be moved into itself.</source>
@@ -4571,14 +4571,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Compare the ticked studies</source>
         <translation>Die angehakten Studien vergleichen</translation>
-    </message>
-    <message>
-        <source>Compare with other beams or none, in the Compare menu.</source>
-        <translation>Im Menü „Vergleich“ lässt sich mit anderen oder keinen Strahlen vergleichen.</translation>
-    </message>
-    <message>
-        <source>Compare with “The rasterized mesh”, in the Compare menu.</source>
-        <translation>Im Menü „Vergleich“ lässt sich mit „Das rasterisierte Netz“ vergleichen.</translation>
     </message>
     <message>
         <source>Compare with: %1</source>
@@ -15085,6 +15077,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt keinen Text zu zeigen</translation>
     </message>
     <message>
+        <source>there is no version {1}; correct it there.</source>
+        <translation>es gibt keine Version {1}; berichtigen Sie sie dort.</translation>
+    </message>
+    <message>
         <source>there is no view; it is no study that Vitrine wrote.</source>
         <translation>es gibt keine Ansicht; das ist keine Studie, die Vitrine geschrieben hat.</translation>
     </message>
@@ -17420,10 +17416,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} fehlt; erzeugen Sie alle Teile neu.</translation>
     </message>
     <message>
-        <source>{1} is no parameter any more: {2}</source>
-        <translation>{=1} ist kein Parameter mehr: {2}</translation>
-    </message>
-    <message>
         <source>{1} is no {2}</source>
         <translation>{1} ist kein {2}</translation>
     </message>
@@ -17686,10 +17678,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1}: this is damaged; make its part again.</source>
         <translation>{=1}: Dies ist beschädigt; erzeugen Sie den Teil neu.</translation>
-    </message>
-    <message>
-        <source>{1}: this is no parameter any more. {2}</source>
-        <translation>{=1}: Dies ist kein Parameter mehr. {2}</translation>
     </message>
     <message>
         <source>{1}: this picture carries no preset; choose a preset file, or a picture that Vitrine made.</source>

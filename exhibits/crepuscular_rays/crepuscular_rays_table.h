@@ -1,6 +1,5 @@
 #pragma once
 
-#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/parameters.h"
 #include "exhibits/framework/studied_rows.h"
 
@@ -21,8 +20,6 @@ struct CrepuscularRaysTable final : Parameters {
                "How the beams are made: smeared from the bright sky across the picture, or by marching the sun's "
                "shadows through dusty air.",
                quality(RayTechnique::volume));
-    GoneRows gone{*this,
-                  {{"compare", "Compare with other beams or none, in the Compare menu."}, {"compareWith"}, {"wipe"}}};
     Choice<RayView> view =
         choice("view", RayView::picture, {"picture", "mask", "light alone"},
                "The finished picture, the mask with its occluders black, or the added light without the hall.");
@@ -79,7 +76,7 @@ struct CrepuscularRaysTable final : Parameters {
              "Dust in the air: what a meter of it takes out of a beam near the floor; 0 is clear air.", volume);
     Real densityFalloff = real("densityFalloff", 0.03, perMeter, Range{0, 10}.soft(0, 0.5),
                                "How fast the dust thins with height: 0 is even, high keeps it near the floor.",
-                               volume&& whenAbove(airDensity, 0), formerly("airThinning"));
+                               volume&& whenAbove(airDensity, 0));
     Real anisotropy = real("anisotropy", 0.2, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
                            "How much the dust scatters forward: 0 to all sides, high glows towards the sun.",
                            volume&& whenAbove(airDensity, 0) && whenLaterAbove("beamStrength", 0));
@@ -93,7 +90,7 @@ struct CrepuscularRaysTable final : Parameters {
                            "Share of the light that the dust scatters rather than swallows: white swallows none.",
                            volume&& whenAbove(airDensity, 0));
     Real densityNoise = real("densityNoise", 0.35, none, {0, 1}, "How much the dust gathers in drifts; 0 is even air.",
-                             volume&& whenAbove(airDensity, 0) && whenAbove(beamStrength, 0), formerly("unevenness"));
+                             volume&& whenAbove(airDensity, 0) && whenAbove(beamStrength, 0));
 
     Group accuracy = foldedGroup("Accuracy");
     // Measured at 1280 x 720: for an RMSE of 0.002 the loop needs 105 fetches per pixel, three passes 20, the polar sum 3.3.
@@ -124,7 +121,7 @@ struct CrepuscularRaysTable final : Parameters {
     Group hangings = group("Hangings");
     Toggle animate = toggle("animate", false, "Let the draft turn the mobile and carry the dust.");
     Real mobileRotation = real("mobileRotation", degrees(20.0535), degree, {degrees(-180), degrees(180)},
-                               "How far the mobile has turned.", formerly("turn"));
+                               "How far the mobile has turned.");
     Real turnSpeed = real("turnSpeed", 0.02, hertz, Range{0, 2}.soft(0, 0.1),
                           "Turns of the mobile in a second, while it is animated.", when(animate));
     Real driftSpeed = real("driftSpeed", 0.04, none, Range{0, 10}.soft(0, 0.3),

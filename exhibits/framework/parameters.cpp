@@ -197,10 +197,9 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
             return owned(std::string(elementName_) + first + std::string(name.substr(1)));
         };
         row.name = inElement(row.name);
-        if (!row.formerly.empty()) row.formerly = inElement(row.formerly);
     }
     for (std::string_view* text :
-         {&row.name, &row.group, &row.help, &row.called, &row.endings, &row.formerly, &row.shipped, &row.documentOf})
+         {&row.name, &row.group, &row.help, &row.called, &row.endings, &row.shipped, &row.documentOf})
         *text = owned(*text);
     for (std::string_view& choice : row.choices) choice = owned(choice);
     if (row.word) row.word->text = owned(row.word->text);

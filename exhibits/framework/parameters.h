@@ -87,7 +87,6 @@ struct ParameterInfo {
     std::string_view shipped = {};           ///< For Kind::file: a folder of assets with files that a bare name means.
     std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
     std::size_t element = 0;                 ///< Which group of that array, from 0.
-    std::string_view formerly = {};          ///< Its name in files of before; empty: the same.
     std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
     std::string_view documentOf = {};        ///< For Kind::text: the file row whose file it stands in for, where given.
 
@@ -201,11 +200,6 @@ protected:
         std::string_view text;
     };
     [[nodiscard]] static Called called(std::string_view text) { return {text}; }
-    struct Formerly {
-        std::string_view name;
-    };
-    /// Presets and sessions of before know the row by this name; they are read, and written by the present one.
-    [[nodiscard]] static Formerly formerly(std::string_view name) { return {name}; }
     /// `value` is shown and typed as this word.
     [[nodiscard]] static Word reads(double value, std::string_view word) { return {value, word}; }
     /// When the row acts: `when(...) && when(...)`, `when(...) || when(...)`.
@@ -351,7 +345,6 @@ private:
     static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
     static void say(ParameterInfo& row, const Shipped& shipped) { row.shipped = shipped.folder; }
     static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
-    static void say(ParameterInfo& row, const Formerly& formerly) { row.formerly = formerly.name; }
     static void say(ParameterInfo& row, const Word& word) { row.word = word; }
     static void say(ParameterInfo& row, const std::optional<Condition>& condition) { row.actsWhen = condition; }
     template <typename... Traits> std::uint16_t append(ParameterInfo row, const Traits&... traits)

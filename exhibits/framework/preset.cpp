@@ -1,8 +1,6 @@
 #include "exhibits/framework/preset.h"
 
-#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/motion_json.h"
-#include "exhibits/framework/preset_migration.h"
 #include "exhibits/framework/preset_values.h"
 
 #include <algorithm>
@@ -35,7 +33,26 @@ std::string textAt(const JsonDocument& document, const Json& root, const char* k
     return root[key].get<std::string>();
 }
 
-/// A file in today's form, its kind and name checked.
+/// Throws Failure where the file is no preset, or of another version.
+void checkVersion(const JsonDocument& document)
+{
+    const Json& root = document.root();
+    if (!root.is_object()) throw document.failure({}, "this is no preset: it must be a JSON object.");
+    if (!root.contains("version"))
+        throw document.failure({}, "this is no preset of Vitrine: it says neither format nor version.");
+    const Json& version = root["version"];
+    if (!version.is_number_unsigned())
+        throw document.failure("version", "this must be a whole number; correct it there.");
+    const auto number = version.get<std::uint64_t>();
+    if (number > presetVersion)
+        throw document.failure("version", "a newer Vitrine wrote this (version " + std::to_string(number) +
+                                              "; this one reads version " + std::to_string(presetVersion) +
+                                              "); open it with that one.");
+    if (number < presetVersion)
+        throw document.failure("version", "there is no version " + std::to_string(number) + "; correct it there.");
+}
+
+/// A preset or exhibition file, its kind and name checked.
 struct Opened {
     const JsonDocument& document;
     PresetHeader header;
@@ -43,17 +60,14 @@ struct Opened {
     Json values = Json::object(), motions = Json::object();
     std::vector<std::string> notes;
 
-    [[nodiscard]] JsonPlace place(const std::string& path) const
-    {
-        return {document, path, originalPath(path, header.version)};
-    }
+    [[nodiscard]] JsonPlace place(const std::string& path) const { return {document, path}; }
 };
 
 Opened open(const JsonDocument& document)
 {
     Opened file{document, {}, {}, Json::object(), Json::object(), {}};
     file.header = presetHeader(document);
-    file.root = migrated(document.root(), file.header.version);
+    file.root = document.root();
     for (const auto& [key, into] : {std::pair("values", &file.values), std::pair("motions", &file.motions)}) {
         if (!file.root.contains(key)) continue;
         *into = file.root[key];
@@ -86,20 +100,6 @@ ParameterValues::PendingRows pendingRows(Opened& file, const char* key, const Pa
     return pending;
 }
 
-/// Takes what the table no longer has out of the file and, where it was switched on, says what shows the same now.
-void leaveOutGoneRows(Opened& file, const char* key, const Parameters& table, const std::string& prefix,
-                      std::map<std::string, const Json*>& left)
-{
-    for (const GoneRow& row : GoneRows::of(table)) {
-        const auto at = left.find(prefix + std::string(row.name));
-        if (at == left.end()) continue;
-        if (!row.became.empty() && *at->second != Json(false))
-            file.notes.push_back(at->first + " is no parameter any more: " + std::string(row.became));
-        file.root[key].erase(at->first);
-        left.erase(at);
-    }
-}
-
 /// Reads the rows of one table; `prefix` is "" or "sdf_morph.". Removes what it read from `left`.
 ParameterValues readRows(Opened& file, const Parameters& table, const std::string& prefix,
                          std::map<std::string, const Json*>& left)
@@ -107,17 +107,12 @@ ParameterValues readRows(Opened& file, const Parameters& table, const std::strin
     ParameterValues values = table.initial();
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
         const ParameterInfo& row = table.rows()[i];
-        auto at = left.find(prefix + std::string(row.name));
-        if (at == left.end() && !row.formerly.empty()) {
-            at = left.find(prefix + std::string(row.formerly));
-            if (at != left.end()) file.root["values"].erase(at->first);  // It is written by its present name.
-        }
+        const auto at = left.find(prefix + std::string(row.name));
         if (at == left.end()) continue;
         const std::string key = at->first;
         values.setRow(i, valueFromJson(row, *at->second, file.place("values." + key), key, file.notes));
         left.erase(at);
     }
-    leaveOutGoneRows(file, "values", table, prefix, left);
     values.setPending(pendingRows(file, "values", values, prefix, left));
     return values;
 }
@@ -128,15 +123,13 @@ void readMotions(Opened& file, ParameterValues& values, const std::string& prefi
 {
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
         const ParameterInfo& row = values.rows()[i];
-        auto at = left.find(prefix + std::string(row.name));
-        if (at == left.end() && !row.formerly.empty()) at = left.find(prefix + std::string(row.formerly));
+        const auto at = left.find(prefix + std::string(row.name));
         if (at == left.end()) continue;
         const std::string key = "motions." + at->first;
         values.setMotion(i, motionFromJson(row, *at->second, file.place(key), key, file.notes));
         file.root["motions"].erase(at->first);
         left.erase(at);
     }
-    leaveOutGoneRows(file, "motions", values.table(), prefix, left);
     values.setPendingMotions(pendingRows(file, "motions", values, prefix, left));
 }
 
@@ -197,7 +190,7 @@ std::string writeFile(std::string_view format, const std::string& exhibit, const
 {
     Json root = Json::object();
     root["format"] = format;
-    root["version"] = motions.empty() ? presetVersionWithoutMotions : presetVersion;
+    root["version"] = presetVersion;
     root["app"] = VITRINE_VERSION;
     if (!exhibit.empty()) root["exhibit"] = exhibit;
     root["name"] = name;
@@ -222,8 +215,8 @@ Json keptCamera(const Json& kept)
 PresetHeader presetHeader(const JsonDocument& document)
 {
     PresetHeader header;
-    header.version = declaredVersion(document);
-    const Json root = migrated(document.root(), header.version);
+    checkVersion(document);
+    const Json& root = document.root();
     const std::string format = textAt(document, root, "format", true);
     if (format != presetFormat && format != exhibitionFormat) {
         throw document.failure("format", "\"" + format + "\" is no format of Vitrine; choose a preset.");
@@ -246,13 +239,7 @@ Preset parsePreset(std::string text, std::string fileName, std::string_view exhi
                                               std::string(exhibit) + "; choose another.");
     }
     std::map<std::string, const Json*> left = entries(file.values), leftMotions = entries(file.motions);
-    Preset preset{file.header.exhibit,
-                  file.header.name,
-                  readRows(file, table, {}, left),
-                  std::nullopt,
-                  file.header.version,
-                  {},
-                  {},
+    Preset preset{file.header.exhibit, file.header.name, readRows(file, table, {}, left), std::nullopt, {}, {},
                   file.header.tags};
     readMotions(file, preset.values, {}, leftMotions);
     noteUnknown(file, "values.", left);
@@ -336,7 +323,7 @@ std::string renamedPreset(const JsonDocument& document, std::string_view name)
 {
     const PresetHeader header = presetHeader(document);
     Json root = document.root();
-    if (header.version > 0 && !root.contains("name")) {
+    if (!root.contains("name")) {
         // Beside the exhibit's name, where presets have it.
         Json ordered = Json::object();
         for (const auto& [key, value] : root.items()) {

@@ -16,10 +16,8 @@
 
 namespace vitrine {
 
-/// The newest version that is read, and written where rows move. Older ones are read, newer ones are refused.
-inline constexpr int presetVersion = 2;
-/// What is written where none does: programs from before rows could move read it, too.
-inline constexpr int presetVersionWithoutMotions = 1;
+/// Version of the format that is read and written; files of another one are refused.
+inline constexpr int presetVersion = 1;
 
 /// Limits for reading a preset file. A normal file has a few kilobytes; the limits bound the cost of a malicious one.
 inline constexpr render::JsonLimits presetLimits{
@@ -37,8 +35,8 @@ inline constexpr render::JsonLimits presetLimits{
 ///       "camera": {"eye": [0.0, 1.0, 2.0], "target": [0.0, 1.0, 0.0], "fov": 0.9}
 ///     }
 ///
-/// `values` holds only what differs from the initial values, sorted by key, in SI. Where rows move, the version is 2
-/// and beside `values` stands "motions", by the same keys: {"morph": {"kind": "sine", "from": 0.1, ...}}, see
+/// `values` holds only what differs from the initial values, sorted by key, in SI. Where parameters move, "motions"
+/// stands beside `values`, by the same keys: {"morph": {"kind": "sine", "from": 0.1, ...}}, see
 /// `jsonFromMotion`. Behind the name may stand tags: "tags": ["night", "water"], see `tagsIn`.
 struct Preset {
     std::string exhibit;
@@ -46,8 +44,7 @@ struct Preset {
     ParameterValues values;
     std::optional<render::Camera> camera;
 
-    int versionRead = presetVersion;             ///< Of the file it came from.
-    render::Json kept = render::Json::object();  ///< The file as read and migrated: its unknown keys are written again.
+    render::Json kept = render::Json::object();  ///< The file as read: its unknown keys are written again.
     std::vector<std::string> notes;              ///< What reading changed or did not know, for people.
     PresetTags tags = {};
 };
@@ -99,7 +96,6 @@ struct PresetHeader {
     bool isExhibition = false;
     std::string exhibit;  ///< Name of the exhibit; for an exhibition, of the selected one, or empty.
     std::string name;
-    int version = presetVersion;
     PresetTags tags = {};
 };
 [[nodiscard]] PresetHeader presetHeader(const render::JsonDocument&);

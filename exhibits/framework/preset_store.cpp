@@ -143,14 +143,7 @@ SaveOutcome PresetStore::save(StoredPreset& stored, IfChanged ifChanged) const
     refuseShipped(stored.path);
     if (ifChanged == IfChanged::report && changedSince(stored.path, stored.stamp)) return SaveOutcome::changedOnDisk;
     const std::string text = presetText(stored.preset);
-    std::error_code error;
-    if (stored.preset.versionRead < presetVersionWithoutMotions && fs::exists(stored.path, error)) {
-        fs::path backup = stored.path;
-        backup.replace_extension(".v" + std::to_string(stored.preset.versionRead) + ".bak");
-        if (!fs::exists(backup, error)) writeOwnFile(backup, readText(stored.path));
-    }
     writeOwnFile(stored.path, text);
-    stored.preset.versionRead = presetVersion;
     stored.stamp = stampOf(stored.path, text);
     return SaveOutcome::saved;
 }
@@ -160,7 +153,6 @@ StoredPreset PresetStore::saveAs(Preset preset) const
     const std::string text = presetText(preset);
     const fs::path path = freePath(folders_.user / preset.exhibit, slugFor(preset.name));
     writeOwnFile(path, text);
-    preset.versionRead = presetVersion;
     return {std::move(preset), path, stampOf(path, text), false};
 }
 

@@ -69,8 +69,8 @@ public:
     [[nodiscard]] StoredPreset load(const std::filesystem::path&, std::string_view exhibit, const Parameters&) const;
 
     /// Writes back what `load` or `saveAs` gave. Does nothing and says so when the file has changed on disk
-    /// since, unless told to overwrite. A file of an older version is first copied to <slug>.v<n>.bak.
-    /// Shipped presets are refused: use `saveAs`.
+    /// since, unless told to overwrite. Shipped
+    /// presets are refused: use `saveAs`.
     [[nodiscard]] SaveOutcome save(StoredPreset&, IfChanged = IfChanged::report) const;
     /// Writes a new file in the user's folder, named after `preset.name`.
     [[nodiscard]] StoredPreset saveAs(Preset) const;

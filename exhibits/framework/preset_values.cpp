@@ -123,19 +123,12 @@ bool isRoundedLimit(const ParameterInfo& row, const Value& value)
 
 Failure JsonPlace::failure(std::string_view problem) const
 {
-    if (originalPath.empty()) return document.failure(path, problem);
-    return document.failure(originalPath, problem);
+    return document.failure(path, problem);
 }
 
 JsonPlace JsonPlace::inside(std::string_view key) const
 {
-    JsonPlace place{document, path, originalPath};
-    for (std::string* p : {&place.path, &place.originalPath}) {
-        if (p == &place.originalPath && originalPath.empty()) continue;
-        if (!p->empty()) *p += '.';
-        *p += key;
-    }
-    return place;
+    return {document, path.empty() ? std::string(key) : path + '.' + std::string(key)};
 }
 
 Json jsonFromValue(const ParameterInfo& row, const Value& value)

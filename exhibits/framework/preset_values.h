@@ -14,8 +14,7 @@ namespace vitrine {
 /// Where in a JSON document something is read, for messages.
 struct JsonPlace {
     const render::JsonDocument& document;
-    std::string path;          ///< Dotted key path, as messages show it.
-    std::string originalPath;  ///< Where it stood before the document was migrated; empty when the same.
+    std::string path;  ///< Dotted key path, as messages show it.
 
     /// To throw: names file, line, key path and `problem`.
     [[nodiscard]] Failure failure(std::string_view problem) const;

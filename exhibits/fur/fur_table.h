@@ -131,8 +131,7 @@ struct FurTable final : Parameters {
     Real handZ = real("handZ", 0.0, none, Range{-20, 20}.soft(-3, 3),
                       "By hand: how far they are drawn towards the entrance.", when(byHand));
     Real handRotation = real("handRotation", 0.0, degree, Range{degrees(-180), degrees(180)},
-                             "By hand: how far they are turned about the axis towards the entrance.", when(byHand),
-                             formerly("handTurn"));
+                             "By hand: how far they are turned about the axis towards the entrance.", when(byHand));
 
     Group accuracy = foldedGroup("Accuracy");
     // Measured at 640 x 360: marched between, 10 shells leave 5 % of the outline wrong, where 10 bare ones leave 33 %. 64 bare

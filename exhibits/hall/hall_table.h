@@ -112,8 +112,7 @@ struct HallTable final : Parameters {
         file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.",
              endings("hdr exr jpg jpeg png tif tiff webp bmp gif"));
     Real environmentRotation = real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
-                                    "Turns the panorama around the vertical.", whenGiven(environment),
-                                    formerly("environmentTurn"), called("Rotation"));
+                                    "Turns the panorama around the vertical.", whenGiven(environment), called("Rotation"));
 
     Group vaultLamps = group("Lamps");
     Choice<LampsLit> lamps =
@@ -174,7 +173,7 @@ private:
                  "Largest side of the visitor's object as it stands on the plinth.", whenGiven(model));
         const Real modelRotation =
             real("modelRotation", 0.0, degree, {degrees(-180), degrees(180)},
-                 "Turns the visitor's object around the vertical.", whenGiven(model), formerly("modelTurn"));
+                 "Turns the visitor's object around the vertical.", whenGiven(model));
         const Choice<ObjectStand> modelStand = choice(
             "modelStand", first ? ObjectStand::freePlinth : ObjectStand::ownPlinth,
             {"free plinth", "own plinth", "floor"},

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "exhibits/framework/gone_rows.h"
 #include "exhibits/framework/parameters.h"
 #include "exhibits/framework/studied_rows.h"
 
@@ -125,7 +124,6 @@ private:
                                {.name = "stepLimit", .settles = "Rays end before they have taken so many steps."},
                                {.name = "normalStep", .settles = "A quarter of a pixel is wider, and is used instead."},
                                {.name = "bounces", .settles = "No ray meets the object so often."}}};
-    GoneRows gone_{*this, {{"compareMesh", "Compare with “The rasterized mesh”, in the Compare menu."}, {"wipe"}}};
 
     /// While its rays are marched for the picture.
     [[nodiscard]] static Condition whenMarched() { return whenLater("shownAs", static_cast<double>(SdfShown::field)); }

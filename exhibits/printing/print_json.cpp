@@ -35,11 +35,6 @@ public:
         }
         return (*outer)[key];
     }
-    /// Of a group that `at` has found.
-    [[nodiscard]] bool has(const std::string& group, const std::string& key) const
-    {
-        return document_.root()[group].contains(key);
-    }
     [[nodiscard]] double number(const std::string& group, const std::string& key) const
     {
         const Json& value = at(group, key);
@@ -180,11 +175,10 @@ PrintSettings settingsFromJson(const render::JsonDocument& document)
     for (const Method known : {Method::nearest, Method::area, Method::guard})
         if (method == toString(known)) s.method = known;
     s.guard = read.number("print", "guard");
-    // Prints of earlier versions do not say these.
-    if (read.has("print", "border")) s.border = read.number("print", "border");
-    if (read.has("print", "dither")) s.dither = read.flag("print", "dither");
-    if (read.has("print", "compensate")) s.compensate = read.flag("print", "compensate");
-    if (read.has("print", "inkSpread")) s.inkSpread = read.number("print", "inkSpread");
+    s.border = read.number("print", "border");
+    s.dither = read.flag("print", "dither");
+    s.compensate = read.flag("print", "compensate");
+    s.inkSpread = read.number("print", "inkSpread");
     return s;
 }
 

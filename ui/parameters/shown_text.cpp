@@ -193,7 +193,7 @@ std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, 
 QString allAsJson(const ParameterValues& values, const QString& exhibit)
 {
     return QString::fromStdString(
-        presetText({exhibit.toStdString(), "Copied values", values, {}, presetVersion, render::Json::object(), {}}));
+        presetText({exhibit.toStdString(), "Copied values", values, {}, render::Json::object(), {}}));
 }
 
 std::optional<ParameterValues> allFromJson(const Parameters& table, const QString& exhibit, const QString& json,

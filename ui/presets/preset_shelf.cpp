@@ -158,13 +158,8 @@ void PresetShelf::load(const QString& id)
 Preset PresetShelf::presetOnShow(const QString& name) const
 {
     const SceneState& sceneState = window_.history().sceneState();
-    return {exhibitName(),
-            name.toStdString(),
-            sceneState.values[window_.shown()],
-            sceneState.camera,
-            presetVersion,
-            render::Json::object(),
-            {}};
+    return {exhibitName(),     name.toStdString(),     sceneState.values[window_.shown()],
+            sceneState.camera, render::Json::object(), {}};
 }
 
 void PresetShelf::save()

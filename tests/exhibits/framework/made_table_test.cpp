@@ -143,7 +143,7 @@ TEST(MadeTable, ValuesOfOtherRowsDifferWhateverTheirNumbers)
 TEST(MadeTable, HasPresetsLikeAnyOther)
 {
     const auto table = madeTable({"red", "blue"}, 10);
-    Preset preset{"scene", "Large", ParameterValues(table), std::nullopt, presetVersion, render::Json::object(), {}};
+    Preset preset{"scene", "Large", ParameterValues(table), std::nullopt, render::Json::object(), {}};
     preset.values.setRow(table->find("blueRadius").value(), 3.25);
     preset.values.setRow(table->find("redFinish").value(), 1.0);
     const std::string text = presetText(preset);

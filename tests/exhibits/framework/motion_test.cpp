@@ -242,7 +242,7 @@ TEST(Motions, FilesBringThemBackOfEveryKind)
         if (kind == static_cast<std::size_t>(MotionKind::ease)) motion.start = 3;
         if (kind == static_cast<std::size_t>(MotionKind::noise)) motion.seed = 4000000000U;
         values.setMotion(rowsThatMove.radius.row, motion);
-        const Preset written{"some", "A", values, std::nullopt, presetVersion, render::Json::object(), {}};
+        const Preset written{"some", "A", values, std::nullopt, render::Json::object(), {}};
         const std::string text = presetText(written);
         EXPECT_NE(text.find("\"version\": 2"), std::string::npos) << text;
         const Preset read = parsePreset(text, "a.json", "some", rowsThatMove);
@@ -278,7 +278,7 @@ TEST(Motions, AFileThatIsWrongSaysWhichKeyAndWhatToDo)
 
 TEST(Motions, AFileWithoutThemIsReadByOlderPrograms)
 {
-    const Preset still{"some", "A", rowsThatMove.initial(), std::nullopt, presetVersion, render::Json::object(), {}};
+    const Preset still{"some", "A", rowsThatMove.initial(), std::nullopt, render::Json::object(), {}};
     EXPECT_NE(presetText(still).find("\"version\": 1"), std::string::npos);
     EXPECT_EQ(presetText(still).find("motions"), std::string::npos);
 }

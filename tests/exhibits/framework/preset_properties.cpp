@@ -80,7 +80,7 @@ rc::Gen<Json> anyJson(int depth)
 
 RC_GTEST_PROP(PresetProperty, EveryLegalSetOfValuesReadsBackBitForBit, ())
 {
-    const Preset preset{"everything", "A", *legalValues(), std::nullopt, presetVersion, Json::object(), {}};
+    const Preset preset{"everything", "A", *legalValues(), std::nullopt, Json::object(), {}};
     const Preset back = parsePreset(presetText(preset), "a.json", "everything", everyKind);
     RC_ASSERT(back.values == preset.values);
     RC_ASSERT(back.notes.empty());

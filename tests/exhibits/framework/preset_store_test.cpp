@@ -21,7 +21,7 @@ class Store : public ::testing::Test {
 protected:
     static Preset preset(const std::string& name)
     {
-        Preset p{"everything", name, everyKind.initial(), std::nullopt, presetVersion, render::Json::object(), {}};
+        Preset p{"everything", name, everyKind.initial(), std::nullopt, render::Json::object(), {}};
         p.values.set(everyKind.morph, 0.75);
         return p;
     }
@@ -160,20 +160,6 @@ TEST_F(Store, RemovesIntoATrashAndRestores)
     (void)store.saveAs(preset("A"));
     EXPECT_EQ(store.restore(again).filename(), "a-2.json") << "its place was taken";
     EXPECT_FAILURE(store.restore(again), "Cannot move");
-}
-
-TEST_F(Store, KeepsTheOldVersionBeforeTheFirstMigratedSave)
-{
-    const fs::path path = folder / "user/everything/old.json";
-    const std::string old = test::bytesOf(VITRINE_SOURCE_DIR "/tests/exhibits/framework/samples/preset_v0.json");
-    test::writeBytes(path, old);
-    StoredPreset stored = load(path);
-    stored.preset.values.set(everyKind.morph, 1.0);
-    EXPECT_EQ(store.save(stored), SaveOutcome::saved);
-    EXPECT_EQ(store.save(stored), SaveOutcome::saved);
-    EXPECT_EQ(test::bytesOf(folder / "user/everything/old.v0.bak"), old);
-    EXPECT_EQ(load(path).preset.versionRead, presetVersionWithoutMotions) << "no row of it moves";
-    EXPECT_EQ(names(), std::vector<std::string>{"Frozen"}) << "the backup is not listed";
 }
 
 TEST_F(Store, ImportsFilesAndPicturesAndExports)

@@ -1,7 +1,5 @@
 #include "exhibits/framework/preset.h"
 
-#include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
-
 #include "tests/exhibits/framework/every_kind.h"
 #include "tests/support/failures.h"
 #include "tests/support/german_locale.h"
@@ -32,7 +30,7 @@ std::string fileWith(const std::string& values, const std::string& more = "")
 
 Preset plain()
 {
-    return {"everything", "A", everyKind.initial(), std::nullopt, presetVersion, Json::object(), {}};
+    return {"everything", "A", everyKind.initial(), std::nullopt, Json::object(), {}};
 }
 
 TEST(Preset, IsWrittenTheSameWayEveryTime)
@@ -154,8 +152,9 @@ TEST(Preset, RefusesOtherFormatsExhibitsAndVersions)
                    "this preset is for fur, not for everything");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset"})"), "\"exhibit\" is missing");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-exhibition"})"), "whole exhibition");
-    EXPECT_FAILURE(read(R"({"version": 3, "format": "vitrine-preset", "exhibit": "everything"})"),
-                   "line 1, version: a newer Vitrine wrote this (version 3");
+    EXPECT_FAILURE(read(R"({"version": 2, "format": "vitrine-preset", "exhibit": "everything"})"),
+                   "line 1, version: a newer Vitrine wrote this (version 2");
+    EXPECT_FAILURE(read(R"({"version": 0, "format": "vitrine-preset"})"), "line 1, version: there is no version 0");
     EXPECT_FAILURE(read(R"({"version": 1.5, "format": "vitrine-preset"})"), "version: this must be a whole number");
     EXPECT_FAILURE(read(R"({"version": "1", "format": "vitrine-preset"})"), "version: this must be a whole number");
     EXPECT_FAILURE(read(R"({"version": 1, "format": "vitrine-preset", "exhibit": "everything", "values": 3})"),
@@ -171,7 +170,7 @@ TEST(Preset, TagsStandBehindTheNameAndOnlyWhereThereAreSome)
     EXPECT_EQ(without.find("tags"), std::string::npos);
     preset.tags = {"night", "Wasser"};
     const std::string with = presetText(preset);
-    EXPECT_NE(with.find("\"version\": 1"), std::string::npos) << "programs of before read it, too";
+    EXPECT_NE(with.find("\"version\": 1"), std::string::npos);
     EXPECT_NE(with.find("\"name\": \"A\",\n  \"tags\": [\n    \"night\",\n    \"Wasser\"\n  ],\n"), std::string::npos)
         << with;
     const Preset back = read(with);
@@ -216,30 +215,6 @@ TEST(Preset, TagsAreTypedWithCommas)
     std::string many;
     for (int i = 0; i < 17; ++i) many += "a" + std::to_string(i) + ',';
     EXPECT_THROW((void)tagsFromText(many), Failure);
-}
-
-TEST(Preset, OfVersionZeroIsMigrated)
-{
-    const std::string text = test::bytesOf(VITRINE_SOURCE_DIR "/tests/exhibits/framework/samples/preset_v0.json");
-    const Preset preset = read(text);
-    EXPECT_EQ(preset.versionRead, 0);
-    EXPECT_EQ(preset.name, "Frozen");
-    EXPECT_EQ(preset.values[everyKind.morph], 0.25);
-    EXPECT_EQ(preset.values[everyKind.stepLimit], 128);
-    EXPECT_EQ(preset.values[everyKind.way], test::Way::both);
-    ASSERT_TRUE(preset.camera);
-    EXPECT_EQ(preset.camera->eye, glm::dvec3(1, 2, 3));
-    const Json now = Json::parse(presetText(preset));
-    EXPECT_EQ(now["version"], presetVersionWithoutMotions) << "no row of it moves";
-    EXPECT_FALSE(now.contains("params"));
-    EXPECT_FALSE(now.contains("schema"));
-    EXPECT_EQ(now["values"]["someday"].dump(), R"({"later":[1,2]})");
-}
-
-TEST(Preset, OfVersionZeroIsRefusedWithTheLinesOfItsOwnFile)
-{
-    EXPECT_FAILURE(read("{\"schema\": \"vitrine\", \"exhibit\": \"everything\",\n\"params\": {\n\"morph\": \"x\"}}"),
-                   "a.json, line 3, params.morph");
 }
 
 TEST(Preset, IsTheSameInAGermanLocale)
@@ -325,60 +300,6 @@ TEST(Preset, NeverCrashesOnDamagedFiles)
         }
     }
     EXPECT_GT(accepted, 100);
-}
-
-TEST(Preset, IsReadWithoutRowsThatAreNoMoreAndSaysWhatShowsTheSameNow)
-{
-    const CrepuscularRaysTable rays;
-    const auto read = [&](const char* values) {
-        return parsePreset(std::string(R"({"format": "vitrine-preset", "version": 2, "exhibit": "crepuscular_rays",
-        "name": "Old", "values": )") +
-                               values + R"(, "motions": {"wipe": {"kind": "sine", "from": 0, "to": 1}}})",
-                           "old.json", "crepuscular_rays", rays);
-    };
-    const Preset wiped =
-        read(R"({"compare": true, "compareWith": "volume", "technique": "screen space", "wipe": 0.4})");
-    EXPECT_EQ(wiped.values[rays.technique], RayTechnique::screen) << "what was left of the wipe";
-    EXPECT_EQ(wiped.notes,
-              std::vector<std::string>{"compare is no parameter any more: Compare with other beams or none, "
-                                       "in the Compare menu."});
-    const Json written = Json::parse(presetText(wiped));
-    EXPECT_EQ(written["values"].dump(), R"({"technique":"screen space"})");
-    EXPECT_FALSE(written.contains("motions"));
-    EXPECT_TRUE(read(R"({"compare": false, "wipe": 0.4})").notes.empty()) << "nothing was compared";
-
-    const NamedValues initial{{"crepuscular_rays", rays.initial()}};
-    const Exhibition all = parseExhibition(
-        R"({"format": "vitrine-exhibition", "version": 1, "values": {"crepuscular_rays.compare": true}})", "all.json",
-        initial);
-    ASSERT_EQ(all.notes.size(), 1U);
-    EXPECT_EQ(all.notes[0].rfind("crepuscular_rays.compare is no parameter any more: ", 0), 0U) << all.notes[0];
-    EXPECT_EQ(exhibitionText(all).find("compare"), std::string::npos);
-}
-
-TEST(Preset, IsReadByTheNamesThatRowsHadAndWrittenByThoseTheyHave)
-{
-    const CrepuscularRaysTable rays;
-    const Preset preset = parsePreset(R"({"format": "vitrine-preset", "version": 1, "exhibit": "crepuscular_rays",
-        "name": "Old", "values": {"turn": 0.5, "airThinning": 0.25, "unevenness": 0.75, "handTurn": 1}})",
-                                      "old.json", "crepuscular_rays", rays);
-    EXPECT_EQ(preset.values[rays.mobileRotation], 0.5);
-    EXPECT_EQ(preset.values[rays.densityFalloff], 0.25);
-    EXPECT_EQ(preset.values[rays.densityNoise], 0.75);
-    EXPECT_EQ(preset.notes, std::vector<std::string>{"values.handTurn is not known here; it is kept"});
-    const Json written = Json::parse(presetText(preset))["values"];
-    EXPECT_EQ(written["mobileRotation"], 0.5);
-    EXPECT_FALSE(written.contains("turn"));
-    EXPECT_FAILURE(parsePreset(R"({"format": "vitrine-preset", "version": 1, "exhibit": "crepuscular_rays",
-        "values": {"turn": "far"}})",
-                               "old.json", "crepuscular_rays", rays),
-                   "line 2, values.turn: this must be a number");
-    // Where a file has both, the present name counts.
-    EXPECT_EQ(parsePreset(R"({"format": "vitrine-preset", "version": 1, "exhibit": "crepuscular_rays",
-        "values": {"turn": 0.5, "mobileRotation": 0.75}})",
-                          "old.json", "crepuscular_rays", rays)
-                  .values[rays.mobileRotation],
-              0.75);
 }
 
 }  // namespace

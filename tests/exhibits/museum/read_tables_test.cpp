@@ -32,7 +32,7 @@ protected:
     }
     [[nodiscard]] std::string presetOf(const ParameterValues& values) const
     {
-        return presetText({"balls", "Mine", values, std::nullopt, presetVersion, render::Json::object(), {}});
+        return presetText({"balls", "Mine", values, std::nullopt, render::Json::object(), {}});
     }
     [[nodiscard]] Preset parsed(const std::string& text) const
     {

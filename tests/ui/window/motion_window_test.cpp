@@ -99,7 +99,6 @@ private slots:
                                              "A",
                                              window_->history().sceneState().values[1],
                                              std::nullopt,
-                                             presetVersion,
                                              render::Json::object(),
                                              {}});
         const Preset read = parsePreset(text, "a.json", "made", gallery_->table());
