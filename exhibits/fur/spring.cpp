@@ -70,11 +70,6 @@ SpringState limited(const SpringState& state, double limit)
     return {out * limit, state.rate - out * std::max(glm::dot(state.rate, out), 0.0)};
 }
 
-double longestSemiImplicitStep(const Spring& spring)
-{
-    return 2 * (std::sqrt(1 + spring.zeta * spring.zeta) - spring.zeta) / spring.omega;
-}
-
 glm::dvec3 rotationVector(const glm::dquat& q)
 {
     const double sign = q.w < 0 ? -1 : 1;

@@ -36,9 +36,6 @@ struct SpringState {
 /// The state with its value at most `limit` long, and no rate left that would lead out again.
 [[nodiscard]] SpringState limited(const SpringState&, double limit);
 
-/// The longest step, in seconds, that the semi-implicit method survives: 2 (√(1 + ζ²) - ζ) / ω.
-[[nodiscard]] double longestSemiImplicitStep(const Spring&);
-
 /// Axis times angle, the angle at most pi, of a unit quaternion; q and -q give the same. At pi, where two
 /// axes are as good, the one whose first nonzero component is positive.
 [[nodiscard]] glm::dvec3 rotationVector(const glm::dquat&);

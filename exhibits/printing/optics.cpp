@@ -78,20 +78,6 @@ double zoneByChiefRay(const Sheet& sheet)
     return 2 * std::atan2(sheet.pitch() / 2, sheet.thickness - sheet.radius);
 }
 
-double zoneThroughTop(const Sheet& sheet)
-{
-    return 2 * std::asin(std::min(1.0, sheet.index * std::sin(std::atan(sheet.pitch() / (2 * sheet.thickness)))));
-}
-
-double zoneByExtremeRay(const Sheet& sheet)
-{
-    const double half = sheet.pitch() / 2;
-    const double slope = std::asin(std::min(1.0, half / sheet.radius));
-    const double body = sheet.thickness - sag(sheet, half);
-    const double inside = slope - std::atan(sheet.pitch() / body);
-    return 2 * (slope - std::asin(std::clamp(sheet.index * std::sin(inside), -1.0, 1.0)));
-}
-
 double zoneByAperture(const Sheet& sheet)
 {
     double low = 0;

@@ -51,8 +51,6 @@ struct Aperture {
 
 /// The full angle in which the views are seen once, in radians, by the four definitions in use.
 [[nodiscard]] double zoneByChiefRay(const Sheet&);
-[[nodiscard]] double zoneThroughTop(const Sheet&);    ///< 2 asin(n sin atan(p/2t)).
-[[nodiscard]] double zoneByExtremeRay(const Sheet&);  ///< Through cusp and opposite print edge; circles only.
-[[nodiscard]] double zoneByAperture(const Sheet&);    ///< Where the exact mean over the lens reaches half a pitch.
+[[nodiscard]] double zoneByAperture(const Sheet&);  ///< Where the exact mean over the lens reaches half a pitch.
 
 }  // namespace vitrine::printing

@@ -19,7 +19,6 @@ public:
     PrintRaster(const PrintLayout&, const std::vector<std::filesystem::path>& tiles);
 
     [[nodiscard]] const PrintLayout& layout() const { return layout_; }
-    [[nodiscard]] std::size_t tileCount() const { return tiles_.size(); }
     /// `PrintDescription::doubt` of the file that it was opened by.
     [[nodiscard]] const std::string& doubt() const { return doubt_; }
     void setDoubt(std::string doubt) { doubt_ = std::move(doubt); }

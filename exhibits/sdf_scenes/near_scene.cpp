@@ -138,11 +138,6 @@ SceneWithoutPlanes::SceneWithoutPlanes(const SceneProgram& program, const SceneW
     }
 }
 
-std::uint32_t planesOf(const SceneProgram& program, const SceneWords& words)
-{
-    return static_cast<std::uint32_t>(SceneWithoutPlanes(program, words, NearScene::mostPlanes).planes.size());
-}
-
 int cellsAcross(std::size_t shapes)
 {
     // 14 cells per shape along each axis, if the shapes are distributed evenly.

@@ -54,7 +54,4 @@ inline constexpr PruneBudget cellBudget{128U << 20U, 60'000'000};
 [[nodiscard]] std::shared_ptr<const NearScene> nearScene(const SceneProgram&, const SceneWords&, const ListVocabulary&,
                                                          int across, const PruneBudget& = cellBudget);
 
-/// How many planes a scene's lists leave out, which its shader has to know.
-[[nodiscard]] std::uint32_t planesOf(const SceneProgram&, const SceneWords&);
-
 }  // namespace vitrine::scenes

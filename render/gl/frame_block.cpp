@@ -27,7 +27,6 @@ FrameBlock frameBlock(const View& view, double time, int sample, std::uint32_t s
     block.sampleIndex = sample;
     block.seed = seed;
     block.pixelAngle = static_cast<float>(2 * view.tanHalfFov.y / size.y);
-    block.clipPlane = glm::vec4(view.clipPlane.value_or(glm::dvec4(0, 0, 0, 1)));
     return block;
 }
 

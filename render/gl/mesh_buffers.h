@@ -13,7 +13,6 @@ public:
     explicit MeshBuffers(const Mesh&);
 
     void draw(int instances) const;
-    [[nodiscard]] GLsizei indexCount() const { return indexCount_; }
     [[nodiscard]] std::int64_t bytes() const { return bytes_; }
     void abandon();
 

@@ -28,7 +28,6 @@ namespace {
 /// Ranges of a pass's blocks in the uniform buffer.
 struct PassRanges {
     UniformAllocator::Range frame;
-    bool clips = false;                             ///< The pass's view has a clip plane.
     std::vector<UniformAllocator::Range> temporal;  ///< One for each slice that runs in this frame.
     std::vector<std::pair<int, UniformAllocator::Range>> blocks;
     std::vector<UniformAllocator::Range> objects;
@@ -102,7 +101,6 @@ struct Renderer::State {
     {
         PassRanges ranges;
         ranges.frame = frameRange(pass, plan, planFrame);
-        ranges.clips = (pass.view ? *pass.view : plan.view).clipPlane.has_value();
         if (pass.past.used) {
             const std::vector<std::string> inputs = inputsOf(pass);
             // The plan may have been made for the state of another renderer, or for an earlier state of this one.
@@ -212,7 +210,7 @@ struct Renderer::State {
             if (pass.work == Work::compute)
                 dispatch(pass, resources);
             else
-                raster(pass, last ? ranges.lastObjects : ranges.objects, ranges.clips, part == pass.past.firstPart);
+                raster(pass, last ? ranges.lastObjects : ranges.objects, part == pass.past.firstPart);
         }
         if (std::any_of(pass.buffers.begin(), pass.buffers.end(),
                         [](const BufferUse& use) { return use.access != Access::read; }))
@@ -224,12 +222,11 @@ struct Renderer::State {
         return used;
     }
 
-    void raster(const Pass& pass, const std::vector<UniformAllocator::Range>& objects, bool clips, bool clears)
+    void raster(const Pass& pass, const std::vector<UniformAllocator::Range>& objects, bool clears)
     {
         bindTarget(pass, resources, clears);
         applyState(pass.state);
         limitTo(pass.columns);
-        if (clips) glEnable(GL_CLIP_DISTANCE0);
         for (std::size_t i = 0; i < pass.draws.size(); ++i) {
             const Draw& draw = pass.draws[i];
             bindInputs(draw.inputs);
@@ -244,7 +241,6 @@ struct Renderer::State {
                 glDrawArraysInstanced(GL_TRIANGLES, 0, 3, draw.instances);
             }
         }
-        if (clips) glDisable(GL_CLIP_DISTANCE0);
         limitTo(std::nullopt);
     }
 

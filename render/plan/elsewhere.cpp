@@ -1,7 +1,5 @@
 #include "render/plan/elsewhere.h"
 
-#include <glm/gtc/matrix_inverse.hpp>
-
 #include <algorithm>
 #include <bit>
 #include <set>
@@ -75,17 +73,6 @@ View viewOf(const Pass& pass, const FramePlan& seen, const Elsewhere& elsewhere)
     return elsewhere.view;
 }
 
-View moved(const View& view, const glm::dmat4& worldFromBefore, const glm::dmat4& beforeFromWorld,
-           const glm::dvec4& clipPlane)
-{
-    View other = view;
-    other.viewFromWorld = view.viewFromWorld * beforeFromWorld;
-    other.clipFromWorld = other.clipFromView * other.viewFromWorld;
-    other.eye = glm::dvec3(worldFromBefore * glm::dvec4(view.eye, 1));
-    other.clipPlane = clipPlane;
-    return other;
-}
-
 /// Reduces the pass to its depth. Returns false if it writes no depth.
 bool keepDepth(Pass& pass)
 {
@@ -141,29 +128,11 @@ std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan
         for (Attachment& storage : pass.storage) renamed.rename(storage.image);
         for (std::string& image : pass.mipmaps) renamed.rename(image);
         renamed.rename(pass.inputs);
-        for (Draw& draw : pass.draws) {
-            renamed.rename(draw.inputs);
-            draw.mirrored = draw.mirrored != elsewhere.mirrored;
-        }
+        for (Draw& draw : pass.draws) renamed.rename(draw.inputs);
     }
     renamed.declareIn(plan);
     for (Pass& pass : passes) plan.add(std::move(pass));
     return renamed.names();
-}
-
-View mirroredView(const View& view, const glm::dvec4& plane)
-{
-    const glm::dvec3 normal(plane);
-    glm::dmat4 reflection(1);
-    for (int column = 0; column < 3; ++column) reflection[column] -= glm::dvec4(2 * normal[column] * normal, 0);
-    reflection[3] = glm::dvec4(-2 * plane.w * normal, 1);
-    const bool eyeInFront = glm::dot(plane, glm::dvec4(view.eye, 1)) >= 0;
-    return moved(view, reflection, reflection, eyeInFront ? plane : -plane);  // A reflection is its own inverse.
-}
-
-View portalView(const View& view, const glm::dmat4& exitFromEntry, const glm::dvec4& exitPlane)
-{
-    return moved(view, exitFromEntry, glm::affineInverse(exitFromEntry), exitPlane);
 }
 
 }  // namespace vitrine::render

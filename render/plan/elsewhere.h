@@ -8,13 +8,12 @@
 
 namespace vitrine::render {
 
-/// Secondary view: the scene drawn again from another viewpoint, for a mirror, a portal or another effect.
+/// Secondary view: the scene drawn again from another viewpoint, for example for the shadow map of a lamp.
 struct Elsewhere {
-    std::string name;                      ///< Prefix of the names of its passes and images: "lake.mirror".
+    std::string name;                      ///< Prefix of the names of its passes and images: "lamp".
     std::string reason;                    ///< Reason of its passes, for people: Pass::reason.
     View view;                             ///< `raster.size` is the size of its images; it has no tile.
     PassPhase phase = PassPhase::prepare;  ///< Phase of all its passes: not later than the passes that read its images.
-    bool mirrored = false;                 ///< Seen by a `mirroredView`: the winding of front faces is reversed.
     bool depthOnly = false;  ///< Draws depth alone: the passes up to the opaque ones that write depth, without color,
                              ///< by their `Pass::depthOnly`, and the passes that prepare their inputs.
     /// Decides for a pass of the scene whether it is drawn (true) and may change it. Empty: all passes are drawn
@@ -26,17 +25,7 @@ struct Elsewhere {
 /// scene for `elsewhere.view`, not pruned. Passes that do not depend on the view are not copied: simulation, shadow
 /// maps, probes, passes with a `key` and passes that write only buffers. The copies read the frame's own images of
 /// these passes, and of all others that `seen` reads without drawing them.
-/// Returns the new name of every image that is drawn: {"radiance", "lake.mirror.radiance"}, ...
+/// Returns the new name of every image that is drawn: {"radiance", "lamp.radiance"}, ...
 std::map<std::string, std::string> addElsewhere(FramePlan& plan, const FramePlan& seen, const Elsewhere& elsewhere);
-
-/// Returns the view that shows a mirror's picture: each point of the mirror reads the pixel at its own screen position.
-/// `plane` in world space, unit normal: dot(plane, (p, 1)) = 0. Geometry behind the mirror, seen from the eye, is
-/// clipped away.
-[[nodiscard]] View mirroredView(const View&, const glm::dvec4& plane);
-
-/// Returns the view through a portal: `view`, moved so that the exit takes the place of the entry. `exitFromEntry` is a
-/// rotation and a translation without scaling. `exitPlane` (world space, unit normal along the viewing direction) clips
-/// away geometry in front of the exit.
-[[nodiscard]] View portalView(const View&, const glm::dmat4& exitFromEntry, const glm::dvec4& exitPlane);
 
 }  // namespace vitrine::render

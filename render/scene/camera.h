@@ -52,8 +52,6 @@ struct View {
     glm::dvec2 tanShift{0};    ///< Center of the whole picture, off the view axis, as tangents.
     double nearPlane = 0.02;   ///< Meters.
     Raster raster;
-    /// World space: only points p with dot(plane, (p, 1)) >= 0 are drawn. Set for views through a mirror or a portal.
-    std::optional<glm::dvec4> clipPlane;
 
     /// Returns the world-space direction through a position in the whole picture (each -1 to 1, y up). Its component
     /// along the view axis has length 1.

@@ -6,13 +6,6 @@ layout(std140, binding = BLOCK_FRAME) uniform Frame {
     FrameBlock frame;
 };
 
-// Value for gl_ClipDistance[0], in every vertex shader that can draw a view through a mirror or portal. Marched
-// surfaces start their rays where it becomes positive. 1 everywhere without a clip plane.
-float frameClipDistance(vec3 worldPosition)
-{
-    return dot(frame.clipPlane, vec4(worldPosition, 1.0));
-}
-
 // Position of this fragment's sample in the whole picture, in pixels.
 vec2 framePixel(vec2 fragCoord)
 {

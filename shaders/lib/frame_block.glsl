@@ -13,6 +13,5 @@
     FIELD(float, time)          /* seconds, wrapped to a day */ \
     FIELD(int, sampleIndex)     /* index of the supersample, from 0 */ \
     FIELD(uint, seed) \
-    FIELD(float, pixelAngle)    /* angle of one pixel, radians */ \
-    FIELD(vec4, clipPlane)      /* world space: only points p with dot(clipPlane, (p, 1)) >= 0 are drawn */
+    FIELD(float, pixelAngle)    /* angle of one pixel, radians */
 BLOCK_STRUCT(FrameBlock, FRAME_FIELDS)

@@ -13,15 +13,10 @@ bool temporalIsValid()
     return temporal.isValid;
 }
 
-// Slice of the pass that this frame draws, 0 to temporalParts() - 1.
+// Slice of the pass that this frame draws, 0 to temporal.parts - 1.
 int temporalPart()
 {
     return temporal.part;
-}
-
-int temporalParts()
-{
-    return temporal.parts;
 }
 
 // Texture coordinates of a world point in the history image; outside 0 to 1 it was not in view. Points behind the eye

@@ -64,8 +64,11 @@ TEST(Spring, LeavesItsStateAloneWhenTheClockIsBroken)
     expectStill();
 }
 
-TEST(Spring, SaysWhereTheSemiImplicitMethodBreaks)
+TEST(Spring, BreaksInTheSemiImplicitMethodWhereTheoryPutsIt)
 {
+    const auto longestSemiImplicitStep = [](const Spring& spring) {
+        return 2 * (std::sqrt(1 + spring.zeta * spring.zeta) - spring.zeta) / spring.omega;
+    };
     for (const Spring spring : {Spring{2 * pi * 5, 1}, Spring{2 * pi * 10, 1}, Spring{2 * pi * 3, 0.2}}) {
         const double limit = longestSemiImplicitStep(spring);
         const auto after = [&](double h) {

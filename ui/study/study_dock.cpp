@@ -168,11 +168,6 @@ StudyDock::~StudyDock()
     stop();
 }
 
-void StudyDock::showKeptList(bool on)
-{
-    list_->setChecked(on);
-}
-
 StudyChart& StudyDock::chart() const
 {
     return shown_->chart();

@@ -51,8 +51,6 @@ public:
     [[nodiscard]] StudyChart& chart() const;
     [[nodiscard]] StudyView& view() const { return *shown_; }
     [[nodiscard]] KeptStudies& kept() const { return *kept_; }
-    /// Shows or hides the list of those that were kept.
-    void showKeptList(bool);
 
     /// Side of the pictures that it measures with, and how often each is timed.
     void setEffort(glm::ivec2 size, int runs);

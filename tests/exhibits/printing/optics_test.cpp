@@ -81,10 +81,7 @@ TEST(LenticularOptics, TheEffectiveIndexIsVectorRefraction)
 TEST(LenticularOptics, TheMeasuredSheetShowsItsViewsOver64Degrees)
 {
     EXPECT_NEAR(zoneByChiefRay(seventyFive) / radiansPerDegree, 64.55, 0.02);
-    EXPECT_NEAR(zoneThroughTop(seventyFive) / radiansPerDegree, 65.11, 0.02);
-    EXPECT_NEAR(zoneByExtremeRay(seventyFive) / radiansPerDegree, 64.42, 0.02);
     EXPECT_NEAR(zoneByAperture(seventyFive) / radiansPerDegree, 67.2, 0.2);
-    EXPECT_NEAR(zoneByExtremeRay(seventyFive) / radiansPerDegree, 64.6, 0.3);  // Wikipedia's figure.
 }
 
 TEST(LenticularOptics, MeanAndSpotOverTheLensAreThePublishedOnes)

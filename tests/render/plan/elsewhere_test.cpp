@@ -43,7 +43,6 @@ FramePlan scene()
     surface.buffers = {{1, std::string("particles")}};
     surface.colors = {Attachment::cleared("radiance")};
     surface.depth = Attachment::cleared("depth");
-    surface.draws = {{.mirrored = false}, {.mirrored = true}};
     plan.add(std::move(surface));
     for (const char* image : {"cones", "blocks"}) {
         Pass prepares;
@@ -58,7 +57,7 @@ FramePlan scene()
 TEST(Elsewhere, CopiesWhatDependsOnTheViewIntoImagesOfItsOwn)
 {
     FramePlan plan = scene();
-    Elsewhere mirror{.name = "lake", .reason = "the lake mirrors it", .view = visitor, .mirrored = true};
+    Elsewhere mirror{.name = "lake", .reason = "the lake mirrors it", .view = visitor};
     mirror.view.raster = {.size = {33, 20}};
     const std::map<std::string, std::string> names = addElsewhere(plan, scene(), mirror);
     EXPECT_EQ(names, (std::map<std::string, std::string>{{"blocks", "lake.blocks"},
@@ -82,8 +81,6 @@ TEST(Elsewhere, CopiesWhatDependsOnTheViewIntoImagesOfItsOwn)
     EXPECT_EQ(std::get<std::string>(copy.inputs[0].source), "shadow") << "the frame's own";
     EXPECT_EQ(std::get<std::string>(copy.inputs[1].source), "lake.cones");
     EXPECT_EQ(copy.depth->image, "lake.depth");
-    EXPECT_TRUE(copy.draws[0].mirrored);
-    EXPECT_FALSE(copy.draws[1].mirrored);
     EXPECT_EQ(copy.view->raster.size, glm::ivec2(33, 20));
     EXPECT_EQ(plan.images().at("lake.radiance").size, glm::ivec2(33, 20));
     EXPECT_EQ(plan.images().at("lake.cones").size, glm::ivec2(5, 3));
@@ -186,54 +183,6 @@ TEST(Elsewhere, IsLeftOutWhenNothingReadsIt)
     plan.prune({"radiance"});
     EXPECT_EQ(plan.find("lake/surface"), nullptr);
     EXPECT_EQ(plan.findSkipped("lake/surface")->reason, "nothing reads what it writes");
-}
-
-glm::dvec2 placeIn(const View& view, const glm::dvec3& point)
-{
-    const glm::dvec4 clip = view.clipFromWorld * glm::dvec4(point, 1);
-    return glm::dvec2(clip) / clip.w;
-}
-
-// A thing is seen in a mirror where the straight line from the eye to its reflected image passes; independently, where
-// the path over the mirror is shortest (Fermat).
-TEST(Mirror, ShowsAThingWhereThePathOverItIsShortest)
-{
-    std::mt19937 random(5);
-    std::uniform_real_distribution<double> number(-1, 1);
-    for (int i = 0; i < 200; ++i) {
-        const glm::dvec3 normal = glm::normalize(glm::dvec3(number(random), 2 + number(random), number(random)));
-        const glm::dvec4 plane(normal, 0.5 * number(random));
-        const View mirror = mirroredView(visitor, plane);
-        const glm::dvec3 thing = glm::dvec3(number(random), 0, number(random)) + normal * 2.0;
-        const double eyeHeight = glm::dot(plane, glm::dvec4(visitor.eye, 1));
-        const double thingHeight = glm::dot(plane, glm::dvec4(thing, 1));
-        if (eyeHeight <= 0 || thingHeight <= 0) continue;
-        const glm::dvec3 eyeFoot = visitor.eye - normal * eyeHeight;
-        const glm::dvec3 thingFoot = thing - normal * thingHeight;
-        const glm::dvec3 spot = eyeFoot + (thingFoot - eyeFoot) * (eyeHeight / (eyeHeight + thingHeight));
-        EXPECT_LT(glm::distance(placeIn(mirror, thing), placeIn(visitor, spot)), 1e-9);
-        EXPECT_GT(glm::dot(*mirror.clipPlane, glm::dvec4(thing, 1)), 0);
-        EXPECT_LT(glm::dot(*mirror.clipPlane, glm::dvec4(thing - normal * (2 * thingHeight), 1)), 0)
-            << "what is behind it";
-        // Its eye is the reflected eye, whose rays go the same way.
-        EXPECT_NEAR(glm::dot(plane, glm::dvec4(mirror.eye, 1)), -eyeHeight, 1e-12);
-        EXPECT_LT(
-            glm::distance(placeIn(mirror, mirror.eye + 3.0 * mirror.direction({0.3, -0.4})), glm::dvec2(0.3, -0.4)),
-            1e-9);
-    }
-}
-
-TEST(Portal, ShowsTheExitWhereTheEntryIs)
-{
-    const glm::dmat4 exitFromEntry =
-        glm::translate(glm::dmat4(1), {10, 1, -4}) * glm::rotate(glm::dmat4(1), 1.2, {0, 1, 0});
-    const View through = portalView(visitor, exitFromEntry, {0, 0, -1, -4});
-    for (const glm::dvec3 point : {glm::dvec3(0), glm::dvec3(0.5, 1, 0.2), glm::dvec3(-1, 0.3, -2)}) {
-        const glm::dvec3 there(exitFromEntry * glm::dvec4(point, 1));
-        EXPECT_LT(glm::distance(placeIn(through, there), placeIn(visitor, point)), 1e-9);
-    }
-    EXPECT_LT(glm::distance(through.eye, glm::dvec3(exitFromEntry * glm::dvec4(visitor.eye, 1))), 1e-12);
-    EXPECT_EQ(*through.clipPlane, glm::dvec4(0, 0, -1, -4));
 }
 
 }  // namespace
