@@ -134,8 +134,8 @@ struct FurTable final : Parameters {
                              "By hand: how far they are turned about the axis towards the entrance.", when(byHand));
 
     Group accuracy = foldedGroup("Accuracy");
-    // Measured at 640 x 360: marched between, 10 shells leave 5 % of the outline wrong, where 10 bare ones leave 33 %. 64 bare
-    // shells drawn from inside out pass 12.7 times the samples of the initial values for the same error.
+    // Measured at 640 x 360: marched between, 10 shells leave 5 % of the outline wrong, where 10 bare ones leave 33 %.
+    // 64 bare shells drawn from inside out pass 12.7 times the samples of the initial values for the same error.
     Count shellCount = count("shellCount", 16, {1, 256, logarithmic}, "Layers drawn from tip to skin.", quality(256));
     Count samplesBetween =
         count("samplesBetween", 16, {1, 32},

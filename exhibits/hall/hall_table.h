@@ -50,8 +50,8 @@ struct HallTable final : Parameters {
                "Average a picture in motion over its frames, moved to where they are now: without it, edges crawl and "
                "fine things flicker until the picture rests.",
                quality(1));
-    // Measured at 640 x 360: with 8 frames, at most 0.43 % of the pixels flicker by more than 16 of 255 levels, and the error
-    // against 64 samples is the smallest; 16 and 32 frames blur.
+    // Measured at 640 x 360: with 8 frames, at most 0.43 % of the pixels flicker by more than 16 of 255 levels, and the
+    // error against 64 samples is the smallest; 16 and 32 frames blur.
     Count historyFrames =
         count("historyFrames", 8, Range{1, 64, logarithmic}.soft(1, 32),
               "Frames that a picture in motion is averaged over: few flicker, many blur what is fine.", quality(64),
@@ -80,7 +80,8 @@ struct HallTable final : Parameters {
                                when(sunBy, SunBy::angles) && whenAbove(sunStrength, 0));
     Toggle sunShadows = toggle(
         "sunShadows", true, "Let walls and exhibits keep the sun off; without it, the sun shines through everything.");
-    // Measured at 160 x 90: the disk errs 0.027 where the tent of 5 x 5 errs 0.070, and takes 19 ms of a frame in place of 5.6.
+    // Measured at 160 x 90: the disk errs 0.027 where the tent of 5 x 5 errs 0.070, and takes 19 ms of a frame in place
+    // of 5.6.
     Choice<ShadowFilter> shadowFilter =
         choice("shadowFilter", ShadowFilter::tent5, {"hard", "tent 3x3", "tent 5x5", "sun's disk"},
                "How softly the edge of a shadow is drawn: by a fixed number of texels, or as wide as the sun's disk "
@@ -111,8 +112,9 @@ struct HallTable final : Parameters {
     File environment =
         file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.",
              endings("hdr exr jpg jpeg png tif tiff webp bmp gif"));
-    Real environmentRotation = real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
-                                    "Turns the panorama around the vertical.", whenGiven(environment), called("Rotation"));
+    Real environmentRotation =
+        real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
+             "Turns the panorama around the vertical.", whenGiven(environment), called("Rotation"));
 
     Group vaultLamps = group("Lamps");
     Choice<LampsLit> lamps =
@@ -171,9 +173,8 @@ private:
         const Real modelSize =
             real("modelSize", 0.8, meter, Range{0.01, 100, logarithmic}.soft(0.1, 3),
                  "Largest side of the visitor's object as it stands on the plinth.", whenGiven(model));
-        const Real modelRotation =
-            real("modelRotation", 0.0, degree, {degrees(-180), degrees(180)},
-                 "Turns the visitor's object around the vertical.", whenGiven(model));
+        const Real modelRotation = real("modelRotation", 0.0, degree, {degrees(-180), degrees(180)},
+                                        "Turns the visitor's object around the vertical.", whenGiven(model));
         const Choice<ObjectStand> modelStand = choice(
             "modelStand", first ? ObjectStand::freePlinth : ObjectStand::ownPlinth,
             {"free plinth", "own plinth", "floor"},

@@ -95,12 +95,8 @@ private slots:
     void presetsKeepIt()
     {
         animate()->accept();
-        const std::string text = presetText({"made",
-                                             "A",
-                                             window_->history().sceneState().values[1],
-                                             std::nullopt,
-                                             render::Json::object(),
-                                             {}});
+        const std::string text = presetText(
+            {"made", "A", window_->history().sceneState().values[1], std::nullopt, render::Json::object(), {}});
         const Preset read = parsePreset(text, "a.json", "made", gallery_->table());
         QCOMPARE(read.values.motions().size(), std::size_t{1});
         QVERIFY(read.values == window_->history().sceneState().values[1]);
