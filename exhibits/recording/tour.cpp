@@ -61,7 +61,7 @@ Bookmark readBookmark(const JsonDocument& document, const Json& entry, std::size
     Bookmark bookmark{"Bookmark " + std::to_string(i + 1), {}};
     if (entry.contains("name")) bookmark.name = tourWords(document, entry["name"], place + ".name");
     const Json& camera = tourKey(document, entry, place, "camera");
-    const JsonPlace cameraPlace{document, place + ".camera", {}};
+    const JsonPlace cameraPlace{document, place + ".camera"};
     for (const char* key : {"eye", "target"})
         if (camera.is_object()) static_cast<void>(tourKey(document, camera, cameraPlace.path, key));
     bookmark.camera = cameraFromJson(camera, cameraPlace, notes);
