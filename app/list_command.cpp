@@ -85,7 +85,7 @@ void addListCommand(CLI::App& parser, Action& chosen)
         ->take_all()
         ->allow_extra_args(true);
     auto name = std::make_shared<std::string>();
-    command->add_option("--manual", *name, "The parameter table of one exhibit, as Markdown for its README");
+    command->add_option("--manual", *name, "Parameter table of one exhibit, as Markdown");
     command->callback([&chosen, asJson, sets, name, command] {
         chosen = [asJson, sets, name, command] {
             for (const char* option : {"--json", "--set"})

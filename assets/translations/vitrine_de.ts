@@ -7514,6 +7514,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Ausgangswert: %1</translation>
     </message>
     <message>
+        <source>initially %1</source>
+        <translation>anfangs %1</translation>
+    </message>
+    <message>
         <source>Ink</source>
         <translation>Tinte</translation>
     </message>

@@ -265,17 +265,6 @@ TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)
     }
 }
 
-TEST(Tables, TheManualShowsTheTableAsItIs)
-{
-    for (const auto& [exhibit, table] : tables()) {
-        const std::string file = "exhibits/" + exhibit + "/README.md";
-        ASSERT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / file)) << file;
-        EXPECT_NE(test::sourceText(file).find(derive::manualTable(*table)), std::string::npos)
-            << file << ": its parameter table is not the one derived from the rows; it should read\n"
-            << derive::manualTable(*table);
-    }
-}
-
 TEST(Tables, TheSweepOfAStudyHoldsBothEndsAndTheInitialValue)
 {
     for (const auto& [exhibit, table] : tables()) {

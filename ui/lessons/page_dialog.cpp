@@ -4,9 +4,11 @@
 #include "ui/kit/language.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
+#include "ui/parameters/shown_text.h"
 
 #include <QDesktopServices>
 #include <QDialogButtonBox>
+#include <QFile>
 #include <QFileInfo>
 #include <QPushButton>
 #include <QTextBrowser>
@@ -30,9 +32,61 @@ QString pageStyle()
         .arg(theme().accent.name(), theme().dim.name());
 }
 
+/// Table of all parameters as HTML, in the language in use: label, help, and initial value with range.
+QString parameterTable(const Parameters& table)
+{
+    QString html =
+        QStringLiteral("<h2>%1</h2><table cellspacing=\"0\" cellpadding=\"4\">").arg(PageDialog::tr("Parameters"));
+    std::string_view group;
+    for (const ParameterInfo& row : table.rows()) {
+        if (row.group != group)
+            html += QStringLiteral("<tr><td colspan=\"3\"><b>%1</b></td></tr>").arg(said(row.group).toHtmlEscaped());
+        group = row.group;
+        QString values = PageDialog::tr("initially %1").arg(shownText(row, row.initial));
+        if (row.isNumeric()) values += QStringLiteral("<br>") + legalRangeText(row).toHtmlEscaped();
+        html += QStringLiteral("<tr><td>%1</td><td>%2</td><td class=\"caption\">%3</td></tr>")
+                    .arg(said(label(row)).toHtmlEscaped(), said(row.help).toHtmlEscaped(), values);
+    }
+    return html + QStringLiteral("</table>");
+}
+
+/// Returns the page's text with the table of parameters behind it.
+QString withTable(const QString& page, const Parameters& table)
+{
+    const qsizetype end = page.lastIndexOf(QStringLiteral("</body>"));
+    QString whole = page;
+    return whole.insert(end < 0 ? page.size() : end, parameterTable(table));
+}
+
+QString nameOfPage(const QUrl& source)
+{
+    return QFileInfo(source.path()).baseName();
+}
+
 }  // namespace
 
-PageDialog::PageDialog(QWidget* window) : QDialog(window), browser_(new QTextBrowser(this))
+/// Browser whose pages end with the table of the exhibit's parameters.
+class PageDialog::Browser final : public QTextBrowser {
+public:
+    Browser(QWidget* parent, FindParameters find) : QTextBrowser(parent), find_(std::move(find)) {}
+
+protected:
+    QVariant loadResource(int type, const QUrl& name) override
+    {
+        if (type != QTextDocument::HtmlResource) return QTextBrowser::loadResource(type, name);
+        const Parameters* table = find_(nameOfPage(name));
+        if (!table) return QTextBrowser::loadResource(type, name);
+        QFile file(name.toLocalFile());
+        const QString page = file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+        return withTable(page, *table);
+    }
+
+private:
+    FindParameters find_;
+};
+
+PageDialog::PageDialog(QWidget* window, FindParameters find)
+    : QDialog(window), browser_(new Browser(this, std::move(find)))
 {
     setAttribute(Qt::WA_DeleteOnClose);
     browser_->setAccessibleName(tr("How it works"));
@@ -51,8 +105,7 @@ PageDialog::PageDialog(QWidget* window) : QDialog(window), browser_(new QTextBro
     connect(browser_, &QTextBrowser::backwardAvailable, back_, &QPushButton::setEnabled);
     lesson_ = buttons->addButton(tr("&Start its lesson"), QDialogButtonBox::ActionRole);
     lesson_->setAutoDefault(false);
-    connect(lesson_, &QPushButton::clicked, this,
-            [this] { emit lessonAsked(QFileInfo(browser_->source().path()).baseName()); });
+    connect(lesson_, &QPushButton::clicked, this, [this] { emit lessonAsked(nameOfPage(browser_->source())); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
 
     auto* layout = new QVBoxLayout(this);
@@ -85,7 +138,7 @@ void PageDialog::follow(const QUrl& link)
 
 void PageDialog::noteSource()
 {
-    const QString name = QFileInfo(browser_->source().path()).baseName();
+    const QString name = nameOfPage(browser_->source());
     lesson_->setEnabled(
         QFileInfo::exists(pageFolder() + QStringLiteral("/../lessons/") + name + QStringLiteral(".md")));
     lesson_->setToolTip(lesson_->isEnabled() ? QString() : tr("There is no lesson about this."));

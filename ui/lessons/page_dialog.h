@@ -2,18 +2,29 @@
 
 #include <QDialog>
 
+#include <functional>
+
 class QPushButton;
 class QTextBrowser;
 
+namespace vitrine {
+class Parameters;
+}
+
 namespace vitrine::ui {
 
-/// A page about each exhibit: how its technique works, with figures, formulas and sources. assets/pages/NAME.html, in
-/// the rich text that Qt knows; links lead to other pages, to the web, and to lessons ("lesson:noise").
+/// Window with a page about each exhibit: how its technique works, with figures, formulas and sources, and the table of
+/// its parameters. Shows assets/pages/NAME.html, in Qt's rich text; links lead to other pages, to the web, and to
+/// lessons
+/// ("lesson:noise"). An exhibit without a page has the table alone.
 class PageDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    explicit PageDialog(QWidget* window);
+    /// Returns the parameters of the exhibit (or hall) of this name; null where there is none.
+    using FindParameters = std::function<const Parameters*(const QString& name)>;
+
+    PageDialog(QWidget* window, FindParameters);
 
     /// The page of the subject of this name.
     void showPage(const QString& name);
@@ -24,6 +35,7 @@ signals:
     void lessonAsked(const QString& exhibit);
 
 private:
+    class Browser;
     void follow(const QUrl&);
     void noteSource();
 

@@ -479,7 +479,10 @@ void MainWindow::openPage(std::size_t subject)
 {
     auto* dialog = findChild<PageDialog*>();
     if (!dialog) {
-        dialog = new PageDialog(this);
+        dialog = new PageDialog(this, [this](const QString& name) -> const Parameters* {
+            const auto found = museum_.find(name.toStdString());
+            return found ? &history_.sceneState().values[*found].table() : nullptr;
+        });
         connect(dialog, &PageDialog::lessonAsked, this, [this](const QString& exhibit) {
             if (const auto found = museum_.find(exhibit.toStdString())) lessons_->start(*found);
         });

@@ -257,7 +257,7 @@ private slots:
         const QDir pages(QString::fromStdString(render::asset(folder.toStdString()).string()));
         QStringList names{QStringLiteral("hall")};
         for (const auto& exhibit : allExhibits()) names << QString::fromStdString(std::string(exhibit->name()));
-        PageDialog dialog(nullptr);
+        PageDialog dialog(nullptr, [](const QString&) { return nullptr; });
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         for (const QString& name : names) {
             dialog.showPage(name);
@@ -299,7 +299,7 @@ private slots:
     void linksOfPagesLeadToPagesInTheLanguageInUse()
     {
         speak(QStringLiteral("de"));
-        PageDialog dialog(nullptr);
+        PageDialog dialog(nullptr, [](const QString&) { return nullptr; });
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         dialog.showPage(QStringLiteral("hall"));
         QVERIFY(dialog.browser().source().path().endsWith("/pages/de/hall.html"));
@@ -319,6 +319,9 @@ private slots:
         QTRY_VERIFY(window_->findChild<PageDialog*>());
         auto* dialog = window_->findChild<PageDialog*>();
         QVERIFY(dialog->browser().source().path().endsWith("/sdf_morph.html"));
+        const QString page = dialog->browser().toPlainText();
+        for (const ParameterInfo& row : window_->history().sceneState().values[1].rows())
+            QVERIFY2(page.contains(said(label(row))) && page.contains(said(row.help)), row.name.data());
         window_->openPage(hallIndex);
         QVERIFY(dialog->browser().source().path().endsWith("/hall.html"));
         emit dialog->browser().anchorClicked(QUrl(QStringLiteral("noise.html")));
