@@ -5038,6 +5038,10 @@ Zeiten nach: %2.</translation>
         <translation>Dichterauschen</translation>
     </message>
     <message>
+        <source>Depot: shown alone</source>
+        <translation>Depot: wird allein gezeigt</translation>
+    </message>
+    <message>
         <source>Depth</source>
         <translation>Tiefe</translation>
     </message>
@@ -6133,6 +6137,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Frame rate</source>
         <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>frame {1}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Frame {1}, {2} x {3}, {4} samples, seed {5}</source>
@@ -7636,6 +7644,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>it has no pixels</source>
         <translation>es hat keine Pixel</translation>
+    </message>
+    <message>
+        <source>it has no place in the hall</source>
+        <translation>es hat keinen Platz in der Halle</translation>
     </message>
     <message>
         <source>it has one of the characters \ $ ~ : or a control character</source>
@@ -10839,6 +10851,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Pan y</source>
         <extracomment>tables</extracomment>
         <translation>Verschiebung y</translation>
+    </message>
+    <message>
+        <source>panel of a wall frame</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Panorama</source>
@@ -16406,6 +16422,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Walks you through the exhibit that you visit, step by step.</source>
         <translation>Führt Schritt für Schritt durch das Exponat, das Sie besuchen.</translation>
+    </message>
+    <message>
+        <source>wall frame</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wall thickness</source>

@@ -61,7 +61,9 @@ struct PlanContext {
 class Exhibit : public Subject {
 public:
     [[nodiscard]] virtual std::string_view tryThis() const { return {}; }  ///< On the plaque: what to try.
-    [[nodiscard]] virtual int place() const = 0;                           ///< In the hall, 1 to 9.
+    /// Number of its place in the hall, from 1. 0, or a number that the hall does not have: it is in the depot, shown
+    /// alone.
+    [[nodiscard]] virtual int place() const { return 0; }
 
     /// Gets everything that takes time or can fail from the asset store: files, meshes, simulations. Returns null if
     /// nothing is needed. Thread-safe; several threads may call it at once. Never throws for an unreadable file.

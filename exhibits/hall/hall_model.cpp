@@ -1,5 +1,6 @@
 #include "exhibits/hall/hall_model.h"
 
+#include "exhibits/hall/wall_frame.h"
 #include "render/failure.h"
 #include "render/files/assets.h"
 #include "render/files/strict_json.h"
@@ -7,7 +8,11 @@
 #include "render/scene/gltf.h"
 #include "render/scene/mesh_shading.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <future>
 #include <map>
 
@@ -16,7 +21,6 @@ namespace {
 
 using render::Json;
 
-constexpr int freePlace = 10;
 const render::Box unitBox{glm::dvec3(-1), glm::dvec3(1)};
 
 /// The number of "cloth_7" or "plaque_free" for the prefix "cloth_" or "plaque_".
@@ -24,9 +28,10 @@ std::optional<int> placeNumber(const std::string& name, const std::string& prefi
 {
     if (name.rfind(prefix, 0) != 0) return std::nullopt;
     const std::string rest = name.substr(prefix.size());
-    if (rest.rfind("free", 0) == 0) return freePlace;
-    if (rest.empty() || rest[0] < '1' || rest[0] > '9') return std::nullopt;
-    return rest[0] - '0';
+    if (rest.rfind("free", 0) == 0) return freePlinthPlace;
+    int number = 0;
+    std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    return number >= 1 && number < freePlinthPlace ? std::optional(number) : std::nullopt;
 }
 
 glm::dvec3 axisScale(const glm::dmat4& m)
@@ -83,11 +88,13 @@ HallModel::HallModel()
         std::future<void> lightmaps = std::async(std::launch::async, [this] { readLightmaps(); });
         readMaterials();
         lightmaps.get();
+        addFrames();
     } catch (const Json::exception& error) {
-        throw Failure(Blame::file,
-                      "assets/models/materials.json, hall_light.json, hall_bounce.json or hall_lamps.json: " +
-                          std::string(error.what()) +
-                          "; reinstall the program, or write them anew with the scripts beside them.");
+        throw Failure(
+            Blame::file,
+            "assets/models/materials.json, frames.json, hall_light.json, hall_bounce.json or hall_lamps.json: " +
+                std::string(error.what()) +
+                "; reinstall the program, or write them anew with the scripts beside them.");
     }
     const render::Model model = geometry.get();
     sortParts(model);
@@ -138,6 +145,31 @@ void HallModel::readLightmaps()
     skyLightmapScale_ = table.at("sky").at("scale").get<double>();
     sunTransfer_ = SunTransfer(readAsset("models/hall_bounce.json"));
     lampLight_ = LampLight(readAsset("models/hall_lamps.json"));
+}
+
+void HallModel::addFrames()
+{
+    const Json frames = readAsset("models/frames.json");
+    for (const Json& json : frames) {
+        const int number = json.at("place").get<int>();
+        const auto position = json.at("position").get<std::array<double, 3>>();
+        WallFrame frame;
+        frame.opening = {json.at("width").get<double>(), json.at("height").get<double>()};
+        const glm::dmat4 worldFromFrame =
+            glm::rotate(glm::translate(glm::dmat4(1), glm::dvec3(position[0], position[1], position[2])),
+                        glm::radians(json.at("degrees").get<double>()), glm::dvec3(0, 1, 0));
+        Place& place = places_[number];
+        place.worldFromPlace = worldFromFrame;
+        place.worldFromPlaque = worldFromFrame * plaqueBeside(frame);
+        const auto part = [&](std::shared_ptr<const render::Mesh> mesh, const char* materialName) {
+            auto material = std::make_shared<render::Material>(this->material(materialName).material);
+            return render::MeshInstance{"frame " + std::to_string(number), std::move(mesh), std::move(material),
+                                        worldFromFrame};
+        };
+        const render::MeshInstance border = part(frameMesh(frame), "bronze"), panel = part(panelMesh(frame), "dark");
+        place.stand = {border};
+        place.cloth = {border, panel};
+    }
 }
 
 void HallModel::sortParts(const render::Model& model)

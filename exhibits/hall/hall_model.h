@@ -16,9 +16,12 @@
 
 namespace vitrine {
 
+/// Number of the free plinth for the visitor's own object, behind those of all places for exhibits.
+inline constexpr int freePlinthPlace = 1000;
+
 /// A spot that can hold an exhibit. Transforms are world from local, meters.
 struct Place {
-    int number = 0;  ///< 1 to 9; 10 is the visitor's own plinth.
+    int number = 0;  ///< From 1; `freePlinthPlace` is the visitor's own plinth.
     glm::dmat4 worldFromPlace{1};
     std::optional<glm::dmat4> worldFromPlaque;            ///< +z out of the plate, +y up its text.
     std::optional<glm::dmat4> worldFromButton;            ///< +y the way out of the button.
@@ -48,7 +51,8 @@ struct HallMaterial {
 };
 
 /// The building as read from assets/models: what is drawn, where things stand and light comes in, what stops a visitor.
-/// The named nodes of hall.glb are the one home of all places and sizes: assets/models/hall.py writes them.
+/// The named nodes of hall.glb give places and sizes: assets/models/hall.py writes them. Frames on the walls for
+/// further places come from assets/models/frames.json, so that they need no new model and no new bake.
 class HallModel {
 public:
     /// Throws Failure (Blame::file) when an asset is missing or broken.
@@ -83,6 +87,7 @@ private:
     void readLightmaps();
     void sortParts(const render::Model&);
     void sortMarkers(const render::Model&);
+    void addFrames();
 
     std::vector<render::MeshInstance> walls_;
     std::map<std::string, HallMaterial> materials_;

@@ -22,7 +22,6 @@ using render::MeshInstance;
 using render::Pass;
 
 constexpr const char* plinthMaterial = "travertine";
-constexpr int freePlinthPlace = 10;
 constexpr double narrowestPlinth = 0.18, widestPlinth = 0.9;  ///< Half the width, meters.
 
 render::AssetStore::Made<render::Model> readModel(const std::string& path)

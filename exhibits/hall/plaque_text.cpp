@@ -162,13 +162,14 @@ double PlaqueText::lay(const std::vector<Paragraph>& paragraphs, double scale, r
 std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const ExhibitSlot* slot) const
 {
     auto mesh = std::make_shared<render::Mesh>();
-    const std::string label = number == 10 ? "" : std::to_string(number);
+    const bool isFree = number == freePlinthPlace;
+    const std::string label = isFree ? "" : std::to_string(number);
     mesh->bounds = {{-plateWidth / 2, -plateHeight / 2, -0.01}, {plateWidth / 2, plateHeight / 2, 0.01}};
     mesh->name = "plaque " + (label.empty() ? "free" : label);
-    const std::string title = translated(slot ? slot->title : number == 10 ? "Your own object" : "In preparation");
-    const std::string summary = translated(slot           ? slot->summary
-                                           : number == 10 ? "Drop a glTF file on the window and it stands here."
-                                                          : "This place waits for an exhibit.");
+    const std::string title = translated(slot ? slot->title : isFree ? "Your own object" : "In preparation");
+    const std::string summary = translated(slot     ? slot->summary
+                                           : isFree ? "Drop a glTF file on the window and it stands here."
+                                                    : "This place waits for an exhibit.");
     std::vector<Paragraph> paragraphs{{decodeUtf8(title), titleSize, decodeUtf8(label)},
                                       {decodeUtf8(summary), bodySize, {}}};
     if (slot && !slot->tryThis.empty())

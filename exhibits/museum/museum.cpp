@@ -75,6 +75,11 @@ PictureQuality pictureQuality(const ParameterValues& hall)
     return quality;
 }
 
+bool Museum::isInHall(std::size_t i) const
+{
+    return i != hallIndex && model_->place(exhibit(i).place());
+}
+
 glm::dmat4 Museum::worldFromExhibit(std::size_t i) const
 {
     const Place* place = i == hallIndex ? nullptr : model_->place(exhibit(i).place());
@@ -119,8 +124,9 @@ Obstacles Museum::obstacles(const SceneState& sceneState) const
 std::vector<int> Museum::emptyPlaces() const
 {
     std::vector<int> empty;
-    for (int number = 1; number <= 9; ++number)
-        if (std::none_of(owned_.begin(), owned_.end(), [&](const auto& e) { return e->place() == number; }))
+    for (const auto& [number, place] : model_->places())
+        if (number != freePlinthPlace &&
+            std::none_of(owned_.begin(), owned_.end(), [&, n = number](const auto& e) { return e->place() == n; }))
             empty.push_back(number);
     return empty;
 }

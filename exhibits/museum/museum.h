@@ -131,7 +131,9 @@ public:
     [[nodiscard]] std::vector<OwnObjectShown> ownObjects(const Prepared&) const;
     /// Returns the distance from the eye to the surface at `ndc`, meters; infinity: the sky.
     [[nodiscard]] double distanceTo(const Prepared&, const FrameRequest&, glm::dvec2 ndc) const;
-    /// Returns the places, 1 to 9, that have no exhibit yet.
+    /// True if the exhibit stands in the hall; false for the hall and for exhibits in the depot, which are shown alone.
+    [[nodiscard]] bool isInHall(std::size_t) const;
+    /// Numbers of the places that still wait for an exhibit, ascending.
     [[nodiscard]] std::vector<int> emptyPlaces() const;
 
     /// Returns the seconds until the picture next changes by itself; infinity: never.

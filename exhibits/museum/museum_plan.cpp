@@ -97,7 +97,7 @@ HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
         const auto* turns = capability<TurnsHangings>(exhibit);
         scene.poses.push_back(
             {turns ? turns->turnOfHangings(prepared.sceneState.values[i], prepared.time) : 0, prepared.sincePress(i)});
-        if (alone) continue;
+        if (alone || !isInHall(i)) continue;
         if (const auto* stands = capability<StandsOnFloor>(exhibit))
             for (const StandingShape& shape : stands->standingShapes(prepared.sceneState.values[i]))
                 scene.bodies.push_back(moved(shape, worldFromExhibit(i)));
@@ -108,7 +108,7 @@ HallScene Museum::sceneOf(const Prepared& prepared, bool alone) const
     if (alone) return scene;
     takeLamps(*hall_, {prepared.sceneState.hall(), prepared.time}, glm::dmat4(1), true, scene.steadyLamps);
     for (const auto& [i, exhibit] : exhibits_)
-        takeLamps(exhibit, prepared.state(i), worldFromExhibit(i), true, scene.steadyLamps);
+        if (isInHall(i)) takeLamps(exhibit, prepared.state(i), worldFromExhibit(i), true, scene.steadyLamps);
     return scene;
 }
 
@@ -142,6 +142,7 @@ std::vector<Museum::Present> Museum::presentIn(const Prepared& prepared, const F
     std::vector<Present> present;
     for (const auto& [i, exhibit] : exhibits_) {
         if ((request.alone && i != *request.alone) || (request.cutOut && i != *request.cutOut)) continue;
+        if (!request.alone && !isInHall(i)) continue;
         Present p{i, exhibit, scene.alone ? glm::dmat4(1) : worldFromExhibit(i), {}, {}, {}, {}};
         if (request.subject == i || request.alone == i)
             p.worldFromExhibit = p.worldFromExhibit * request.exhibitTransform;
@@ -429,6 +430,8 @@ void Museum::Frame::planExhibits()
         else if (!capability<OverFrame>(exhibit))  // An OverFrame exhibit is drawn wherever its bounds are.
             plan.skip(name, whyHiddenOf(present[i].hidden, contexts[i].values));
     }
+    for (const auto& [i, exhibit] : museum.exhibits_)
+        if (!alone && !museum.isInHall(i)) plan.skip(std::string(exhibit.name()), "it has no place in the hall");
     for (std::size_t i = 0; i < present.size(); ++i) {
         const auto* over = capability<OverFrame>(present[i].exhibit);
         if (!over) continue;

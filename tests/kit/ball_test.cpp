@@ -220,5 +220,30 @@ TEST(BallOnPaper, IsPointedAtWhereItsSphereIs)
     EXPECT_EQ(ball.firstHit(state, {{0, 0.31, 2}, {0, 0, -1}}), std::numeric_limits<double>::infinity());
 }
 
+/// An exhibit without a place leaves the hall as it is, and is shown alone.
+TEST(BallInTheDepot, IsShownAloneAndNotInTheHall)
+{
+    std::vector<std::unique_ptr<Exhibit>> exhibits;
+    exhibits.push_back(std::make_unique<test::Ball>(0));
+    const Museum museum(std::move(exhibits));
+    EXPECT_FALSE(museum.isInHall(1));
+    const SceneState sceneState = museum.initialSceneState();
+    FrameRequest request;
+    request.camera = sceneState.camera;
+    request.raster.size = {64, 36};
+    const auto ofBall = [](const render::FramePlan& plan) {
+        return std::count_if(plan.passes().begin(), plan.passes().end(),
+                             [](const render::Pass& pass) { return pass.name.starts_with("ball"); });
+    };
+    const render::FramePlan hall = test::planned(museum, sceneState, request);
+    EXPECT_EQ(ofBall(hall), 0);
+    EXPECT_TRUE(std::any_of(hall.skipped().begin(), hall.skipped().end(), [](const render::CulledPass& pass) {
+        return pass.name == "ball" && pass.reason == "it has no place in the hall";
+    }));
+    request.alone = 1;
+    request.camera = museum.bestView(1, sceneState.values[1]);
+    EXPECT_GT(ofBall(test::planned(museum, sceneState, request)), 0);
+}
+
 }  // namespace
 }  // namespace vitrine

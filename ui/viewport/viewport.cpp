@@ -103,6 +103,7 @@ FrameRequest Viewport::request(double time) const
     wanted.raster.size = {pixels.width(), pixels.height()};
     wanted.time = time;
     wanted.runEverything = runEverything_;
+    if (isInDepot()) wanted.alone = subject_;
     wanted.rests = !rest_.isActive();
     for (const double pressedAt : pressedAt_)
         wanted.sincePressed.push_back(time - (pressedAt <= time ? pressedAt : never));
@@ -314,6 +315,7 @@ void Viewport::advanceClock(double at)
     const double since = clockRuns_ ? at - lastTick_ : firstTick;
     const double seconds = since > longestTick ? firstTick : since;
     lastTick_ = at;
+    if (isInDepot() && input_->keys().moves()) walkOn();
     const CameraControl::Mode modeBefore = control_.mode();
     if (control_.advance(seconds, input_->keys())) cameraChanged();
     if (modeBefore == CameraControl::Mode::orbit && control_.mode() != modeBefore) {

@@ -36,6 +36,8 @@ public:
 
     /// Glides to the exhibit's best view and orbits it; to the hall's, and walks.
     void visit(std::size_t exhibit);
+    /// True while an exhibit without a place in the hall is visited: it is shown alone, in its own space.
+    [[nodiscard]] bool isInDepot() const;
     /// Glides back to where the visitor was before the last visit or step away from one; emits `visited` for what was
     /// on show there. Nothing while there is no such place.
     void goBack();
@@ -181,6 +183,7 @@ private:
     void cameraChanged();
     /// The same after a glide began, or a cut was made in its place.
     void leftFor();
+    void goFrom(bool depot, std::size_t subject, const CameraControl::Standpoint&);
     /// Takes back where the visitor is going, once he is there.
     void noteArrival();
     void showProblems(const std::vector<render::gl::ShaderProblem>&);

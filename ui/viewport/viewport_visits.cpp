@@ -20,19 +20,32 @@ constexpr std::size_t mostFormer = 100;
 void Viewport::visit(std::size_t exhibit)
 {
     remember();
-    subject_ = exhibit;
-    control_.glideTo({museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
-                      exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
-    leftFor();
+    goFrom(isInDepot(), exhibit,
+           {museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
+            exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     going_->say(tr("Going to %1 …").arg(said(museum_.subject(exhibit).title())));
+}
+
+bool Viewport::isInDepot() const
+{
+    return subject_ != hallIndex && !museum_.isInHall(subject_) && control_.mode() == CameraControl::Mode::orbit;
+}
+
+/// Between the depot and the hall there is no way to glide: the picture changes at once.
+void Viewport::goFrom(bool depot, std::size_t subject, const CameraControl::Standpoint& there)
+{
+    const bool cuts = control_.cuts();
+    control_.setCutting(cuts || depot || (subject != hallIndex && !museum_.isInHall(subject)));
+    subject_ = subject;
+    control_.glideTo(there);
+    leftFor();
+    control_.setCutting(cuts);
 }
 
 void Viewport::visit(const OwnObjectShown& object)
 {
     remember();
-    subject_ = hallIndex;
-    control_.visit(object.view);
-    leftFor();
+    goFrom(isInDepot(), hallIndex, {object.view, CameraControl::Mode::orbit});
     emit visited(hallIndex);
 }
 
@@ -59,9 +72,7 @@ void Viewport::goBack()
     if (former_.empty()) return;
     const Former former = former_.back();
     former_.pop_back();
-    subject_ = former.subject;
-    control_.glideTo(former.standpoint);
-    leftFor();
+    goFrom(isInDepot(), former.subject, former.standpoint);
     emit visited(former.subject);
 }
 
@@ -78,13 +89,18 @@ void Viewport::goTo(const render::Camera& camera)
     constexpr double visitorsEye = 1.65;
     const bool stands =
         std::abs(camera.eye.y - visitorsEye) < 1e-6 && museum_.obstacles(prepared()).walks(camera.eye, camera.eye);
-    control_.glideTo({camera, stands ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
-    leftFor();
+    goFrom(isInDepot(), isInDepot() ? hallIndex : subject_,
+           {camera, stands ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
 }
 
 void Viewport::walkOn()
 {
     if (control_.standpoint().mode == CameraControl::Mode::walk) return;
+    if (isInDepot()) {
+        visit(hallIndex);
+        emit walkedOn();
+        return;
+    }
     remember();
     control_.walkOn();
     leftFor();
@@ -93,6 +109,10 @@ void Viewport::walkOn()
 
 void Viewport::click(const QPointF& at)
 {
+    if (isInDepot()) {
+        if (capability<HasTree>(museum_.subject(subject_))) emit shapeClicked(subject_, at);
+        return;
+    }
     const std::optional<Pointed> found = pointedAt(at);
     if (!found) return;
     const bool orbited = control_.mode() == CameraControl::Mode::orbit && found->exhibit == subject_;
@@ -110,7 +130,7 @@ void Viewport::click(const QPointF& at)
 
 std::optional<Pointed> Viewport::pointedAt(const QPointF& at) const
 {
-    if (width() <= 0 || height() <= 0) return std::nullopt;
+    if (width() <= 0 || height() <= 0 || isInDepot()) return std::nullopt;
     return museum_.pick(prepared(), request(time_), {2 * at.x() / width() - 1, 1 - 2 * at.y() / height()});
 }
 

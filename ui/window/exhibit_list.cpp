@@ -5,6 +5,7 @@
 #include "ui/kit/tile_delegate.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace vitrine::ui {
 namespace {
@@ -34,12 +35,14 @@ void ExhibitList::fill(const Museum& museum)
         std::optional<std::size_t> subject;
     };
     std::vector<Entry> entries{{0, hallIndex}};
-    for (const auto& [i, exhibit] : museum.exhibits()) entries.push_back({exhibit.place(), i});
+    constexpr int depot = std::numeric_limits<int>::max();
+    for (const auto& [i, exhibit] : museum.exhibits())
+        entries.push_back({museum.isInHall(i) ? exhibit.place() : depot, i});
     for (const int place : museum.emptyPlaces()) entries.push_back({place, std::nullopt});
     std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.place < b.place; });
     for (const Entry& entry : entries) {
         auto* item = new QListWidgetItem(this);
-        const bool numbered = entry.place >= 1 && entry.place <= 9;
+        const bool numbered = entry.place >= 1 && entry.place < depot;
         item->setData(TileDelegate::mark, numbered ? QString::number(entry.place) : QString());
         if (!entry.subject) {
             item->setText(tr("In preparation"));
@@ -50,7 +53,9 @@ void ExhibitList::fill(const Museum& museum)
         const Subject& subject = museum.subject(*entry.subject);
         item->setText(said(subject.title()));
         item->setData(exhibitRole, static_cast<qulonglong>(*entry.subject));
-        item->setData(TileDelegate::secondLine, numbered ? tr("Place %1").arg(entry.place) : QString());
+        item->setData(TileDelegate::secondLine, numbered               ? tr("Place %1").arg(entry.place)
+                                                : entry.place == depot ? tr("Depot: shown alone")
+                                                                       : QString());
         item->setToolTip(said(subject.summary()));
     }
 }

@@ -8,7 +8,8 @@
 
 namespace vitrine::ui {
 
-/// The hall and its nine places: picture, number, title; places that wait are gray.
+/// List of the hall and all exhibits by place: picture, number, title. Places that wait are gray; exhibits without a
+/// place follow as the depot.
 class ExhibitList final : public QListWidget {
     Q_OBJECT
 

@@ -398,9 +398,9 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
     make.submenu(ownObjectsMenu(window));
     make.separator();
     for (const auto& [i, exhibit] : window.museum().exhibits()) {
-        const Keys keys = exhibit.place() >= 1 && exhibit.place() <= 9
-                              ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + exhibit.place()))}
-                              : Keys{};
+        const int place = exhibit.place();
+        const bool hasKey = window.museum().isInHall(i) && place <= 10;  // Alt+0 stands for place 10.
+        const Keys keys = hasKey ? Keys{QKeySequence(Qt::ALT | static_cast<Qt::Key>(Qt::Key_0 + place % 10))} : Keys{};
         make.add(QStringLiteral("visit-") + text(exhibit.name()), tr("Visit %1").arg(said(exhibit.title())), keys,
                  said(exhibit.summary()), [&window, index = i] { window.visit(index); });
     }

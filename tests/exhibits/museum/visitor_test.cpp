@@ -133,21 +133,52 @@ TEST(Walk, EveryPlaceCanBeReachedOnFoot)
             open.push_back(next);
         }
     }
-    for (int number = 1; number <= 9; ++number) {
+    for (int number = 1; number <= 10; ++number) {
         ASSERT_TRUE(nearest.contains(number)) << number;
         EXPECT_LE(nearest.at(number), 2.2) << "place " << number;
     }
     EXPECT_LT(seen.size(), 30000U);  // The walk stays in the house: 12 by 24 m are 4600 cells.
 }
 
-TEST(Walk, NinePlacesStandReadyAndTheEmptyOnesAreKnown)
+TEST(Walk, EveryPlaceStandsReadyAndTheEmptyOnesAreKnown)
 {
-    std::vector<int> empty = test::museum().emptyPlaces();
-    for (const auto& [i, exhibit] : test::museum().exhibits())
+    const std::vector<int> empty = test::museum().emptyPlaces();
+    for (const auto& [i, exhibit] : test::museum().exhibits()) {
         EXPECT_EQ(std::count(empty.begin(), empty.end(), exhibit.place()), 0) << exhibit.name();
-    EXPECT_EQ(empty.size() + test::museum().exhibits().size(), 9U);
-    for (int number = 1; number <= 9; ++number) EXPECT_TRUE(test::building().place(number)) << number;
-    EXPECT_TRUE(test::building().place(10)) << "the visitor's plinth";
+        EXPECT_TRUE(test::museum().isInHall(i)) << exhibit.name();
+    }
+    EXPECT_EQ(empty.size() + test::museum().exhibits().size() + 1, test::building().places().size());
+    for (int number = 1; number <= 10; ++number) {
+        ASSERT_TRUE(test::building().place(number)) << number;
+        EXPECT_TRUE(test::building().place(number)->worldFromPlaque) << number;
+    }
+    EXPECT_TRUE(test::building().place(freePlinthPlace)) << "the visitor's plinth";
+    EXPECT_FALSE(test::building().place(11));
+}
+
+/// The frame of the tenth place hangs in the middle arch of the right wall, its front towards the room.
+TEST(Walk, TheFrameOfTheTenthPlaceHangsInItsArch)
+{
+    const Place& place = *test::building().place(10);
+    EXPECT_LT(glm::distance(dvec3(place.worldFromPlace[3]), dvec3(6, 1.65, 0)), 1e-12);
+    EXPECT_LT(glm::distance(dvec3(place.worldFromPlace[2]), dvec3(-1, 0, 0)), 1e-12) << "z runs into the room";
+    ASSERT_EQ(place.stand.size(), 1U);
+    ASSERT_EQ(place.cloth.size(), 2U) << "while no work hangs in it, a panel fills it";
+    const render::Box box = place.stand[0].mesh->bounds.transformed(place.stand[0].modelFromPart);
+    EXPECT_NEAR(box.high.x, 6, 1e-6) << "it touches the wall";
+    EXPECT_NEAR(box.high.z - box.low.z, 2.4 + 2 * 0.14, 1e-6);
+    // The arch is 5.2 m wide; its plaque hangs beside the frame, within it.
+    const double plaque = (*place.worldFromPlaque)[3].z;
+    EXPECT_GT(plaque - 0.15, box.high.z);
+    EXPECT_LT(plaque + 0.15, 2.6);
+    // Normals of all triangles point away from the wall or along it, and agree with their winding.
+    const render::Mesh& mesh = *place.stand[0].mesh;
+    for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+        const auto at = [&](std::size_t k) { return dvec3(mesh.vertices[mesh.indices[i + k]].position); };
+        const dvec3 winding = glm::cross(at(1) - at(0), at(2) - at(0));
+        ASSERT_GT(glm::dot(winding, dvec3(mesh.vertices[mesh.indices[i]].normal)), 0);
+        EXPECT_GT(mesh.vertices[mesh.indices[i]].normal.z, -1e-6);
+    }
 }
 
 /// The button of the sdf exhibit, world space.
