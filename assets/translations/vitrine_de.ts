@@ -6139,10 +6139,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Bildrate</translation>
     </message>
     <message>
-        <source>frame {1}</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Frame {1}, {2} x {3}, {4} samples, seed {5}</source>
         <translation>Frame {1}, {2} x {3}, {4} Samples, Startwert {5}</translation>
     </message>
@@ -10851,10 +10847,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Pan y</source>
         <extracomment>tables</extracomment>
         <translation>Verschiebung y</translation>
-    </message>
-    <message>
-        <source>panel of a wall frame</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Panorama</source>
@@ -16422,10 +16414,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Walks you through the exhibit that you visit, step by step.</source>
         <translation>Führt Schritt für Schritt durch das Exponat, das Sie besuchen.</translation>
-    </message>
-    <message>
-        <source>wall frame</source>
-        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Wall thickness</source>

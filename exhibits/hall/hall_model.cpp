@@ -163,7 +163,7 @@ void HallModel::addFrames()
         place.worldFromPlaque = worldFromFrame * plaqueBeside(frame);
         const auto part = [&](std::shared_ptr<const render::Mesh> mesh, const char* materialName) {
             auto material = std::make_shared<render::Material>(this->material(materialName).material);
-            return render::MeshInstance{"frame " + std::to_string(number), std::move(mesh), std::move(material),
+            return render::MeshInstance{"frame_" + std::to_string(number), std::move(mesh), std::move(material),
                                         worldFromFrame};
         };
         const render::MeshInstance border = part(frameMesh(frame), "bronze"), panel = part(panelMesh(frame), "dark");

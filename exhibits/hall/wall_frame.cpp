@@ -35,7 +35,7 @@ struct ProfilePoint {
 std::shared_ptr<const render::Mesh> frameMesh(const WallFrame& frame)
 {
     auto mesh = std::make_shared<render::Mesh>();
-    mesh->name = "wall frame";
+    mesh->name = "wall_frame";
     const double b = frame.border, d = frame.depth;
     const std::array<ProfilePoint, 7> profile{
         {{0, 0}, {0, 0.55 * d}, {0.15 * b, 0.7 * d}, {0.3 * b, 0.7 * d}, {0.55 * b, d}, {b, 0.75 * d}, {b, 0}}};
@@ -55,7 +55,7 @@ std::shared_ptr<const render::Mesh> frameMesh(const WallFrame& frame)
 std::shared_ptr<const render::Mesh> panelMesh(const WallFrame& frame)
 {
     auto mesh = std::make_shared<render::Mesh>();
-    mesh->name = "panel of a wall frame";
+    mesh->name = "wall_frame_panel";
     const double x = frame.opening.x / 2, y = frame.opening.y / 2, z = 0.1 * frame.depth;
     addQuad(*mesh, {glm::dvec3(-x, -y, z), glm::dvec3(x, -y, z), glm::dvec3(x, y, z), glm::dvec3(-x, y, z)});
     return mesh;
