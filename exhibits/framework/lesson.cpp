@@ -180,7 +180,7 @@ public:
     }
 
 private:
-    static JsonPlace place(const JsonDocument& document, const std::string& path) { return {document, path, {}}; }
+    static JsonPlace place(const JsonDocument& document, const std::string& path) { return {document, path}; }
 
     [[nodiscard]] JsonDocument object(const Part& part, const std::vector<std::string_view>& known) const
     {

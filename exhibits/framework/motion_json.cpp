@@ -151,7 +151,7 @@ std::optional<Motion> motionFromText(const ParameterInfo& row, const std::string
     const std::string name(row.name);
     try {
         const render::JsonDocument document = render::parseJson(json, name, {});
-        return motionFromJson(row, document.root(), {document, {}, {}}, name, notes);
+        return motionFromJson(row, document.root(), {document, {}}, name, notes);
     } catch (const Failure& failure) {
         notes.emplace_back(failure.what());
         return std::nullopt;

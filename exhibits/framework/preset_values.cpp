@@ -160,7 +160,7 @@ std::optional<Value> valueFromText(const ParameterInfo& row, const std::string& 
     const std::string name(row.name);
     try {
         const render::JsonDocument document = render::parseJson(json, name, {});
-        return valueFromJson(row, document.root(), {document, {}, {}}, name, notes);
+        return valueFromJson(row, document.root(), {document, {}}, name, notes);
     } catch (const Failure& failure) {
         notes.emplace_back(failure.what());
         return std::nullopt;

@@ -79,7 +79,7 @@ void addValues(const render::JsonDocument& document, SavedSettings& settings)
             settings.notes.push_back("\"" + key + "\" is not known and was left out.");
             continue;
         }
-        const JsonPlace place{document, "desk.values." + key, {}};
+        const JsonPlace place{document, "desk.values." + key};
         settings.values.setRow(*row, valueFromJson(table.rows()[*row], json, place, key, settings.notes));
     }
     if (!desk.contains("files")) return;
