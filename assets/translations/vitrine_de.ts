@@ -7714,6 +7714,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es ist beschädigt: Sein Attribut „{1}“ gibt {2} Byte an, und die Datei hat nur noch {3}</translation>
     </message>
     <message>
+        <source>it is broken: its attribute &quot;{1}&quot; does not have the size of its type</source>
+        <translation>es ist beschädigt: Sein Attribut „{1}“ hat nicht die Größe seines Typs</translation>
+    </message>
+    <message>
         <source>it is broken: its header claims more than the file holds</source>
         <translation>es ist beschädigt: Sein Kopf verspricht mehr, als die Datei enthält</translation>
     </message>

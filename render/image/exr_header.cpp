@@ -4,9 +4,11 @@
 #include "render/image/color_channels.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <cstdlib>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace vitrine::render {
@@ -75,17 +77,66 @@ std::int64_t rowsPerChunk(std::string_view compression)
     }
 }
 
-void readChannels(std::string_view list, ExrPart& part)
+/// Reads the channel list of a part; false where the list does not end with its attribute.
+bool readChannels(std::string_view list, ExrPart& part)
 {
     ExrBytes bytes(list);
     while (true) {
         const auto name = bytes.text();
-        if (!name || name->empty()) return;
+        if (!name) return false;
+        if (name->empty()) return bytes.left() == 0;
         const auto rest = bytes.take(16);  // Type, pLinear with three unused bytes, xSampling, ySampling.
-        if (!rest) return;
+        if (!rest) return false;
         part.names.emplace_back(*name);
         part.subsampled = part.subsampled || int32At(*rest, 8) != 1 || int32At(*rest, 12) != 1;
     }
+}
+
+/// True if a list of texts, each behind its length of 4 bytes, ends with its attribute.
+bool isTextList(std::string_view list)
+{
+    ExrBytes bytes(list);
+    while (bytes.left() > 0) {
+        const auto length = bytes.take(4);
+        if (!length) return false;
+        const std::int64_t size = int32At(*length, 0);
+        if (size < 0 || !bytes.take(static_cast<std::size_t>(size))) return false;
+    }
+    return true;
+}
+
+/// Bytes of a preview of 8-bit RGBA pixels behind its width and height; unset where the attribute is too short for
+/// both.
+std::optional<std::uint64_t> previewBytes(std::string_view value)
+{
+    if (value.size() < 8) return std::nullopt;
+    return 8 + 4 * std::uint64_t{littleEndian(value, 0)} * littleEndian(value, 4);
+}
+
+/// True if the value has as many bytes as OpenEXR reads for its type. OpenEXR does not hold a value's stated length
+/// against its type, so a wrong one would make it read the rest of the header from the wrong place, with lengths that
+/// nothing checked. Source of the sizes: openexr.com/en/latest/OpenEXRFileLayout.html, "Predefined Attribute Types".
+bool fitsType(std::string_view type, std::string_view value)
+{
+    struct TypeSize {
+        std::string_view type;
+        std::size_t bytes;
+    };
+    static constexpr std::array sizes{
+        TypeSize{"box2f", 16},      TypeSize{"box2i", 16},   TypeSize{"chromaticities", 32},
+        TypeSize{"compression", 1}, TypeSize{"double", 8},   TypeSize{"envmap", 1},
+        TypeSize{"float", 4},       TypeSize{"int", 4},      TypeSize{"keycode", 28},
+        TypeSize{"lineOrder", 1},   TypeSize{"m33d", 72},    TypeSize{"m33f", 36},
+        TypeSize{"m44d", 128},      TypeSize{"m44f", 64},    TypeSize{"rational", 8},
+        TypeSize{"tiledesc", 9},    TypeSize{"timecode", 8}, TypeSize{"v2d", 16},
+        TypeSize{"v2f", 8},         TypeSize{"v2i", 8},      TypeSize{"v3d", 24},
+        TypeSize{"v3f", 12},        TypeSize{"v3i", 12},     TypeSize{"deepImageState", 1},
+    };
+    if (type == "stringvector") return isTextList(value);
+    if (type == "preview") return previewBytes(value) == value.size();
+    const auto* found =
+        std::find_if(sizes.begin(), sizes.end(), [&](const TypeSize& size) { return size.type == type; });
+    return found == sizes.end() || found->bytes == value.size();
 }
 
 bool isFarOff(std::string_view window)
@@ -96,8 +147,15 @@ bool isFarOff(std::string_view window)
     return false;
 }
 
-void keep(std::string_view name, std::string_view value, ExrPart& part)
+/// Keeps what an attribute claims about its part; false where the value has not the form of its name or type.
+bool keep(std::string_view name, std::string_view type, std::string_view value, ExrPart& part)
 {
+    static constexpr std::array types{std::pair{"dataWindow", "box2i"}, std::pair{"displayWindow", "box2i"},
+                                      std::pair{"tiles", "tiledesc"}, std::pair{"compression", "compression"},
+                                      std::pair{"channels", "chlist"}};
+    for (const auto& [attribute, expected] : types)
+        if (name == attribute && type != expected) return false;
+    if (!fitsType(type, value)) return false;
     if (name == "dataWindow" || name == "displayWindow") part.farOff = part.farOff || isFarOff(value);
     if (name == "dataWindow") {
         part.width = int32At(value, 8) - int32At(value, 0) + 1;
@@ -107,9 +165,10 @@ void keep(std::string_view name, std::string_view value, ExrPart& part)
         part.tileHeight = std::max<std::int64_t>(int32At(value, 4), 1);
     } else if (name == "compression") {
         part.rowsPerChunk = rowsPerChunk(value);
-    } else if (name == "channels") {
-        readChannels(value, part);
+    } else if (type == "chlist") {
+        return readChannels(value, part);
     }
+    return true;
 }
 
 std::string whyPartRefused(const ExrPart& part, std::size_t fileBytes, const ImageLimits& limits)
@@ -164,7 +223,8 @@ std::string whyExrRefused(std::string_view bytes, const ImageLimits& limits)
                        std::to_string(static_cast<std::uint32_t>(size)) + " bytes, and the file has " +
                        std::to_string(header.left()) + " left";
             any = true;
-            keep(*name, *header.take(static_cast<std::size_t>(size)), part);
+            if (!keep(*name, *type, *header.take(static_cast<std::size_t>(size)), part))
+                return "it is broken: its attribute \"" + std::string(*name) + "\" does not have the size of its type";
         }
         if (!any) return several ? std::string() : cutShort;  // An empty header ends the list.
         if (std::string why = whyPartRefused(part, bytes.size(), limits); !why.empty()) return why;

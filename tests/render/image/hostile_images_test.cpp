@@ -69,6 +69,34 @@ TEST(HostileImage, ExrThatClaimsMoreThanItHoldsIsRefusedBeforeMemoryIsTaken)
     EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 * 1024) << "KiB";
 }
 
+/// OpenEXR reads as many bytes as an attribute's type has, whatever length is stated: with a wrong one it would read
+/// the rest of the header from the wrong place, and reserve memory for a length that is none.
+TEST(HostileImage, ExrAttributeOfAnotherSizeThanItsTypeIsRefused)
+{
+    const auto with = [](const std::string& name, const std::string& type, const std::string& value) {
+        const std::string bytes =
+            name + '\0' + type + '\0' + test::littleEndian32(static_cast<std::uint32_t>(value.size())) + value;
+        return test::exrBytes({"Y"}, {0, 0, 3, 3}, {0, 0, 3, 3}, bytes);
+    };
+    const auto refused = [&](const std::string& type, const std::string& value) {
+        EXPECT_FAILURE(read("a.exr", with("a", type, value)), "its attribute \"a\" does not have the size of its type");
+    };
+    for (const auto& [type, size] :
+         {std::pair{"box2i", 16}, {"v2f", 8}, {"compression", 1}, {"timecode", 8}, {"m44f", 64}}) {
+        EXPECT_NO_THROW(read("a.exr", with("a", type, std::string(static_cast<std::size_t>(size), '\0')))) << type;
+        refused(type, std::string(static_cast<std::size_t>(size) - 1, '\0'));
+        refused(type, std::string(static_cast<std::size_t>(size) + 1, '\0'));
+    }
+    EXPECT_NO_THROW(read("a.exr", with("a", "stringvector", test::littleEndian32(2) + "ab" + test::littleEndian32(0))));
+    refused("stringvector", test::littleEndian32(3) + "ab");
+    refused("preview", test::littleEndian32(2) + test::littleEndian32(1) + std::string(7, '\0'));
+    EXPECT_FAILURE(read("a.exr", with("dataWindow", "string", std::string(16, '\0'))),
+                   "\"dataWindow\" does not have the size");
+    std::string list = test::exrBytes({"Y"}, {0, 0, 3, 3}, {0, 0, 3, 3});
+    list[list.find("chlist") + 7] = 18;  // Without the zero byte that ends the list.
+    EXPECT_FAILURE(read("a.exr", list), "its attribute \"channels\" does not have the size of its type");
+}
+
 TEST(HostileImage, IsKnownByItsContentAndNotItsName)
 {
     EXPECT_FAILURE(read("a.png", test::hdrClaiming(1, 1, "\x80\x80\x80\x80")),

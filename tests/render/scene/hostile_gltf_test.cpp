@@ -301,6 +301,18 @@ TEST(HostileGltf, BeyondTheLimitsIsRefused)
     EXPECT_NE(with(&GltfLimits::jsonBytes, 100).find("more than the 100"), std::string::npos);
 }
 
+// Number of damaged files: under clang's address sanitizer a file takes a hundred times as long, and the fuzzer of this reader
+// goes on from there.
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer)
+constexpr int damagedFiles = 500;
+#else
+constexpr int damagedFiles = 5'000;
+#endif
+#else
+constexpr int damagedFiles = 5'000;
+#endif
+
 // Numbers and characters of a valid file changed at random: it is read or refused, nothing else.
 TEST(HostileGltf, NeverCrashesWhenDamaged)
 {
@@ -315,7 +327,7 @@ TEST(HostileGltf, NeverCrashesWhenDamaged)
     std::mt19937 generator(6);
     const auto random = [&generator] { return static_cast<unsigned>(generator()); };
     int accepted = 0;
-    for (int i = 0; i < 5'000; ++i) {
+    for (int i = 0; i < damagedFiles; ++i) {
         std::string bytes = good;
         for (unsigned n = random() % 3 + 1; n > 0; --n) {
             char& c = bytes[random() % bytes.size()];
@@ -330,8 +342,8 @@ TEST(HostileGltf, NeverCrashesWhenDamaged)
             EXPECT_NE(std::string(failure.what()).find("model.glb"), std::string::npos);
         }
     }
-    EXPECT_GT(accepted, 100);
-    EXPECT_LT(accepted, 4'990);
+    EXPECT_GT(accepted, damagedFiles / 50);
+    EXPECT_LT(accepted, damagedFiles - damagedFiles / 500);
 }
 
 }  // namespace
