@@ -3,6 +3,7 @@
 #include "tests/render/scene/gltf_builder.h"
 #include "tests/support/failures.h"
 #include "tests/support/image_bytes.h"
+#include "tests/support/sanitized.h"
 
 #include <gtest/gtest.h>
 
@@ -301,17 +302,7 @@ TEST(HostileGltf, BeyondTheLimitsIsRefused)
     EXPECT_NE(with(&GltfLimits::jsonBytes, 100).find("more than the 100"), std::string::npos);
 }
 
-// Number of damaged files: under clang's address sanitizer a file takes a hundred times as long, and the fuzzer of this reader
-// goes on from there.
-#if defined(__has_feature)
-#if __has_feature(address_sanitizer)
-constexpr int damagedFiles = 500;
-#else
-constexpr int damagedFiles = 5'000;
-#endif
-#else
-constexpr int damagedFiles = 5'000;
-#endif
+constexpr int damagedFiles = test::isSanitized ? 500 : 5'000;
 
 // Numbers and characters of a valid file changed at random: it is read or refused, nothing else.
 TEST(HostileGltf, NeverCrashesWhenDamaged)
