@@ -2,7 +2,7 @@
 
 #include "exhibits/sdf_scenes/near_scene.h"
 #include "exhibits/sdf_scenes/pruning.h"
-#include "tests/bench/many_shapes.h"
+#include "tests/exhibits/sdf_scenes/many_shapes.h"
 #include "tests/exhibits/sdf_scenes/support.h"
 
 #include <algorithm>

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cmath>
+#include <random>
+#include <string>
+
+namespace vitrine::bench {
+
+/// Shapes that together are as large whatever their number, in one smooth union: the root of a scene file.
+inline std::string manyShapes(int count)
+{
+    std::mt19937 engine(static_cast<unsigned>(count));
+    const auto random = [&](double low, double high) { return low + (high - low) * double(engine()) / 4294967296.0; };
+    const double size = 0.9 / std::cbrt(count);
+    std::string text =
+        R"({"kind": "union", "blend": "quadratic", "blendWidth": )" + std::to_string(0.4 * size) + ", \"children\": [";
+    for (int i = 0; i < count; ++i) {
+        const std::string s = std::to_string(size * random(0.5, 1)), half = std::to_string(0.5 * size);
+        const char* kinds[] = {"sphere", "box", "torus", "capsule"};
+        text += (i > 0 ? ", {\"kind\": \"" : "{\"kind\": \"") + std::string(kinds[i % 4]) + "\"";
+        if (i % 4 == 0) text += ", \"radius\": " + half;
+        if (i % 4 == 1) text += ", \"size\": " + s;
+        if (i % 4 == 2) text += ", \"majorRadius\": " + half + ", \"minorRadius\": " + std::to_string(0.2 * size);
+        if (i % 4 == 3)
+            text += ", \"start\": [0, -" + half + ", 0], \"end\": [0, " + half +
+                    ", 0], \"radius\": " + std::to_string(0.3 * size);
+        text += ", \"translate\": [" + std::to_string(random(-1, 1)) + ", " + std::to_string(random(-1, 1)) + ", " +
+                std::to_string(random(-1, 1)) + "], \"rotate\": [" + std::to_string(random(-90, 90)) + ", " +
+                std::to_string(random(-90, 90)) + ", 0]}";
+    }
+    return text + "]}";
+}
+
+}  // namespace vitrine::bench
