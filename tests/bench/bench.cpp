@@ -1,7 +1,7 @@
 // Prints tables of measurements; passes or fails nothing.
-//   bench                       lists the cases
-//   bench CASE [--runs N] [--size 640x360] [--scale 0.1] [--program NAME=PATH]...
-//   bench machine               renderer, processor, load and speed of a copy of memory, for the head of a result
+//   benchmarks                       lists the cases
+//   benchmarks CASE [--runs N] [--size 640x360] [--scale 0.1] [--program NAME=PATH]...
+//   benchmarks machine               renderer, processor, load and speed of a copy of memory, for the head of a result
 
 #include "tests/bench/bench.h"
 
@@ -93,7 +93,7 @@ int run(int argc, char** argv)
     app.add_option("--program", programs, "Further programs for window_latency, as NAME=PATH");
     CLI11_PARSE(app, argc, argv);
     if (!size.empty() && std::sscanf(size.c_str(), "%dx%d", &options.size.x, &options.size.y) != 2) {
-        std::fprintf(stderr, "bench: --size %s: give width and height, as 640x360\n", size.c_str());
+        std::fprintf(stderr, "benchmarks: --size %s: give width and height, as 640x360\n", size.c_str());
         return 2;
     }
     for (const std::string& program : programs)
@@ -109,7 +109,8 @@ int run(int argc, char** argv)
     const auto found =
         std::find_if(cases().begin(), cases().end(), [&](const Case& each) { return each.name == name; });
     if (found == cases().end()) {
-        std::fprintf(stderr, "bench: there is no case \"%s\"; without arguments, bench lists them\n", name.c_str());
+        std::fprintf(stderr, "benchmarks: there is no case \"%s\"; without arguments, benchmarks lists them\n",
+                     name.c_str());
         return 2;
     }
     return found->run(options) ? 0 : 1;

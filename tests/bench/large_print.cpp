@@ -55,7 +55,7 @@ bool largePrint(const Options& options)
     const Run run = runProgram({"print", "--views", folder / "views", "--lpi", "40", "--dpi", "600", "--width-mm",
                                 millimeters(width), "--height-mm", millimeters(height), "--out", out});
     if (run.code != 0) {
-        std::fprintf(stderr, "bench: vitrine print ended with %d.\n", run.code);
+        std::fprintf(stderr, "benchmarks: vitrine print ended with %d.\n", run.code);
         return false;
     }
     std::printf("| TIFF | %.0f | %.1f | %.1f | %.0f | %.0f |\n",

@@ -6,7 +6,7 @@
 set -e
 cd "$(dirname "$0")/../.."
 results=tests/bench/results
-bench=build/release/tests/bench
+bench=build/release/tests/benchmarks
 study="build/release/vitrine study"
 
 entries() {
@@ -73,7 +73,7 @@ main() {
         done
     done >"$part/chosen"
     [ -s "$part/chosen" ] || { echo "results.sh: there is no $*; --list tells the names." >&2; exit 2; }
-    cmake --build build/release --target bench vitrine vitrine_oiio stability_sdf stability_cases stability_scan >&2
+    cmake --build build/release --target benchmarks vitrine vitrine_oiio stability_sdf stability_cases stability_scan >&2
     while read -r name kind command <&3; do
         measure "$name" "$kind" "$command" || left="$left $name"
     done 3<"$part/chosen"

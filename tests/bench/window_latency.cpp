@@ -1,7 +1,7 @@
 // How long the window takes to answer a hand, and what it costs while nobody touches it. The program itself is started
 // on the display, real events are sent (XTEST), and the screen is read until it shows the answer.
 // Another build of the program can be measured beside this one:
-//   xvfb-run -a -s "-screen 0 1600x1000x24" bench window_latency [--program NAME=PATH]...
+//   xvfb-run -a -s "-screen 0 1600x1000x24" benchmarks window_latency [--program NAME=PATH]...
 
 #include "tests/bench/bench.h"
 
@@ -403,7 +403,7 @@ bool windowLatency(const Options& options)
     programs.insert(programs.end(), options.programs.begin(), options.programs.end());
     const Hands hands;
     if (!hands.ready()) {
-        std::fprintf(stderr, "bench: needs a display and libXtst.so.6 (Debian: libxtst6).\n");
+        std::fprintf(stderr, "benchmarks: needs a display and libXtst.so.6 (Debian: libxtst6).\n");
         return false;
     }
     const test::TemporaryFolder cache;
@@ -419,7 +419,7 @@ bool windowLatency(const Options& options)
                 settle);
     std::printf("| program | entrance | place 1 | place 2 | place 3 | place 4 |\n|---|---|---|---|---|---|\n");
     for (const auto& [name, path] : programs) shown = shown && measureIdle(hands, name, path, cache / "cache", settle);
-    if (!shown) std::fprintf(stderr, "bench: no window came.\n");
+    if (!shown) std::fprintf(stderr, "benchmarks: no window came.\n");
     return shown;
 }
 

@@ -72,7 +72,7 @@ bool windowStart(const Options& options)
         const std::optional<Start> first = start(caches / ("cold-" + std::to_string(run)));
         const std::optional<Start> again = start(caches / "warm");
         if (!first || !again) {
-            std::fprintf(stderr, "bench: no picture was shown; is there a display?\n");
+            std::fprintf(stderr, "benchmarks: no picture was shown; is there a display?\n");
             return false;
         }
         cold.push_back(*first);

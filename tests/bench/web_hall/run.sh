@@ -1,5 +1,5 @@
 #!/bin/sh
-# The empty hall as the case hall_costs of bench draws it beside the same hall as a plain page of three.js does, in one run:
+# The empty hall as the case hall_costs of benchmarks draws it beside the same hall as a plain page of three.js does, in one run:
 # prints one table. Needs Chromium, node and npm; says so and ends with 77 where they are not.
 #   sh tests/bench/web_hall/run.sh [ROUNDS]
 set -e
@@ -12,4 +12,4 @@ fi
 folder=$(mktemp -d)
 trap 'rm -rf "$folder"' EXIT
 (cd "$folder" && npm init -y >/dev/null && npm install --silent --no-audit --no-fund three@0.182.0) >&2
-LIBGL_ALWAYS_SOFTWARE=1 node tests/bench/web_hall/compare.mjs "$PWD" "$folder/node_modules/three" "$chromium" build/release/tests/bench "${1:-3}"
+LIBGL_ALWAYS_SOFTWARE=1 node tests/bench/web_hall/compare.mjs "$PWD" "$folder/node_modules/three" "$chromium" build/release/tests/benchmarks "${1:-3}"

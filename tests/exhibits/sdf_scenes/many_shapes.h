@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-namespace vitrine::bench {
+namespace vitrine::test {
 
 /// Shapes that together are as large whatever their number, in one smooth union: the root of a scene file.
 inline std::string manyShapes(int count)
@@ -31,4 +31,4 @@ inline std::string manyShapes(int count)
     return text + "]}";
 }
 
-}  // namespace vitrine::bench
+}  // namespace vitrine::test

@@ -204,7 +204,7 @@ struct CellCosts {
 
 CellCosts costsOfCells(int shapes)
 {
-    const scenes::SceneField field = test::fieldOf(bench::manyShapes(shapes));
+    const scenes::SceneField field = test::fieldOf(test::manyShapes(shapes));
     const scenes::ListVocabulary kinds = scenes::ListVocabulary::of(field.program());
     const auto near =
         scenes::nearScene(field.program(), field.words(), kinds, scenes::cellsAcross(std::size_t(shapes)));
@@ -261,7 +261,7 @@ TEST(NearScene, HasNoCellsWhereAllShapesAreInEach)
     EXPECT_TRUE(near->crowded);
     EXPECT_TRUE(near->cells.cells.empty());
     // Where cells hold few of many shapes, larger ones do.
-    const scenes::SceneField many = test::fieldOf(bench::manyShapes(600));
+    const scenes::SceneField many = test::fieldOf(test::manyShapes(600));
     const auto coarse = scenes::nearScene(many.program(), many.words(), scenes::ListVocabulary::of(many.program()), 96,
                                           {.evaluations = 1'000'000});
     EXPECT_FALSE(coarse->crowded);
@@ -271,7 +271,7 @@ TEST(NearScene, HasNoCellsWhereAllShapesAreInEach)
 
 TEST(Pruning, OfManyOperandsLeavesTheSameDistance)
 {
-    const scenes::SceneField field = test::fieldOf(bench::manyShapes(400));
+    const scenes::SceneField field = test::fieldOf(test::manyShapes(400));
     scenes::Pruner pruner(field.program(), field.words(), scenes::Pruner::asShaders);
     test::Random random(5);
     for (int i = 0; i < 40; ++i) {
