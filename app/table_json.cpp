@@ -2,6 +2,7 @@
 
 #include "exhibits/compare/offered_comparison.h"
 #include "exhibits/framework/derive.h"
+#include "exhibits/framework/exhibit.h"
 #include "exhibits/framework/preset_values.h"
 
 namespace vitrine::app {
@@ -72,11 +73,11 @@ Json exhibitJson(std::string_view name, std::string_view title, std::string_view
 {
     Json rows = Json::array();
     for (const ParameterInfo& row : table.rows()) rows.push_back(rowJson(row, table));
-    return Json{{"name", std::string(name)},
-                {"title", std::string(title)},
-                {"summary", std::string(summary)},
-                {"parameters", rows},
-                {"comparisons", subject ? comparisonsJson(*subject, table) : Json::array()}};
+    const auto* exhibit = dynamic_cast<const Exhibit*>(subject);
+    return Json{
+        {"name", std::string(name)},   {"complete", !exhibit || exhibit->isComplete()},
+        {"title", std::string(title)}, {"summary", std::string(summary)},
+        {"parameters", rows},          {"comparisons", subject ? comparisonsJson(*subject, table) : Json::array()}};
 }
 
 Json exhibitsJson(const Museum& museum, const SceneState& sceneState)

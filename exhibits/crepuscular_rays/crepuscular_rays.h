@@ -26,6 +26,7 @@ public:
     [[nodiscard]] std::string_view tryThis() const override { return "walk until the banner breaks the beam."; }
     [[nodiscard]] std::string_view buttonText() const override { return "let the mobile turn"; }
     [[nodiscard]] int place() const override { return 4; }
+    [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     /// The window: what is clicked to get here. The beams reach as far as the sun does.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;

@@ -65,6 +65,10 @@ public:
     /// alone.
     [[nodiscard]] virtual int place() const { return 0; }
 
+    /// True if the exhibit has everything that visitors are given: a lesson, a page and German texts, which tests then
+    /// ask for. A new exhibit may be shown, tuned, studied and exported without them.
+    [[nodiscard]] virtual bool isComplete() const { return false; }
+
     /// Gets everything that takes time or can fail from the asset store: files, meshes, simulations. Returns null if
     /// nothing is needed. Thread-safe; several threads may call it at once. Never throws for an unreadable file.
     [[nodiscard]] virtual std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const { return nullptr; }

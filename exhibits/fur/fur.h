@@ -31,6 +31,7 @@ public:
     }
     [[nodiscard]] std::string_view buttonText() const override { return "make them jump"; }
     [[nodiscard]] int place() const override { return 3; }
+    [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] render::Box boundsOf(const ExhibitState&) const override;

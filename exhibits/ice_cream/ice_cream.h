@@ -31,6 +31,7 @@ public:
     }
     [[nodiscard]] std::string_view buttonText() const override { return "let it turn"; }
     [[nodiscard]] int place() const override { return 8; }
+    [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;

@@ -26,6 +26,7 @@ public:
     }
     [[nodiscard]] std::string_view buttonText() const override { return "show the other print"; }
     [[nodiscard]] int place() const override { return 2; }
+    [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     /// The prints that lie in the card, as read and as the shader samples them.

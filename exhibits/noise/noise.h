@@ -21,6 +21,7 @@ public:
     [[nodiscard]] std::string_view tryThis() const override { return "let the sea roll, then look at the clouds."; }
     [[nodiscard]] std::string_view buttonText() const override { return "let time run"; }
     [[nodiscard]] int place() const override { return 6; }
+    [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     /// The opening.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;

@@ -21,6 +21,7 @@ public:
     [[nodiscard]] std::string_view tryThis() const override { return "set one free, then let the moon rise higher."; }
     [[nodiscard]] std::string_view buttonText() const override { return "set a lantern free"; }
     [[nodiscard]] int place() const override { return 9; }
+    [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     /// The opening.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;

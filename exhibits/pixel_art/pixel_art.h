@@ -28,6 +28,7 @@ public:
     [[nodiscard]] std::string_view tryThis() const override { return "step aside, then change the palette."; }
     [[nodiscard]] std::string_view buttonText() const override { return "let time run"; }
     [[nodiscard]] int place() const override { return 7; }
+    [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     /// The opening.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;

@@ -24,6 +24,7 @@ public:
     [[nodiscard]] std::string_view tryThis() const override { return "melt it, then look for the window in its side."; }
     [[nodiscard]] std::string_view buttonText() const override { return "let it melt"; }
     [[nodiscard]] int place() const override { return 1; }
+    [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;

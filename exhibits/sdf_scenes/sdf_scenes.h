@@ -34,6 +34,7 @@ public:
     [[nodiscard]] std::string_view tryThis() const override { return "load a preset, then drag what is its own."; }
     [[nodiscard]] std::string_view buttonText() const override { return "let time run"; }
     [[nodiscard]] int place() const override { return 5; }
+    [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     /// Returns the box of the opening.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;

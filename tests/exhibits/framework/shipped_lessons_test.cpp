@@ -29,6 +29,8 @@ class ShippedLessons : public testing::Test {
 protected:
     ShippedLessons()
     {
+        std::erase_if(exhibits_, [](const auto& exhibit) { return !exhibit->isComplete(); });
+        EXPECT_GE(exhibits_.size(), 9U);
         tables_.emplace_back("hall", hall_.initial());
         for (const auto& exhibit : exhibits_)
             tables_.emplace_back(std::string(exhibit->name()), exhibit->parameters().initial());
@@ -45,11 +47,11 @@ protected:
     }
 
     const HallTable hall_;
-    const std::vector<std::unique_ptr<Exhibit>> exhibits_ = allExhibits();
+    std::vector<std::unique_ptr<Exhibit>> exhibits_ = allExhibits();
     NamedValues tables_;
 };
 
-TEST_F(ShippedLessons, ThereIsOneForEveryExhibitAndNothingInItIsChanged)
+TEST_F(ShippedLessons, ThereIsOneForEveryCompleteExhibitAndNothingInItIsChanged)
 {
     for (const auto& exhibit : exhibits_) {
         const Lesson lesson = read(*exhibit);
@@ -88,6 +90,7 @@ TEST_F(ShippedLessons, CountersThatAreReadCountTheWorkThatIsPlanned)
     const Museum museum(allExhibits());
     std::map<std::string, std::vector<std::int64_t>> counts;  // By exhibit, step by step.
     for (const auto& [index, exhibit] : museum.exhibits()) {
+        if (!exhibit.isComplete()) continue;
         const std::string name(exhibit.name());
         const Lesson lesson = readLesson(shippedLesson(name), tables_);
         for (const LessonStep& step : lesson.steps) {

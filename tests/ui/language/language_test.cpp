@@ -24,6 +24,14 @@ using namespace vitrine;
 
 namespace {
 
+/// The exhibits of which tests ask German texts.
+std::vector<std::unique_ptr<Exhibit>> completeExhibits()
+{
+    auto exhibits = allExhibits();
+    std::erase_if(exhibits, [](const auto& exhibit) { return !exhibit->isComplete(); });
+    return exhibits;
+}
+
 struct Message {
     QString source, comment;
     QStringList translations;  ///< Two where numbers stand.
@@ -127,7 +135,7 @@ private slots:
     void everyTextOfTheTablesHasAGermanOne()
     {
         const std::set<std::string> known = knownTexts();
-        const Museum museum{allExhibits()};
+        const Museum museum{completeExhibits()};
         for (const Subject* subject : museum.subjects()) {
             std::set<std::string> texts = textsOf(subject->parameters());
             texts.emplace(subject->title());
@@ -147,7 +155,7 @@ private slots:
     void reasonsOfTheLedgerAreGerman()
     {
         ui::speak(QStringLiteral("de"));
-        const Museum museum{allExhibits()};
+        const Museum museum{completeExhibits()};
         const SceneState initial = museum.initialSceneState();
         std::set<std::string> english;
         for (std::size_t i = 0; i < museum.subjects().size(); ++i) {
@@ -194,7 +202,7 @@ private slots:
     void whatTheWindowPutsTogetherIsGermanAsAWhole()
     {
         ui::speak(QStringLiteral("de"));
-        const Museum museum{allExhibits()};
+        const Museum museum{completeExhibits()};
         QStringList halves;
         const auto check = [&halves](const QString& text) {
             if (englishIn(text)) halves << text;
@@ -245,7 +253,7 @@ private slots:
 
     void numbersHaveTheDecimalSignOfTheLanguage()
     {
-        const Museum museum{allExhibits()};
+        const Museum museum{completeExhibits()};
         const ParameterValues hall = museum.initialSceneState().hall();
         for (const char* code : {"en", "de"}) {
             ui::speak(QString::fromLatin1(code));

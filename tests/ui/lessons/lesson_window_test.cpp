@@ -256,7 +256,8 @@ private slots:
         speak(language);
         const QDir pages(QString::fromStdString(render::asset(folder.toStdString()).string()));
         QStringList names{QStringLiteral("hall")};
-        for (const auto& exhibit : allExhibits()) names << QString::fromStdString(std::string(exhibit->name()));
+        for (const auto& exhibit : allExhibits())
+            if (exhibit->isComplete()) names << QString::fromStdString(std::string(exhibit->name()));
         PageDialog dialog(nullptr, [](const QString&) { return nullptr; });
         dialog.setAttribute(Qt::WA_DeleteOnClose, false);
         for (const QString& name : names) {
