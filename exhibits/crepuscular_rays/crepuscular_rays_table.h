@@ -25,10 +25,10 @@ struct CrepuscularRaysTable final : Parameters {
                "The finished picture, the mask with its occluders black, or the added light without the hall.");
 
     const Condition screenSpace =
-        when(technique, {RayTechnique::screen, RayTechnique::both}) || when(view, RayView::mask);
+        when(technique, {RayTechnique::screen, RayTechnique::both}) or when(view, RayView::mask);
     const Condition volume =
-        when(technique, {RayTechnique::volume, RayTechnique::both}) && whenNot(view, RayView::mask);
-    const Condition anyBeams = whenNot(technique, RayTechnique::none) && whenNot(view, RayView::mask);
+        when(technique, {RayTechnique::volume, RayTechnique::both}) and whenNot(view, RayView::mask);
+    const Condition anyBeams = whenNot(technique, RayTechnique::none) and whenNot(view, RayView::mask);
 
     Group rays = group("Screen space");
     Real weight =
@@ -51,11 +51,11 @@ struct CrepuscularRaysTable final : Parameters {
                                 screenSpace);
     Real streak = real("streak", 1.0, none, Range{0.05, 16}.soft(0.25, 3),
                        "How long rays may become when the sun is far beyond the edge, in heights of the picture.",
-                       screenSpace&& when(sum, RaySum::mean));
+                       screenSpace and when(sum, RaySum::mean));
     Real edgeFade =
         real("edgeFade", 1.5, none, Range{0.01, 8}.soft(0.1, 4),
              "How far beyond the picture's edge the sun may be before its rays have faded, in halves of the picture.",
-             screenSpace&& when(sum, RaySum::mean));
+             screenSpace and when(sum, RaySum::mean));
 
     Group maskGroup = group("Mask");
     Choice<RayMask> mask = choice("mask", RayMask::depth, {"depth", "alpha", "occluders"},
@@ -76,21 +76,21 @@ struct CrepuscularRaysTable final : Parameters {
              "Dust in the air: what a meter of it takes out of a beam near the floor; 0 is clear air.", volume);
     Real densityFalloff = real("densityFalloff", 0.03, perMeter, Range{0, 10}.soft(0, 0.5),
                                "How fast the dust thins with height: 0 is even, high keeps it near the floor.",
-                               volume&& whenAbove(airDensity, 0));
+                               volume and whenAbove(airDensity, 0));
     Real anisotropy = real("anisotropy", 0.2, none, Range{-0.95, 0.95}.soft(-0.5, 0.9),
                            "How much the dust scatters forward: 0 to all sides, high glows towards the sun.",
-                           volume&& whenAbove(airDensity, 0) && whenLaterAbove("beamStrength", 0));
+                           volume and whenAbove(airDensity, 0) and whenLaterAbove("beamStrength", 0));
     Real beamStrength = real("beamStrength", 2.6, none, Range{0, 100}.soft(0, 4),
                              "Of the light that the beams scatter: 1 is physical for the density above.",
-                             volume&& whenAbove(airDensity, 0));
+                             volume and whenAbove(airDensity, 0));
     Real ambient = real("ambient", 0.35, none, Range{0, 100}.soft(0, 2),
                         "Of the hall's own light that the air scatters: 1 is physical, 0 makes the dust only darken.",
-                        volume&& whenAbove(airDensity, 0));
+                        volume and whenAbove(airDensity, 0));
     Color airColor = color("airColor", {1.0, 0.97, 0.93},
                            "Share of the light that the dust scatters rather than swallows: white swallows none.",
-                           volume&& whenAbove(airDensity, 0));
+                           volume and whenAbove(airDensity, 0));
     Real densityNoise = real("densityNoise", 0.35, none, {0, 1}, "How much the dust gathers in drifts; 0 is even air.",
-                             volume&& whenAbove(airDensity, 0) && whenAbove(beamStrength, 0));
+                             volume and whenAbove(airDensity, 0) and whenAbove(beamStrength, 0));
 
     Group accuracy = foldedGroup("Accuracy");
     // Measured at 1280 x 720: for an RMSE of 0.002 the loop needs 105 fetches per pixel, three passes 20, the polar
@@ -98,7 +98,7 @@ struct CrepuscularRaysTable final : Parameters {
     Choice<RayMethod> method = choice("method", RayMethod::polar, {"loop", "three passes", "polar sum"},
                                       "How the mean along a ray is found: sample by sample, by three passes over each "
                                       "other's results, or by a running sum on a polar grid.",
-                                      quality(RayMethod::loop), screenSpace&& when(sum, RaySum::mean));
+                                      quality(RayMethod::loop), screenSpace and when(sum, RaySum::mean));
     Count samples =
         count("samples", 216, {1, 4096, logarithmic},
               "Points along a ray: three passes take the cube root each, the polar grid takes two cells a point.",
@@ -109,7 +109,7 @@ struct CrepuscularRaysTable final : Parameters {
                quality(1), anyBeams);
     Count volumeSteps =
         count("volumeSteps", 16, {1, 1024, logarithmic}, "Steps in which a ray crosses a beam of the volume.",
-              quality(1024), volume&& whenAbove(airDensity, 0) && whenAbove(beamStrength, 0));
+              quality(1024), volume and whenAbove(airDensity, 0) and whenAbove(beamStrength, 0));
     Choice<RayResolution> resolution =
         choice("resolution", RayResolution::half, {"full", "half", "quarter"},
                "Of the beams, before they are brought up to the picture's with regard to its depth.",
@@ -127,7 +127,7 @@ struct CrepuscularRaysTable final : Parameters {
                           "Turns of the mobile in a second, while it is animated.", when(animate));
     Real driftSpeed = real("driftSpeed", 0.04, none, Range{0, 10}.soft(0, 0.3),
                            "Meters per second at which the draft carries the drifts of dust.",
-                           when(animate) && volume && whenAbove(densityNoise, 0));
+                           when(animate) and volume and whenAbove(densityNoise, 0));
 };
 
 }  // namespace vitrine

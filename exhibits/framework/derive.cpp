@@ -160,7 +160,7 @@ void addToKey(render::Hash& key, const ParameterValues& values)
     }
 }
 
-std::string keyOf(const ParameterValues& values, std::initializer_list<std::size_t> rows)
+std::string keyOf(const ParameterValues& values, std::span<const std::size_t> rows)
 {
     std::string key;
     const auto add = [&key](double x) { key += '=' + std::to_string(std::bit_cast<std::uint64_t>(x)); };
@@ -175,6 +175,19 @@ std::string keyOf(const ParameterValues& values, std::initializer_list<std::size
             key += '=' + std::get<std::string>(value);
     }
     return key;
+}
+
+std::string keyOf(const ParameterValues& values, std::initializer_list<std::size_t> rows)
+{
+    return keyOf(values, std::span(rows.begin(), rows.size()));
+}
+
+std::string keyOf(const ParameterValues& values, Parameters::Group group)
+{
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 0; i < values.rows().size(); ++i)
+        if (values.rows()[i].group == group.title) rows.push_back(i);
+    return keyOf(values, rows);
 }
 
 }  // namespace vitrine::derive

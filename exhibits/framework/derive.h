@@ -5,6 +5,7 @@
 #include "render/plan/frame_plan.h"
 
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,7 +35,11 @@ namespace vitrine::derive {
 /// Adds all values to the hash of a result that depends on them.
 void addToKey(render::Hash&, const ParameterValues&);
 
-/// These rows spelled out, by name and to the last bit: the key of what is made of them and of nothing else.
+/// Returns these parameters as text, by name and to the last bit: the key of an asset that is made of them and of
+/// nothing else.
+[[nodiscard]] std::string keyOf(const ParameterValues&, std::span<const std::size_t> rows);
 [[nodiscard]] std::string keyOf(const ParameterValues&, std::initializer_list<std::size_t> rows);
+/// The same for all parameters of a group, so that none is forgotten.
+[[nodiscard]] std::string keyOf(const ParameterValues&, Parameters::Group);
 
 }  // namespace vitrine::derive

@@ -148,14 +148,14 @@ Parameters::Group Parameters::group(std::string_view title)
 {
     group_ = owned(title);
     groupFolded_ = false;
-    return {};
+    return {group_};
 }
 
 Parameters::Group Parameters::foldedGroup(std::string_view title)
 {
     group_ = owned(title);
     groupFolded_ = true;
-    return {};
+    return {group_};
 }
 
 void Parameters::beginElement(std::string_view array, std::size_t index, const Element& element)

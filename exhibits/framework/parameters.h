@@ -156,7 +156,10 @@ protected:
     using enum Unit;  // So that a row reads `meter`, not `Unit::meter`.
     using enum Scale;
 
-    struct Group {};
+    /// Heading of the parameters declared after it.
+    struct Group {
+        std::string_view title;
+    };
     /// One group of an array: "ball" stands before the names of its rows, the heading above them.
     struct Element {
         std::string_view name;

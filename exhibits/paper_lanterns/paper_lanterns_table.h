@@ -33,10 +33,10 @@ struct PaperLanternsTable final : Parameters {
     Count seed = count("seed", 1, {0, 9999}, "Another number strews other lanterns and other ripples.");
 
     const Condition inPicture = when(show, LakeShow::picture);
-    const Condition ours = when(look, LakeLook::ours) && inPicture;
-    const Condition bySource = when(look, LakeLook::source) && inPicture;
-    const Condition rippled = when(look, LakeLook::ours) && when(show, {LakeShow::picture, LakeShow::normals});
-    const Condition moving = when(animate) || whenNot(moment, 0);
+    const Condition ours = when(look, LakeLook::ours) and inPicture;
+    const Condition bySource = when(look, LakeLook::source) and inPicture;
+    const Condition rippled = when(look, LakeLook::ours) and when(show, {LakeShow::picture, LakeShow::normals});
+    const Condition moving = when(animate) or whenNot(moment, 0);
 
     Group many = group("Lanterns");
     Count lanterns = count("lanterns", 30000, {1, 1000000, logarithmic},
@@ -59,16 +59,17 @@ struct PaperLanternsTable final : Parameters {
 
     Group candle = group("Candles");
     Toggle candles = toggle("candles", true, "Light them.", inPicture);
-    const Condition lit = when(candles) && inPicture;
+    const Condition lit = when(candles) and inPicture;
     Real candleStrength = real("candleStrength", 1, none, Range{0, 20}.soft(0, 4), "How bright the flames are.", lit);
     Color candleColor = color("candleColor", {1, 0.4, 0.09}, "Of the flames.", lit);
     Real flameHeight =
         real("flameHeight", 0.55, meter, Range{0.1, 5}.soft(0.2, 1.6), "Of the flame over the base.", lit);
-    Real flicker = real("flicker", 1, none, {0, 1}, "How much flames flicker: 0 burns evenly.", lit&& afloat);
-    Choice<LakeFlicker> flickerPhase = choice("flickerPhase", LakeFlicker::own, {"together", "each its own"},
-                                              "Whether they flicker in step.", lit&& whenAbove(flicker, 0) && afloat);
+    Real flicker = real("flicker", 1, none, {0, 1}, "How much flames flicker: 0 burns evenly.", lit and afloat);
+    Choice<LakeFlicker> flickerPhase =
+        choice("flickerPhase", LakeFlicker::own, {"together", "each its own"}, "Whether they flicker in step.",
+               lit and whenAbove(flicker, 0) and afloat);
     Real hallGlow = real("hallGlow", 1, none, Range{0, 10}.soft(0, 3),
-                         "Light that the frame throws on wall and floor beside it.", lit&& afloat);
+                         "Light that the frame throws on wall and floor beside it.", lit and afloat);
 
     Group paper = group("Paper");
     Color paperColor = color("paperColor", {0.97, 0.8, 0.5}, "What the paper does not absorb.", ours);
@@ -77,7 +78,7 @@ struct PaperLanternsTable final : Parameters {
              "How often light is scattered in it: low is clear and bright, high dim and white.", ours);
     Real fibers = real("fibers", 0.5, none, {0, 1}, "How uneven it is.", inPicture);
     Real colors = real("colors", 0.3, none, {0, 1}, "How far papers differ in color: 0 not at all, 1 is a festival.",
-                       ours&& afloat);
+                       ours and afloat);
 
     Group shape = foldedGroup("Shape");
     Real paperRadius = real("paperRadius", 0.75, meter, Range{0.1, 3}.soft(0.3, 1.2), "Of the paper tube.");
@@ -93,9 +94,9 @@ struct PaperLanternsTable final : Parameters {
     Group water = group("Water");
     Real waveHeight = real("waveHeight", 0.45, none, Range{0, 8}.soft(0, 3),
                            "Of the five waves over those of the source: 0 is a mirror.");
-    Choice<LakeSpeed> waveSpeed =
-        choice("waveSpeed", LakeSpeed::dispersion, {"as in the source", "as gravity makes them"},
-               "One rhythm for all waves, or slow long ones and quick short ones.", whenAbove(waveHeight, 0) && moving);
+    Choice<LakeSpeed> waveSpeed = choice(
+        "waveSpeed", LakeSpeed::dispersion, {"as in the source", "as gravity makes them"},
+        "One rhythm for all waves, or slow long ones and quick short ones.", whenAbove(waveHeight, 0) and moving);
     Real ripples = real("ripples", 0.055, none, Range{0, 0.5}.soft(0, 0.15),
                         "Slope of the small waves that the wind makes: it draws reflections out.", rippled);
     Real windDirection = real("windDirection", degrees(65), degree, Range{degrees(-180), degrees(180)},
@@ -107,7 +108,7 @@ struct PaperLanternsTable final : Parameters {
 
     Group sky = group("Moon and sky");
     Real moon = real("moon", 0.5, none, Range{0, 20}.soft(0, 3), "Its light; 0: it has not risen.", inPicture);
-    const Condition moonlit = inPicture && whenAbove(moon, 0);
+    const Condition moonlit = inPicture and whenAbove(moon, 0);
     Real moonElevation =
         real("moonElevation", degrees(13), degree, Range{degrees(-10), degrees(90)}.soft(0, degrees(60)),
              "Its height above the horizon.", moonlit);
@@ -115,19 +116,19 @@ struct PaperLanternsTable final : Parameters {
                             "Where it stands, seen through the frame: negative is to the left.", moonlit);
     Real moonSize =
         real("moonSize", degrees(2.4), degree, Range{degrees(0.1), degrees(20)}.soft(degrees(0.5), degrees(6)),
-             "Of its disk: the real one has half a degree.", ours&& moonlit);
+             "Of its disk: the real one has half a degree.", ours and moonlit);
     File panorama = file("panorama", "A picture of all directions, twice as wide as high, in place of the night sky.",
                          endings("hdr exr jpg jpeg png tif tiff webp bmp gif"));
     Real stars = real("stars", 0.7, none, Range{0, 10}.soft(0, 2), "How bright they are.", ours);
     Real dusk = real("dusk", 0.12, none, Range{0, 10}.soft(0, 2), "Light of the day that is left in the sky.", ours);
     Real afterglow = real("afterglow", 0.5, none, {0, 1}, "How warm its horizon is: of the sun that has set, or rises.",
-                          ours&& whenAbove(dusk, 0));
+                          ours and whenAbove(dusk, 0));
     Real fog =
         real("fog", 0.0022, perMeter, Range{0, 1}.soft(0, 0.03), "What a meter of the air at the water hides.", ours);
     Color horizonColor = color("horizonColor", {0.05, 0.06, 0.085}, "Of the mist at the horizon.",
-                               (ours && whenAbove(fog, 0)) || bySource);
+                               (ours and whenAbove(fog, 0)) or bySource);
     Real fogHeight = real("fogHeight", 6, meter, Range{0.1, 1000, logarithmic}.soft(1, 60),
-                          "Over which the mist thins out.", ours&& whenAbove(fog, 0));
+                          "Over which the mist thins out.", ours and whenAbove(fog, 0));
 
     Group accuracy = foldedGroup("Accuracy");
     Choice<LakeRepetition> repetition =
@@ -140,9 +141,9 @@ struct PaperLanternsTable final : Parameters {
     Count waterSteps = count("waterSteps", 20, {1, 256, logarithmic}, "Steps by which a ray finds the water.",
                              quality(256), whenAbove(waveHeight, 0));
     Count rippleCount = count("rippleCount", 16, {0, 23}, "Ripples that are summed, from the longest on.", quality(23),
-                              rippled&& whenAbove(ripples, 0));
+                              rippled and whenAbove(ripples, 0));
     Count lightCells =
-        count("lightCells", 4, {0, 9}, "Cells around a place whose flames light it.", quality(9), ours&& lit);
+        count("lightCells", 4, {0, 9}, "Cells around a place whose flames light it.", quality(9), ours and lit);
     Count rows = count("rows", 80, {1, 256, logarithmic},
                        "Rows of cells in which a ray looks for lanterns; those beyond are reckoned as their mean.",
                        quality(256), afloat);
@@ -150,7 +151,7 @@ struct PaperLanternsTable final : Parameters {
                           "A lantern whose paper looks narrower than this is a glowing point.", quality(0.5), ours);
     Real meanSize =
         real("meanSize", 0.7, pixel, Range{0.02, 10, logarithmic}.soft(0.1, 4),
-             "Lanterns that look narrower than this are reckoned as their mean.", quality(0.02), ours&& afloat);
+             "Lanterns that look narrower than this are reckoned as their mean.", quality(0.02), ours and afloat);
     Count stepLimit = count("stepLimit", 96, {1, 512, logarithmic},
                             "Steps a ray may take in one lantern, or, by cells "
                             "around it, in all.",

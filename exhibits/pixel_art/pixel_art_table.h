@@ -32,13 +32,13 @@ struct PixelArtTable final : Parameters {
               whenGiven(model));
     Real animationSpeed =
         real("animationSpeed", 1, none, Range{0, 100}.soft(0, 4), "How fast it is played: 1 as the file has it.",
-             whenGiven(model) && whenAbove(animation, 0));
+             whenGiven(model) and whenAbove(animation, 0));
     Toggle animate =
         toggle("animate", false, "Let time run: the torus tumbles, cubes bob, water breathes; a round takes 4 s.");
     Real moment = real("moment", 0.55, second, Range{0, 4}, "The moment of the round that is shown, or begun with.");
     Real frameRate =
         real("frameRate", 12, none, Range{1, 60}.soft(4, 30),
-             "Pictures a second: few look drawn by hand, many run smoothly.", when(animate) || whenNot(moment, 0));
+             "Pictures a second: few look drawn by hand, many run smoothly.", when(animate) or whenNot(moment, 0));
 
     Group camera = group("Camera");
     Choice<PixelProjection> projection =
@@ -93,15 +93,16 @@ struct PixelArtTable final : Parameters {
                "The same of the right half.", when(split));
     Real errorScale =
         real("errorScale", 20, none, Range{0.1, 180, logarithmic}.soft(1, 90), "Degrees off that are shown hottest.",
-             when(view, PixelView::error) || (when(split) && when(rightView, PixelView::error)));
+             when(view, PixelView::error) or (when(split) and when(rightView, PixelView::error)));
     Count smoothing = count("smoothing", 0, {0, 4},
                             "Texels around that faceted normals are averaged over, not across edges.", exactAt(0));
-    const Condition finished = when(view, PixelView::finished) || (when(split) && when(rightView, PixelView::finished));
+    const Condition finished =
+        when(view, PixelView::finished) or (when(split) and when(rightView, PixelView::finished));
     const Condition edged =
-        finished || when(view, PixelView::edges) || (when(split) && when(rightView, PixelView::edges));
+        finished or when(view, PixelView::edges) or (when(split) and when(rightView, PixelView::edges));
     Toggle fixVoid = toggle("fixVoid", true, "Let what is nothing face the camera, so that no edge is seen against it.",
-                            (edged && whenLater("edges", 1)) || when(view, PixelView::normals) ||
-                                (when(split) && when(rightView, PixelView::normals)));
+                            (edged and whenLater("edges", 1)) or when(view, PixelView::normals) or
+                                (when(split) and when(rightView, PixelView::normals)));
     Choice<DepthBits> depthBits = choice("depthBits", DepthBits::float32, {"32 bit", "24 bit", "16 bit"},
                                          "What the depth buffer stores.", exactAt(DepthBits::float32));
     Choice<DepthOrder> depthOrder =
@@ -135,22 +136,22 @@ struct PixelArtTable final : Parameters {
     Real highlightStrength =
         real("highlightStrength", 0.22, none, {0, 1}, "Of light on edges that face the camera.", finished);
     Color highlightColor =
-        color("highlightColor", {1, 0.95, 0.8}, "Of that light.", finished&& whenAbove(highlightStrength, 0));
+        color("highlightColor", {1, 0.95, 0.8}, "Of that light.", finished and whenAbove(highlightStrength, 0));
     Real outlineStrength =
         real("outlineStrength", 0.75, none, {0, 1}, "Of dark lines on the borders of near objects.", finished);
     Color outlineColor =
-        color("outlineColor", {0.012, 0.010, 0.03}, "Of these lines.", finished&& whenAbove(outlineStrength, 0));
+        color("outlineColor", {0.012, 0.010, 0.03}, "Of these lines.", finished and whenAbove(outlineStrength, 0));
     const Condition ourEdges = when(edges, EdgeLook::ours);
     Real coloredOutline = real("coloredOutline", 0.75, none, {0, 1},
                                "How much a line takes a dark tone of what it borders, in place of its own color.",
-                               finished&& ourEdges&& whenAbove(outlineStrength, 0));
+                               finished and ourEdges and whenAbove(outlineStrength, 0));
     Real outlineGap =
         real("outlineGap", 4.5, none, Range{0.5, 100, logarithmic}.soft(1, 20),
-             "Texels of depth between two surfaces that make a line; slopes are taken off first.", edged&& ourEdges);
+             "Texels of depth between two surfaces that make a line; slopes are taken off first.", edged and ourEdges);
     Real edgeAngle = real("edgeAngle", degrees(32), degree, Range{degrees(5), degrees(120)},
-                          "How far a surface turns at an edge.", edged&& ourEdges);
+                          "How far a surface turns at an edge.", edged and ourEdges);
     Toggle objectOutlines =
-        toggle("objectOutlines", true, "Lines between objects that touch, by their numbers.", edged&& ourEdges);
+        toggle("objectOutlines", true, "Lines between objects that touch, by their numbers.", edged and ourEdges);
 
     Group colors = group("Palette");
     Choice<PaletteName> palette = choice(
@@ -162,15 +163,15 @@ struct PixelArtTable final : Parameters {
     File palettePicture =
         file("palettePicture", "A picture whose main colors become the palette, in place of the other.",
              endings("png jpg jpeg tif tiff exr hdr webp bmp gif"));
-    const Condition ofPicture = when(palette, PaletteName::goldenHour) || whenGiven(palettePicture);
-    const Condition limited = finished && (whenNot(palette, PaletteName::none) || whenGiven(palettePicture));
+    const Condition ofPicture = when(palette, PaletteName::goldenHour) or whenGiven(palettePicture);
+    const Condition limited = finished and (whenNot(palette, PaletteName::none) or whenGiven(palettePicture));
     Count paletteColors =
-        count("paletteColors", 24, {2, 64}, "How many colors are taken from a picture.", finished&& ofPicture);
+        count("paletteColors", 24, {2, 64}, "How many colors are taken from a picture.", finished and ofPicture);
     Choice<Dither> dither = choice("dither", Dither::none, {"none", "ordered", "blue noise", "error diffusion"},
                                    "How colors between those of the palette are hinted at.", limited);
     Real ditherStrength =
         real("ditherStrength", 0.6, none, {0, 1}, "How far: at 1 means are kept, less leaves calm areas.",
-             limited && (when(dither, {Dither::ordered, Dither::blueNoise, Dither::errorDiffusion})));
+             limited and (when(dither, {Dither::ordered, Dither::blueNoise, Dither::errorDiffusion})));
 };
 
 }  // namespace vitrine

@@ -14,9 +14,11 @@ namespace {
 
 glsl::TorusMug torusMug(const SdfMorphTable& table, const ParameterValues& values)
 {
-    return {values[table.morph],        values[table.majorRadius],     values[table.minorRadius],
-            values[table.mugRadius],    values[table.mugHeight],       values[table.wallThickness],
-            values[table.handleRadius], values[table.handleThickness], values[table.blend]};
+    glsl::TorusMug mug;
+#define TAKE_PARAMETER(type, name) mug.name = values[table.name];
+    TORUS_MUG_FIELDS(TAKE_PARAMETER, )
+#undef TAKE_PARAMETER
+    return mug;
 }
 
 /// Its numbers as the shaders read them.
@@ -51,9 +53,7 @@ SdfBody SdfMorph::body(const ParameterValues& values, double time) const
     ParameterValues now = values;
     if (values[t.animate]) now.set(t.morph, morphAt(values[t.morph], values[t.speed], time));
     const glsl::TorusMugShape shape = glsl::torusMugShape(torusMug(t, now));
-    std::string key =
-        derive::keyOf(now, {t.morph.row, t.majorRadius.row, t.minorRadius.row, t.mugRadius.row, t.mugHeight.row,
-                            t.wallThickness.row, t.handleRadius.row, t.handleThickness.row, t.blend.row});
+    std::string key = derive::keyOf(now, t.shape);
     return {.values = std::move(now),
             .box = boxOf(glsl::torusMugBox(shape)),
             .distance = [shape](const glm::dvec3& p) { return glsl::sdfTorusMug(p, shape); },

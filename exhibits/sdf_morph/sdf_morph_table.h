@@ -10,9 +10,6 @@ struct TorusMugRows : virtual Parameters {
     Group shape = group("Shape");
     Real morph =
         real("morph", 0.62, none, {0, 1}, "0 is the torus, 1 is the mug; between them, one melts into the other.");
-    Toggle animate = toggle("animate", false, "Melt back and forth by itself, starting from the morph above.");
-    Real speed = real("speed", 0.08, hertz, Range{0, 10}.soft(0, 0.5),
-                      "How many times a second it melts to the mug and back.", when(animate));
     Real majorRadius = real("majorRadius", 0.35, meter, Range{0.01, 10}.soft(0.1, 0.6),
                             "Of the torus, from its center to the middle of the tube.");
     Real minorRadius = real("minorRadius", 0.12, meter, Range{0.001, 10}.soft(0.02, 0.3), "Of the tube of the torus.");
@@ -27,6 +24,11 @@ struct TorusMugRows : virtual Parameters {
         real("handleThickness", 0.09, meter, Range{0.001, 1}.soft(0.02, 0.2), "Diameter of the handle's tube.");
     Real blend = real("blend", 0.06, meter, Range{0, 1}.soft(0, 0.2),
                       "Width of the fillet where the handle meets the cup; 0 joins them hard.");
+
+    Group motion = group("Motion");
+    Toggle animate = toggle("animate", false, "Melt back and forth by itself, starting from the morph above.");
+    Real speed = real("speed", 0.08, hertz, Range{0, 10}.soft(0, 0.5),
+                      "How many times a second it melts to the mug and back.", when(animate));
 };
 
 /// Everything that can be set about it.

@@ -22,19 +22,6 @@
 #include "lib/sdf_operators.glsl"
 #endif
 
-// Meters, all > 0 except morph and blend.
-struct TorusMug {
-    float morph;            // 0 torus, 1 mug; clamped to [0, 1].
-    float majorRadius;      // Radius of the torus: center to the middle of the tube. Good: 0.35.
-    float minorRadius;      // Radius of its tube. Good: 0.12.
-    float mugRadius;        // Outside of the cup. Good: 0.28.
-    float mugHeight;        // Ground to lip. Good: 0.66.
-    float wallThickness;    // Good: 0.045. Clamped to the mug's radius.
-    float handleRadius;     // Center to the middle of the handle. Good: 0.155.
-    float handleThickness;  // Diameter of the handle. Good: 0.09.
-    float blend;            // Width of the fillet between handle and cup. Good: 0.06.
-};
-
 // Lowest point of the shape, relative to the body's center.
 float torusMugBottom(TorusMugShape s)
 {
