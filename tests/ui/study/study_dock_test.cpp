@@ -49,7 +49,7 @@ private:
     void finish()
     {
         QSignalSpy finished(dock_.get(), &StudyDock::finished);
-        QVERIFY(finished.wait(20000));
+        QVERIFY(finished.wait(test::patience));
     }
     void clickOn(std::size_t point)
     {

@@ -82,7 +82,7 @@ private slots:
         QVERIFY(!gallery_->requests().back().rests);
         gallery_->betterBuilds = 0;
         const long long drawn = window_->viewport().picturesDrawn();
-        QTRY_COMPARE_WITH_TIMEOUT(gallery_->betterBuilds, 1, 10'000);
+        QTRY_COMPARE_WITH_TIMEOUT(gallery_->betterBuilds, 1, test::patience);
         QCOMPARE(gallery_->strangers, 0);
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);
         window_->viewport().sceneStateChanged();  // As who looks around does.
