@@ -5,11 +5,14 @@
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "render/failure.h"
 #include "render/hash.h"
+#include "render/image/image_io.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 namespace vitrine::scenes {
 namespace {
@@ -185,6 +188,174 @@ render::Camera sceneView(double fovY)
     const double toEye = eyeToOpening(fovY);
     const double fits = 2 * std::atan(1.12 * portal.halfSize.y / toEye);
     return {{0, 0, toEye - portal.behind}, {0, 0, -portal.behind}, fits};
+}
+
+namespace {
+
+constexpr int widestPanorama = 4096;  ///< Made of faces.
+
+/// Which face a direction meets, and where in its picture: columns to the right, rows down, 0 to 1.
+struct FacePlace {
+    std::size_t face;
+    double column, row;
+};
+
+/// right, left, top, bottom, front, back, as seen from within; front is -z.
+FacePlace facePlace(const glm::dvec3& d)
+{
+    const glm::dvec3 size = glm::abs(d);
+    const auto at = [](std::size_t face, double right, double up, double ahead) {
+        return FacePlace{face, 0.5 + 0.5 * right / ahead, 0.5 - 0.5 * up / ahead};
+    };
+    if (size.x >= size.y && size.x >= size.z) return d.x > 0 ? at(0, d.z, d.y, d.x) : at(1, -d.z, d.y, -d.x);
+    if (size.y >= size.z) return d.y > 0 ? at(2, d.x, d.z, d.y) : at(3, d.x, -d.z, -d.y);
+    return d.z < 0 ? at(4, d.x, d.y, -d.z) : at(5, -d.x, d.y, d.z);
+}
+
+glm::dvec3 colorAt(const render::Image& face, double column, double row)
+{
+    const auto within = [](double x, int count) { return std::clamp(x * count - 0.5, 0.0, count - 1.0); };
+    const double x = within(column, face.width), y = within(row, face.height);
+    const int x0 = static_cast<int>(x), y0 = static_cast<int>(y);
+    const int x1 = std::min(x0 + 1, face.width - 1), y1 = std::min(y0 + 1, face.height - 1);
+    glm::dvec3 color;
+    for (int c = 0; c < 3; ++c) {
+        const int channel = face.channels < 3 ? 0 : c;
+        const auto mixed = [&](int line) {
+            return std::lerp(static_cast<double>(face.at(x0, line, channel)),
+                             static_cast<double>(face.at(x1, line, channel)), x - x0);
+        };
+        color[c] = std::lerp(mixed(y0), mixed(y1), y - y0);
+    }
+    return color;
+}
+
+std::shared_ptr<const render::Texture> panoramaOf(const std::array<render::Image, 6>& faces)
+{
+    auto made = std::make_shared<render::Texture>();
+    made->name = "six faces";
+    made->width = std::clamp(4 * faces[0].width, 4, widestPanorama);
+    made->height = made->width / 2;
+    made->channels = 3;
+    made->floats.reserve(static_cast<std::size_t>(made->width) * static_cast<std::size_t>(made->height) * 3);
+    for (int y = 0; y < made->height; ++y) {
+        const double polar = (y + 0.5) / made->height * std::numbers::pi;
+        for (int x = 0; x < made->width; ++x) {
+            // As shaders/lib/sky.glsl looks panoramas up.
+            const double around = ((x + 0.5) / made->width - 0.5) * 2 * std::numbers::pi;
+            const glm::dvec3 d(std::sin(polar) * std::sin(around), std::cos(polar),
+                               -std::sin(polar) * std::cos(around));
+            const FacePlace place = facePlace(d);
+            const glm::dvec3 color = colorAt(faces[place.face], place.column, place.row);
+            for (int c = 0; c < 3; ++c) made->floats.push_back(static_cast<float>(color[c]));
+        }
+    }
+    return made;
+}
+
+}  // namespace
+
+std::shared_ptr<const render::Texture> readEnvironment(const ShownScene& shown)
+{
+    const std::vector<std::filesystem::path> files = environmentFiles(*shown.scene, shown.path);
+    if (files.size() == 1) return render::loadTexture(files[0], true, true);
+    std::array<render::Image, 6> faces;
+    for (std::size_t i = 0; i < faces.size(); ++i) faces[i] = render::readColor(files[i]);
+    return panoramaOf(faces);
+}
+
+std::vector<std::filesystem::path> environmentFiles(const Scene& scene, const std::filesystem::path& path)
+{
+    std::vector<std::filesystem::path> files;
+    for (const std::string& file : scene.environment.files) files.push_back(path.parent_path() / file);
+    return files;
+}
+
+namespace {
+
+constexpr double farthestInSource = 100;
+constexpr double farthestOfOurs = 300;
+constexpr double timesAsFar = 60;  ///< As what a scene without a camera is seen from: as far as 300 m from 5 m.
+
+glm::dvec3 vectorOf(const double* v)
+{
+    return {v[0], v[1], v[2]};
+}
+
+/// Edges of a rectangle that faces this way.
+void setEdges(SceneStage& stage, std::size_t i, const glm::dvec3& facing, double width, double height)
+{
+    const glm::dvec3 up = std::abs(facing.y) < 0.99 ? glm::dvec3(0, 1, 0) : glm::dvec3(0, 0, 1);
+    const glm::dvec3 across = glm::normalize(glm::cross(up, facing));
+    stage.lightAcross[i] = glm::vec4(glm::vec3(0.5 * width * across), 0);
+    stage.lightAlong[i] = glm::vec4(glm::vec3(0.5 * height * glm::cross(facing, across)), 0);
+}
+
+/// `target`: where the camera looks, at which a point of light is as bright as its color says.
+void setLight(const Record& light, const double* v, const glm::dvec3& target, bool asInSource, std::size_t i,
+              SceneStage& stage)
+{
+    const auto place = [&](const glm::dvec3& p, int kind) { return glm::vec4(glm::vec3(p), static_cast<float>(kind)); };
+    const auto direction = [](const double* d) {
+        const double length = glm::length(vectorOf(d));
+        return length > 0 ? vectorOf(d) / length : glm::dvec3(0, 1, 0);
+    };
+    if (light.kind->name == "point") {
+        const glm::dvec3 away = vectorOf(v) - target;
+        const double squared = asInSource ? 1 : std::max(glm::dot(away, away), 1e-6);
+        stage.lightPlace[i] = place(vectorOf(v), SCENE_POINT);
+        stage.lightColor[i] = glm::vec4(glm::vec3(squared * vectorOf(v + 3)), 0);
+    } else if (light.kind->name == "sun") {
+        stage.lightPlace[i] = place(direction(v), SCENE_SUN);
+        stage.lightColor[i] = glm::vec4(glm::vec3(vectorOf(v + 3)), static_cast<float>(std::tan(0.5 * v[6])));
+    } else {
+        stage.lightPlace[i] = place(vectorOf(v), SCENE_AREA);
+        stage.lightColor[i] = glm::vec4(glm::vec3(vectorOf(v + 8)), 0);
+        setEdges(stage, i, direction(v + 3), v[6], v[7]);
+    }
+}
+
+}  // namespace
+
+void setBox(SceneStage& stage, const render::Box& box)
+{
+    stage.boxLow = glm::vec3(glm::clamp(box.low - 1e-3, glm::dvec3(-1e6), glm::dvec3(1e6)));
+    stage.boxHigh = glm::vec3(glm::clamp(box.high + 1e-3, glm::dvec3(-1e6), glm::dvec3(1e6)));
+}
+
+SceneStage sceneStage(const ShownScene& shown, const SceneWords& words, const std::vector<double>& numbers)
+{
+    const Scene& scene = *shown.scene;
+    const double* look = &numbers[scene.look.numbers];
+    const bool asInSource = look[0] > 0.5;
+    const glm::dvec3 target = vectorOf(&numbers[scene.camera.numbers + 3]);
+    SceneStage stage;
+    setBox(stage, words.extents.empty() ? render::Box{glm::dvec3(0), glm::dvec3(0)} : words.extents.front().box);
+    const double toTarget = glm::length(vectorOf(&numbers[scene.camera.numbers]) - target);
+    const double farthest = asInSource ? farthestInSource : farthestOfOurs;
+    stage.farthest = static_cast<float>(scene.hasCamera ? farthest : std::max(farthest, timesAsFar * toTarget));
+    stage.largestNormalStep = static_cast<float>(scene.hasCamera ? 1e3 : 0.001 * toTarget);
+    stage.bounces = static_cast<int>(look[1]);
+    stage.softShadows = static_cast<float>(look[2]);
+    stage.occlusion = static_cast<float>(look[3]);
+    stage.ambient = glm::vec3(vectorOf(look + 4));
+    stage.exposure = static_cast<float>(look[7]);
+
+    const double* around = &numbers[scene.environment.numbers];
+    if (scene.environment.kind->name == "sky") {
+        stage.zenith = glm::vec3(vectorOf(around));
+        stage.horizon = glm::vec3(vectorOf(around + 3));
+        stage.ground = glm::vec3(vectorOf(around + 6));
+        stage.environmentBrightness = 1;
+    } else {
+        stage.environmentRotation = static_cast<float>(around[0]);
+        stage.environmentBrightness = static_cast<float>(around[1]);
+    }
+    const std::size_t lights = std::min<std::size_t>(scene.lights.size(), SCENE_MOST_LIGHTS);
+    stage.lights = static_cast<int>(lights);
+    for (std::size_t i = 0; i < lights; ++i)
+        setLight(scene.lights[i], &numbers[scene.lights[i].numbers], target, asInSource, i, stage);
+    return stage;
 }
 
 }  // namespace vitrine::scenes

@@ -167,4 +167,232 @@ std::vector<NodeKind> solidKinds()
     return kinds;
 }
 
+namespace {
+
+std::string faultOfTriangle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c)
+{
+    const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+    if (glm::length(glm::cross(b - a, c - a)) > 1e-9 * longest * longest && longest > 0) return {};
+    return "the corners lie on one line, so it has no area; move one of them aside";
+}
+
+std::string faultOfSegment(const double* v)
+{
+    return vec3At(v, 0) != vec3At(v, 3) ? std::string() : "start and end are the same point; move one of them";
+}
+
+std::vector<Field> endsOf(std::vector<Field> further)
+{
+    std::vector<Field> all{point("start", {0, -0.5, 0}, "One end."), point("end", {0, 0.5, 0}, "The other end.")};
+    all.insert(all.end(), further.begin(), further.end());
+    return all;
+}
+
+/// Of a profile of this half size around the z axis.
+Extent profileExtent(double x, double y)
+{
+    return {boxAround({x, y, noEnd}), evenInAll, true};
+}
+
+void addPrisms(std::vector<NodeKind>& kinds)
+{
+    kinds.push_back({.name = "hexagonalPrism",
+                     .help = "A regular hexagon in the xy plane, flat sides up and down, drawn out along z.",
+                     .fields = {size("inradius", 0.4, "From the center to a side."), size("height", 0.6, "Along z.")},
+                     .distance = SCENE_DISTANCE(sdfHexPrism(p, V(0), 0.5 * V(1))),
+                     .extent = [](const double* v) {
+                         return evenExtent({v[0] * 2 / std::sqrt(3.0), v[0], 0.5 * v[1]});
+                     }});
+    kinds.push_back({.name = "triangularPrism",
+                     .help = "An equilateral triangle in the xy plane, a corner up, drawn out along z.",
+                     .fields = {size("inradius", 0.3, "From the center to a side."), size("height", 0.6, "Along z.")},
+                     .distance = SCENE_DISTANCE(sdfTriangularPrism(p, V(0), 0.5 * V(1))),
+                     .extent = [](const double* v) {
+                         const double x = v[0] * std::sqrt(3.0);
+                         return Extent{{{-x, -v[0], -0.5 * v[1]}, {x, 2 * v[0], 0.5 * v[1]}}, evenInX | evenInZ};
+                     }});
+    kinds.push_back({.name = "rhombus",
+                     .help = "A rhombus in the xz plane, drawn out along y.",
+                     .fields = {size("alongX", 1, "Diagonal along x."), size("alongZ", 0.6, "Diagonal along z."),
+                                size("height", 0.4, "Along y.")},
+                     .distance = SCENE_DISTANCE(sceneRhombus(p, V(0), V(1), V(2))),
+                     .extent = [](const double* v) { return evenExtent(0.5 * glm::dvec3(v[0], v[2], v[1])); }});
+    kinds.push_back({.name = "octahedron",
+                     .help = "A regular octahedron, corners on the axes.",
+                     .fields = {size("radius", 0.6, "From the center to a corner.")},
+                     .distance = SCENE_DISTANCE(sdfOctahedron(p, V(0))),
+                     .extent = [](const double* v) { return evenExtent(glm::dvec3(v[0])); }});
+    kinds.push_back({.name = "pyramid",
+                     .help = "A pyramid with a square base on y = 0.",
+                     .fields = {size("base", 1, "Edge of the base."), size("height", 0.8, "Of the tip.")},
+                     .distance = SCENE_DISTANCE(scenePyramid(p, V(0), V(1))),
+                     .extent = [](const double* v) {
+                         const double r = 0.5 * v[0];
+                         return Extent{{{-r, 0, -r}, {r, v[1], r}}, evenInX | evenInZ};
+                     }});
+    kinds.push_back({.name = "ellipsoid",
+                     .help = "An ellipsoid.",
+                     .fields = {sizes("radii", {0.6, 0.4, 0.3}, "Along x, y and z.")},
+                     .distance = SCENE_DISTANCE(sceneEllipsoid(p, V3(0))),
+                     .extent = [](const double* v) { return evenExtent(vec3At(v, 0)); },
+                     .fault =
+                         [](const double* v) {
+                             const auto [least, most] = std::minmax({v[0], v[1], v[2]});
+                             return most <= 1000 * least
+                                        ? std::string()
+                                        : "the largest radius is more than 1000 times the smallest; bring them nearer";
+                         }});
+}
+
+void addBallParts(std::vector<NodeKind>& kinds)
+{
+    const auto round = [](const double* v) { return Extent{boxAround(glm::dvec3(v[0])), evenInX | evenInZ}; };
+    kinds.push_back({.name = "solidAngle",
+                     .help = "A ball cut by a cone around +y: a scoop.",
+                     .fields = {size("radius", 0.6, "Of the ball."), angle("halfAngle", 40, 0.1, 180, "Of the cone.")},
+                     .distance = SCENE_DISTANCE(sdfSolidAngle(p, V(1), V(0))),
+                     .extent = round});
+    kinds.push_back({.name = "cutSphere",
+                     .help = "A ball without what is above a plane.",
+                     .fields = {size("radius", 0.5, "Of the ball."), height("cut", 0.2, "Height of the plane.")},
+                     .distance = SCENE_DISTANCE(sdfCutSphere(p, V(0), V(1))),
+                     .extent = round,
+                     .fault = [](const double* v) {
+                         return v[1] > -v[0] ? std::string() : "the cut leaves nothing; raise it above -radius";
+                     }});
+    kinds.push_back({.name = "cutHollowSphere",
+                     .help = "A bowl: the wall around a ball, open above a plane.",
+                     .fields = {size("radius", 0.5, "To the middle of the wall."),
+                                height("cut", 0.1, "Height of the rim."), size("thickness", 0.05, "Of the wall.")},
+                     .distance = SCENE_DISTANCE(sceneCutHollowSphere(p, V(0), V(1), V(2))),
+                     .extent = [](const double* v) {
+                         return Extent{boxAround(glm::dvec3(v[0] + 0.5 * v[2])), evenInX | evenInZ};
+                     }});
+    kinds.push_back(
+        {.name = "deathStar",
+         .help = "A ball from which another one above it is taken.",
+         .fields = {size("radius", 0.5, "Of the ball."), size("holeRadius", 0.35, "Of the one that is taken."),
+                    size("offset", 0.55, "Between their centers.")},
+         .exactness = Exactness::exactOutside,
+         .distance = SCENE_DISTANCE(sceneDeathStar(p, V(0), V(1), V(2))),
+         .extent = round,
+         .fault = [](const double* v) {
+             return v[1] < v[0] + v[2] ? std::string() : "the hole takes all of it; make it smaller";
+         }});
+}
+
+void addBetweenPoints(std::vector<NodeKind>& kinds)
+{
+    kinds.push_back(
+        {.name = "cappedConeBetween",
+         .help = "A cone without its tip, from start to end.",
+         .fields = endsOf({width("startRadius", 0.4, "At the start."), width("endRadius", 0.2, "At the end.")}),
+         .distance = SCENE_DISTANCE(sceneCappedCone(p, V3(0), V3(3), V(6), V(7))),
+         .extent = [](const double* v) { return segmentExtent(vec3At(v, 0), vec3At(v, 3), std::max(v[6], v[7])); },
+         .fault =
+             [](const double* v) {
+                 return v[6] + v[7] > 0 ? faultOfSegment(v) : "both radii are 0; give one that is not";
+             }});
+    kinds.push_back(
+        {.name = "roundConeBetween",
+         .help = "The hull of two balls.",
+         .fields = endsOf({size("startRadius", 0.4, "At the start."), size("endRadius", 0.2, "At the end.")}),
+         .distance = SCENE_DISTANCE(sceneRoundCone(p, V3(0), V3(3), V(6), V(7))),
+         .extent = [](const double* v) { return segmentExtent(vec3At(v, 0), vec3At(v, 3), std::max(v[6], v[7])); }});
+    kinds.push_back({.name = "vesica",
+                     .help = "A lens drawn out to points at start and end.",
+                     .fields = endsOf({size("radius", 0.25, "In the middle; cut to half the length.")}),
+                     .distance = SCENE_DISTANCE(sceneVesica(p, V3(0), V3(3), V(6))),
+                     .extent =
+                         [](const double* v) {
+                             const double most = 0.5 * glm::length(vec3At(v, 3) - vec3At(v, 0));
+                             return segmentExtent(vec3At(v, 0), vec3At(v, 3), std::min(v[6], most));
+                         },
+                     .fault = faultOfSegment});
+    kinds.push_back(
+        {.name = "triangle",
+         .help = "A sheet with three corners.",
+         .fields = {point("a", {-0.5, 0, 0}, "A corner."), point("b", {0.5, 0, 0}, "A corner."),
+                    point("c", {0, 0.8, 0}, "A corner."), width("thickness", 0, "Of the sheet, with round edges.")},
+         .distance = SCENE_DISTANCE(sdfTriangle(p, V3(0), V3(3), V3(6)) - 0.5 * V(9)),
+         .extent =
+             [](const double* v) {
+                 Extent all = segmentExtent(vec3At(v, 0), vec3At(v, 3), 0);
+                 all.box.include(vec3At(v, 6));
+                 return Extent{grown(all.box, 0.5 * v[9]), 0};
+             },
+         .fault = [](const double* v) { return faultOfTriangle(vec3At(v, 0), vec3At(v, 3), vec3At(v, 6)); }});
+    kinds.push_back({.name = "quad",
+                     .help = "A sheet with four corners, in order around it.",
+                     .fields = {point("a", {-0.5, 0, 0}, "A corner."), point("b", {0.5, 0, 0}, "A corner."),
+                                point("c", {0.5, 0.8, 0}, "A corner."), point("d", {-0.5, 0.8, 0}, "A corner."),
+                                width("thickness", 0, "Of the sheet, with round edges.")},
+                     .distance = SCENE_DISTANCE(sceneQuad(p, V3(0), V3(3), V3(6), V3(9)) - 0.5 * V(12)),
+                     .extent =
+                         [](const double* v) {
+                             Extent all = segmentExtent(vec3At(v, 0), vec3At(v, 3), 0);
+                             all.box.include(vec3At(v, 6));
+                             all.box.include(vec3At(v, 9));
+                             return Extent{grown(all.box, 0.5 * v[12]), 0};
+                         },
+                     .fault =
+                         [](const double* v) {
+                             const std::string first = faultOfTriangle(vec3At(v, 0), vec3At(v, 3), vec3At(v, 6));
+                             return first.empty() ? faultOfTriangle(vec3At(v, 0), vec3At(v, 6), vec3At(v, 9)) : first;
+                         }});
+}
+
+}  // namespace
+
+std::vector<NodeKind> furtherSolidKinds()
+{
+    std::vector<NodeKind> kinds;
+    addPrisms(kinds);
+    addBallParts(kinds);
+    addBetweenPoints(kinds);
+    kinds.push_back({.name = "noise",
+                     .help = "Where smooth noise is below a level; endless.",
+                     .fields = {plain("frequency", 1, 0.01, 100, "Cells for each meter."),
+                                plain("level", 0, -1, 1, "Below it is inside: -1 nothing, 1 all."),
+                                count("octaves", 1, 1, 8, "Finer noises that are added."),
+                                plain("gain", 0.5, 0, 1, "Strength of each octave against the one before."),
+                                point("shift", {0, 0, 0}, "Moves the noise through the shape.")},
+                     .exactness = Exactness::bound,
+                     .distance = SCENE_DISTANCE(sceneNoiseSolid(p, V(0), V(1), V(2), V(3), V3(4))),
+                     .extent = [](const double*) {
+                         return Extent{endlessBox(), 0};
+                     }});
+    return kinds;
+}
+
+std::vector<NodeKind> profileKinds()
+{
+    std::vector<NodeKind> kinds;
+    kinds.push_back({.name = "circle",
+                     .help = "A disk in the xy plane, endless along z: to extrude or revolve.",
+                     .fields = {size("radius", 0.4, "From the center.")},
+                     .distance = SCENE_DISTANCE(length(vec2(p.x, p.y)) - V(0)),
+                     .extent = [](const double* v) { return profileExtent(v[0], v[0]); }});
+    kinds.push_back({.name = "rectangle",
+                     .help = "A rectangle in the xy plane, endless along z: to extrude or revolve.",
+                     .fields = {size("width", 0.8, "Along x."), size("height", 0.5, "Along y.")},
+                     .distance = SCENE_DISTANCE(sdfRectangle(vec2(p.x, p.y), 0.5 * vec2(V(0), V(1)))),
+                     .extent = [](const double* v) { return profileExtent(0.5 * v[0], 0.5 * v[1]); }});
+    kinds.push_back({.name = "equilateralTriangle",
+                     .help = "A triangle in the xy plane, a corner up, endless along z: to extrude or revolve.",
+                     .fields = {size("inradius", 0.25, "From the center to a side.")},
+                     .distance = SCENE_DISTANCE(sdfTriangleProfile(vec2(p.x, p.y), V(0))),
+                     .extent = [](const double* v) {
+                         const double x = v[0] * std::sqrt(3.0);
+                         return Extent{{{-x, -v[0], -noEnd}, {x, 2 * v[0], noEnd}}, evenInX | evenInZ, true};
+                     }});
+    kinds.push_back(
+        {.name = "hexagon",
+         .help = "A hexagon in the xy plane, flat sides up and down, endless along z: to extrude or revolve.",
+         .fields = {size("inradius", 0.4, "From the center to a side.")},
+         .distance = SCENE_DISTANCE(sdfHexPrism(vec3(p.x, p.y, 0.0), V(0), 1.0e9)),
+         .extent = [](const double* v) { return profileExtent(v[0] * 2 / std::sqrt(3.0), v[0]); }});
+    return kinds;
+}
+
 }  // namespace vitrine::scenes

@@ -239,13 +239,13 @@ TEST(Layers, EveryIncludeOfOursExists)
                 }
 }
 
-TEST(Layers, NoFileIsLongerThan500Lines)
+TEST(Layers, NoFileIsLongerThan800Lines)
 {
     for (const char* folder : {"app", "ui", "exhibits", "render", "tests"})
         for (const std::string& file : test::sourceFiles(folder, test::cppExtensions))
-            EXPECT_LE(test::lines(test::sourceText(file)).size(), 500U) << file;
+            EXPECT_LE(test::lines(test::sourceText(file)).size(), 800U) << file;
     for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
-        EXPECT_LE(test::lines(test::sourceText(file)).size(), 500U) << file;
+        EXPECT_LE(test::lines(test::sourceText(file)).size(), 800U) << file;
 }
 
 }  // namespace
