@@ -152,14 +152,15 @@ public:
     [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const;
     [[nodiscard]] ParameterValues initial() const;
 
-protected:
-    using enum Unit;  // So that a row reads `meter`, not `Unit::meter`.
-    using enum Scale;
-
     /// Heading of the parameters declared after it.
     struct Group {
         std::string_view title;
     };
+
+protected:
+    using enum Unit;  // So that a row reads `meter`, not `Unit::meter`.
+    using enum Scale;
+
     /// One group of an array: "ball" stands before the names of its rows, the heading above them.
     struct Element {
         std::string_view name;
