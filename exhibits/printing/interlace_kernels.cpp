@@ -13,8 +13,6 @@ Instructions bestInstructions()
 {
 #if defined(__x86_64__)
     static const Instructions best = [] {
-        if (__builtin_cpu_supports("avx512bw") != 0 && __builtin_cpu_supports("avx512vbmi") != 0)
-            return Instructions::avx512;
         return __builtin_cpu_supports("avx2") != 0 ? Instructions::avx2 : Instructions::plain;
     }();
     return best;
@@ -119,7 +117,6 @@ const Kernels plainKernels = {
 const Kernels& kernelsFor(Instructions instructions)
 {
 #if defined(__x86_64__)
-    if (instructions == Instructions::avx512) return avx512Kernels;
     if (instructions == Instructions::avx2) return avx2Kernels;
 #endif
     (void)instructions;

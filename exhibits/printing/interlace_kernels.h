@@ -11,7 +11,9 @@
 /// order of operations is fixed, and multiplications are not fused with additions.
 namespace vitrine::printing {
 
-enum class Instructions : std::uint8_t { plain, avx2, avx512 };
+/// Instruction sets with kernels of their own. AVX-512 kernels made a whole print of 9600 x 6400 pixels 11 % faster
+/// (median of six pairs, less than the 15 % that would have justified them).
+enum class Instructions : std::uint8_t { plain, avx2 };
 
 /// The newest ones that this processor has.
 [[nodiscard]] Instructions bestInstructions();

@@ -13,7 +13,6 @@ namespace vitrine::printing::kernels {
 extern const Kernels plainKernels;
 #if defined(__x86_64__)
 extern const Kernels avx2Kernels;
-extern const Kernels avx512Kernels;
 #endif
 
 /// In samples: views are read in turn, a little of each, which is too many places at once for the processor's own

@@ -13,7 +13,6 @@ LensPlan::LensPlan(const PrintLayout& layout, const ViewSet& set) : views(static
         viewOfSlot.push_back(layout.viewOfStrip(static_cast<std::int64_t>(strip)));
     planColumns(layout);
     planLenses(layout, set);
-    planGroups();
 }
 
 void LensPlan::planColumns(const PrintLayout& layout)
@@ -59,10 +58,8 @@ void LensPlan::planColumns(const PrintLayout& layout)
 
 void LensPlan::planLenses(const PrintLayout& layout, const ViewSet& set)
 {
-    constexpr std::size_t shortest = std::tuple_size_v<decltype(ShortSpan::weights)>;
     const auto printWidth = static_cast<double>(layout.width());
     BoxTaps box;
-    bool areShort = true;
     std::vector<std::size_t> spansOfView;
     for (int k = 0; k < set.count(); ++k) {
         const int viewWidth = set.view(k).width;
@@ -70,7 +67,6 @@ void LensPlan::planLenses(const PrintLayout& layout, const ViewSet& set)
         while (set.view(alike).width != viewWidth) ++alike;
         spansOfView.push_back(alike < k ? spansOfView[static_cast<std::size_t>(alike)] : spans.size());
         if (alike < k) continue;
-        areShort = areShort && k == 0;
         const double scale = viewWidth / printWidth;
         // All spans as long as the longest, with weights of 0, where the view is wide enough for that.
         const double columns = scale / layout.lensesPerPixelX();
@@ -79,11 +75,6 @@ void LensPlan::planLenses(const PrintLayout& layout, const ViewSet& set)
             const auto lens = static_cast<double>(firstLens_ + static_cast<std::int64_t>(i));
             const double axis = (lens - layout.settings().phase) / layout.lensesPerPixelX() + printWidth / 2;
             boxTaps(axis * scale, scale / layout.lensesPerPixelX(), viewWidth, box);
-            areShort = areShort && box.weights.size() <= shortest;
-            if (areShort) {
-                shortSpans.push_back({static_cast<std::uint32_t>(box.first) * 3, {}});
-                std::copy(box.weights.begin(), box.weights.end(), shortSpans.back().weights.begin());
-            }
             if (viewWidth >= longest && static_cast<int>(box.weights.size()) <= longest) {
                 const int back = std::max(0, box.first + longest - viewWidth);
                 box.first -= back;
@@ -100,32 +91,7 @@ void LensPlan::planLenses(const PrintLayout& layout, const ViewSet& set)
             }
         }
     }
-    if (!areShort) shortSpans.clear();
     for (const int view : viewOfSlot) spansOf.push_back(spansOfView[static_cast<std::size_t>(view)]);
-}
-
-void LensPlan::planGroups()
-{
-    const std::size_t samples = firstSlot.size() * 3;
-    for (std::size_t at = 0; at < samples; at += groupSize) {
-        const std::size_t end = std::min(at + groupSize, samples);
-        const auto [least, most] = std::minmax(firstSlot[at / 3], firstSlot[(end - 1) / 3]);
-        if ((most - least + taps) * 3 > window) {
-            windowStart.clear();
-            places.clear();
-            placeWeights.clear();
-            return;
-        }
-        windowStart.push_back(least * 3);
-        for (std::size_t tap = 0; tap < taps; ++tap) {
-            for (std::size_t i = at; i < at + groupSize; ++i) {
-                const std::size_t x = i / 3;
-                places.push_back(i < end ? static_cast<std::uint8_t>((firstSlot[x] - least + tap) * 3 + i % 3)
-                                         : std::uint8_t{0});
-                placeWeights.push_back(i < end ? tapWeights[x * taps + tap] : 0.0F);
-            }
-        }
-    }
 }
 
 LensPlan::Lenses LensPlan::lensesOf(std::size_t x0, std::size_t x1) const

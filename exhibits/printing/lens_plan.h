@@ -24,14 +24,6 @@ struct LensPlan {
         int pairs;
         std::uint32_t first;
     };
-    /// The same of at most five columns, from a sample of the row on.
-    struct ShortSpan {
-        std::uint32_t sample;
-        std::array<float, 5> weights;
-    };
-    /// Sixteen samples of the printed row, each the sum of weighted floats of a window of 32.
-    static constexpr std::size_t groupSize = 16;
-    static constexpr std::size_t window = 32;
 
     [[nodiscard]] std::size_t slotCount() const { return lenses * views; }
     /// The slots of columns x0 to x1, ends excluded, lie under these lenses, ends excluded.
@@ -46,23 +38,15 @@ struct LensPlan {
     std::vector<Span> spans;           ///< Per lens, for every width that views have.
     std::vector<std::size_t> spansOf;  ///< Per slot of a lens, into `spans`.
     std::vector<float> weights;
-    std::vector<ShortSpan> shortSpans;  ///< Per lens; empty where views differ in width or a lens shows more columns.
 
     std::size_t taps = 1;                  ///< Slots that a column takes.
     bool single = false;                   ///< One slot with weight 1.
     std::vector<std::uint32_t> firstSlot;  ///< Per column.
     std::vector<float> tapWeights;         ///< Per column, one per tap.
 
-    /// Per group of samples of the whole row: the first float of its window, the places in it and their weights, tap
-    /// after tap. Empty where a group's slots do not fit into the window.
-    std::vector<std::uint32_t> windowStart;
-    std::vector<std::uint8_t> places;
-    std::vector<float> placeWeights;
-
 private:
     void planColumns(const PrintLayout&);
     void planLenses(const PrintLayout&, const ViewSet&);
-    void planGroups();
 
     std::int64_t firstLens_ = 0;
 };

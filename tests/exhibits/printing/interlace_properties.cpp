@@ -23,7 +23,6 @@ std::vector<Instructions> allInstructions()
 {
     std::vector<Instructions> all{Instructions::plain};
     if (bestInstructions() != Instructions::plain) all.push_back(Instructions::avx2);
-    if (bestInstructions() == Instructions::avx512) all.push_back(Instructions::avx512);
     return all;
 }
 
