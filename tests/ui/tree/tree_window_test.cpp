@@ -14,6 +14,7 @@
 #include "ui/window/window_docks.h"
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
@@ -125,6 +126,20 @@ private slots:
         QCOMPARE(shown().size(), 3);
         stack().undo();
         QTRY_COMPARE(editor().tree().nodes.size(), std::size_t{3});
+
+        const auto label = [this] {
+            for (const QLabel* each : dock().findChildren<QLabel*>())
+                if (each->text() == "No node has these words.") return each;
+            return static_cast<const QLabel*>(nullptr);
+        };
+        QVERIFY(!label());
+        words->setText("nothing of the kind");
+        QTRY_VERIFY(label() && label()->isVisible());
+        words->setFocus();
+        QTest::keyClick(words, Qt::Key_Escape);
+        QVERIFY(words->text().isEmpty());
+        QVERIFY(!label());
+        QCOMPARE(shown(), (QStringList{"union", "left", "right"}));
     }
 
     void kindsAreOfferedInGroupsAndFoundByWords()
