@@ -39,7 +39,8 @@ TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)
     const std::set<std::string> kinds{"real", "count", "toggle", "choice", "color", "direction", "file", "text"};
     int rows = 0, qualities = 0, conditions = 0, offers = 0;
     for (const Json& exhibit : all) {
-        EXPECT_EQ(keysOf(exhibit), (std::set<std::string>{"name", "title", "summary", "parameters", "comparisons"}));
+        EXPECT_EQ(keysOf(exhibit),
+                  (std::set<std::string>{"name", "complete", "title", "summary", "parameters", "comparisons"}));
         for (const Json& offered : exhibit["comparisons"]) {
             ++offers;
             EXPECT_EQ(keysOf(offered), (std::set<std::string>{"name", "title", "help", "values"}));
