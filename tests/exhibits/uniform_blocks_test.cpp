@@ -165,6 +165,7 @@ const std::map<std::string, Described>& blocksOfCpp()
         {"StandingShape", described<StandingShape>()},
         {"SurfaceObject", described<SurfaceObject>()},
         {"TemporalBlock", described<TemporalBlock>()},
+        {"TorusMug", described<TorusMug>()},
         {"TorusMugShape", described<TorusMugShape>()},
     };
     return blocks;

@@ -148,7 +148,7 @@ Picture visitorsModel(const std::string& glb, AverageIn in = AverageIn::radiance
     shot.request.frame.averageIn = in;
     shot.hall().set(hallTable().objects.front().model, (folder / "model.glb").string());
     const HallModel building;
-    const glm::dmat4 place = building.place(10)->worldFromPlace;
+    const glm::dmat4 place = building.place(freePlinthPlace)->worldFromPlace;
     shot.see(glm::dvec3(place * glm::dvec4(0.3, 0.7, 2, 1)), glm::dvec3(place * glm::dvec4(0, 0.3, 0, 1)));
     shot.size(64, 48);
     Picture picture = shot.take();

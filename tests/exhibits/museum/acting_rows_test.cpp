@@ -81,7 +81,7 @@ struct Situation {
 /// Before the free plinth, where the visitor's object stands.
 render::Camera beforeThePlinth()
 {
-    const glm::dmat4 world = test::building().place(10)->worldFromPlace;
+    const glm::dmat4 world = test::building().place(freePlinthPlace)->worldFromPlace;
     return {glm::dvec3(world * glm::dvec4(0, 1.2, 1.6, 1)), glm::dvec3(world * glm::dvec4(0, 0.9, 0, 1)), 0.9};
 }
 

@@ -313,7 +313,7 @@ TEST(Pick, AButtonIsNamedByWhatItDoes)
 TEST(Pick, TheVisitorsOwnObjectCanBeVisited)
 {
     Scene scene;
-    const dvec3 above = dvec3(test::building().place(10)->worldFromPlace[3]) + dvec3(0, 0.15, 0);
+    const dvec3 above = dvec3(test::building().place(freePlinthPlace)->worldFromPlace[3]) + dvec3(0, 0.15, 0);
     scene.see(above + dvec3(0.3, 0.6, 2.2), above);
     EXPECT_FALSE(pointed(scene));
     scene.hall().setRow(*scene.hall().table().find("model"), render::asset("models/teddy.glb").string());
