@@ -175,7 +175,7 @@ TEST(OwnObjects, ABadFileLeavesTheOthersAsTheyAreAndIsNamedOnce)
 TEST(OwnObjects, PresetsOfOneLoadAsTheFirstAndOfFourComeBack)
 {
     const Preset old = parsePreset(R"({"format": "vitrine-preset", "version": 1, "app": "0.1.0", "exhibit": "hall",
-        "name": "Mine", "values": {"model": "bear.glb", "modelSize": 1.5, "modelTurn": 0.5}})",
+        "name": "Mine", "values": {"model": "bear.glb", "modelSize": 1.5, "modelRotation": 0.5}})",
                                    "mine.json", "hall", table());
     EXPECT_EQ(old.values[table().objects[0].model], "bear.glb");
     EXPECT_EQ(old.values[table().objects[0].modelSize], 1.5);
