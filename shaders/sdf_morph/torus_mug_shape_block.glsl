@@ -1,4 +1,4 @@
-// The parameters of a torus-mug, by the names of the exhibit's table. Meters, all > 0 but morph and blend. GLSL and C++:
+// The parameters of a torus-mug, by the names of the table. Meters, all > 0 except morph and blend. GLSL and C++:
 // render/glsl/std140.h.
 #define TORUS_MUG_FIELDS(FIELD, ARRAY) \
     FIELD(float, morph)              /* 0 torus, 1 mug; cut to [0, 1] */ \

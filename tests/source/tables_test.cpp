@@ -182,6 +182,8 @@ bool isRead(const std::string& text, const ParameterInfo& row)
     const std::string from = row.array.empty() ? "\\b(parameters|table|table_|t|parameters\\(\\)|rows\\(\\))"
                                                : "(\\b" + std::string(row.array) + "\\[[^;]*\\]|\\brows)";
     if (text.find("find(" + name + "Row)") != std::string::npos) return true;
+    // A list of fields, by whose names C++ takes parameters into a struct.
+    if (text.find("FIELD(float, " + name + ")") != std::string::npos) return true;
     // The pattern is tried where the name stands, with what is before it: to try it everywhere takes half a minute.
     const std::regex reads(from + "(\\.|->)" + name + "\\b");
     constexpr std::size_t before = 300;

@@ -244,7 +244,7 @@ TEST(Motions, FilesBringThemBackOfEveryKind)
         values.setMotion(rowsThatMove.radius.row, motion);
         const Preset written{"some", "A", values, std::nullopt, render::Json::object(), {}};
         const std::string text = presetText(written);
-        EXPECT_NE(text.find("\"version\": 2"), std::string::npos) << text;
+        EXPECT_NE(text.find("\"version\": 1"), std::string::npos) << text;
         const Preset read = parsePreset(text, "a.json", "some", rowsThatMove);
         EXPECT_TRUE(read.notes.empty()) << read.notes.front();
         ASSERT_TRUE(read.values.motion(rowsThatMove.radius.row));
@@ -256,7 +256,7 @@ TEST(Motions, FilesBringThemBackOfEveryKind)
 /// A preset with this motion of `radius`.
 std::string fileWithMotion(const std::string& motion, const std::string& row = "radius")
 {
-    return "{\"format\": \"vitrine-preset\", \"version\": 2, \"exhibit\": \"some\", \"name\": \"A\", \"values\": {},\n"
+    return "{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"some\", \"name\": \"A\", \"values\": {},\n"
            "\"motions\": {\"" +
            row + "\": " + motion + "}}";
 }
