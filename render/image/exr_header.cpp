@@ -110,7 +110,9 @@ bool isTextList(std::string_view list)
 std::optional<std::uint64_t> previewBytes(std::string_view value)
 {
     if (value.size() < 8) return std::nullopt;
-    return 8 + 4 * std::uint64_t{littleEndian(value, 0)} * littleEndian(value, 4);
+    const std::uint64_t width = littleEndian(value, 0), height = littleEndian(value, 4);
+    if (width > value.size() || height > value.size()) return std::nullopt;  // Their product could overflow.
+    return 8 + 4 * width * height;
 }
 
 /// True if the value has as many bytes as OpenEXR reads for its type. OpenEXR does not hold a value's stated length

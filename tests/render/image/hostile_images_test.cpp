@@ -91,6 +91,8 @@ TEST(HostileImage, ExrAttributeOfAnotherSizeThanItsTypeIsRefused)
     EXPECT_NO_THROW(read("a.exr", with("a", "stringvector", test::littleEndian32(2) + "ab" + test::littleEndian32(0))));
     refused("stringvector", test::littleEndian32(3) + "ab");
     refused("preview", test::littleEndian32(2) + test::littleEndian32(1) + std::string(7, '\0'));
+    // 4 x 2^31 x 2^31 bytes are 0 in 64 bits.
+    refused("preview", test::littleEndian32(0x80000000) + test::littleEndian32(0x80000000));
     EXPECT_FAILURE(read("a.exr", with("dataWindow", "string", std::string(16, '\0'))),
                    "\"dataWindow\" does not have the size");
     std::string list = test::exrBytes({"Y"}, {0, 0, 3, 3}, {0, 0, 3, 3});
