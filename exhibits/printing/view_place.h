@@ -8,11 +8,14 @@
 
 namespace vitrine::printing {
 
+/// Largest turn, in degrees, and largest shift, in percent, to either side.
+inline constexpr double mostTurn = 360, mostShift = 100;
+
 /// Turn and shift of a picture by hand, before it becomes a view of a print. Kept in the units in which people type
 /// them, so that every digit survives.
 struct ViewPlace {
-    double turn = 0;      ///< Clockwise about the middle, degrees, -360 to 360.
-    glm::dvec2 shift{0};  ///< To the right and down, percent of the view's width and height, -100 to 100.
+    double turn = 0;      ///< Clockwise about the middle, degrees, up to `mostTurn` to either side.
+    glm::dvec2 shift{0};  ///< To the right and down, percent of the view's width and height, up to `mostShift`.
 
     bool operator==(const ViewPlace&) const = default;
 };

@@ -43,7 +43,8 @@ PlaceBar::PlaceBar(PrintSetup& setup, QWidget* parent)
         auto* number = numbers_.at(i) = new QDoubleSpinBox(this);
         number->setPrefix(prefixes.at(i) + QLatin1Char(' '));
         number->setSuffix(i == 0 ? QStringLiteral("°") : QStringLiteral(" %"));
-        number->setRange(i == 0 ? -360 : -100, i == 0 ? 360 : 100);
+        const double most = i == 0 ? printing::mostTurn : printing::mostShift;
+        number->setRange(-most, most);
         number->setDecimals(3);
         number->setSingleStep(0.1);
         number->setKeyboardTracking(false);
@@ -83,13 +84,18 @@ int PlaceBar::picture() const
     return view <= pictures_.size() ? pictures_[view - 1] : 0;
 }
 
-printing::ViewPlace PlaceBar::place() const
+printing::ViewPlaces PlaceBar::places() const
 {
     try {
-        return placeOf(printing::viewPlaces(setup_.values()[printing::printTable().places]), picture());
+        return printing::viewPlaces(setup_.values()[printing::printTable().places]);
     } catch (const std::exception&) {
-        return {};  // `readViews` reports text that cannot be read.
+        return {};  // `readViews` reports text that cannot be read; the next change replaces it.
     }
+}
+
+printing::ViewPlace PlaceBar::place() const
+{
+    return placeOf(places(), picture());
 }
 
 void PlaceBar::showPlace()
@@ -118,11 +124,7 @@ void PlaceBar::set(const printing::ViewPlace& place, Gesture gesture, const QStr
 {
     if (picture() == 0) return;
     ParameterValues values = setup_.values();
-    printing::ViewPlaces places;
-    try {
-        places = printing::viewPlaces(values[printing::printTable().places]);
-    } catch (const std::exception&) {  // Text that cannot be read is replaced.
-    }
+    printing::ViewPlaces places = this->places();
     places[picture()] = place;
     values.set(printing::printTable().places, textOf(places));
     setup_.change(text, values, gesture);

@@ -33,6 +33,8 @@ private:
     void change(std::size_t field);
     /// Returns the number of the picture that the chosen view is made from; 0: there is none.
     [[nodiscard]] int picture() const;
+    /// Returns the places that are set; none where their text cannot be read.
+    [[nodiscard]] printing::ViewPlaces places() const;
     /// Returns the place of the chosen view.
     [[nodiscard]] printing::ViewPlace place() const;
     void set(const printing::ViewPlace&, Gesture, const QString& text);
