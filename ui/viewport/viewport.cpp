@@ -507,9 +507,8 @@ constexpr std::size_t mostFormer = 100;
 void Viewport::visit(std::size_t exhibit)
 {
     remember();
-    goFrom(isInDepot(), exhibit,
-           {museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
-            exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
+    glideTo(exhibit, {museum_.bestView(exhibit, history_.sceneState().values[exhibit]),
+                      exhibit == hallIndex ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
     going_->say(tr("Going to %1 …").arg(said(museum_.subject(exhibit).title())));
 }
 
@@ -518,11 +517,10 @@ bool Viewport::isInDepot() const
     return subject_ != hallIndex && !museum_.isInHall(subject_) && control_.mode() == CameraControl::Mode::orbit;
 }
 
-/// Between the depot and the hall there is no way to glide: the picture changes at once.
-void Viewport::goFrom(bool depot, std::size_t subject, const CameraControl::Standpoint& there)
+void Viewport::glideTo(std::size_t subject, const CameraControl::Standpoint& there)
 {
     const bool cuts = control_.cuts();
-    control_.setCutting(cuts || depot || (subject != hallIndex && !museum_.isInHall(subject)));
+    control_.setCutting(cuts || isInDepot() || (subject != hallIndex && !museum_.isInHall(subject)));
     subject_ = subject;
     control_.glideTo(there);
     leftFor();
@@ -532,7 +530,7 @@ void Viewport::goFrom(bool depot, std::size_t subject, const CameraControl::Stan
 void Viewport::visit(const OwnObjectShown& object)
 {
     remember();
-    goFrom(isInDepot(), hallIndex, {object.view, CameraControl::Mode::orbit});
+    glideTo(hallIndex, {object.view, CameraControl::Mode::orbit});
     emit visited(hallIndex);
 }
 
@@ -559,7 +557,7 @@ void Viewport::goBack()
     if (former_.empty()) return;
     const Former former = former_.back();
     former_.pop_back();
-    goFrom(isInDepot(), former.subject, former.standpoint);
+    glideTo(former.subject, former.standpoint);
     emit visited(former.subject);
 }
 
@@ -576,8 +574,8 @@ void Viewport::goTo(const render::Camera& camera)
     constexpr double visitorsEye = 1.65;
     const bool stands =
         std::abs(camera.eye.y - visitorsEye) < 1e-6 && museum_.obstacles(prepared()).walks(camera.eye, camera.eye);
-    goFrom(isInDepot(), isInDepot() ? hallIndex : subject_,
-           {camera, stands ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
+    glideTo(isInDepot() ? hallIndex : subject_,
+            {camera, stands ? CameraControl::Mode::walk : CameraControl::Mode::orbit});
 }
 
 void Viewport::walkOn()

@@ -183,7 +183,8 @@ private:
     void cameraChanged();
     /// The same after a glide began, or a cut was made in its place.
     void leftFor();
-    void goFrom(bool depot, std::size_t subject, const CameraControl::Standpoint&);
+    /// Glides there and makes `subject` the visited one. Into and out of the depot the picture changes at once.
+    void glideTo(std::size_t subject, const CameraControl::Standpoint&);
     /// Takes back where the visitor is going, once he is there.
     void noteArrival();
     void showProblems(const std::vector<render::gl::ShaderProblem>&);
