@@ -6,6 +6,7 @@
 #include "render/files/read_file.h"
 #include "render/files/text_position.h"
 #include "render/text/translation.h"
+#include "render/text/trimmed.h"
 
 #include <algorithm>
 #include <array>
@@ -30,9 +31,7 @@ struct Part {
 
 std::string_view trimmed(std::string_view s)
 {
-    const auto first = s.find_first_not_of(" \t\r\n");
-    if (first == std::string_view::npos) return {};
-    return s.substr(first, s.find_last_not_of(" \t\r\n") - first + 1);
+    return render::trimmed(s, " \t\r\n");
 }
 
 Failure failureAt(const std::string& file, int line, const std::string& problem)

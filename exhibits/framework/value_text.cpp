@@ -3,6 +3,7 @@
 #include "exhibits/framework/expression.h"
 #include "render/files/number_text.h"
 #include "render/image/srgb.h"
+#include "render/text/trimmed.h"
 
 #include <algorithm>
 #include <array>
@@ -23,9 +24,7 @@ std::string lower(std::string_view text)
 
 std::string_view trimmed(std::string_view text)
 {
-    const std::size_t first = text.find_first_not_of(" \t");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+    return render::trimmed(text, " \t");
 }
 
 std::optional<Value> parseToggle(std::string_view text)

@@ -3,6 +3,7 @@
 #include "exhibits/printing/print_layout.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
+#include "render/text/trimmed.h"
 
 #include <array>
 #include <cmath>
@@ -11,13 +12,9 @@
 namespace vitrine::printing {
 namespace {
 
-constexpr double mostTurn = 360, mostShift = 100;
-
 std::string_view trimmed(std::string_view text)
 {
-    const std::size_t first = text.find_first_not_of(' ');
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(' ') - first + 1);
+    return render::trimmed(text, " ");
 }
 
 /// Removes everything up to the first `sign` from `rest`, and the sign with it; all of `rest` if it has no such sign.
