@@ -7,7 +7,6 @@ set -e
 cd "$(dirname "$0")/../.."
 results=tests/bench/results
 bench=build/release/tests/benchmarks
-study="build/release/vitrine study"
 
 entries() {
     cat <<END
@@ -20,9 +19,7 @@ window_latency gl xvfb-run -a -s -screen\ 0\ 1600x1000x24 $bench window_latency
 web_hall gl sh tests/bench/web_hall/run.sh
 stability_suite gl env VITRINE_SCAN_PRESETS=100 ctest --test-dir build/release -L stability -j 2
 END
-    sed -n 's/^\([A-Za-z_]*\) \(.*\)/\1 gl \2/p' tests/bench/studies.txt | while read -r name kind words; do
-        echo "study_$name $kind $study $words"
-    done
+    sed "s,^\([^ ]*\) ,study_\1 gl build/release/vitrine study ," tests/bench/studies.txt
 }
 
 # The results are what a run changes: they make no commit another one.
