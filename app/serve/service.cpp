@@ -223,7 +223,7 @@ using render::Json;
 
 namespace {
 
-/// Of a picture that goes into the answer.
+/// Largest size of a picture in an answer, in bytes.
 constexpr std::size_t mostAnswerBytes = 48U << 20U;
 
 Json sizeJson(const RequestedPicture& job)
@@ -231,7 +231,7 @@ Json sizeJson(const RequestedPicture& job)
     return Json::array({job.request.frame.raster.size.x, job.request.frame.raster.size.y});
 }
 
-/// What was brought to the nearest legal value, and what pictures complain of.
+/// Returns the notes on corrected values, and the complaints of the drawn pictures.
 Json notesJson(const std::vector<std::string>& notes, const std::vector<render::CulledPass>& skipped)
 {
     Json json = Json::array();

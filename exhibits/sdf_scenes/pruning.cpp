@@ -321,7 +321,7 @@ public:
     [[nodiscard]] std::size_t lists() const { return lists_; }
     [[nodiscard]] std::size_t evaluations() const { return pruner_.evaluations(); }
 
-    /// What another one found in the cells from there on, which this one was not asked about.
+    /// Takes over the results of another pruner for all cells from `from` on, which this one has not pruned.
     void take(const CellPruner& other, const glm::ivec3& from)
     {
         std::unordered_map<std::uint32_t, std::uint32_t> moved;
@@ -362,7 +362,7 @@ private:
                static_cast<std::size_t>(at.x);
     }
 
-    /// Where a list stands that may be there already.
+    /// Returns the index of a list of steps; an equal list that is already stored is used again.
     std::uint32_t listOf(std::span<const Step> steps)
     {
         const std::uint64_t hash = hashOf(steps);

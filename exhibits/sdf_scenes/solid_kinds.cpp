@@ -188,7 +188,7 @@ std::vector<Field> endsOf(std::vector<Field> further)
     return all;
 }
 
-/// Of a profile of this half size around the z axis.
+/// Returns the bounds of a profile around the z axis; x and y are its half sizes.
 Extent profileExtent(double x, double y)
 {
     return {boxAround({x, y, noEnd}), evenInAll, true};

@@ -462,7 +462,7 @@ void Study::takeShot(std::size_t point, std::size_t view, const SceneState& scen
 
 render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t view)
 {
-    // What the studied parameters change is drawn anew, however often it was drawn: it is what they cost.
+    // Passes that depend on the studied parameters are always drawn again: their time is the cost.
     render::PersistentState kept = backend_.persistentState();
     for (const std::string& pass : dependentPasses_) kept.passes.erase(pass);
     FrameRequest frame = pictureRequest(sceneState, view).frame;
@@ -470,7 +470,7 @@ render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t v
     frame.cut = frame.finished = true;  // As the pictures that it is the time of.
     const Prepared prepared = museum_.prepare(sceneState, frame);
     if (studiesMotion()) {
-        // What is timed finds what a frame before it left.
+        // The timed frame finds the history that a frame before it left.
         frame.movingFrame = 1;
         (void)backend_.draw(museum_.plan(prepared, frame, kept));
         kept = backend_.persistentState();
@@ -522,8 +522,8 @@ void Study::addTimes()
 
 namespace {
 
-// Of pictures in motion: the camera turns by so many pixels from frame to frame, not a whole number, so that what was
-// drawn is never found again texel for texel; and what is seen after more frames than any history is long.
+// Turn of the camera between two frames of a picture in motion, in pixels: not a whole number, so that no texel of a
+// frame falls onto one of the frame before. The picture is compared after more frames than any history averages.
 constexpr double turnPerFrame = 2.3;
 constexpr int framesOfMotion = 24;
 

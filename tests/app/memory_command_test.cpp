@@ -29,7 +29,7 @@ TEST(MemoryAtItsEnd, IsSaidInOneSentenceWhereverItEnds)
     const Ended good = test::vitrine(words);
     ASSERT_EQ(good.code, 0) << good.err;
     test::writeBytes(out, "old");
-    // Where memory lasts to the end, the last of these counts is enough.
+    // The largest of these counts lets the command finish.
     int refused = 0;
     long count = 1500;
     for (; count < 1'000'000; count += count / 7) {

@@ -187,7 +187,7 @@ TEST(CardPlan, ADescriptionBesideAPrintThatIsNotItsOwnIsNamed)
     scene.request.needsFiles = true;
     EXPECT_EQ(scene.plan().findSkipped("lenticular/front print"), nullptr);
 
-    // Of another print; a card of its own, because what was read is kept.
+    // The description belongs to another print. The file has a name of its own, because read files are cached.
     test::writeBytes(folder / "b.tif", test::bytesOf(print));
     test::writeBytes(folder / "b.tif.json", described(40).second);
     scene.values().set(scene.t.frontPrint, (folder / "b.tif").string());

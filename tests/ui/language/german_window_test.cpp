@@ -111,7 +111,7 @@ private slots:
         const QList<QListWidgetItem*> copies =
             presets()->findItems(QStringLiteral("Porzellanbecher"), Qt::MatchStartsWith);
         QCOMPARE(copies.size(), 2);
-        // Of the visitor's own presets, words stay as they were typed.
+        // Names of the visitor's own presets stay as they were typed.
         window_->shelf().saveUnder(QStringLiteral("Night"));
         QCOMPARE(rowsNamed("Night").size(), 1);
     }

@@ -185,8 +185,8 @@ class MemoryTest : public QObject {
             if (const QString name = object->metaObject()->className(); !name.startsWith("QCP")) ++counts[name];
         return counts;
     }
-    /// What there is more of than in each of two rounds before, in words. A round that leaves something leaves it every
-    /// time; what goes with the next picture is there now and then.
+    /// Names the counts that are higher than in each of two rounds before. A round that leaks leaks every time; what
+    /// goes with the next picture is there now and then.
     [[nodiscard]] static QString grown(const Kept& first, const Kept& second, const Kept& now)
     {
         QStringList words;
