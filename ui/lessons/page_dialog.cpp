@@ -137,9 +137,9 @@ void PageDialog::follow(const QUrl& link)
         browser_->setSource(browser_->source().resolved(link));
 }
 
-void PageDialog::noteSource()
+void PageDialog::noteSource(const QUrl& source)
 {
-    const QString name = nameOfPage(browser_->source());
+    const QString name = nameOfPage(source);  // The browser's own source() is still the page before.
     lesson_->setEnabled(
         QFileInfo::exists(pageFolder() + QStringLiteral("/../lessons/") + name + QStringLiteral(".md")));
     lesson_->setToolTip(lesson_->isEnabled() ? QString() : tr("There is no lesson about this."));

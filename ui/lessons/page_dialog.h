@@ -37,7 +37,7 @@ signals:
 private:
     class Browser;
     void follow(const QUrl&);
-    void noteSource();
+    void noteSource(const QUrl& source);
 
     QTextBrowser* browser_;
     QPushButton* lesson_;

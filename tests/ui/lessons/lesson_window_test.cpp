@@ -14,6 +14,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QScopeGuard>
 #include <QTextBlock>
 #include <QTextBrowser>
@@ -323,11 +324,20 @@ private slots:
         const QString page = dialog->browser().toPlainText();
         for (const ParameterInfo& row : window_->history().sceneState().values[1].rows())
             QVERIFY2(page.contains(said(label(row))) && page.contains(said(row.help)), row.name.data());
+        const auto lesson = [dialog] {
+            for (QPushButton* each : dialog->findChildren<QPushButton*>())
+                if (each->text() == "&Start its lesson") return each;
+            return static_cast<QPushButton*>(nullptr);
+        };
+        QVERIFY(lesson() && lesson()->isEnabled());
         window_->openPage(hallIndex);
         QVERIFY(dialog->browser().source().path().endsWith("/hall.html"));
+        QVERIFY2(!lesson()->isEnabled(), "the hall has none");
         emit dialog->browser().anchorClicked(QUrl(QStringLiteral("noise.html")));
         QVERIFY(dialog->browser().source().path().endsWith("/noise.html"));
+        QVERIFY(lesson()->isEnabled());
         dialog->browser().backward();
+        QVERIFY(!lesson()->isEnabled());
         QVERIFY(dialog->browser().source().path().endsWith("/hall.html"));
         dialog->close();
     }
