@@ -16,7 +16,7 @@ Gesture newGesture()
     return ++last;
 }
 
-/// From one look to another, or another piece of work, such as deleting a preset.
+/// Undo step: from one scene state to another, or another piece of work, such as deleting a preset.
 class SceneStateStep final : public QUndoCommand {
 public:
     SceneStateStep(History& history, const QString& text, SceneStateChange change, const render::Camera& cameraAfter,
@@ -56,7 +56,7 @@ public:
         return true;
     }
 
-    /// What it does to the look: it may get to do more (`History::exchangeTables`).
+    /// Change of the scene state; `History::exchangeTables` appends to it.
     [[nodiscard]] SceneStateChange& change() const { return *change_; }
 
 private:
@@ -84,7 +84,7 @@ History::History(SceneState start, QObject* parent) : QObject(parent), sceneStat
 SceneState History::valuesAt(int step) const
 {
     const auto changeOf = [this](int i) -> const SceneStateChange& {
-        return static_cast<const SceneStateStep*>(stack_.command(i))->change();  // Nothing else is pushed.
+        return static_cast<const SceneStateStep*>(stack_.command(i))->change();  // Only `SceneStateStep`s are pushed.
     };
     SceneState state = sceneState_;
     for (int i = stack_.index(); i > step; --i) changeOf(i - 1).revert(state);
@@ -142,7 +142,7 @@ void History::exchangeTables(const SceneState& tabled)
     const SceneStateChange change(sceneState_, after);
     if (change.empty()) return;
     if (const QUndoCommand* last = stack_.index() > 0 ? stack_.command(stack_.index() - 1) : nullptr)
-        static_cast<const SceneStateStep*>(last)->change().append(change);  // Nothing else is pushed.
+        static_cast<const SceneStateStep*>(last)->change().append(change);  // Only `SceneStateStep`s are pushed.
     change.apply(sceneState_);
     gesture_ = 0;
     emit replaced();

@@ -9,14 +9,14 @@
 
 namespace vitrine::ui {
 
-/// Edits with the same number, other than 0, are one undo step: one drag, one held key.
+/// Number of a gesture, such as one drag or one held key. Edits with the same number, other than 0, are one undo step.
 using Gesture = int;
 [[nodiscard]] Gesture newGesture();
 
-/// The look on show and all the looks before it: the one place where values of the window change.
+/// The window's scene state and its undo stack. All values of the window are changed here.
 ///
-/// Whoever shows a value listens to `changed` and `replaced`; nobody keeps a copy of the values. The camera walks
-/// freely and is no step of its own; a change that moves it (a preset) takes it back when undone.
+/// Views of a value listen to `changed` and `replaced` and keep no copy of it. Camera moves of the visitor are no undo
+/// steps. A step that moves the camera (such as applying a preset) moves it back when undone.
 class History : public QObject {
     Q_OBJECT
 
@@ -26,48 +26,48 @@ public:
     explicit History(SceneState start, QObject* parent = nullptr);
 
     [[nodiscard]] const SceneState& sceneState() const { return sceneState_; }
-    /// The values after the first `step` undo steps, 0 to the stack's count; the camera is the present one.
+    /// Returns the values after the first `step` undo steps, 0 to the stack's count. The camera is the present one.
     [[nodiscard]] SceneState valuesAt(int step) const;
-    /// Sets one value, or the nearest legal one. `text` names the step for people; empty: "Change roughness". A value
-    /// equal to the one on show is no step. A row that moves stops and keeps the value: whoever sets it has taken it
-    /// over.
+    /// Sets one value, or the nearest legal one, as one undo step. `text` is the step's label; empty: "Change
+    /// roughness". A value that equals the present one makes no step. Setting an animated parameter ends its animation.
     void set(std::size_t exhibit, std::size_t row, const Value&, Gesture, const QString& text = {});
-    /// Sets several values at once: shows `after`, under the tables on show where it names the same files for them. A
-    /// look equal to the one on show is no step.
+    /// Sets several values at once to those of `after`. Exhibits that name the same files as now keep the tables in
+    /// use. A state that equals the present one makes no step.
     void change(const QString& text, const SceneState& after, Gesture = 0, Camera = Camera::stays);
-    /// A step that is no change of the look, such as deleting a preset; `redo` is called now.
+    /// Adds a step that leaves the scene state alone, such as deleting a preset. `redo` is called now.
     void record(const QString& text, std::function<void()> redo, std::function<void()> undo);
-    /// The same where the look becomes `after` as well, once `redo` was called; `undo` is called before it goes back.
+    /// The same for a step that also changes the scene state to `after`. `redo` is called before each change to
+    /// `after`, `undo` before each change back.
     void record(const QString& text, const SceneState& after, std::function<void()> redo, std::function<void()> undo,
                 Camera = Camera::stays);
-    /// The visitor moved: no step, and no signal but `walked`.
+    /// Sets the camera after a move of the visitor. Makes no step and emits `walked` only.
     void setCamera(const render::Camera& camera)
     {
         if (sceneState_.camera == camera) return;
         sceneState_.camera = camera;
         emit walked();
     }
-    /// Exchanges the tables of exhibits that name the same files as in `tabled`, which has read them. No step of its
-    /// own: undo takes it back with the step that stands last, which is the one that named the files.
+    /// Takes the parameter tables of `tabled`, which has read the files, for all exhibits that name the same files.
+    /// Makes no step of its own. Undoing the last step, which named the files, also takes this back.
     void exchangeTables(const SceneState& tabled);
-    /// Shows `after`, which looks the same: a document that was written to its file. No step, and undo and redo show
-    /// what they showed.
+    /// Replaces the values by those of `after`, which has the same appearance: a document was written to its file.
+    /// Makes no step; undo and redo restore the same pictures as before.
     void settle(const SceneState& after);
-    /// Starts over from `look`, with nothing to undo: a session that comes back.
+    /// Clears the undo stack and shows this state: a session is restored.
     void restart(const SceneState&);
 
-    /// Of the change that `changed` or `replaced` says now, or said last.
+    /// Returns the gesture of the change that `changed` or `replaced` reports, or has reported last.
     [[nodiscard]] Gesture gesture() const { return gesture_; }
     [[nodiscard]] QUndoStack& stack() { return stack_; }
 
 signals:
-    /// This value changed, and no other: by an edit, undo or redo.
+    /// Emitted when this value changed, and no other: by an edit, undo or redo.
     void changed(std::size_t exhibit, std::size_t row);
-    /// Several values changed at once, or none but the camera.
+    /// Emitted when several values changed at once, or the camera alone.
     void replaced();
-    /// ... and the camera is to go to `look().camera`.
+    /// Emitted after `changed` or `replaced` when the camera has to move to `sceneState().camera`.
     void cameraMoved();
-    /// The visitor took the camera somewhere else; many times a second while he walks.
+    /// Emitted when the visitor moved the camera: many times a second while walking.
     void walked();
 
 private:

@@ -10,37 +10,38 @@
 
 namespace vitrine::ui {
 
-/// B: a second complete setting, beside those on show, which are A. Whoever shows B listens to `changed`. What moves
-/// values between the two is one undo step; which settings are held as B is none. B has no camera of its own.
+/// Settings B: a second complete set of values beside the window's own, which are A. Views of B listen to `changed`.
+/// Copying values between A and B is one undo step; choosing the settings that are held as B is none. The camera of B
+/// is not used.
 class OtherSettings final : public QObject {
     Q_OBJECT
 
 public:
-    /// The history must outlive it.
+    /// The history must outlive this object.
     explicit OtherSettings(History&, QObject* parent = nullptr);
 
     [[nodiscard]] bool held() const { return sceneState_.has_value(); }
-    /// Only while held.
+    /// Returns the settings B. Call only while `held()`.
     [[nodiscard]] const SceneState& sceneState() const { return *sceneState_; }
-    /// What B is, for people: "Old gold"; with " *" where it was changed since.
+    /// Returns the name of B for people: "Old gold", with " *" if B was edited since.
     [[nodiscard]] QString name() const;
 
     void hold(const SceneState&, const QString& name);
-    /// What B makes of A.
+    /// Function that makes the settings B from the settings A.
     using Following = std::function<SceneState(const SceneState& a)>;
-    /// B goes on being that of whatever A is, until it is edited itself.
+    /// Makes B follow A: it is recomputed by the function whenever A changes, until B itself is edited.
     void follow(Following, const QString& name);
     [[nodiscard]] bool follows() const { return static_cast<bool>(following_); }
-    /// The same settings, of files that are others now. Only while held.
+    /// Replaces B by the same settings with files that were read again. Call only while `held()`.
     void readAgain(const SceneState&);
     void letGo();
 
-    // Only while held:
+    // Call the following functions only while `held()`.
     void swap();
-    /// A becomes B, or B becomes A.
+    /// Copies all values of B to A, or all values of A to B.
     void takeAll();
     void giveAll();
-    /// The same of one row; nothing where one of them lacks it.
+    /// Copies one parameter from B to A, or from A to B. Does nothing if either lacks it.
     void take(std::size_t exhibit, const std::string& row);
     void give(std::size_t exhibit, const std::string& row);
 
@@ -54,7 +55,7 @@ private:
         bool edited = false;
         Following following = {};
     };
-    /// One step: A shows `a`, and B is `b`.
+    /// Adds one undo step that sets A to `a` and B to `b`.
     void record(const QString& text, const SceneState& a, const Held& b);
     void show(const Held&);
     void catchUp();

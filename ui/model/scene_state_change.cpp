@@ -37,7 +37,7 @@ void SceneStateChange::set(ParameterValues& values, const Row& change, const Val
         values.setRow(change.row, value);
         return;
     }
-    // A file was read again since: the row is where its name is.
+    // A file was read again since then: find the parameter by its name.
     const ParameterInfo& info = change.table->rows()[change.row];
     const std::optional<std::size_t> row = values.table().find(info.name);
     if (!row || values.rows()[*row].kind != info.kind) return;

@@ -10,31 +10,32 @@
 
 namespace vitrine::ui {
 
-/// What turns one look into another, but for the camera. Keeps the rows that differ (looks are large, and an afternoon
-/// has thousands of steps), and all values of an exhibit whose table is another one, too, or whose rows move otherwise.
+/// Difference between two scene states, without their cameras. Holds only the parameters that differ, because states
+/// are large and a session has thousands of steps. An exhibit with another parameter table or other animations is held
+/// with all its values.
 class SceneStateChange {
 public:
     SceneStateChange() = default;
     SceneStateChange(const SceneState& before, const SceneState& after);
-    /// Of one row; `after` is legal.
+    /// Change of one parameter to `after`, which must be legal.
     SceneStateChange(const SceneState& before, std::size_t exhibit, std::size_t row, const Value& after);
 
     [[nodiscard]] bool empty() const { return rows_.empty() && tables_.empty(); }
-    /// Exhibit and row of this look, where no other value changes.
+    /// Returns the exhibit and parameter index in this state, if exactly one value changes.
     [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> onlyRow(const SceneState&) const;
 
     void apply(SceneState& sceneState) const;
     void revert(SceneState& sceneState) const;
-    /// This, and then a later one. What comes out as it was before is no change any more.
+    /// Appends a later change. Values that end as they began are dropped.
     void append(const SceneStateChange& later);
 
 private:
     struct Row {
         std::size_t exhibit = 0, row = 0;
-        std::shared_ptr<const Parameters> table;  ///< In which it is that row.
+        std::shared_ptr<const Parameters> table;  ///< Table in which `row` is the parameter's index.
         Value before, after;
     };
-    /// Of an exhibit that has no entry in `rows_`: with all its motions.
+    /// All values and animations of one exhibit, which then has no entries in `rows_`.
     struct Table {
         std::size_t exhibit = 0;
         ParameterValues before, after;

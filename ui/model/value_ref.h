@@ -4,21 +4,22 @@
 
 namespace vitrine::ui {
 
-/// Values outside of the history, whose changes become steps of it in a way of their own.
+/// Owner of parameter values that are kept outside of the history. It records their changes as undo steps itself.
 class ValueHolder {
 public:
     virtual ~ValueHolder() = default;
     [[nodiscard]] virtual const ParameterValues& heldValues() const = 0;
-    /// As `History::set`.
+    /// Sets one value, with the arguments of `History::set`.
     virtual void hold(std::size_t row, const Value&, Gesture, const QString& text) = 0;
-    /// Back to the initial value.
+    /// Sets the value back to its initial value.
     virtual void reset(std::size_t row, Gesture gesture, const QString& text)
     {
         hold(row, heldValues().rows()[row].initial, gesture, text);
     }
 };
 
-/// One value of the look on show, as a control reads and sets it. The history or the holder must outlive it.
+/// Reference to one parameter value, through which a control reads and sets it. The history or the holder must outlive
+/// it.
 class ValueRef {
 public:
     ValueRef(History& history, std::size_t exhibit, std::size_t row) : history_(&history), exhibit_(exhibit), row_(row)
@@ -28,7 +29,7 @@ public:
 
     [[nodiscard]] const ParameterInfo& info() const { return values().rows()[row_]; }
     [[nodiscard]] const Value& value() const { return values().row(row_); }
-    /// As `History::set`.
+    /// Sets the value, with the arguments of `History::set`.
     void set(const Value& value, Gesture gesture, const QString& text = {}) const
     {
         if (holder_)
@@ -36,7 +37,7 @@ public:
         else
             history_->set(exhibit_, row_, value, gesture, text);
     }
-    /// Back to the initial value.
+    /// Sets the value back to its initial value.
     void reset(Gesture gesture, const QString& text) const
     {
         if (holder_)

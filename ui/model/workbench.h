@@ -14,25 +14,25 @@ class History;
 class Renderers;
 class Viewport;
 
-/// Cause of the problems of opening a file: opening it again takes them back.
+/// Returns the cause under which problems of opening this file are listed. Opening the file again takes them back.
 [[nodiscard]] inline QString openingOf(const QString& path)
 {
     return QStringLiteral("opening ") + path;
 }
 
-/// What the window offers to those who work for it: controllers, exports, dialogs.
+/// Interface of the window for controllers, exports and dialogs.
 class Workbench {
 public:
     virtual ~Workbench() = default;
 
     [[nodiscard]] virtual const Museum& museum() const = 0;
-    /// For work on the render thread.
+    /// Renderers of the render thread: call them only from its tasks.
     [[nodiscard]] virtual Renderers& renderers() const = 0;
     [[nodiscard]] virtual History& history() = 0;
     [[nodiscard]] virtual Viewport& viewport() const = 0;
-    /// The subject that is visited: an exhibit, or the hall.
+    /// Index of the subject that is visited: an exhibit, or the hall.
     [[nodiscard]] virtual std::size_t chosen() const = 0;
-    /// Whose parameters the panel shows: the chosen exhibit, or the hall beside it.
+    /// Index of the subject whose parameters the panel shows: the chosen exhibit, or the hall.
     [[nodiscard]] virtual std::size_t shown() const = 0;
     /// Shows this exhibit's parameters and presets.
     virtual void choose(std::size_t exhibit) = 0;
