@@ -8,10 +8,10 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double steepestSceneState = 1.5;  // Just short of straight up, where yaw loses its meaning.
-constexpr double longestStep = 0.1;         // Meters: shorter than any wall is thick.
-constexpr double longestAdvance = 0.5;      // Seconds: whoever waited longer does not go through all of it.
-constexpr double slowest = 0.004;           // Meters per second: below it the visitor stands.
+constexpr double steepestSceneState = 1.5;  // Radians, just short of straight up, where yaw is undefined.
+constexpr double longestStep = 0.1;         // Meters per collision test: shorter than any wall is thick.
+constexpr double longestAdvance = 0.5;      // Seconds. A longer pause counts as this long.
+constexpr double slowest = 0.004;           // Meters per second. A slower visitor stands still.
 
 double shortestTurn(double from, double to)
 {
@@ -61,7 +61,8 @@ void Walker::advance(double seconds, const WalkKeys& keys, const Walkable& walka
     const glm::dvec3 aside(-ahead.z, 0, ahead.x);
     glm::dvec3 wanted = ahead * (keys.forward - keys.back + keys.ahead) + aside * (keys.right - keys.left + keys.aside);
     const double length = glm::length(wanted);
-    wanted *= (keys.run ? runningSpeed : walkingSpeed) / std::max(length, 1.0);  // A stick walks slowly, too.
+    // A stick that is partly deflected walks slowly.
+    wanted *= (keys.run ? runningSpeed : walkingSpeed) / std::max(length, 1.0);
 
     seconds = std::clamp(seconds, 0.0, longestAdvance);
     const double fastest = std::max(glm::length(wanted), glm::length(velocity_));
@@ -141,7 +142,7 @@ render::Camera Glide::camera() const
 
 render::Camera widened(const render::Camera& camera, double aspect)
 {
-    constexpr double widest = 2.6;  // Radians: beyond it, straight lines are all that is left of a picture.
+    constexpr double widest = 2.6;  // Radians. A wider field of view distorts too much.
     if (!(aspect > 0) || aspect >= keptAspect) return camera;
     render::Camera wide = camera;
     wide.fovY = std::max(camera.fovY, std::min(2 * std::atan(std::tan(camera.fovY / 2) * keptAspect / aspect), widest));
@@ -201,7 +202,7 @@ void CameraControl::walkOn()
 void CameraControl::turn(double yaw, double pitch)
 {
     if (mode_ == Mode::walk) walker_.turn(yaw, pitch);
-    // What is dragged follows the hand.
+    // The scene follows the pointer, so the eye moves the other way.
     if (mode_ == Mode::orbit) orbit_.turn(yaw, -pitch);
 }
 

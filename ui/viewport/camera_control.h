@@ -6,21 +6,21 @@
 
 namespace vitrine::ui {
 
-/// Where a visitor who stands at `from` and wants to be at `to` ends up: `to`, or as far as walls and
-/// exhibits allow, sliding along them. Eye positions in the world, meters.
+/// Collision test: returns the position that a visitor reaches who walks from `from` to `to`. It is `to`, or as far as
+/// walls and exhibits allow, sliding along them. Eye positions in the world, meters.
 using Walkable = std::function<glm::dvec3(const glm::dvec3& from, const glm::dvec3& to)>;
 
-/// What the visitor holds down or pushes.
+/// State of the keys and sticks that move the visitor.
 struct WalkKeys {
     bool forward = false, back = false, left = false, right = false, run = false;
-    /// Of a stick, added to the keys: parts of the full speed, forward and to the right.
+    /// Deflection of a stick, as parts of the full speed forward and to the right. Added to the keys.
     double ahead = 0, aside = 0;
-    double yaw = 0, pitch = 0;  ///< Radians per second by which the head is turned.
-    double nearer = 0;          ///< Steps of `Orbit::zoom` per second.
+    double yaw = 0, pitch = 0;  ///< Turn of the head in radians per second.
+    double nearer = 0;          ///< Zoom speed in steps of `Orbit::zoom` per second.
 
-    /// Something walks.
+    /// Returns whether any input walks.
     [[nodiscard]] bool any() const { return forward || back || left || right || ahead != 0 || aside != 0; }
-    /// Something walks, or turns the head, or goes nearer.
+    /// Returns whether any input walks, turns the head or zooms.
     [[nodiscard]] bool moves() const { return any() || yaw != 0 || pitch != 0 || nearer != 0; }
 };
 
@@ -32,20 +32,21 @@ struct Heading {
 [[nodiscard]] Heading headingOf(const glm::dvec3& direction);
 [[nodiscard]] glm::dvec3 directionOf(const Heading&);
 
-/// First person: eye height, speed with a soft start and stop, walls.
+/// First-person camera: eye height, walking speed with a soft start and stop, collision with walls.
 class Walker {
 public:
-    static constexpr double eyeHeight = 1.65;    ///< Meters.
+    static constexpr double eyeHeight = 1.65;    ///< Height of the eye in meters.
     static constexpr double walkingSpeed = 1.4;  ///< Meters per second.
     static constexpr double runningSpeed = 3.5;
-    static constexpr double response = 0.12;  ///< Seconds in which 63% of a change of speed is made.
+    /// Time constant of a change of speed: seconds after which 63% of it is made.
+    static constexpr double response = 0.12;
 
-    /// The camera is kept exactly until the first turn or step.
+    /// Places the camera. It stays exactly this one until the first turn or step.
     void place(const render::Camera&);
     [[nodiscard]] const render::Camera& camera() const { return camera_; }
     void turn(double yaw, double pitch);
-    /// Walks for `seconds` (more than half a second counts as half). Speed follows its differential equation
-    /// exactly, so that the way covered does not depend on how time is cut into frames.
+    /// Walks for `seconds`; more than half a second counts as half. The differential equation of the speed is solved
+    /// exactly, so that the distance covered does not depend on the frame rate.
     void advance(double seconds, const WalkKeys&, const Walkable&);
     [[nodiscard]] bool moving() const { return velocity_ != glm::dvec3(0); }
     void stop() { velocity_ = glm::dvec3(0); }
@@ -59,20 +60,21 @@ private:
     Heading heading_;
 };
 
-/// Looks at one point from all sides.
+/// Camera that turns around one point.
 class Orbit {
 public:
-    static constexpr double lowestEye = 0.2;     ///< Meters above the floor.
-    static constexpr double steepest = 1.48;     ///< Radians from the horizon, about 85 degrees.
-    static constexpr double nearestPart = 0.25;  ///< Of the distance at the start.
+    static constexpr double lowestEye = 0.2;  ///< Height of the eye above the floor, in meters.
+    static constexpr double steepest = 1.48;  ///< Largest angle from the horizon in radians, about 85 degrees.
+    /// Nearest and farthest distance, as parts of the distance at the start.
+    static constexpr double nearestPart = 0.25;
     static constexpr double farthestPart = 2.5;
 
-    /// Around the camera's target; the camera is kept exactly until the first turn or zoom.
+    /// Starts orbiting the camera's target. The camera stays exactly this one until the first turn or zoom.
     void start(const render::Camera&);
     [[nodiscard]] const render::Camera& camera() const { return camera_; }
-    /// Radians by which the eye moves around the center; clamped to `steepest` and above the floor.
+    /// Moves the eye around the center by these angles in radians. Clamped to `steepest` and to `lowestEye`.
     void turn(double yaw, double pitch);
-    /// Positive steps come nearer, a tenth of the distance each.
+    /// Zooms. Positive steps come nearer, by a tenth of the distance each.
     void zoom(double steps);
 
 private:
@@ -83,7 +85,7 @@ private:
     double farthest_ = 10;
 };
 
-/// The way from one camera to another in `duration` seconds, slow at both ends. At the end it is exactly there.
+/// Glide from one camera to another in `duration` seconds, slow at both ends. It ends exactly at the second camera.
 class Glide {
 public:
     static constexpr double duration = 0.8;
@@ -99,41 +101,42 @@ private:
     double elapsed_ = duration;
 };
 
-/// Aspect ratio (width / height) for which the best views are made.
+/// Aspect ratio (width / height) for which the exhibits' best views are made.
 inline constexpr double keptAspect = 1.5;
 
-/// `camera` for a picture of this aspect ratio (width / height): in one narrower than 3:2 the field of view grows, so
-/// that it shows as much from left to right as one of 3:2 does, for which the best views are made.
+/// Returns `camera` for a picture of this aspect ratio (width / height). Below 3:2 the field of view grows, so that the
+/// picture shows as much from left to right as one of 3:2 does.
 [[nodiscard]] render::Camera widened(const render::Camera& camera, double aspect);
 
-/// The visitor: walks, glides to an exhibit, orbits it, and walks on.
+/// Camera of the visitor: walks, glides to an exhibit, orbits it, and walks on.
 class CameraControl {
 public:
     enum class Mode { walk, glide, orbit };
 
-    /// Where a visitor is, or is gliding to.
+    /// Place of the visitor, or the end of the present glide.
     struct Standpoint {
         render::Camera camera;
         Mode mode = Mode::walk;  ///< Never `glide`.
     };
 
-    /// While on, nothing glides: the camera is at once where it would have glided to.
+    /// While on, cameras cut instead of gliding: each glide is at its end at once.
     void setCutting(bool cuts) { cuts_ = cuts; }
     [[nodiscard]] bool cuts() const { return cuts_; }
     void setWalkable(Walkable walkable) { walkable_ = std::move(walkable); }
-    /// At once: walking where a visitor can stand, else orbiting the camera's target.
+    /// Places the camera at once. The visitor walks if the camera is at `Walker::eyeHeight`, and orbits its target
+    /// otherwise.
     void jumpTo(const render::Camera&);
-    /// Glides there and then orbits its target, or walks.
+    /// Glides to the standpoint, and then orbits its target or walks, as its mode says.
     void glideTo(const Standpoint&);
     void visit(const render::Camera& bestView) { glideTo({bestView, Mode::orbit}); }
-    /// Leaves an exhibit: glides to eye height beside it, or back to where the visit began when
-    /// something stands there, looks at it still, and walks.
+    /// Leaves an exhibit: glides to eye height beside it, keeps looking at it, and walks. Glides back to the start of
+    /// the visit if something stands there.
     void walkOn();
 
-    /// Radians. Walking: looks around. Orbiting: moves around. Gliding: nothing.
+    /// Turns by these angles in radians. Walking: looks around. Orbiting: moves around. Gliding: ignored.
     void turn(double yaw, double pitch);
     void zoom(double steps);
-    /// Keys for walking while orbiting walk on. Returns whether the camera changed.
+    /// Advances walking and glides by `seconds`. Walking keys end an orbit. Returns whether the camera changed.
     bool advance(double seconds, const WalkKeys&);
 
     [[nodiscard]] render::Camera camera() const;

@@ -9,12 +9,12 @@
 namespace vitrine::ui {
 namespace {
 
-// Coarser at once when a frame is this much late; finer only after several frames that would leave this
-// much room, so that the resolution does not swing.
+// Resolution drops as soon as a frame takes `late` times the target. It rises only after `framesBeforeFiner` frames
+// whose predicted time at the finer level is below `room` times the target, so that it does not oscillate.
 constexpr double late = 1.3;
 constexpr double room = 0.7;
 constexpr int framesBeforeFiner = 4;
-// Supersamples that are as smooth as a picture in motion that is averaged over its frames.
+// Number of supersamples that is as smooth as a picture in motion averaged over its frames.
 constexpr int asSmoothAsMotion = 4;
 
 }  // namespace
@@ -71,7 +71,7 @@ std::optional<DrawOrder> DrawSchedule::next(double now) const
     const bool settled = now - lastChange_ >= settleTime;
     if (dirty_ && cameraOnly_ && averaged && !settled) return DrawOrder{scales[level_], 0, 1, true};
     if (dirty_ && level_ > 0 && !settled) return DrawOrder{scales[level_], 0, 1};
-    // At full resolution the quick picture and the first supersample are the same.
+    // At full resolution the first picture and the first supersample are the same.
     if (dirty_) return DrawOrder{1, 0, samples_};
     if (refined_ < samples_ && settled) return DrawOrder{1, refined_, samples_};
     return std::nullopt;
@@ -97,7 +97,7 @@ bool DrawSchedule::improves(const DrawOrder& order) const
 
 bool DrawSchedule::betterGivenUp() const
 {
-    // Never a picture that is as quick as can be: else a visitor who does not stop would see none.
+    // The quickest kind of picture is never abandoned: otherwise the screen would not change during a long motion.
     return underway_ && outdated_ && underway_->scale == 1 && !underway_->inMotion &&
            (level_ > 0 || underway_->sample > 0);
 }
@@ -115,13 +115,13 @@ void DrawSchedule::drawn(const DrawOrder& order, double seconds)
     drawnScale_ = order.scale;
     if (!outdated_) {
         dirty_ = false;
-        // A quick picture is no part of a refined one, though that, too, may be of one sample.
+        // A quick picture is not part of a refined one, even if both have one sample.
         if (order.samples == samples_ && order.scale == 1 && !order.inMotion) refined_ = order.sample + 1;
     }
     if (improves(order)) leastToShow_ = order.inMotion && order.scale == 1 ? std::min(asSmoothAsMotion, samples_) : 0;
     outdated_ = false;
     if (order.sample != 0) return;
-    // While files are read and programs are compiled, times say nothing of what comes.
+    // While files are read and programs are compiled, frame times do not predict the next ones.
     if (opening_)
         open(seconds);
     else

@@ -8,77 +8,81 @@
 
 namespace vitrine::ui {
 
-/// What the viewport draws next.
+/// Next picture to draw: its resolution and its sample.
 struct DrawOrder {
-    double scale = 1;       ///< Of the viewport's resolution.
-    int sample = 0;         ///< Supersample ...
-    int samples = 1;        ///< ... of so many.
-    bool inMotion = false;  ///< Averaged with the frames of the same motion before it.
-    /// No more than so many exhibits: what opens shows something soon.
+    double scale = 1;       ///< Part of the viewport's resolution, above 0 to 1.
+    int sample = 0;         ///< Index of the supersample, from 0.
+    int samples = 1;        ///< Number of supersamples of the picture.
+    bool inMotion = false;  ///< The picture is averaged with earlier frames of the same motion.
+    /// Largest number of exhibits in the picture. Limited while opening, so that a first picture comes soon.
     int mostExhibits = std::numeric_limits<int>::max();
 
     bool operator==(const DrawOrder&) const = default;
 };
 
-/// Decides when to draw and how finely: on demand only, coarser while something moves so that it stays
-/// fluid, finer and finer once all is still, and then not at all. Knows no widget and no GL. Times are
+/// Schedule of pictures: decides when to draw and how finely. Draws on demand only: at lower resolution while something
+/// moves, with more and more samples once nothing does, and then not at all. Depends on no widget and no GL. Times are
 /// seconds of one steady clock.
 class DrawSchedule {
 public:
     static constexpr std::array<double, 5> scales{1, 0.75, 0.5, 0.35, 0.25};
-    static constexpr double targetTime = 0.055;  ///< Seconds per frame while moving: about 18 frames a second.
-    static constexpr double openingScale = 0.5;  ///< Of the very first pictures, so that there is one soon.
-    static constexpr double quickOpening = 0.5;  ///< Seconds: whoever adds an exhibit as fast can add all of them.
-    static constexpr double settleTime = 0.2;    ///< Seconds without a change after which the picture is still.
+    /// Target of seconds per frame while moving: about 18 frames a second.
+    static constexpr double targetTime = 0.055;
+    static constexpr double openingScale = 0.5;  ///< Resolution of the first pictures, so that they come soon.
+    /// Seconds. When one exhibit was added as fast as this, the next picture shows all of them.
+    static constexpr double quickOpening = 0.5;
+    static constexpr double settleTime = 0.2;  ///< Seconds without a change after which refinement begins.
 
-    /// Supersamples of a picture at rest; at least 1.
+    /// Sets the number of supersamples of a static picture; at least 1.
     void setSamples(int samples);
     [[nodiscard]] int samples() const { return samples_; }
 
-    /// What the visitor can wait for: no more supersamples than that, whatever is asked for, and while something moves
-    /// never coarser than this part of full resolution, which may make it slower.
+    /// Sets the limits from the preferences. `mostSamples` caps the number of supersamples. `leastScale` is the lowest
+    /// resolution while moving, as a part of full resolution; a higher one may be slower.
     void setLimits(int mostSamples, double leastScale);
-    /// Fewer supersamples are drawn than are asked for.
+    /// Returns whether `setLimits` caps the wanted number of supersamples.
     [[nodiscard]] bool limited() const { return samples_ < wantedSamples_; }
     [[nodiscard]] int mostSamples() const { return mostSamples_; }
 
-    /// How many there are. The first picture shows none, the next ones one more each, until that is quick.
+    /// Sets the number of exhibits. The first picture shows none. Each further picture adds one, until adding one is
+    /// quick.
     void setExhibits(int count) { exhibits_ = count; }
 
-    /// Frames that a picture in motion is averaged over; 1: every one stands alone.
+    /// Sets the number of frames that a picture in motion is averaged over. 1: no averaging.
     void setHistory(int frames) { history_ = frames; }
 
-    /// Something visible changed: what was drawn is out of date.
+    /// Something visible changed: the last picture is out of date.
     void changed(double now);
-    /// The camera alone did.
+    /// The camera changed, and nothing else.
     void cameraMoved(double now);
-    /// While on, there is always a next frame, and it is never refined.
+    /// While on, there is always a next frame, and no refinement.
     void setMoving(bool on, double now);
 
     [[nodiscard]] std::optional<DrawOrder> next(double now) const;
-    /// Seconds after which `next` may have an order: 0, a wait, or infinity when nothing is to be drawn.
+    /// Seconds until `next` may have an order: 0, a wait, or infinity if nothing is to be drawn.
     [[nodiscard]] double wait(double now) const;
-    /// The order is being carried out: what changes from now on is not in its picture.
+    /// Drawing of the order has begun. Later changes are not in its picture.
     void begun(const DrawOrder&);
-    /// It was carried out and took so many seconds of real time.
+    /// The order was drawn and took this many seconds of wall-clock time.
     void drawn(const DrawOrder&, double seconds);
-    /// Whether its picture, drawn, is better than that on the screen: one sample is not, after a picture in motion at
-    /// full resolution.
+    /// Returns whether the order's picture is better than the one on the screen. A single sample is not, after an
+    /// averaged picture in motion at full resolution.
     [[nodiscard]] bool improves(const DrawOrder&) const;
-    /// It was given up, because something changed.
+    /// Drawing was abandoned because something changed.
     void givenUp();
-    /// An order is being carried out whose picture is out of date already, and a coarse one can be had sooner.
+    /// Returns whether the picture that is being drawn should be abandoned: it is out of date, and a coarser one is
+    /// sooner done.
     [[nodiscard]] bool betterGivenUp() const;
 
     [[nodiscard]] double scaleWhileMoving() const { return scales[level_]; }
-    /// No picture shows all exhibits yet.
+    /// Returns whether exhibits are still missing from the picture.
     [[nodiscard]] bool opening() const { return opening_; }
-    /// The last picture shows things as they are, however finely.
+    /// Returns whether the last picture shows the present state, at any resolution.
     [[nodiscard]] bool current() const { return !moving_ && !dirty_; }
     [[nodiscard]] bool still() const { return !moving_ && !dirty_ && refined_ >= samples_; }
-    /// For the status line: what the last picture was drawn as, and why.
+    /// Text for the status line: how the last picture was drawn, and why.
     [[nodiscard]] QString reason() const;
-    /// For the same line: that the preferences allow fewer supersamples than are asked for; empty when they do not.
+    /// Text for the same line if the preferences cap the number of supersamples; empty otherwise.
     [[nodiscard]] QString limit() const;
 
 private:
@@ -89,21 +93,21 @@ private:
     bool dirty_ = true;
     bool opening_ = true;
     int exhibits_ = 0;
-    int opened_ = 0;  // Exhibits that the next picture shows, while opening.
+    int opened_ = 0;  // Number of exhibits in the next picture, while opening.
     std::optional<DrawOrder> underway_;
-    bool outdated_ = false;  // Something changed since it was begun.
+    bool outdated_ = false;  // Something changed since `underway_` began.
     bool moving_ = false;
     int samples_ = 16, wantedSamples_ = 16;
     int mostSamples_ = std::numeric_limits<int>::max();
     double leastScale_ = 0;
     int history_ = 1;
-    bool cameraOnly_ = false;  // Nothing else changed since the last picture that shows things as they are.
-    int leastToShow_ = 0;      // Supersamples that are better than what is on the screen.
-    int refined_ = 0;          // Supersamples of the full picture that are drawn.
+    bool cameraOnly_ = false;  // Only the camera changed since the last picture that was up to date.
+    int leastToShow_ = 0;      // Number of supersamples from which a picture is better than the one on the screen.
+    int refined_ = 0;          // Number of supersamples drawn at full resolution.
     double lastChange_ = -1e9;
     std::size_t level_ = 0;  // Index into `scales`.
-    double drawnScale_ = 1;  // Of the last picture.
-    int fastFrames_ = 0;     // In a row that would have allowed a finer level.
+    double drawnScale_ = 1;  // Scale of the last picture.
+    int fastFrames_ = 0;     // Number of frames in a row that were fast enough for a finer level.
 };
 
 }  // namespace vitrine::ui

@@ -7,14 +7,14 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int regionApron = 8;  ///< Pixels drawn around a region, for effects that look at a pixel's neighbors.
+constexpr int regionApron = 8;  ///< Pixels drawn around a region, for effects that read neighboring pixels.
 
 QImage imageOf(const render::gl::ScreenPixels& pixels)
 {
     return QImage(pixels.rgba.data(), pixels.width, pixels.height, pixels.width * 4, QImage::Format_RGBX8888).copy();
 }
 
-/// The renderer's last picture as a screen of this many device pixels shows it.
+/// Returns the renderer's last picture, scaled to this many device pixels.
 QImage screenImageOf(render::gl::Renderer& renderer, const QSize& screen)
 {
     const glm::ivec2 size(screen.width(), screen.height());

@@ -5,7 +5,7 @@
 
 namespace vitrine::ui {
 
-/// Renderers of the museum, by OpenGL. The museum must outlive them.
+/// Renderers of the museum with OpenGL. The museum must outlive them.
 class MuseumRenderers final : public Renderers {
 public:
     explicit MuseumRenderers(const Museum& museum) : museum_(museum) {}
@@ -30,17 +30,18 @@ public:
     [[nodiscard]] StudyJob makeStudy(const StudyRequest&) override;
     [[nodiscard]] std::unique_ptr<render::RenderBackend> makeBackend(bool timesSteps) override;
 
-    /// What the viewport's renderer keeps, by owner; nothing before it is open. On the render thread.
+    /// Memory of the viewport's renderer, by owner. Empty before `open`. Call on the render thread.
     [[nodiscard]] std::vector<render::gl::Stored> stored() const;
 
 private:
     const Museum& museum_;
     std::unique_ptr<render::gl::HeadlessContext> context_;
-    std::unique_ptr<render::gl::DebugLog> debugLog_;  ///< In debug builds.
+    std::unique_ptr<render::gl::DebugLog> debugLog_;  ///< Log of OpenGL messages; in debug builds only.
     std::unique_ptr<render::gl::Renderer> renderer_;
-    std::unique_ptr<render::gl::Renderer> regions_;  ///< Draws what moves in a picture that stands still.
-    std::unique_ptr<render::gl::Renderer> other_;    ///< Draws the second look.
-    std::unique_ptr<render::gl::Renderer> small_;    ///< Draws small pictures.
+    /// Draws the region in which something moves while the rest is static.
+    std::unique_ptr<render::gl::Renderer> regions_;
+    std::unique_ptr<render::gl::Renderer> other_;  ///< Draws the settings B.
+    std::unique_ptr<render::gl::Renderer> small_;  ///< Draws small pictures, such as thumbnails.
     bool timeSteps_ = false;
 };
 

@@ -44,7 +44,7 @@ void Overlay::place()
     case Place::center: move((room.width() - width()) / 2, room.height() * 5 / 8); break;
     case Place::bottom: move((room.width() - width()) / 2, room.height() - height() - 24); break;
     case Place::pointer:
-        // Below and right of the pointer, or on its other side where there is no room.
+        // Below and right of the pointer, or on the other side if there is no room.
         move(pointer_.x() + 16 + width() <= room.width() ? pointer_.x() + 16 : std::max(0, pointer_.x() - 8 - width()),
              pointer_.y() + 20 + height() <= room.height() ? pointer_.y() + 20
                                                            : std::max(0, pointer_.y() - 8 - height()));

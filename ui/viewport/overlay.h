@@ -6,7 +6,7 @@
 
 namespace vitrine::ui {
 
-/// One line or block of text over the picture: plain text on a dark veil, whatever the theme.
+/// Text over the picture, one line or more: plain text on a dark veil, whatever the theme.
 class Overlay final : public QLabel {
     Q_OBJECT
 
@@ -15,11 +15,11 @@ public:
 
     Overlay(Place, QWidget* viewport);
 
-    /// Empty text hides it.
+    /// Shows the text; empty text hides the overlay.
     void say(const QString& text);
-    /// After the viewport's size changed.
+    /// Places the overlay. Call after the viewport's size changed.
     void place();
-    /// For `Place::pointer`: beside this point of the viewport.
+    /// Places an overlay of `Place::pointer` beside this point of the viewport.
     void placeAt(const QPoint&);
 
 protected:

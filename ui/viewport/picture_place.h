@@ -10,9 +10,8 @@
 
 namespace vitrine::ui {
 
-/// Place of a picture of another size in `room`, in the middle and with its own aspect: as large as the next picture,
-/// of the size of the room, will show the same things (`widened`). Sides beyond the room are to be cut off; sides that
-/// are missing stay empty.
+/// Returns where to draw a picture of another size in `room`: centered, with its own aspect ratio. Its scale is that of
+/// the next picture, which fills the room (see `widened`). Sides beyond the room are cut off; missing sides stay empty.
 [[nodiscard]] inline QRectF pictureIn(const QSize& picture, const QRectF& room)
 {
     if (picture.isEmpty() || room.isEmpty()) return room;

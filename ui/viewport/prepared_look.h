@@ -6,25 +6,25 @@
 
 namespace vitrine::ui {
 
-/// What is to be seen, prepared for questions to the museum: once for one moment of one look, however many are asked.
-/// It waits for no file; while some are still being read, it is prepared anew after each `lookAgain`.
+/// Cache of the prepared scene for queries to the museum: made once for each time and scene state. Waits for no file.
+/// While files are still being read, it is prepared again after each `lookAgain`.
 class PreparedLook {
 public:
-    /// Must outlive it.
+    /// `museum` must outlive this object.
     explicit PreparedLook(const Museum& museum) : museum_(museum) {}
 
-    /// `number` is another one for every other look; `wanted` tells the moment.
+    /// Returns the prepared scene. `number` identifies the scene state; `wanted` gives the time and the camera.
     const Prepared& of(const SceneState&, long long number, FrameRequest wanted);
-    /// What is missing may be there by now.
+    /// Missing files may have been read: the next query prepares again.
     void lookAgain() { asked_ = false; }
     [[nodiscard]] long long preparations() const { return preparations_; }
 
 private:
     const Museum& museum_;
     std::optional<Prepared> prepared_;
-    glm::dvec3 eye_{0};  ///< Where it was asked from: rows may move by the visitor's distance.
+    glm::dvec3 eye_{0};  ///< Eye position of the preparation: animations may depend on the visitor's distance.
     long long number_ = 0;
-    bool asked_ = false;  ///< Since `lookAgain`.
+    bool asked_ = false;  ///< Prepared since `lookAgain`.
     long long preparations_ = 0;
 };
 

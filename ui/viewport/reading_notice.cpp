@@ -10,7 +10,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int lookEvery = 250;  // Milliseconds: what is read sooner than that is not worth a word.
+constexpr int lookEvery = 250;  // Milliseconds between polls. Files that are read sooner get no notice.
 
 }  // namespace
 

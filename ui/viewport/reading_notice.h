@@ -12,17 +12,17 @@ namespace vitrine::ui {
 
 class Overlay;
 
-/// Says over the picture which files are being read for it, how large they are and for how long that has been going on.
+/// Notice over the picture: names the files that are being read for it, their sizes and the time so far.
 class ReadingNotice final : public QObject {
     Q_OBJECT
 
 public:
-    /// `pending`: what is still to be read or made, asked for again and again while anything is.
+    /// `pending` returns the files that are still to be read or made. It is polled while there are any.
     ReadingNotice(QWidget* viewport, std::function<std::vector<render::PendingAsset>()> pending);
 
-    /// Something is pending.
+    /// Starts polling, because something is pending.
     void start();
-    /// After the viewport's size changed.
+    /// Places the notice. Call after the viewport's size changed.
     void place();
 
 private:

@@ -14,9 +14,9 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int nicer = 5;  ///< Steps of priority below the window's.
+constexpr int nicer = 5;  ///< Niceness of the render thread, relative to the window's.
 
-/// Linux keeps one per thread, and threads started by this one inherit it.
+/// Lowers the priority of the calling thread. On Linux each thread has its own, and threads that it starts inherit it.
 void lowerPriorityOfThisThread()
 {
     setpriority(PRIO_PROCESS, static_cast<id_t>(syscall(SYS_gettid)), nicer);
@@ -79,7 +79,7 @@ void RenderThread::toWindow(std::function<void()> outcome)
 
 void RenderThread::run()
 {
-    // The context's own threads inherit it: the window's hands come before its pictures.
+    // The threads of the OpenGL context inherit the priority: input is handled before pictures are drawn.
     lowerPriorityOfThisThread();
     try {
         renderers_.open();
@@ -103,7 +103,8 @@ void RenderThread::run()
 bool RenderThread::pictureFirst() const
 {
     if (tasks_.empty()) return true;
-    // What a visitor waits for comes first; what goes on elsewhere has a step between any two such pictures.
+    // A first picture after a change comes first, because the visitor waits for it. Tasks get one step between two such
+    // pictures.
     const bool quick = !wanted_->region && wanted_->order.sample == 0;
     return quick ? !pictureWasLast_ : pictureSeconds_ <= taskSeconds_;
 }
@@ -191,13 +192,13 @@ void RenderThread::step()
         failure = messageOf(thrown);
     }
     if (!more) {
-        task->step = {};  // What it held is let go before anybody hears of its end.
+        task->step = {};  // Destroys the step's captures before its end is reported.
         tell([ended = task->ended, failure] { ended(failure); });
     }
     pictureWasLast_ = false;
     taskSeconds_ += render::wallSeconds() - start;
     const std::scoped_lock lock(mutex_);
-    // Time that no picture wanted is not saved up for pictures.
+    // Time without a picture order is not credited to later pictures.
     if (!wanted_) taskSeconds_ = std::min(taskSeconds_, pictureSeconds_);
     if (more) tasks_.push_back(std::move(task));
 }

@@ -18,53 +18,54 @@
 
 namespace vitrine::ui {
 
-/// A picture to draw, complete in itself: nothing that happens afterwards changes it.
+/// Order for one picture. It holds copies of everything needed: later changes do not affect it.
 struct PictureOrder {
     SceneState sceneState;
     FrameRequest request;
     DrawOrder order;
-    QSize screen;  ///< Device pixels of the viewport.
+    QSize screen;  ///< Size of the viewport in device pixels.
     std::optional<PictureRegion>
-        region;  ///< Only this part of the picture, all its supersamples at once; empty: all of it.
+        region;  ///< Part of the picture to draw, with all its supersamples at once. Unset: the whole picture.
 };
 
-/// What became of it.
+/// Result of a picture order.
 struct DrawnPicture {
     PictureOrder order;
-    QImage image;  ///< As the screen shows it: the viewport's size, or the region's.
+    QImage image;  ///< Image at the size of the viewport, or of the region, in device pixels.
     render::FrameReport report;
-    double seconds = 0;      ///< That it took, wall clock.
-    bool abandoned = false;  ///< Nothing was drawn: something newer was wanted.
-    QString failure;         ///< Why there is no image, for people; empty when there is one.
+    double seconds = 0;      ///< Wall-clock time that drawing took.
+    bool abandoned = false;  ///< No picture: drawing was abandoned because a newer one is wanted.
+    QString failure;         ///< Sentence why there is no image; empty if there is one.
     std::vector<render::gl::ShaderProblem> problems;
 };
 
-/// The thread on which pictures are drawn, files for them are read, and studies, exports and print views are made. It
-/// has an OpenGL context of its own and hands pictures over as pixels.
+/// Render thread: draws pictures, reads their files, and makes studies, exports and print views. It has an OpenGL
+/// context of its own and returns pictures as pixels.
 ///
-/// Why pixels and not a texture of a context shared with the window's: on Mesa's software renderer all contexts of one
-/// display draw through one rasterizer, one after the other. With a shared context a window of 1600 x 1000 pixels
-/// waited 820 ms (median) for one quad of its own while passes of 700 ms were drawn; on a display of its own it
-/// waited 2.8 ms, as long as with nothing beside it.
+/// Pixels are used instead of a texture of a context shared with the window's for this reason: on Mesa's software
+/// renderer all contexts of one display draw through one rasterizer, one after the other. With a shared context a
+/// window of 1600 x 1000 pixels waited 820 ms (median) for one quad of its own while passes of 700 ms were drawn. With
+/// a display of its own it waited 2.8 ms, as long as without any other work.
 ///
-/// The newest picture is drawn first and replaces those that wait. What is made step by step (refinement, and tasks in
-/// turn) shares the rest of the time evenly.
+/// The newest picture order is drawn first and replaces older ones that wait. Work done in steps (refinement, and tasks
+/// in turn) shares the rest of the time evenly.
 class RenderThread final : public QObject {
     Q_OBJECT
 
 public:
-    /// Largest side of a tile of a task's pictures: a step takes part of a second, and the viewport goes on in between.
+    /// Largest side of a tile of a task's picture, in pixels. A step then takes a fraction of a second, and the
+    /// viewport is drawn between steps.
     static constexpr int taskTile = 512;
-    static constexpr qint64 tellEvery = 50;  ///< Milliseconds between two words about a task's progress.
+    static constexpr qint64 tellEvery = 50;  ///< Milliseconds between two progress reports of a task.
 
-    /// Calls its argument later in the window's thread, unless the task was canceled before.
+    /// Calls its argument later in the window's thread, unless the task was canceled before then.
     using Tell = std::function<void(std::function<void()>)>;
-    /// One step; returns whether there is another one. What it holds is let go on the render thread.
+    /// One step of a task; returns whether there is another one. Its captures are destroyed on the render thread.
     using Step = std::function<bool(const Tell&)>;
-    /// In the window's thread: the last step was done, or what a step threw, for people.
+    /// Called in the window's thread after the last step. `failure` is the sentence of an exception; empty: success.
     using Ended = std::function<void(const QString& failure)>;
 
-    /// A task that goes on step by step until it ends or this is destroyed.
+    /// Handle of a task. The task goes on step by step until it ends; destroying the handle cancels it.
     class Task {
     public:
         Task() = default;
@@ -79,7 +80,7 @@ public:
         Task(const Task&) = delete;
         Task& operator=(const Task&) = delete;
 
-        /// No further step, and nothing more is told; a step that is being done is finished.
+        /// Cancels the task: no further step or callback follows. A step that has begun is finished.
         void cancel()
         {
             if (canceled_) *canceled_ = true;
@@ -91,26 +92,26 @@ public:
         std::shared_ptr<std::atomic<bool>> canceled_;
     };
 
-    /// The renderers must outlive it. Opens them on the new thread.
+    /// Starts the thread and opens the renderers on it. The renderers must outlive this object.
     explicit RenderThread(Renderers&);
-    /// Abandons the picture that is being drawn, waits for the step that is being done, and closes the renderers.
+    /// Abandons the present picture, waits for the end of the present step, and closes the renderers.
     ~RenderThread() override;
 
-    /// Draws this one in place of one that still waits, which is forgotten; `drawn` follows. One that is being drawn
-    /// goes on.
+    /// Queues a picture order, which replaces one that still waits; `drawn` follows. A picture that is being drawn goes
+    /// on.
     void draw(PictureOrder);
-    /// What `draw` was called for last is not wanted any more: it ends with the pass that is being drawn.
+    /// Abandons the last order: drawing ends after the present pass.
     void abandon() { unwanted_ = true; }
     [[nodiscard]] Task start(Step, Ended);
-    /// Calls `work` once on the render thread, before anything else, and then what it returns in the window's.
+    /// Calls `work` once on the render thread, before anything else, and then its result in the window's thread.
     void post(std::function<std::function<void()>()> work);
 
     [[nodiscard]] std::thread::id id() const { return thread_.get_id(); }
 
 signals:
-    /// In the window's thread.
+    /// Emitted in the window's thread.
     void drawn(const vitrine::ui::DrawnPicture& picture);
-    /// Nothing can be drawn, or a `post`ed piece of work threw.
+    /// Emitted if nothing can be drawn, or if work given to `post` threw.
     void failed(const QString& message);
 
 private:
@@ -129,16 +130,16 @@ private:
 
     Renderers& renderers_;
     std::atomic<bool> unwanted_ = false;
-    bool open_ = false;  // The rest is the render thread's.
+    bool open_ = false;  // Used by the render thread only, like the members up to the mutex.
     bool pictureWasLast_ = false;
-    double pictureSeconds_ = 0, taskSeconds_ = 0;  // That each took since both were wanted.
+    double pictureSeconds_ = 0, taskSeconds_ = 0;  // Seconds spent on each since both were waiting.
 
-    std::mutex mutex_;  // For what follows.
+    std::mutex mutex_;  // Guards the following members.
     std::condition_variable wake_;
     bool ending_ = false;
     std::optional<PictureOrder> wanted_;
     std::deque<std::function<std::function<void()>()>> posted_;
-    std::deque<std::shared_ptr<Running>> tasks_;  // The next one first.
+    std::deque<std::shared_ptr<Running>> tasks_;  // Tasks in turn; the front runs next.
 
     std::thread thread_;
 };

@@ -12,7 +12,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double grabLineWithin = 7;  ///< Pixels.
+constexpr double grabLineWithin = 7;  ///< Pixels between pointer and line.
 
 std::optional<QPointF> inWidget(const render::View& view, const QSizeF& widget, const glm::dvec3& world)
 {
@@ -21,7 +21,7 @@ std::optional<QPointF> inWidget(const render::View& view, const QSizeF& widget, 
     return QPointF((0.5 + 0.5 * clip.x / clip.w) * widget.width(), (0.5 - 0.5 * clip.y / clip.w) * widget.height());
 }
 
-/// From p to the nearest point of a stretch.
+/// Returns the vector from p to the nearest point of the segment from a to b.
 QPointF toStretch(const QPointF& p, const QPointF& a, const QPointF& b)
 {
     const QPointF ab = b - a;

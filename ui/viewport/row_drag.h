@@ -16,12 +16,12 @@ namespace vitrine::ui {
 
 class Viewport;
 
-/// Lets the visitor drag rows of the visited exhibit in the picture (`HasDraggedRows`). One drag is one undo step.
+/// Dragging of parameters of the visited exhibit in the picture (`HasDraggedRows`). One drag is one undo step.
 class RowDrag final : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive it; `chosen` says which exhibit is visited.
+    /// All must outlive this object. `chosen` returns the exhibit that is visited.
     RowDrag(const Museum&, History&, Viewport&, std::function<std::size_t()> chosen, QObject* parent);
 
 protected:
@@ -30,11 +30,11 @@ protected:
 private:
     struct Drag {
         std::size_t exhibit = 0, row = 0;
-        QPointF grip;  ///< From the pointer to the line, where it was taken hold of.
+        QPointF grip;  ///< Vector from the pointer to the line when the drag began, in pixels.
         Gesture gesture = 0;
     };
     [[nodiscard]] const HasDraggedRows* source() const;
-    /// The row whose line is near the pointer, and how far off it is.
+    /// Returns the parameter whose line is near the pointer, with its offset.
     [[nodiscard]] std::optional<Drag> gripAt(const QPointF&) const;
     void drag(const QPointF&);
     bool hover(const QPointF&);

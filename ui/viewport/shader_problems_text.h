@@ -8,7 +8,8 @@
 
 namespace vitrine::ui {
 
-/// What the picture says over itself while shaders do not build, a line for each problem; empty for none.
+/// Returns the text shown over the picture while shaders do not build: a line for each problem; empty if there are
+/// none.
 [[nodiscard]] QString shaderProblemsText(const std::vector<render::gl::ShaderProblem>&);
 
 }  // namespace vitrine::ui

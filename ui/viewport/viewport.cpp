@@ -24,17 +24,18 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr QColor emptyRoom(0x26, 0x23, 0x20);  // Where there is no picture.
+constexpr QColor emptyRoom(0x26, 0x23, 0x20);  // Color without a picture.
 constexpr double longestTick = 0.5;
-constexpr int lookAtFilesEvery = 1000;   // Milliseconds.
-constexpr int restsAfter = 2000;         // Milliseconds without a changed value.
-constexpr double firstTick = 1.0 / 60;   // After a rest no time has passed for those who walk.
-constexpr int hiddenWait = 250;          // Milliseconds after which a hidden viewport looks whether it is seen again.
-constexpr double largestRegion = 0.25;   // Of the picture, that is drawn by itself where something moves.
-constexpr double restOfRegions = 5;      // Times as long as drawing one took, the machine rests before the next one ...
-constexpr double shortestRest = 0.03;    // ... and for so many seconds at least.
-constexpr double never = -1e9;           // On the exhibits' clock, seconds.
-constexpr double longestRegionTick = 5;  // After a longer pause (a machine that slept) what moves goes on where it was.
+constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
+constexpr int restsAfter = 2000;        // Milliseconds without a changed value.
+constexpr double firstTick = 1.0 / 60;  // Seconds that pass in the first tick after a pause.
+constexpr int hiddenWait = 250;         // Milliseconds between checks whether a hidden viewport is visible again.
+constexpr double largestRegion = 0.25;  // Part of the picture's area; a larger region is drawn with the whole picture.
+constexpr double restOfRegions = 5;     // Pause after drawing a region, as a multiple of the drawing time ...
+constexpr double shortestRest = 0.03;   // ... and at least, in seconds.
+constexpr double never = -1e9;          // On the exhibits' clock, in seconds.
+// Seconds. After a longer pause (of a suspended machine) animations go on from where they were.
+constexpr double longestRegionTick = 5;
 
 }  // namespace
 
@@ -58,7 +59,7 @@ Viewport::Viewport(const Museum& museum, Renderers& renderers, History& history,
     setAccessibleDescription(tr("The picture. W A S D walk, Ctrl and the arrows look around, Enter visits."));
     steady_.start();
     pressedAt_.assign(museum.subjects().size(), never);
-    schedule_.setExhibits(static_cast<int>(museum.subjects().size()) - 1);  // But for the hall.
+    schedule_.setExhibits(static_cast<int>(museum.subjects().size()) - 1);  // All but the hall.
     control_.setWalkable(
         [this](const glm::dvec3& from, const glm::dvec3& to) { return museum_.walk(prepared(), from, to); });
     control_.jumpTo(history.sceneState().camera);
@@ -122,7 +123,7 @@ void Viewport::paintGL()
 {
     QPainter painter(this);
     painter.setCompositionMode(QPainter::CompositionMode_Source);
-    // While the viewport has a new size and the picture not yet, it lies where the next one will show the same.
+    // Until a picture of the new size arrives, the old one is shown at the scale of the next one.
     const bool old = shown_.size() != devicePixels();
     painter.setRenderHint(QPainter::SmoothPixmapTransform, old);
     if (old) painter.fillRect(rect(), emptyRoom);
@@ -130,12 +131,12 @@ void Viewport::paintGL()
         paintOpening(painter);
     else
         painter.drawImage(old ? pictureIn(shown_.size(), QRectF(rect())) : QRectF(rect()), shown_);
-    if (!drawing_ && !timer_.isActive()) timer_.start(0);  // Who was hidden may have something to draw.
+    if (!drawing_ && !timer_.isActive()) timer_.start(0);  // A viewport that was hidden may have to draw.
 }
 
 void Viewport::paintOpening(QPainter& painter)
 {
-    // Files are read and shaders are compiled: a moment, or half a minute the first time on a slow machine.
+    // Files are read and shaders are compiled. On a slow machine this takes up to half a minute the first time.
     painter.setCompositionMode(QPainter::CompositionMode_SourceOver);
     painter.setPen(QColor(0xc9, 0xc2, 0xb8));
     painter.drawText(rect(), Qt::AlignCenter, tr("Opening the hall …"));
@@ -200,7 +201,7 @@ void Viewport::take(const DrawnPicture& picture)
     } else if (picture.abandoned) {
         schedule_.givenUp();
     } else if (!picture.failure.isEmpty()) {
-        // The last good picture stays; nothing is tried again until something changes.
+        // The last good picture stays. Nothing is drawn again until something changes.
         schedule_.drawn({1, schedule_.samples() - 1, schedule_.samples()}, 0);
         going_->say({});
         fail(picture.failure);
@@ -208,7 +209,8 @@ void Viewport::take(const DrawnPicture& picture)
         showDrawn(picture);
         lastFailure_.clear();
         schedule_.drawn(picture.order.order, picture.seconds);
-        if (picture.report.unfinished) schedule_.changed(now());  // Work is left, or a program is still being built.
+        // Work is left over, or a program is still being built.
+        if (picture.report.unfinished) schedule_.changed(now());
         const glm::ivec2 size = picture.order.request.raster.size;
         noteArrival();
         emit drawn(picture.report, QSize(size.x, size.y));
@@ -225,7 +227,8 @@ void Viewport::showDrawn(const DrawnPicture& picture)
     shown_ = picture.image;
     shownRequest_ = picture.order.request;
     shownOrder_ = picture.order.order;
-    // A motion's picture, or the first sample of one at rest, shows what moves as it is by then.
+    // A first sample is newer than the region. Later samples show the time of the first one, so the region is drawn
+    // over them.
     if (picture.order.order.sample == 0)
         regionImage_ = {};
     else
@@ -237,7 +240,7 @@ void Viewport::takeRegion(const DrawnPicture& picture)
 {
     regionRest_ = now() + std::max(restOfRegions * picture.seconds, shortestRest);
     if (!picture.failure.isEmpty()) fail(picture.failure);
-    // Of a look that is not on the screen any more, or of another size.
+    // Ignores a region of another scene state or size.
     if (picture.image.isNull() || drawnState_ != sceneStateNumber_ || picture.order.screen != shown_.size()) return;
     regionImage_ = picture.image;
     regionShown_ = *picture.order.region;
@@ -280,7 +283,7 @@ void Viewport::resizeGL(int, int)
 
 void Viewport::scheduleNext()
 {
-    if (drawing_) return;  // Its arrival goes on.
+    if (drawing_) return;  // Scheduling continues when the picture arrives.
     const double wait = schedule_.wait(now());
     const bool walking = input_->sticks().moves() || (input_->keys().moves() && hasFocus());
     if (wait <= 0 || walking || control_.moving()) {
@@ -327,7 +330,7 @@ void Viewport::advanceClock(double at)
     }
 
     double change = paused_ ? INFINITY : museum_.nextChange(prepared(), request(time_));
-    // What is still to be read or made is there with the next picture: it is asked for once.
+    // Pending assets arrive with the next picture, which is ordered once.
     const std::vector<render::PendingAsset>& pending = prepared().pending;
     if (!pending.empty() && pending != awaited_) change = std::min(change, firstTick);
     awaited_ = pending;
@@ -336,9 +339,9 @@ void Viewport::advanceClock(double at)
     clockRuns_ = std::isfinite(change) || input_->keys().moves() || control_.moving();
     region_ = std::isfinite(change) ? smallRegion() : std::nullopt;
     if (region_) {
-        // The picture around it stands still and is refined; what moves is drawn by itself.
+        // The picture around the region is static and is refined; the region is drawn by itself.
         passTime(since > longestRegionTick ? firstTick : since);
-        // Once more when it has come to rest: that is how it stays.
+        // One more region after the motion has ended shows its final state.
         regionDue_ = regionDue_ || animated || regionMoved_ || change <= since;
         regionMoved_ = animated;
         schedule_.setMoving(false, at);
@@ -356,7 +359,7 @@ void Viewport::advanceClock(double at)
 
 void Viewport::tickSoon()
 {
-    // It may be waiting for what changes by itself, much later.
+    // The timer may wait for a change that is much later.
     if (!timer_.isActive() || timer_.interval() > 0) timer_.start(0);
 }
 
@@ -370,20 +373,20 @@ void Viewport::tick()
 
 void Viewport::valuesChanged()
 {
-    // What differs in rows alone that do not act is the same picture: it goes on being refined.
+    // Values that differ only in parameters without effect give the same picture, whose refinement goes on.
     std::vector<ParameterValues> acting;
     for (const ParameterValues& values : history_.sceneState().values) acting.push_back(actingValues(values));
     if (acting == acting_) return;
     acting_ = std::move(acting);
     watchFiles();
     rest_.start(restsAfter);
-    motionFrames_ = 0;  // What was seen before is of no use for what is seen now.
+    motionFrames_ = 0;  // Earlier frames show other values and must not be averaged in.
     sceneStateChanged();
 }
 
 void Viewport::buildBetter()
 {
-    // Whoever looks around gets it with the next picture.
+    // A hidden viewport skips this.
     if (!canBeSeen() || shown_.isNull()) return;
     thread_->post([this, sceneState = history_.sceneState(), wanted = request(time_)] {
         renderers_.buildBetter(sceneState, wanted);
@@ -463,7 +466,7 @@ void Viewport::setRunEverything(bool on)
 void Viewport::setWholePictures(bool on)
 {
     wholePictures_ = on;
-    if (on && !regionImage_.isNull()) sceneStateChanged();  // A part of it is newer than the rest.
+    if (on && !regionImage_.isNull()) sceneStateChanged();  // The region is newer than the rest of the picture.
     tickSoon();
 }
 

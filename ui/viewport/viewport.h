@@ -24,128 +24,131 @@ class ReadingNotice;
 struct Handling;
 class ViewportInput;
 
-/// The picture, and the visitor in it. It shows the last picture that the render thread finished and draws none itself;
-/// pictures are asked for on demand only, one at a time.
+/// Widget that shows the museum's picture, and the visitor in it. It shows the last picture of the render thread and
+/// draws none itself. Pictures are ordered on demand, one at a time.
 class Viewport final : public QOpenGLWidget, public Spoken {
     Q_OBJECT
 
 public:
-    /// All must outlive it.
+    /// All must outlive the viewport.
     Viewport(const Museum&, Renderers&, History&, QWidget* parent = nullptr);
     ~Viewport() override;
 
-    /// Glides to the exhibit's best view and orbits it; to the hall's, and walks.
+    /// Visits an exhibit: glides to its best view and orbits it. Visiting the hall glides to its best view and walks.
     void visit(std::size_t exhibit);
     /// True while an exhibit without a place in the hall is visited: it is shown alone, in its own space.
     [[nodiscard]] bool isInDepot() const;
-    /// Glides back to where the visitor was before the last visit or step away from one; emits `visited` for what was
-    /// on show there. Nothing while there is no such place.
+    /// Glides back to where the visitor was before the last visit or walk away, and emits `visited` for the subject
+    /// there. Does nothing without such a place.
     void goBack();
     [[nodiscard]] bool canGoBack() const { return !former_.empty(); }
-    /// Whether `press` finds a button.
+    /// Returns whether `press` has a button to press.
     [[nodiscard]] bool canPress() const;
-    /// Whose parameters are on show: what E presses while it is orbited.
+    /// Sets the subject whose parameters are shown. `press` presses its button while it is orbited.
     void setSubject(std::size_t exhibit) { subject_ = exhibit; }
     void jumpTo(const render::Camera&);
-    /// The visitor's own objects that stand in the hall, as far as they are read.
+    /// Returns the visitor's own objects in the hall, as far as their files are read.
     [[nodiscard]] std::vector<OwnObjectShown> ownObjects() const { return museum_.ownObjects(prepared()); }
-    /// Glides to one of them.
+    /// Glides to one of the visitor's own objects.
     void visit(const OwnObjectShown&);
-    /// Glides there, and walks on from where a visitor can stand, at his height; otherwise orbits what is looked at.
+    /// Glides to a camera. The visitor then walks if the eye is at a visitor's height on free floor, and orbits the
+    /// camera's target otherwise.
     void goTo(const render::Camera&);
-    /// What one sees from where the visitor is, in device pixels.
+    /// Returns the present view; raster in device pixels.
     [[nodiscard]] render::View view() const;
-    /// Leaves the exhibit.
+    /// Leaves the exhibit and walks on.
     void walkOn();
     [[nodiscard]] CameraControl::Mode mode() const { return control_.mode(); }
-    /// What a gamepad's sticks say until they say something else.
+    /// Sets the state of a gamepad's sticks, which holds until the next call.
     void setSticks(const WalkKeys&);
     [[nodiscard]] const WalkKeys& sticks() const;
-    /// Presses the button that the visitor looks at, or visits what is in the middle of the picture.
+    /// Presses the button that the visitor looks at, or visits the object in the middle of the picture.
     void act();
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Graphic; }
     [[nodiscard]] QString spokenText() const override;
 
     void setHandling(const Handling&);
-    /// See `DrawSchedule::setLimits`.
+    /// Sets limits, see `DrawSchedule::setLimits`.
     void setLimits(int mostSamples, double leastScale);
-    /// While on, the camera cuts to where it would glide otherwise.
+    /// While on, the camera cuts instead of gliding.
     void setReducedMotion(bool on) { control_.setCutting(on); }
     void setPaused(bool);
     [[nodiscard]] bool paused() const { return paused_; }
-    /// Nothing that is shown will change by itself: the exhibits' clock waits for something that does.
+    /// Returns whether nothing shown will change by itself, so that the exhibits' clock stands still. False while
+    /// paused.
     [[nodiscard]] bool clockWaits() const { return !paused_ && !std::isfinite(changeAt_); }
-    static constexpr double latestTime = 86400;  ///< Seconds.
-    /// The exhibits' clock goes on from there, within 0 and `latestTime`; what was pressed later is not pressed yet.
+    static constexpr double latestTime = 86400;  ///< Largest time of the exhibits' clock, in seconds.
+    /// Sets the exhibits' clock, clamped to 0 ... `latestTime`. Buttons pressed after this time count as not pressed.
     void setTime(double seconds);
-    /// Times every step: slower, while the ledger is open.
+    /// Measures the time of every pass, which is slower. On while the frame report is open.
     void setStepsTimed(bool);
-    /// Every pass runs, called for or not: the picture must stay the same.
+    /// Runs every pass, even if it is not needed. The picture must stay the same.
     void setRunEverything(bool);
     void reloadShaders();
-    /// Exhibits are still to come.
+    /// Returns whether exhibits are still missing from the picture.
     [[nodiscard]] bool opening() const { return schedule_.opening(); }
-    /// The line for the first start; gone at the first step or click.
+    /// Shows the hint of the first start, until the first step or click.
     void showHint(const QString&);
 
     [[nodiscard]] const DrawSchedule& schedule() const { return schedule_; }
-    /// For the status line: what was drawn last, and why.
+    /// Text for the status line: what was drawn last, and why.
     [[nodiscard]] QString reason() const;
     [[nodiscard]] double time() const { return time_; }
-    /// What is on the screen is finished, and a screenshot of it is a picture of its own.
+    /// Returns whether the picture on the screen is a finished whole picture at full resolution. A screenshot then
+    /// saves it as shown.
     [[nodiscard]] bool pictureFinished() const;
-    /// What is on the screen, in device pixels; null before the first picture.
+    /// Picture on the screen, in device pixels; null before the first one.
     [[nodiscard]] const QImage& shown() const { return shown_; }
-    /// What the last whole picture on the screen was asked for as.
+    /// Request of the last whole picture on the screen.
     [[nodiscard]] const FrameRequest& shownRequest() const { return shownRequest_; }
     [[nodiscard]] const DrawOrder& shownOrder() const { return shownOrder_; }
-    /// Number of the scene state on show: grows with every change of values, camera or size.
+    /// Number of the present scene state: grows with every change of values, camera or size.
     [[nodiscard]] long long sceneStateNumber() const { return sceneStateNumber_; }
-    /// The same of the picture that `drawn` told of last, which may be an older one.
+    /// Scene state number of the picture that `drawn` reported last, which may be older.
     [[nodiscard]] long long drawnSceneState() const { return drawnState_; }
-    /// What the present picture is asked for as.
+    /// Request for a picture of the present state and time.
     [[nodiscard]] FrameRequest presentRequest() const { return request(time_); }
-    /// While on, what moves in a picture that stands still is not drawn by itself, but with all of it: for those who
-    /// show another whole picture beside it.
+    /// While on, moving regions are not drawn by themselves; the whole picture is drawn instead. Used while another
+    /// whole picture is shown beside it.
     void setWholePictures(bool);
-    /// While on, something else lies over the picture: what belongs on it, as names and handles, is not shown.
+    /// While on, another picture lies over this one, and names and handles are hidden.
     void setCovered(bool);
     [[nodiscard]] bool covered() const { return covered_; }
-    /// Number of pictures shown since the start: tests count that an idle window draws none.
+    /// Number of pictures shown since the start. Tests use it to check that an idle window draws none.
     [[nodiscard]] long long picturesDrawn() const { return picturesDrawn_; }
-    /// The same for parts of the picture in which something moves while the rest stands still.
+    /// Number of moving regions shown since the start.
     [[nodiscard]] long long regionsDrawn() const { return regionsDrawn_; }
-    /// How often what is asked of the museum was prepared since the start: tests count that one moment of one look
-    /// takes one.
+    /// Number of preparations for queries since the start. Tests use it to check that one scene state and time takes
+    /// one.
     [[nodiscard]] long long preparations() const { return prepared_.preparations(); }
-    /// Until it looks whether a picture is due, milliseconds; -1: it waits for a change, or for a picture that is
-    /// drawn.
+    /// Milliseconds until the next check whether a picture is due. -1: none is scheduled until a change or the end of a
+    /// drawing.
     [[nodiscard]] int nextTick() const { return timer_.remainingTime(); }
     [[nodiscard]] RenderThread& renderThread() { return *thread_; }
 
 public slots:
-    /// Something visible changed.
+    /// Call when something visible changed.
     void sceneStateChanged();
-    /// Presses the button that the look rests on; while an exhibit is orbited, its own.
+    /// Presses the button that the visitor looks at, or that of the orbited exhibit.
     void press();
 
 signals:
-    /// The key of that number, 1 to 9, was pressed in the picture.
+    /// Emitted when a number key, 1 to 9, was pressed in the picture.
     void bookmarkAsked(int number);
     void visited(std::size_t exhibit);
     void walkedOn();
-    /// The visitor pressed this exhibit's button.
+    /// Emitted when the visitor pressed this exhibit's button.
     void pressed(std::size_t exhibit);
     void drawn(const vitrine::render::FrameReport& report, const QSize& pixels);
-    /// `time` is another one.
+    /// Emitted when `time()` changed.
     void timePassed();
-    /// The camera, the moment or the size of the picture is another one, or it is covered, or no more.
+    /// Emitted when the camera, time or size of the picture changed, or whether it is covered.
     void looked();
-    /// The visitor clicked an exhibit with a tree that he orbits, here.
+    /// Emitted when the visitor clicked at this point on the orbited exhibit, which has a tree.
     void shapeClicked(std::size_t exhibit, const QPointF& at);
-    /// A file that the look names, or one beside it, is another one now.
+    /// Emitted when a file that the scene state names, or one beside it, changed on disk.
     void filesChanged();
-    /// Drawing failed; the last good picture stays.
+    /// Emitted when drawing failed. The last good picture stays.
     void failed(const QString& message);
 
 protected:
@@ -155,7 +158,7 @@ protected:
 private:
     [[nodiscard]] bool orbitsButton() const;
     [[nodiscard]] double now() const { return static_cast<double>(steady_.nsecsElapsed()) * 1e-9; }
-    /// Of the whole viewport at full resolution, at a moment of the exhibits' clock.
+    /// Returns the request for the whole viewport at full resolution, at a time of the exhibits' clock.
     [[nodiscard]] FrameRequest request(double time) const;
     [[nodiscard]] QSize devicePixels() const;
     void tick();
@@ -166,36 +169,36 @@ private:
     void scheduleNext();
     void paintOpening(QPainter&);
     [[nodiscard]] bool canBeSeen() const;
-    /// Hands the render thread the next picture, unless one is being drawn.
+    /// Gives the render thread the next order. If it is drawing, abandons an outdated picture only.
     void orderPicture();
     void orderWhole(const DrawOrder&);
     void orderRegion();
     void take(const DrawnPicture&);
     void showDrawn(const DrawnPicture&);
-    /// What of the hall's values the schedule goes by.
+    /// Passes the hall's quality values to the schedule.
     void takeQuality();
     void takeRegion(const DrawnPicture&);
     void layRegionOver();
-    /// What is to be seen at this moment, for questions to the museum: prepared once, however many are asked.
+    /// Returns the prepared scene of the present state and time, cached for queries to the museum.
     [[nodiscard]] const Prepared& prepared() const;
-    /// What moves by itself moves in this part of a picture that can stand still around it.
+    /// Returns the region in which everything moves, if it is small enough to be drawn alone over a static picture.
     [[nodiscard]] std::optional<PictureRegion> smallRegion();
     void cameraChanged();
-    /// The same after a glide began, or a cut was made in its place.
+    /// Updates after a glide began, or a cut that replaces it.
     void leftFor();
-    /// Glides there and makes `subject` the visited one. Into and out of the depot the picture changes at once.
+    /// Glides to a standpoint and makes `subject` the visited one. Into and out of the depot the camera cuts.
     void glideTo(std::size_t subject, const CameraControl::Standpoint&);
-    /// Takes back where the visitor is going, once he is there.
+    /// Hides the notice of the destination once the visitor is there.
     void noteArrival();
     void showProblems(const std::vector<render::gl::ShaderProblem>&);
     void watchFiles();
-    /// What rests is drawn faster from now on, once that can be.
+    /// Begins to build specialized programs for the idle scene state.
     void buildBetter();
     void fail(const QString& why);
     void click(const QPointF&);
     void pressButton(std::size_t exhibit);
     void remember();
-    /// What lies under a point of the widget.
+    /// Returns the object under a point of the widget.
     [[nodiscard]] std::optional<Pointed> pointedAt(const QPointF&) const;
 
     const Museum& museum_;
@@ -208,58 +211,59 @@ private:
     QTimer shaderPoll_;
     QTimer fileWatch_;
     QTimer rest_;                   ///< Runs while values have changed lately.
-    std::uint64_t filesDrawn_ = 0;  // Their state, as far as the picture knows.
+    std::uint64_t filesDrawn_ = 0;  // State of the files that the picture shows, to notice changes.
     double lastTick_ = 0;
-    double time_ = 0;         // The exhibits' clock, seconds.
+    double time_ = 0;         // The exhibits' clock, in seconds.
     bool cut_ = true;         // The camera jumped since the last whole picture, or there was none.
-    int motionFrames_ = 0;    // Of the motion that is on the screen; 0: the picture rests.
-    double changeAt_ = 0;     // On that clock: when the picture next changes by itself, as far as the last tick knows.
-    bool clockRuns_ = false;  // Time passed since the last tick, for someone.
+    int motionFrames_ = 0;    // Number of frames of the present motion; 0: static picture.
+    double changeAt_ = 0;     // Time of that clock at which the picture next changes by itself, as of the last tick.
+    bool clockRuns_ = false;  // The time since the last tick counts: something is animated or walks.
     bool paused_ = false;
     bool runEverything_ = false;
-    QImage shown_;  // The last picture, with what moved in it since.
+    QImage shown_;  // The last picture, with later regions drawn over it.
     FrameRequest shownRequest_;
     DrawOrder shownOrder_;
     bool wholePictures_ = false;
     bool covered_ = false;
-    double pictureTime_ = 0;  // The moment that the whole picture shows, on the exhibits' clock.
+    double pictureTime_ = 0;  // Time that the whole picture shows, on the exhibits' clock.
     bool drawingRegion_ = false;
-    bool drawing_ = false;            // A picture is asked for and not here yet.
-    long long sceneStateNumber_ = 0;  // Grows with every change of what is to be seen.
-    long long drawnState_ = 0;        // Of the picture that is being drawn.
+    bool drawing_ = false;            // A picture is ordered and has not arrived yet.
+    long long sceneStateNumber_ = 0;  // Grows with every visible change.
+    long long drawnState_ = 0;        // Scene state number of the last ordered picture.
     long long picturesDrawn_ = 0;
 
-    mutable PreparedLook prepared_;  // What was asked last is kept.
+    mutable PreparedLook prepared_;  // Cache of the last preparation.
 
-    // What moves while the rest of the picture stands still.
+    // Region that moves while the rest of the picture is static.
     std::optional<PictureRegion> region_;
-    QImage regionImage_;         // Newer than the picture; null: nothing moved since.
-    PictureRegion regionShown_;  // Where it lies.
+    QImage regionImage_;         // Newer than the picture; null: nothing has moved since.
+    PictureRegion regionShown_;  // Region that `regionImage_` covers.
     bool regionDue_ = false;
-    bool regionMoved_ = false;  // At the last tick.
-    double regionRest_ = 0;     // Not to be drawn again before, seconds of the steady clock.
+    bool regionMoved_ = false;  // Something moved at the last tick.
+    double regionRest_ = 0;     // Earliest time of the next region, in seconds of the steady clock.
     long long regionsDrawn_ = 0;
 
     QString lastFailure_;
-    std::vector<ParameterValues> acting_;  // Of the look that was drawn last: what of it acts.
-    std::vector<double> pressedAt_;        // Per exhibit, on the exhibits' clock; very negative: never.
+    std::vector<ParameterValues> acting_;  // Effective values of the last drawn scene state.
+    // Time of the last press of each exhibit's button, on the exhibits' clock; `never` if none.
+    std::vector<double> pressedAt_;
     std::optional<LookedAt> lookedAt_;
 
     struct Former {
         CameraControl::Standpoint standpoint;
         std::size_t subject = hallIndex;
     };
-    std::vector<Former> former_;  // The last one last.
+    std::vector<Former> former_;  // Earlier standpoints, the latest at the end.
     std::size_t subject_ = hallIndex;
 
     Overlay* hint_;
-    Overlay* going_;  ///< Names where the visitor is going, until its picture is there.
+    Overlay* going_;  ///< Names the destination until its picture is shown.
     Overlay* label_;
     Overlay* problems_;
-    std::vector<render::PendingAsset> awaited_;  // At the last tick.
+    std::vector<render::PendingAsset> awaited_;  // Pending assets at the last tick.
     std::unique_ptr<ReadingNotice> reading_;
     std::unique_ptr<ViewportInput> input_;
-    std::unique_ptr<RenderThread> thread_;  // Ends first.
+    std::unique_ptr<RenderThread> thread_;  // Declared last, so that it is destroyed first.
 };
 
 }  // namespace vitrine::ui

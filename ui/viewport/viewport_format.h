@@ -4,7 +4,7 @@
 
 namespace vitrine::ui {
 
-/// The format every context of the window asks for: OpenGL 4.5 core, with a debug context in debug builds.
+/// Returns the format of all OpenGL contexts of the window: OpenGL 4.5 core, with a debug context in debug builds.
 [[nodiscard]] QSurfaceFormat viewportFormat();
 
 }  // namespace vitrine::ui

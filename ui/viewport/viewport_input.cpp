@@ -13,10 +13,10 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double radiansPerPixel = 0.0035;      // Looking around: half a turn in 900 pixels.
-constexpr double orbitRadiansPerPixel = 0.008;  // Around an exhibit: half a turn in 400 pixels.
-constexpr double radiansPerSecond = 1.2;        // By keys, in both.
-constexpr int hoverDelay = 30;                  // Milliseconds after which a resting pointer is told what is under it.
+constexpr double radiansPerPixel = 0.0035;      // Walking: half a turn in 900 pixels.
+constexpr double orbitRadiansPerPixel = 0.008;  // Orbiting: half a turn in 400 pixels.
+constexpr double radiansPerSecond = 1.2;        // Turn by keys, walking and orbiting.
+constexpr int hoverDelay = 30;  // Milliseconds of rest after which the object under the pointer is looked up.
 
 bool isPlain(const QKeyEvent& event)
 {
@@ -44,7 +44,7 @@ bool ViewportInput::eventFilter(QObject* watched, QEvent* event)
     case QEvent::MouseButtonPress: return pressPointer(*static_cast<QMouseEvent*>(event));
     case QEvent::MouseMove: return movePointer(*static_cast<QMouseEvent*>(event));
     case QEvent::MouseButtonRelease: return releasePointer(*static_cast<QMouseEvent*>(event));
-    // The first click of the two already set off; a second one somewhere else is no new wish.
+    // The first click of a double click has already started a visit. The second one is ignored.
     case QEvent::MouseButtonDblClick: return true;
     case QEvent::Wheel: return turnWheel(*static_cast<QWheelEvent*>(event));
     case QEvent::FocusOut:
@@ -58,7 +58,7 @@ bool ViewportInput::eventFilter(QObject* watched, QEvent* event)
 
 bool ViewportInput::overrideShortcut(QKeyEvent& event)
 {
-    // Plain letters belong to the visitor while the picture has the focus, whatever shortcuts say.
+    // Plain walking letters go to the picture while it has the focus, before shortcuts.
     const bool letter =
         event.key() < 128 && std::string_view("WASDE").find(static_cast<char>(event.key())) != std::string_view::npos;
     if (!letter || !isPlain(event)) return false;
@@ -110,7 +110,7 @@ void ViewportInput::setSticks(const WalkKeys& sticks)
 {
     sticks_ = sticks;
     if (!sticks.moves()) return;
-    // Who has no pointer points with the middle of the picture.
+    // Without a pointer, the middle of the picture is pointed at.
     if (button_ == Qt::NoButton) hoverPoint_ = viewport_.rect().center();
     emit walking();
 }
@@ -188,7 +188,7 @@ void ViewportInput::drag(const QMouseEvent& event)
     if (!dragged_) {
         if ((event.position() - pressPoint_).manhattanLength() < QApplication::startDragDistance() / 2.0) return;
         dragged_ = true;
-        // The right button locks the pointer: it is hidden and turns the head without end.
+        // The right button locks and hides the pointer, so that the head can turn without end.
         if (button_ == Qt::RightButton) viewport_.setCursor(Qt::BlankCursor);
     }
     if (moved.isNull()) return;
@@ -198,7 +198,7 @@ void ViewportInput::drag(const QMouseEvent& event)
     lastPoint_ = event.position();
     if (button_ == Qt::RightButton) {
         QCursor::setPos(viewport_.mapToGlobal(pressPoint_).toPoint());
-        // Where the pointer cannot be moved (Wayland), go on from where it is.
+        // The pointer cannot be moved on Wayland: continue from where it is.
         if ((viewport_.mapFromGlobal(QPointF(QCursor::pos())) - pressPoint_).manhattanLength() < 2)
             lastPoint_ = pressPoint_;
     }

@@ -20,54 +20,54 @@ namespace vitrine::ui {
 
 class Overlay;
 
-/// How the pointer and the wheel turn the camera, as factors of what is usual.
+/// Speed of looking around and zooming, as factors of the usual speed.
 struct Handling {
     double look = 1, wheel = 1;
     bool inverted = false;  ///< Dragging down looks up.
 };
 
-/// The visitor's hands over the viewport: keys that are held down, the pointer that turns the head, the wheel, clicks,
-/// and the name of what the pointer rests on.
+/// Input of the viewport: walking keys, the pointer that turns the head, the wheel, clicks, and the name of the object
+/// under the pointer.
 class ViewportInput final : public QObject {
     Q_OBJECT
 
 public:
     using PointedAt = std::function<std::optional<Pointed>(const QPointF&)>;
 
-    /// Takes the events of `viewport` and turns `control`; both must outlive it. `pointedAt` says what lies under a
-    /// point of the viewport.
+    /// Filters the events of `viewport` and turns `control`; both must outlive this object. `pointedAt` returns the
+    /// object under a point of the viewport.
     ViewportInput(QWidget& viewport, CameraControl& control, PointedAt pointedAt);
 
-    /// Keys and sticks together.
+    /// Combined state of keys and sticks.
     [[nodiscard]] WalkKeys keys() const;
-    /// What a gamepad's sticks say until they say something else, wherever the focus is.
+    /// Sets the state of a gamepad's sticks, which holds until the next call, whatever has the focus.
     void setSticks(const WalkKeys&);
     [[nodiscard]] const WalkKeys& sticks() const { return sticks_; }
     void setHandling(const Handling& handling) { handling_ = handling; }
-    /// Something else may lie under a pointer that rests.
+    /// Another object may be under a resting pointer: looks it up again.
     void lookAgain();
-    /// Whether the name of what is under the pointer is shown; it is at first.
+    /// Sets whether the name of the object under the pointer is shown. On at first.
     void setNaming(bool);
 
 signals:
-    /// A key for walking was pressed.
+    /// Emitted when a walking key was pressed.
     void walking();
-    /// The camera was turned or zoomed.
+    /// Emitted when the camera was turned or zoomed.
     void turned();
     void clicked(const QPointF& at);
     void walkOnAsked();
     void goBackAsked();
     void pressAsked();
-    /// What is in the middle of the picture is to be visited or pressed.
+    /// Emitted to visit or press the object in the middle of the picture.
     void actAsked();
-    /// A number from 1 to 9.
+    /// Emitted when a number key, 1 to 9, was pressed.
     void bookmarkAsked(int number);
 
 protected:
     bool eventFilter(QObject*, QEvent*) override;
 
 private:
-    // Each returns whether the event was for the visitor: then nobody else gets it.
+    // Event handlers: each returns whether it consumed the event.
     bool overrideShortcut(QKeyEvent&);
     bool pressKey(const QKeyEvent&);
     bool releaseKey(const QKeyEvent&);
@@ -90,7 +90,7 @@ private:
     WalkKeys keys_, sticks_;
     Handling handling_;
     QTimer hoverTimer_;
-    std::optional<QPointF> hoverPoint_;  // Where the pointer is while it is over the picture and no button is down.
+    std::optional<QPointF> hoverPoint_;  // Position of the pointer while it is over the picture and no button is down.
     QPointF pressPoint_, lastPoint_;
     Qt::MouseButton button_ = Qt::NoButton;
     bool dragged_ = false;
