@@ -21,21 +21,21 @@ namespace vitrine::ui {
 class History;
 class ProgressJob;
 
-/// The charts that the chosen exhibit offers of its present values, side by side. They are made on another thread, and
-/// only while they can be seen.
+/// Dock with the charts of the chosen exhibit's present values, side by side. They are computed on another thread, and
+/// only while the dock is visible.
 class ChartsDock final : public QWidget {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both must outlive the dock.
     ChartsDock(const Museum&, History&, QWidget* parent = nullptr);
     ~ChartsDock() override;
 
     void setSubject(std::size_t exhibit);
-    /// What is shown; empty while the first are made, and where the exhibit has none.
+    /// Charts on display; empty while the first are computed, and if the exhibit has none.
     [[nodiscard]] const std::vector<Chart>& charts() const { return charts_; }
     [[nodiscard]] const std::vector<QCustomPlot*>& plots() const { return plots_; }
-    /// What is said in place of charts; empty where there are some.
+    /// Text shown in place of charts; empty if there are charts.
     [[nodiscard]] QString note() const;
 
 signals:
@@ -60,7 +60,7 @@ private:
     std::vector<QCustomPlot*> plots_;
     QHBoxLayout* row_;
     QLabel* note_;
-    QTimer soon_;  // So that a slider that is dragged asks once.
+    QTimer soon_;  // Delays the computation, so that dragging a slider starts only one.
     ProgressJob* job_;
 };
 

@@ -82,7 +82,7 @@ void applyAppearance(QApplication& app, const PreferenceValues& values, const De
     if (!(wanted == theme()) || !qobject_cast<QuietStyle*>(QApplication::style())) {
         applyTheme(app, wanted);
         for (QWidget* widget : QApplication::allWidgets())
-            widget->update();  // What paints itself asks for the theme's colors.
+            widget->update();  // Widgets that paint themselves use the theme's colors.
     }
     applyTypeSize(values.typeSize);
 }

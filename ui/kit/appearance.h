@@ -10,29 +10,31 @@ class QApplication;
 
 namespace vitrine::ui {
 
-/// The theme that is chosen; of the desktop's choice, what its portal wishes, or else what its palette is.
+/// Returns the preferred theme. If the preference follows the desktop, this is what its portal says, or else
+/// `desktopIsDark`.
 [[nodiscard]] Theme themeFor(const PreferenceValues&, const DesktopWishes&, bool desktopIsDark);
-/// Whether nothing should move that the visitor did not ask to move.
+/// Returns whether animations that the visitor did not start are off.
 [[nodiscard]] bool reducesMotion(const PreferenceValues&, const DesktopWishes&);
 
-/// Colors, size of type and motion of the whole application, at once. What the desktop's palette and type are is what
-/// they were when this was first called.
+/// Applies colors, font size and motion to the whole application. The desktop's palette and font are those of the first
+/// call.
 void applyAppearance(QApplication&, const PreferenceValues&, const DesktopWishes&);
-/// As applied last: what fades or slides by itself does it at once while this is true.
+/// Returns whether motion is reduced, as applied last. While true, fading and sliding happen at once.
 [[nodiscard]] bool reducedMotion();
 
-/// Follows the preferences and the desktop's wishes, but does nothing before either changes.
+/// Keeps the application's appearance up to date with the preferences and the desktop's settings. Does nothing before
+/// either changes.
 class Appearance final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both must outlive this object.
     Appearance(const Preferences&, const DesktopPortal&, QObject* parent = nullptr);
 
     [[nodiscard]] bool reducesMotion() const { return ui::reducesMotion(preferences_.values(), portal_.wishes()); }
 
 signals:
-    /// Colors, type or motion may be others now.
+    /// Emitted after colors, font size or motion may have changed.
     void applied();
 
 private:

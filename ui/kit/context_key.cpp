@@ -8,7 +8,7 @@
 namespace vitrine::ui {
 namespace {
 
-/// Where a menu of this widget belongs: on the entry that is selected, or in its middle.
+/// Returns the position of the widget's context menu: on the selected entry, or in the middle.
 QPoint placeIn(const QWidget& widget)
 {
     const auto* view = qobject_cast<const QAbstractItemView*>(&widget);

@@ -4,8 +4,8 @@
 
 namespace vitrine::ui {
 
-/// Context menus from the keyboard, in the whole program: Shift+F10 opens one, as the Menu key does, and in lists it
-/// is that of the selected entry and not of whatever lies in the middle.
+/// Opens context menus by keyboard, in the whole program. Shift+F10 opens one like the Menu key. In lists it is the
+/// menu of the selected entry, not of the entry in the middle.
 class ContextKey final : public QObject {
     Q_OBJECT
 

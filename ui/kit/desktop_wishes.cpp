@@ -13,7 +13,7 @@ namespace {
 
 using Spaces = QMap<QString, QVariantMap>;
 
-constexpr int longestWait = 60000;  // Milliseconds: a portal may have to be started first, and nobody waits for it.
+constexpr int longestWait = 60000;  // Milliseconds: the portal may have to be started first. Nothing waits for it.
 
 const QString service = QStringLiteral("org.freedesktop.portal.Desktop");
 const QString path = QStringLiteral("/org/freedesktop/portal/desktop");
@@ -27,7 +27,7 @@ bool hasSessionBus()
            QFileInfo::exists(qEnvironmentVariable("XDG_RUNTIME_DIR") + QStringLiteral("/bus"));
 }
 
-/// Some portals wrap a value once more than others.
+/// Removes the extra layers of variants in which some portals wrap a value.
 QVariant bare(QVariant value)
 {
     for (int i = 0; i < 4 && value.metaType() == QMetaType::fromType<QDBusVariant>(); ++i)
@@ -60,7 +60,7 @@ void DesktopPortal::ask(QDBusConnection bus)
     connect(answer, &QDBusPendingCallWatcher::finished, this, [this, answer] {
         answer->deleteLater();
         const QDBusPendingReply<Spaces> reply = *answer;
-        // Otherwise there is no portal, or one that speaks another language.
+        // On an error there is no portal, or one with another interface.
         if (!reply.isError()) {
             const DesktopWishes before = wishes_;
             const Spaces spaces = reply.value();

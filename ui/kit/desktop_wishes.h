@@ -8,32 +8,32 @@
 
 namespace vitrine::ui {
 
-/// What the desktop's settings ask of all programs, as far as it says.
+/// Settings of the desktop that apply to all programs.
 struct DesktopWishes {
-    std::optional<bool> dark;  ///< Empty: it has no preference, or does not say.
+    std::optional<bool> dark;  ///< Dark color scheme. Unset: no preference, or not known.
     bool highContrast = false;
-    bool reducedMotion = false;  ///< Things should not move by themselves.
+    bool reducedMotion = false;  ///< Animations should be reduced.
 
     bool operator==(const DesktopWishes&) const = default;
 };
 
-/// Asks the desktop's portal (xdg-desktop-portal, interface Settings) what it wishes, and goes on listening. Until it
-/// answers, and where there is none, nothing is wished; nobody waits for it.
+/// Reads the desktop's settings from its portal (xdg-desktop-portal, interface Settings) and follows their changes.
+/// Until the portal answers, and without one, all settings are the defaults. Does not block.
 class DesktopPortal final : public QObject {
     Q_OBJECT
 
 public:
     explicit DesktopPortal(const QDBusConnection& bus, QObject* parent = nullptr);
-    /// On the bus of the session; without one it is not looked for, which would start one.
+    /// Uses the session bus. Without a running session bus no portal is looked for, because that would start one.
     explicit DesktopPortal(QObject* parent = nullptr);
 
     [[nodiscard]] const DesktopWishes& wishes() const { return wishes_; }
-    /// There is a bus, and the portal was asked.
+    /// Returns whether there is a bus and the portal was asked.
     [[nodiscard]] bool asks() const { return asks_; }
 
 signals:
     void changed();
-    /// The first question was answered, if only by a refusal.
+    /// Emitted when the portal has answered the first query, even with an error.
     void answered();
 
 private slots:
@@ -42,12 +42,12 @@ private slots:
 private:
     void ask(QDBusConnection bus);
     void note(const QString& space, const QString& key, const QVariant& value);
-    /// Says what is another wish than before.
+    /// Updates `wishes()` and emits `changed` if they differ from `before`.
     void decide(const DesktopWishes& before);
 
     DesktopWishes wishes_;
     bool asks_ = false;
-    // What the portal said: the wish for less motion has an old and a new name.
+    // Settings as the portal gives them: reduced motion has an old and a new key.
     bool animationsOff_ = false;
     bool motionReduced_ = false;
 };

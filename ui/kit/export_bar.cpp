@@ -48,7 +48,7 @@ ExportBar::ExportBar(Words words, QWidget* parent)
 QPushButton* ExportBar::makeButton(const QString& text)
 {
     auto* button = new QPushButton(text, this);
-    button->setAutoDefault(false);  // Enter in a number field ends the number, nothing else.
+    button->setAutoDefault(false);  // Enter in a number field confirms the number only.
     button->setAccessibleName(text);
     followType(*button, [button] { button->setMinimumWidth(button->sizeHint().width() + 16); });
     return button;
@@ -135,7 +135,7 @@ void ExportBar::browse()
     dialog->setDefaultSuffix(words_.suffix);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
         path_->setText(chosen);
-        replaced_ = chosen;  // The dialog has asked.
+        replaced_ = chosen;  // The file dialog has already asked about replacing it.
     });
     dialog->open();
 }

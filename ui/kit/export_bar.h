@@ -12,16 +12,16 @@ class QToolButton;
 
 namespace vitrine::ui {
 
-/// To which file something is exported, how far it is, and the dialog's buttons.
+/// Lower part of an export dialog: the file to write, the progress, and the buttons.
 class ExportBar : public QWidget {
     Q_OBJECT
 
 public:
     struct Words {
-        QString help;    ///< Of the file's name.
-        QString title;   ///< Of the dialog that chooses a file.
-        QString filter;  ///< Likewise: kinds of files.
-        QString suffix;  ///< Given to a name that was chosen without one; empty: none.
+        QString help;    ///< Tooltip of the file name.
+        QString title;   ///< Title of the file dialog.
+        QString filter;  ///< File types in the file dialog.
+        QString suffix;  ///< Suffix added to a chosen name without one; empty: none.
     };
     ExportBar(Words, QWidget* parent);
 
@@ -29,22 +29,23 @@ public:
     void setPath(const QString&);
     [[nodiscard]] QString status() const;
 
-    /// Asks before the file, or one of those beside it, is replaced; then `exportAsked`.
+    /// Asks whether to replace the file, or files of `beside` next to it, if they exist. Emits `exportAsked` if the
+    /// visitor agrees.
     void ask(const QStringList& beside);
     void showPossible(bool exporting, bool possible);
     void showProgress(double part, double secondsLeft);
-    /// The export is over, or something else is to be read beside the buttons.
+    /// Shows a text beside the buttons, such as the end of the export.
     void showStatus(const QString& words, double part = 0);
 
 signals:
     void pathChanged();
-    /// The button was pressed: `ask` is for the dialog to call.
+    /// Emitted when the export button was pressed. The dialog then calls `ask`.
     void goAsked();
     void exportAsked(const QString& path);
     void stopAsked();
 
 protected:
-    /// One more, on the left.
+    /// Adds a button on the left.
     QPushButton* addButton(const QString& text, const QString& help);
     [[nodiscard]] QPushButton& goButton() { return *go_; }
 
@@ -61,7 +62,7 @@ private:
     QHBoxLayout* buttons_;
     int added_ = 0;
     QPushButton *stop_, *go_;
-    QString replaced_;  ///< The visitor agreed that this file may be replaced.
+    QString replaced_;  ///< File that the visitor agreed to replace.
 };
 
 }  // namespace vitrine::ui

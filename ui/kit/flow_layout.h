@@ -5,7 +5,7 @@
 
 namespace vitrine::ui {
 
-/// Places its items in lines, as words in a paragraph; as high as that takes in the width that there is.
+/// Layout that places its items in lines, like words in a paragraph. Its height depends on its width.
 class FlowLayout final : public QLayout {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     void setGeometry(const QRect&) override;
 
 private:
-    /// Returns the height that it takes; moves the items where `really`.
+    /// Returns the height that the items take. Moves them if `really`.
     int place(const QRect&, bool really) const;
 
     QList<QLayoutItem*> items_;

@@ -24,7 +24,7 @@ bool FocusRing::eventFilter(QObject* object, QEvent* event)
     if (!area) return false;
     if (!frame_) frame_ = new QFocusFrame;
     const Qt::FocusReason reason = static_cast<QFocusEvent*>(event)->reason();
-    // A menu that is open takes the focus only for a while.
+    // An open menu has the focus only for a while.
     if (reason == Qt::PopupFocusReason) return false;
     const bool shown = event->type() == QEvent::FocusIn && reason != Qt::MouseFocusReason && !area->isWindow();
     if (shown) {

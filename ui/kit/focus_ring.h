@@ -7,8 +7,8 @@ class QFocusFrame;
 
 namespace vitrine::ui {
 
-/// Shows around lists, trees, tables, texts and other areas that scroll that they have the focus, when it came by the
-/// keyboard. All other controls show it in their own edge.
+/// Draws a ring around scrolling areas (lists, trees, tables, texts) that got the focus by keyboard. All other controls
+/// show the focus in their own edge.
 class FocusRing final : public QObject {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ protected:
     bool eventFilter(QObject*, QEvent*) override;
 
 private:
-    QPointer<QFocusFrame> frame_;  ///< Deleted with the window that it is in.
+    QPointer<QFocusFrame> frame_;  ///< Deleted with its window.
 };
 
 }  // namespace vitrine::ui

@@ -4,7 +4,7 @@
 
 namespace vitrine::ui {
 
-/// The text with paths below the user's home folder as "~/…", as people say them.
+/// Returns the text with the user's home folder in paths replaced by "~".
 [[nodiscard]] QString withShortPaths(QString text);
 
 }  // namespace vitrine::ui

@@ -13,7 +13,7 @@ IdleUndo::IdleUndo(QWidget* window) : QObject(window), window_(window)
 
 bool IdleUndo::belongs(const QObject* object) const
 {
-    // By parents, not QWidget::isAncestorOf: a panel that floats is a window of its own.
+    // Follows parents instead of QWidget::isAncestorOf, because a floating panel is a window of its own.
     while (object && object != window_) object = object->parent();
     return object != nullptr;
 }

@@ -7,7 +7,7 @@ namespace vitrine::ui {
 QString iniPath(const QString& path)
 {
     constexpr std::uintmax_t largest = 4U << 20U;
-    // By the path's status alone: nothing is opened.
+    // Reads the path's status only, and opens nothing.
     std::error_code error;
     const std::filesystem::file_status status = std::filesystem::status(path.toStdString(), error);
     const bool isMissing = status.type() == std::filesystem::file_type::not_found;

@@ -4,9 +4,9 @@
 
 namespace vitrine::ui {
 
-/// The path to give to QSettings: this one where a regular file of at most 4 MiB is there, or nothing. In place of all
-/// else (a pipe, on which reading would wait for good, a folder, a device) a path at which nothing can be, so that no
-/// setting is found, and none is kept.
+/// Returns the path to give to QSettings: `path` itself if it is a regular file of at most 4 MiB, or does not exist.
+/// Otherwise (a pipe, on which reading would block, a folder, a device) returns a path that cannot exist, so that no
+/// setting is read or written.
 [[nodiscard]] QString iniPath(const QString& path);
 
 }  // namespace vitrine::ui

@@ -16,7 +16,7 @@
 
 #include <memory>
 
-// Outside of any namespace, as Qt asks for it: the linker leaves out resources of libraries that nobody names.
+// Qt requires this outside of any namespace. Without it the linker drops the resources of the library.
 static void initializeTranslations()
 {
     Q_INIT_RESOURCE(translations);
@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char* context = "vitrine";
 
-/// All texts stand in one context, whatever class shows them: the same words are the same everywhere.
+/// Translator with one context for all texts: equal texts have equal translations, whatever class shows them.
 class OneContext final : public QTranslator {
 public:
     using QTranslator::QTranslator;
@@ -35,7 +35,7 @@ public:
     [[nodiscard]] QString translate(const char* /*asked*/, const char* source, const char* disambiguation,
                                     int n) const override
     {
-        return QTranslator::translate(context, source, disambiguation, n);  // Without one where it has no entry.
+        return QTranslator::translate(context, source, disambiguation, n);  // Empty if there is no entry.
     }
 };
 
@@ -66,7 +66,7 @@ QString resource(const QString& code, const char* ending)
     return QStringLiteral(":/translations/vitrine_%1.%2").arg(code, QLatin1String(ending));
 }
 
-/// Null where there is no such language, or it is English.
+/// Returns the translator of a language; null for English and for unknown languages.
 std::unique_ptr<QTranslator> translatorFor(const QString& code)
 {
     initializeTranslations();
@@ -76,7 +76,8 @@ std::unique_ptr<QTranslator> translatorFor(const QString& code)
     return translator;
 }
 
-/// What the layers below say, of the translator's texts: their list stands beside them.
+/// Returns the translations of texts of the lower layers, or null. The texts are listed in a file beside the
+/// translator's.
 std::shared_ptr<const Catalog> catalogOf(const QString& code, const QTranslator& translator)
 {
     QFile list(resource(code, "txt"));
@@ -151,14 +152,14 @@ void speak(const QString& code)
     now.ours = translatorFor(code);
     now.code = now.ours ? code : QStringLiteral("en");
     setLanguage(now.code.toStdString(), now.ours ? catalogOf(code, *now.ours) : nullptr);
-    QLocale::setDefault(now.ours ? QLocale(code) : QLocale::system());  // Numbers in boxes, dates.
+    QLocale::setDefault(now.ours ? QLocale(code) : QLocale::system());  // For dates and for numbers in input fields.
     if (!now.ours || !QCoreApplication::instance()) return;
     auto qts = std::make_unique<QTranslator>();
     if (qts->load(QStringLiteral("qtbase_") + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath))) {
         now.qts = std::move(qts);
         QCoreApplication::installTranslator(now.qts.get());
     }
-    QCoreApplication::installTranslator(now.ours.get());  // Asked first.
+    QCoreApplication::installTranslator(now.ours.get());  // Installed last, so that it is asked first.
 }
 
 QString spokenLanguage()

@@ -12,36 +12,37 @@ class QWidget;
 
 namespace vitrine::ui {
 
-/// The codes of the languages that the program speaks: "en", "de".
+/// Returns the codes of the program's languages: "en", "de".
 [[nodiscard]] const QStringList& languages();
-/// A language by its own name: "Deutsch". Empty for an unknown code.
+/// Returns the name of a language in that language: "Deutsch". Empty for an unknown code.
 [[nodiscard]] QString nameOfLanguage(const QString& code);
 
-/// What LC_ALL, LC_MESSAGES or LANG, in this order, ask for; "en" where that is no language of the program.
+/// Returns the language that LC_ALL, LC_MESSAGES or LANG selects, in this order; "en" if the program does not have it.
 [[nodiscard]] QString languageOfLocale();
-/// The language that was chosen last, on this machine; empty: as the system.
+/// Returns the saved choice of language; empty: that of the system.
 [[nodiscard]] QString savedLanguage();
-/// Keeps the choice for the next start; empty: as the system.
+/// Saves the choice of language for the next start; empty: that of the system.
 void keepLanguage(const QString& code);
-/// The saved choice, or else the locale's.
+/// Returns the saved choice of language, or else that of the locale.
 [[nodiscard]] QString languageOfWindow();
 
-/// All that is shown from now on is in this language: texts of widgets that are made from now on, and, where there is
-/// an application, Qt's own. What was made before keeps its own. An unknown code is English.
+/// Sets the language of all texts made from now on, including Qt's own if there is an application. Existing widgets
+/// keep their texts. An unknown code selects English.
 void speak(const QString& code);
-/// The language of what is shown; "en" before `speak`.
+/// Returns the code of the present language; "en" before `speak`.
 [[nodiscard]] QString spokenLanguage();
-/// Whether `speak` was called, as for the command line's --language.
+/// Returns whether `speak` was called, for example for the command line's --language.
 [[nodiscard]] bool languageAsked();
 
-/// A text of the layers below (a label, a help sentence, a reason, a failure) in the language of the program.
+/// Translates a text of the lower layers (a label, a help text, a reason, a failure) to the present language.
 [[nodiscard]] QString said(std::string_view english);
-/// The name of a row, or another one, within a sentence: small in English, as it is in languages with capital nouns.
+/// Returns the name in the form used within a sentence: in lower case in English, unchanged in German.
 [[nodiscard]] QString within(const QString& name);
-/// A failure's sentence in the language of the locale, for standard error.
+/// Translates a failure's sentence to the locale's language, for standard error.
 [[nodiscard]] std::string saidInLocale(std::string_view english);
 
-/// "Language": as the system, English, Deutsch. The choice counts from the next start; `chosen` is called then.
+/// Makes the menu "Language" with the system's language and all others. Calls `chosen` with a message after a choice,
+/// which takes effect at the next start.
 [[nodiscard]] QMenu* languageMenu(QWidget* parent, const std::function<void(const QString& message)>& chosen);
 
 }  // namespace vitrine::ui

@@ -5,13 +5,13 @@
 
 namespace vitrine::ui {
 
-/// Somebody's words, for a menu or a button, which take a single "&" as the mark of a key.
+/// Escapes user text for menus and buttons, which take a single "&" as the mark of a shortcut key.
 [[nodiscard]] inline QString menuText(QString words)
 {
     return words.replace(u'&', QStringLiteral("&&"));
 }
 
-/// What an action does and its first shortcut, for the tooltip of a button that does it.
+/// Returns a button's tooltip: the action's tooltip, with its first shortcut in brackets.
 [[nodiscard]] inline QString tipWithKey(const QAction& action)
 {
     const QString key = action.shortcut().toString(QKeySequence::NativeText);

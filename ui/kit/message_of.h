@@ -6,8 +6,8 @@
 
 namespace vitrine::ui {
 
-/// What the window says about something that was thrown: a Failure's own sentence, or what another exception means to
-/// the visitor.
+/// Returns the sentence that the window shows for an exception: a Failure's own, or an explanation of another
+/// exception.
 [[nodiscard]] QString messageOf(const std::exception&);
 
 }  // namespace vitrine::ui

@@ -26,8 +26,8 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int highest = 132;    // Pixels: a few messages; more of them scroll.
-constexpr int narrowest = 200;  // Pixels: less wide, messages are not fitted.
+constexpr int highest = 132;    // Largest height in pixels: a few messages; more of them scroll.
+constexpr int narrowest = 200;  // Smallest width in pixels to which messages are fitted.
 
 class Line final : public QWidget, public Spoken {
 public:
@@ -60,11 +60,11 @@ public:
         connect(&life_, &QTimer::timeout, this, [this] { fade(); });
         connect(dismiss, &QToolButton::clicked, this, &QObject::deleteLater);
     }
-    /// With whole paths, as it is copied.
+    /// Text with whole paths, as it is copied.
     [[nodiscard]] const QString& text() const { return text_; }
     [[nodiscard]] QString shownText() const { return words_->text(); }
 
-    /// One more of the same kind: `several` with their number and what the newest is about.
+    /// Counts one more notice of the same kind. The text is `several` with the number and the newest notice's `what`.
     void repeat(const QString& several, const QString& what)
     {
         setText(several.arg(++count_).arg(what));
@@ -72,13 +72,13 @@ public:
     }
     [[nodiscard]] const QString& kind() const { return kind_; }
     void setKind(const QString& several) { kind_ = several; }
-    /// What the message is about; empty: no file.
+    /// Sets the file that the message is about; empty: none.
     void setFile(const QString& file)
     {
         file_ = file;
         folder_->setVisible(!file.isEmpty());
     }
-    /// Fades out once the time is over and the pointer is elsewhere.
+    /// Fades out after this time, once the pointer is elsewhere.
     void goAfter(int milliseconds) { life_.start(milliseconds); }
 
 private:
@@ -197,7 +197,7 @@ void MessageStrip::say(Mood mood, const QString& text, const QString& several, c
     line->setFile(file);
     fit();
     announce(*line, line->shownText());
-    QTimer::singleShot(0, this, &MessageStrip::fit);  // Once the width is known, wrapped lines know their height.
+    QTimer::singleShot(0, this, &MessageStrip::fit);  // Wrapped lines know their height only once their width is set.
 }
 
 void MessageStrip::setBanned(bool banned)

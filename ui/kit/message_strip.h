@@ -9,9 +9,8 @@ class QVBoxLayout;
 
 namespace vitrine::ui {
 
-/// List of messages, the newest first: what happened, to which file and line, what to do. Problems stay until their
-/// cause is gone or they are dismissed; notices go by themselves after some seconds. Never a pop-up. Text is plain and
-/// can be selected. The list lies over other widgets and moves none of them.
+/// List of messages, the newest first. A problem stays until its cause is gone or it is dismissed; a notice disappears
+/// after some seconds. The text is plain and can be selected. The list lies over other widgets and moves none of them.
 class MessageStrip final : public QWidget {
     Q_OBJECT
 
@@ -20,23 +19,23 @@ public:
 
     explicit MessageStrip(QWidget* parent = nullptr);
 
-    /// Lies over the top of this widget instead of pushing it down.
+    /// Places the list over the top of this widget.
     void lieOver(QWidget*);
-    /// A text that is already listed is not listed twice, and comes first again. Notices of one kind, told by the same
-    /// `several`, become one:
-    /// "%1 screenshots saved, the last one to %2.", with their number and the newest's `what`.
-    /// `file`: the one it is about, which a button shows in its folder; empty: none.
+    /// Shows a message. A text that is already listed moves to the front. Notices with the same `several` are merged
+    /// into one. `several`: text of merged notices, such as "%1 screenshots saved, the last one to %2.", filled with
+    /// their number and the newest one's `what`. `file`: the file that the message is about, with a button that shows
+    /// it in its folder; empty: none.
     void say(Mood, const QString& text, const QString& several = {}, const QString& what = {},
              const QString& file = {});
-    /// Problems of one cause ("the files of the scene"): lists those that are new and takes back those that it listed
-    /// for this cause before and that are not among `texts`. An empty list: the cause is gone. One that was dismissed
-    /// stays away for as long as it is among them.
+    /// Sets the problems of one cause, such as "the files of the scene". New ones are listed, and earlier ones of this
+    /// cause that are not in `texts` are removed. An empty list removes all. A dismissed problem stays hidden for as
+    /// long as it is in `texts`.
     void setProblems(const QString& cause, const QStringList& texts);
     [[nodiscard]] QStringList texts() const;
     void dismissAll();
-    /// Out of sight, whatever is said meanwhile: in the bare picture.
+    /// While on, the list is hidden, even for new messages: used for the bare picture.
     void setBanned(bool);
-    /// How long a notice stays, milliseconds; while the pointer is on it, longer.
+    /// Sets how long a notice stays, in milliseconds. It stays longer while the pointer is on it.
     void setNoticeTime(int milliseconds) { noticeTime_ = milliseconds; }
 
 signals:
@@ -54,7 +53,7 @@ private:
     QWidget* content_;
     QVBoxLayout* list_;
     QToolButton* closeAll_;
-    QHash<QString, QStringList> problems_;  // By cause.
+    QHash<QString, QStringList> problems_;  // Texts listed for each cause.
     QWidget* under_ = nullptr;
     int noticeTime_ = 8000;
     bool banned_ = false;

@@ -6,18 +6,18 @@ class QLineEdit;
 
 namespace vitrine::ui {
 
-/// Asks for a name.
+/// Dialog that asks for a name.
 class NameDialog final : public QuietDialog {
     Q_OBJECT
 
 public:
-    /// `suggestion` is selected: typing replaces it.
+    /// `suggestion` is selected at first: typing replaces it.
     NameDialog(const QString& heading, const QString& suggestion, QWidget* parent);
 
     [[nodiscard]] QString name() const;
 
 signals:
-    /// Never empty.
+    /// Emitted with the chosen name, which is never empty.
     void named(const QString& name);
 
 private:

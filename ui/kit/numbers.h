@@ -5,12 +5,12 @@
 
 namespace vitrine::ui {
 
-/// How numbers are shown: with the decimal sign of the language that the window speaks, without group separators.
+/// Returns the locale of shown numbers: the decimal sign of the window's language, no group separators.
 [[nodiscard]] QLocale numberLocale();
-/// A number that is written with a point, as files have it, with the decimal sign of the window's language.
+/// Converts a number with a decimal point, as files have it, to the decimal sign of the window's language.
 [[nodiscard]] QString withDecimalSign(const QString& number);
-/// A typed number with a point for the decimal comma of the window's or the desktop's language: a number has no other
-/// comma. One with a point already is left as it is.
+/// Converts a typed number to one with a decimal point. A comma counts as a decimal point if the window's or the
+/// desktop's language has a decimal comma. A number that has a point is returned unchanged.
 [[nodiscard]] QString withPoint(const QString& typed);
 
 }  // namespace vitrine::ui

@@ -7,10 +7,10 @@ class QImage;
 
 namespace vitrine::ui {
 
-/// The picture as PNG; empty where it cannot be encoded.
+/// Encodes the picture as PNG; empty if that fails.
 [[nodiscard]] QByteArray pngOf(const QImage&);
 
-/// Writes a small picture that can be made again, as PNG; makes its folder. Where that fails there is none.
+/// Writes a small picture as PNG and makes its folder. Errors are ignored, because the picture can be made again.
 void saveThumbnail(const QString& path, const QImage&);
 
 }  // namespace vitrine::ui

@@ -17,9 +17,9 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr qint64 largestFile = 1 << 20;  // Bytes; ours has a few hundred.
-constexpr int mostKeys = 1000;           // Actions with shortcuts of the visitor's.
-constexpr int mostShortcuts = 4;         // Of one action.
+constexpr qint64 largestFile = 1 << 20;  // Bytes; a valid file has a few hundred.
+constexpr int mostKeys = 1000;           // Number of actions with shortcuts of the visitor's own.
+constexpr int mostShortcuts = 4;         // Shortcuts of one action.
 constexpr int longestShortcut = 60;      // Characters.
 
 constexpr std::array themeNames{"desktop", "light", "dark", "highContrast"};
@@ -43,7 +43,7 @@ QString filePath()
     return QString::fromStdString((configFolder() / "window.ini").string());
 }
 
-/// Why the file cannot be one of preferences; empty when it may be one, or is not there.
+/// Returns why the file cannot be a preferences file; empty if it may be one, or does not exist.
 QString damage(const QString& path)
 {
     QFile file(path);
@@ -51,7 +51,7 @@ QString damage(const QString& path)
     if (!QFileInfo(path).isFile()) return Preferences::tr("it is no file");
     if (file.size() > largestFile) return Preferences::tr("it is too large");
     if (!file.open(QIODevice::ReadOnly)) return file.errorString();
-    // Everything of ours is words and numbers. These would have Qt make objects of bytes that anyone may have written.
+    // All valid values are texts and numbers. These markers would have Qt make objects of bytes that are not trusted.
     const QByteArray bytes = file.read(largestFile + 1);
     for (const char* maker : {"@Variant(", "@DateTime("})
         if (bytes.contains(maker)) return Preferences::tr("it holds what no preference is");
@@ -190,9 +190,9 @@ void Preferences::write(const PreferenceValues& before)
     const QString path = filePath();
     QDir().mkpath(QFileInfo(path).path());
     QSettings settings(iniPath(path), QSettings::IniFormat);
-    // What is initial is not written, so that a later version may have better initial values.
+    // Initial values are not written, so that a later version may change them.
     const PreferenceValues initial;
-    // Qt's settings take the file as it is now, under a lock, and put these keys into it.
+    // QSettings locks the file, reads it again and changes only these keys.
     const auto keep = [&](const QString& key, const QVariant& value, bool changes, bool differs) {
         if (!changes && !wrong_.contains(key)) return;
         if (differs)
@@ -216,7 +216,7 @@ void Preferences::write(const PreferenceValues& before)
         if (!values_.keys.contains(key.key())) settings.remove(group + key.key());
     for (auto key = values_.keys.begin(); key != values_.keys.end(); ++key)
         if (!before.keys.contains(key.key()) || before.keys.value(key.key()) != key.value())
-            // An empty list would be written as one of Qt's objects.
+            // QSettings would write an empty list as a serialized object.
             settings.setValue(group + key.key(), key.value().isEmpty() ? QVariant(QString()) : QVariant(key.value()));
     settings.sync();
     wrong_.clear();

@@ -11,12 +11,12 @@ namespace vitrine::ui {
 enum class ThemeChoice : std::uint8_t { desktop, light, dark, highContrast };
 enum class MotionChoice : std::uint8_t { desktop, reduced, full };
 
-/// A whole number with its range, both ends allowed.
+/// Range of a whole number, both ends included, and its initial value.
 struct PreferenceRange {
     int least, most, initial;
 };
 
-/// What the visitor prefers of the program itself, whatever is on show. As made, it holds the initial values.
+/// Preferences about the program itself. Default-constructed, all values are initial.
 struct PreferenceValues {
     static constexpr PreferenceRange typeSizes{100, 200, 100};
     static constexpr PreferenceRange lookSpeeds{25, 400, 100};
@@ -27,51 +27,53 @@ struct PreferenceValues {
 
     ThemeChoice theme = ThemeChoice::desktop;
     MotionChoice motion = MotionChoice::desktop;
-    int typeSize = typeSizes.initial;        ///< Percent of the desktop's.
-    int lookSpeed = lookSpeeds.initial;      ///< Percent of the usual turn for a way of the pointer.
-    int wheelSpeed = wheelSpeeds.initial;    ///< Percent of the usual zoom for a step of the wheel.
-    bool invertedLook = false;               ///< Dragging down looks up.
-    int mostSamples = sampleLimits.initial;  ///< Per pixel of a picture at rest; the largest: as many as the hall says.
-    int leastScale = movingScales.initial;   ///< Percent of full resolution, of a picture in motion.
-    int recentFiles = recentCounts.initial;  ///< How many are kept.
-    /// Shortcuts by the id of the action, in Qt's portable text; only of actions whose shortcuts are not their own.
+    int typeSize = typeSizes.initial;      ///< Font size in percent of the desktop's.
+    int lookSpeed = lookSpeeds.initial;    ///< Turn for a movement of the pointer, in percent of the usual one.
+    int wheelSpeed = wheelSpeeds.initial;  ///< Zoom for a step of the wheel, in percent of the usual one.
+    bool invertedLook = false;             ///< Dragging down looks up.
+    /// Most samples per pixel of a static picture; the largest value: no limit.
+    int mostSamples = sampleLimits.initial;
+    int leastScale = movingScales.initial;   ///< Lowest resolution of a picture in motion, in percent.
+    int recentFiles = recentCounts.initial;  ///< Number of recent files that are kept.
+    /// Shortcuts by action id, in Qt's portable text. Only actions with changed shortcuts have an entry.
     QMap<QString, QStringList> keys;
 
     bool operator==(const PreferenceValues&) const = default;
 };
 
-/// The preferences of this user on this machine, kept in window.ini of `configFolder()`. Changes are written at once.
+/// Preferences of this user on this machine, stored in window.ini of `configFolder()`. Changes are written at once.
 class Preferences final : public QObject {
     Q_OBJECT
 
 public:
-    /// Reads them: what is not there, or not valid, is initial. A file that is no such file at all is put aside beside
-    /// itself, so that nothing is lost when preferences are written anew.
+    /// Reads the file. Missing and invalid values are initial. A file of another kind is renamed, so that writing
+    /// preferences does not destroy it.
     explicit Preferences(QObject* parent = nullptr);
 
     [[nodiscard]] const PreferenceValues& values() const { return values_; }
-    /// Keeps them, each within its range, and writes those that change; none that is initial stays in the file.
+    /// Sets the values, each clamped to its range, and writes the changed ones. Initial values are removed from the
+    /// file.
     void set(PreferenceValues);
-    /// One sentence or two about what was wrong with the file; empty when nothing was.
+    /// Sentences about errors in the file when it was read; empty if there were none.
     [[nodiscard]] const QString& complaint() const { return complaint_; }
-    /// What happened when the file was written last, for people; empty when it was written.
+    /// Sentence why the last write failed; empty if it succeeded.
     [[nodiscard]] const QString& failure() const { return failure_; }
 
-    /// As they are in the file now, for those who start before the window does.
+    /// Reads the values from the file, for use before the window exists.
     [[nodiscard]] static PreferenceValues saved();
 
 signals:
     void changed(const vitrine::ui::PreferenceValues& before);
-    /// They could not be written; they hold until the program ends.
+    /// Emitted when writing failed. The values stay in effect until the program ends.
     void notWritten(const QString& why);
 
 private:
     void read();
-    /// Writes what differs from `before`, and nothing else: another window may have changed the rest.
+    /// Writes the values that differ from `before` and no others, because another window may have changed those.
     void write(const PreferenceValues& before);
 
     PreferenceValues values_;
-    QStringList wrong_;  ///< Keys in the file whose values are not valid.
+    QStringList wrong_;  ///< Keys in the file with invalid values.
     QString complaint_, failure_;
 };
 

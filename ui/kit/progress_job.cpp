@@ -9,7 +9,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr qint64 tellEvery = 50;  // Milliseconds.
+constexpr qint64 tellEvery = 50;  // Milliseconds between progress reports.
 
 }  // namespace
 
@@ -65,7 +65,7 @@ void ProgressJob::run(Work work)
                 return !stopping->load();
             });
         } catch (const std::exception& failure) {
-            stopped = stopping->load();  // It did what it was asked to: nothing to complain about.
+            stopped = stopping->load();  // An exception after a stop is expected and not reported.
             if (!stopped) why = messageOf(failure);
         }
         QMetaObject::invokeMethod(

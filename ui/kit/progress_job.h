@@ -10,22 +10,21 @@
 
 namespace vitrine::ui {
 
-/// One long piece of work beside the window that says how far it is and can be stopped. Starting another
-/// stops the one before.
+/// Background job that reports its progress and can be stopped. Starting another one stops the one before.
 class ProgressJob final : public QObject {
     Q_OBJECT
 
 public:
     using Outcome = std::function<void()>;
-    /// Called with the part that is done, 0 to 1; false where the work is to stop, which it does by throwing.
+    /// Called with the part that is done, 0 to 1. Returns false if the work is to stop, which it does by throwing.
     using Progress = std::function<bool(double)>;
     using Work = std::function<Outcome(const Progress&)>;
 
     explicit ProgressJob(QObject* parent);
-    /// Stops and waits.
+    /// Stops the work and waits for its end.
     ~ProgressJob() override;
 
-    /// `work` runs on another thread and must own what it uses; what it returns runs on this one.
+    /// Runs `work` on another thread; it must own everything it uses. Its result is called on this thread.
     void start(Work work);
     void stop();
     [[nodiscard]] bool running() const { return running_; }

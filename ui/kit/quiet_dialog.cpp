@@ -15,7 +15,7 @@ QuietDialog::QuietDialog(const QString& heading, const QString& accept, QWidget*
       accept_(new QPushButton(accept, this))
 {
     setAttribute(Qt::WA_DeleteOnClose);
-    setWindowTitle(QStringLiteral("Vitrine"));  // Short enough for any title bar; the heading is below it.
+    setWindowTitle(QStringLiteral("Vitrine"));  // Short enough for any title bar; the heading is inside the dialog.
     setAccessibleName(heading);
     QFont bold = heading_->font();
     bold.setWeight(QFont::DemiBold);
@@ -49,7 +49,7 @@ void QuietDialog::openOver(const QWidget& anchor)
     resize(std::max(over.width(), minimumSizeHint().width()), 10);
     const int wide = width();
     const int high = layout()->hasHeightForWidth() ? layout()->heightForWidth(wide) : sizeHint().height();
-    // What is wider than the panel reaches away from the nearer edge of the window: the picture is in its middle.
+    // A dialog wider than the panel extends toward the nearer edge of the window, because the picture is in the middle.
     const QWidget* window = anchor.window();
     const bool left = over.center().x() < window->mapToGlobal(window->rect().center()).x();
     const int x = left ? over.left() : over.right() + 1 - wide;

@@ -8,20 +8,21 @@ class QVBoxLayout;
 
 namespace vitrine::ui {
 
-/// A small dialog that belongs to one control: its heading stands in the dialog itself, where no window manager cuts it
-/// off, and it opens over the control's own panel, so that the picture stays in sight. Deletes itself when closed.
+/// Small dialog of one control. Its heading is inside the dialog, where no window manager cuts it off. It opens over
+/// the control's panel, so that the picture stays visible. Deletes itself when closed.
 class QuietDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `accept`: the word on the button that keeps what was done.
+    /// `accept`: text of the button that accepts.
     QuietDialog(const QString& heading, const QString& accept, QWidget* parent);
 
-    /// Shows it below the anchor, or above where there is no room, and as wide as the anchor where its content allows.
+    /// Shows the dialog below the anchor, or above if there is no room. It is as wide as the anchor if its content
+    /// allows.
     void openOver(const QWidget& anchor);
 
 protected:
-    /// What is between heading and buttons goes here.
+    /// Layout between heading and buttons.
     [[nodiscard]] QVBoxLayout& body() const { return *body_; }
     [[nodiscard]] QPushButton& acceptButton() const { return *accept_; }
 

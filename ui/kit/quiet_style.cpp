@@ -17,12 +17,12 @@ namespace {
 QColor veil(float part)
 {
     QColor color = theme().text;
-    // What is faint on purpose is less so for those who need contrast.
+    // Faint colors are stronger in a high-contrast theme.
     color.setAlphaF(theme().highContrast ? std::min(1.0F, 2 * part) : part);
     return color;
 }
 
-/// The box that fields, buttons and boxes stand in.
+/// Draws the box around text fields, buttons and combo boxes.
 void drawField(QPainter* painter, const QRect& rect, QStyle::State state, bool accented = false)
 {
     painter->save();
@@ -40,7 +40,7 @@ void drawField(QPainter* painter, const QRect& rect, QStyle::State state, bool a
     painter->restore();
 }
 
-/// Share by which marks are larger beside the type of a widget than beside type of the usual size.
+/// Returns the factor by which marks grow with the widget's font, relative to the usual font size.
 double growthOf(const QWidget* widget)
 {
     return widget ? grown(100, *widget) / 100.0 : 1;
@@ -87,7 +87,7 @@ QuietStyle::QuietStyle() : QProxyStyle(QStyleFactory::create(QStringLiteral("Fus
 void QuietStyle::polish(QWidget* widget)
 {
     QProxyStyle::polish(widget);
-    // A tooltip is polished before it gets its text, and shows all later texts in the same label.
+    // A tooltip is polished before it has a text, and its label is used again for all later texts.
     if (auto* label = qobject_cast<QLabel*>(widget); label && label->textFormat() == Qt::AutoText)
         label->setTextFormat(Qt::PlainText);
 }
@@ -109,7 +109,7 @@ void QuietStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opt
         drawField(painter, option->rect, option->state, option->state & State_On);
         return;
     }
-    case PE_FrameFocusRect: return;  // Every control of ours shows the focus in its own edge.
+    case PE_FrameFocusRect: return;  // All our controls show the focus in their own edge.
     case PE_PanelTipLabel:
         painter->save();
         painter->setPen(theme().outline);
@@ -177,7 +177,7 @@ void QuietStyle::drawComplexControl(ComplexControl control, const QStyleOptionCo
         drawComplexControl(control, &plain, painter, widget);
         return;
     }
-    // Fusion leaves the panel of a raised button out while the pointer is elsewhere, and the focus with it.
+    // Fusion draws no panel, and so no focus, for a raised button without the pointer on it.
     constexpr State drawnAnyhow = State_MouseOver | State_Sunken | State_On;
     if (control == CC_ToolButton && (option->state & State_AutoRaise) && (option->state & State_HasFocus) &&
         !(option->state & drawnAnyhow))
@@ -232,7 +232,8 @@ int QuietStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWid
                           QStyleHintReturn* returned) const
 {
     if (hint == SH_FocusFrame_AboveWidget) return 1;
-    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;  // Of the desktop's icons, black ones are lost on dark.
+    // The desktop's icons may be black, which is invisible on dark themes.
+    if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
     if (hint == SH_Widget_Animation_Duration && reducedMotion()) return 0;
     return QProxyStyle::styleHint(hint, option, widget, returned);
 }
@@ -250,7 +251,7 @@ QRect QuietStyle::subControlRect(ComplexControl control, const QStyleOptionCompl
 {
     const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option);
     if (control != CC_ScrollBar || !bar) return QProxyStyle::subControlRect(control, option, part, widget);
-    // No arrow buttons: the whole length is the way of the thumb.
+    // There are no arrow buttons: the thumb moves along the whole length.
     const bool across = bar->orientation == Qt::Horizontal;
     const int length = across ? bar->rect.width() : bar->rect.height();
     const int range = bar->maximum - bar->minimum;

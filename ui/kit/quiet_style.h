@@ -4,19 +4,20 @@
 
 namespace vitrine::ui {
 
-/// Fusion without bevels and gradients: flat fields, thin edges, the accent only for what is on or has the focus.
+/// Style based on Fusion without bevels and gradients: flat fields and thin edges. The accent color marks only active
+/// and focused controls.
 class QuietStyle final : public QProxyStyle {
     Q_OBJECT
 
 public:
-    /// Property of a tool button whose words say already that it has a menu. A style sheet would do as well, but
-    /// widgets with one keep their size of type when the application gets another.
+    /// Property of a tool button whose text already says that it has a menu. A style sheet is not used, because widgets
+    /// with one do not follow a changed font size of the application.
     static constexpr auto hidesMenuArrow = "hidesMenuArrow";
 
     QuietStyle();
 
-    /// Makes every label that was not told otherwise plain text, tooltips among them: names, titles and paths of files
-    /// stand in them, and Qt would read files that their HTML names.
+    /// Sets labels and tooltips with automatic text format to plain text. They show file names and paths, and Qt would
+    /// load files that HTML in them names.
     void polish(QWidget*) override;
     using QProxyStyle::polish;
 

@@ -14,7 +14,7 @@ QString nextFreePath(const QString& path)
     const QFileInfo file(path);
     QString stem = file.completeBaseName();
     int number = 2;
-    // Up to two digits: longer ones are dates and times.
+    // At most two digits: longer numbers are dates and times.
     static const QRegularExpression numbered(QStringLiteral("^(.*\\D)-(\\d{1,2})$"));
     if (const QRegularExpressionMatch match = numbered.match(stem); match.hasMatch()) {
         stem = match.captured(1);

@@ -9,13 +9,12 @@ class QWidget;
 
 namespace vitrine::ui {
 
-/// "picture-2.png" for "picture.png", "print-3.tif" for "print-2.tif": the next name in the same folder that nothing
-/// has yet.
+/// Returns the next free name in the same folder: "picture-2.png" for "picture.png", "print-3.tif" for "print-2.tif".
 [[nodiscard]] QString nextFreePath(const QString& path);
 
-/// Calls `write` with the path to write to: at once when neither it nor one of `beside` is there, otherwise when the
-/// visitor has said whether the old file goes or the new one takes the next free name; not at all when he says neither.
-/// Does not block.
+/// Calls `write` with the path to write to. If neither it nor a file of `beside` exists, this happens at once.
+/// Otherwise the visitor is asked to replace the file, to use the next free name, or to cancel, in which case `write`
+/// is not called. Does not block.
 void askBeforeReplacing(QWidget* parent, const QString& path, std::function<void(const QString&)> write,
                         const QStringList& beside = {});
 

@@ -9,10 +9,10 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int mostTicks = 9;    // More of them help nobody to read a curve.
-constexpr int enoughTicks = 2;  // So many show a scale.
+constexpr int mostTicks = 9;    // Most ticks; more do not help to read a curve.
+constexpr int enoughTicks = 2;  // Fewest ticks that show a scale.
 
-/// Multiples of a step within the range.
+/// Returns the multiples of a step within the range.
 QVector<double> multiples(double step, const QCPRange& range)
 {
     QVector<double> ticks;
@@ -22,7 +22,7 @@ QVector<double> multiples(double step, const QCPRange& range)
     return ticks;
 }
 
-/// These mantissas in every n-th decade of the range.
+/// Returns ticks with these mantissas in every n-th decade of the range.
 QVector<double> inDecades(std::initializer_list<double> mantissas, int every, const QCPRange& range)
 {
     QVector<double> ticks;
@@ -36,7 +36,7 @@ QVector<double> inDecades(std::initializer_list<double> mantissas, int every, co
     return ticks;
 }
 
-/// Choices of ticks, those with the most of them first.
+/// Returns possible choices of ticks, those with the most ticks first.
 QVector<QVector<double>> choices(const QCPRange& range, bool logarithmic)
 {
     QVector<QVector<double>> all;
@@ -69,7 +69,7 @@ QString axisNumber(double value)
     if (size >= 1e-4 && size < 1e6) {
         QString text = QString::number(value, 'g', 10);
         const qsizetype point = text.indexOf(QLatin1Char('.'));
-        // A narrow space that does not break, from five digits on.
+        // From five digits on, a narrow no-break space separates the thousands.
         if (size >= 1e4) text.insert((point < 0 ? text.size() : point) - 3, QChar(0x202F));
         return text;
     }
@@ -84,7 +84,7 @@ double RoomyTicker::length() const
     const QRect inner = axis_.axisRect()->rect();
     const bool lies = axis_.orientation() == Qt::Horizontal;
     const double known = lies ? inner.width() : inner.height();
-    // Before the first layout: what the margins leave at least, mostly.
+    // Before the first layout this is about what the margins leave.
     const QRect all = axis_.parentPlot()->viewport();
     return known > 8 ? known : 0.6 * (lies ? all.width() : all.height());
 }

@@ -45,7 +45,7 @@ QSize ScrollRoom::minimumSizeHint() const
 
 bool ScrollRoom::eventFilter(QObject* watched, QEvent* event)
 {
-    // What is in it may have grown.
+    // The content may have grown.
     if (watched == widget() && event->type() == QEvent::LayoutRequest) updateGeometry();
     return QScrollArea::eventFilter(watched, event);
 }

@@ -6,8 +6,7 @@ class QDialog;
 
 namespace vitrine::ui {
 
-/// A scroll area without a frame that wants to be as large as its content, as far as the screen has room for it, and
-/// can be made small.
+/// Scroll area without a frame. Its size hint is that of its content, limited by the screen. It can be made small.
 class ScrollRoom final : public QScrollArea {
     Q_OBJECT
 
@@ -21,7 +20,7 @@ protected:
     bool eventFilter(QObject*, QEvent*) override;
 };
 
-/// Lets everything in a dialog that is laid out scroll where the screen has no room for it.
+/// Puts the dialog's layout into a scroll area, for screens that are too small for it.
 void scrollWhenTight(QDialog&);
 
 }  // namespace vitrine::ui

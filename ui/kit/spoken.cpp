@@ -13,7 +13,7 @@
 namespace vitrine::ui {
 namespace {
 
-/// A label that has an accessible name says both: what it is, and what it shows.
+/// Accessible interface of a label: says its accessible name, if it has one, and its text.
 class SpokenLabel final : public QAccessibleWidget {
 public:
     explicit SpokenLabel(QLabel* label) : QAccessibleWidget(label, QAccessible::StaticText) {}
@@ -29,7 +29,8 @@ public:
     }
 };
 
-/// A box of choices says its name and what is chosen: of Qt's own, some desktops are told nothing but what is chosen.
+/// Accessible interface of a combo box: says its name and the current choice. With Qt's own, some screen readers get
+/// only the choice.
 class SpokenChoices final : public QAccessibleWidget {
 public:
     explicit SpokenChoices(QComboBox* box) : QAccessibleWidget(box, QAccessible::ComboBox) {}
@@ -88,7 +89,7 @@ QAccessibleInterface* makeSpoken(const QString&, QObject* object)
         if (auto* line = qobject_cast<QLineEdit*>(widget)) return new SpokenLine(line);
         return new SpokenWidget(widget);
     }
-    // Spin boxes of Qt take the step that they tell from a property that they do not have.
+    // Qt's spin boxes report their step from a property that they do not have.
     if (qobject_cast<QSpinBox*>(widget) || qobject_cast<QDoubleSpinBox*>(widget))
         widget->setProperty("stepSize", widget->property("singleStep"));
     if (qobject_cast<QTabWidget*>(widget)) return new QAccessibleWidget(widget, QAccessible::Grouping);
@@ -101,7 +102,7 @@ QAccessibleInterface* makeSpoken(const QString&, QObject* object)
 
 Spoken::Spoken()
 {
-    // Qt knows a function that is installed twice, and asks it once.
+    // Qt ignores a factory that is already installed.
     QAccessible::installFactory(makeSpoken);
 }
 
@@ -131,7 +132,7 @@ void announce(QWidget& from, const QString& text)
 #else
     Q_UNUSED(text)
 #endif
-    // Readers say a notification when it comes into sight.
+    // Screen readers say a notification when it is shown.
     for (const QAccessible::Event what : {QAccessible::ObjectShow, QAccessible::Alert}) {
         QAccessibleEvent event(&from, what);
         QAccessible::updateAccessibility(&event);

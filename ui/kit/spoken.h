@@ -9,35 +9,36 @@ class QWidget;
 
 namespace vitrine::ui {
 
-/// A number that a widget shows, in the unit that it shows, and how far it goes.
+/// Number that a widget shows, with its range, in the displayed unit.
 struct SpokenNumber {
     double value = 0, least = 0, most = 0;
-    double step = 0;  ///< Of one arrow key, above 0.
-    QString text;     ///< With its unit, as on the screen.
+    double step = 0;  ///< Step of one arrow key, above 0.
+    QString text;     ///< Text with unit, as on the screen.
 };
 
-/// What a widget that draws itself tells a screen reader besides its name. A widget that is one is asked by itself:
-/// its accessible interface is made of these.
+/// Accessibility of a widget that draws itself: what a screen reader says besides its name. Its accessible interface is
+/// made from these functions.
 class Spoken {
 public:
-    /// Makes the interfaces of all that are spoken, and of labels, which say what they are and what they show.
+    /// Installs the factory of accessible interfaces for all `Spoken` widgets, and for labels and combo boxes.
     Spoken();
     virtual ~Spoken() = default;
 
     [[nodiscard]] virtual QAccessible::Role spokenRole() const = 0;
-    /// Sentences on what is to be seen, after the accessible description; empty: none.
+    /// Returns sentences on what the widget shows, said after the accessible description; empty: none.
     [[nodiscard]] virtual QString spokenText() const { return {}; }
-    /// Nothing where it shows no number.
+    /// Returns the number that the widget shows, if any.
     [[nodiscard]] virtual std::optional<SpokenNumber> spokenNumber() const { return std::nullopt; }
-    /// In the unit of `spokenNumber`, within its ends: what one key press would do, as one step.
+    /// Sets the number, in the unit of `spokenNumber` and within its range, as one undo step.
     virtual void setSpokenNumber(double) {}
 };
 
-/// Tells a screen reader, where one listens, that a widget's number is another one.
+/// Tells screen readers that a widget's number changed.
 void tellNumber(QWidget&);
-/// The same of its sentences.
+/// Tells screen readers that a widget's sentences changed.
 void tellText(QWidget&);
-/// Has a screen reader say this at once; `from` is the widget that shows it, of role `Notification` or `AlertMessage`.
+/// Makes screen readers say the text at once. `from` is the widget that shows it, with the role `Notification` or
+/// `AlertMessage`.
 void announce(QWidget& from, const QString& text);
 
 }  // namespace vitrine::ui

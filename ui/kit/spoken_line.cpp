@@ -77,7 +77,7 @@ int SpokenLine::characterCount() const
 
 QRect SpokenLine::characterRect(int offset) const
 {
-    // The numbers are set to the right.
+    // The numbers are aligned to the right.
     const QFontMetrics metrics = line().fontMetrics();
     const QString all = line().text();
     const QRect inside = line().rect().marginsRemoved(line().textMargins());

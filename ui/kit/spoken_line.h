@@ -6,7 +6,7 @@ class QLineEdit;
 
 namespace vitrine::ui {
 
-/// The accessible interface of a line that is typed in and shows a number: its text and caret are followed, too.
+/// Accessible interface of a line edit for a number. Screen readers can also follow its text and cursor.
 class SpokenLine final : public SpokenWidget, public QAccessibleTextInterface, public QAccessibleEditableTextInterface {
 public:
     explicit SpokenLine(QLineEdit* line);

@@ -6,7 +6,7 @@
 
 namespace vitrine::ui {
 
-/// A plot that says what it shows, takes the focus, so that it can be heard, and shows that it has it.
+/// Plot for screen readers: takes the focus, shows that it has it, and has sentences on its content.
 class SpokenPlot : public QCustomPlot, public Spoken {
     Q_OBJECT
 

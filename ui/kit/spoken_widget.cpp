@@ -28,7 +28,7 @@ QString SpokenWidget::text(QAccessible::Text which) const
     QStringList all;
     for (const QString& part : {widget()->accessibleDescription(), one->spokenText()})
         if (!part.isEmpty()) all << part;
-    // The tooltip has the range and how to change it.
+    // The tooltip has the range and explains how to change the value.
     return all.isEmpty() ? widget()->toolTip() : all.join(QLatin1Char(' '));
 }
 

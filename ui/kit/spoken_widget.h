@@ -8,13 +8,13 @@ class QLabel;
 
 namespace vitrine::ui {
 
-/// Text of a label, without the marks of rich text where it shows such.
+/// Returns the text of a label without rich-text marks.
 [[nodiscard]] QString plainText(const QLabel&);
 
-/// The accessible interface of a widget that is spoken.
+/// Accessible interface of a `Spoken` widget.
 class SpokenWidget : public QAccessibleWidget, public QAccessibleValueInterface {
 public:
-    /// The widget must be a `Spoken`.
+    /// `widget` must be a `Spoken`.
     explicit SpokenWidget(QWidget* widget) : QAccessibleWidget(widget) {}
 
     [[nodiscard]] QAccessible::Role role() const override;
@@ -28,9 +28,9 @@ public:
     [[nodiscard]] QVariant minimumStepSize() const override { return number().step; }
 
 private:
-    /// Null while the widget is being destroyed.
+    /// Returns null while the widget is being destroyed.
     [[nodiscard]] Spoken* spoken() const { return dynamic_cast<Spoken*>(object()); }
-    /// Zeros where there is none.
+    /// Returns the widget's number; zeros if it has none.
     [[nodiscard]] SpokenNumber number() const;
 };
 

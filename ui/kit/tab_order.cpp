@@ -16,7 +16,7 @@ namespace {
 
 void collect(QWidget& widget, QList<QWidget*>& stops);
 
-/// In the order in which one reads them.
+/// Returns the items of a layout in reading order.
 QList<QLayoutItem*> itemsOf(QLayout& layout)
 {
     QList<QLayoutItem*> items;
@@ -61,7 +61,7 @@ void collect(QWidget& widget, QList<QWidget*>& stops)
     }
 }
 
-/// The stops, in order.
+/// Returns the widgets that take the focus, in reading order.
 QList<QWidget*> ordered(QWidget& root)
 {
     QList<QWidget*> stops;
@@ -84,7 +84,7 @@ TabOrder::TabOrder(QObject* parent) : QObject(parent)
 
 bool TabOrder::eventFilter(QObject* object, QEvent* event)
 {
-    // Not when it is polished: that may be before all is in it.
+    // On the first polish the dialog's content may be incomplete, so the order is set when it is shown.
     if (event->type() != QEvent::Show || event->spontaneous()) return false;
     auto* dialog = qobject_cast<QDialog*>(object);
     if (!dialog || dialog->inherits("QFileDialog") || dialog->inherits("QMessageBox")) return false;

@@ -6,11 +6,11 @@ class QWidget;
 
 namespace vitrine::ui {
 
-/// Has the Tab key go through what is laid out in this widget as one reads it: layouts item by item, grids row by row.
+/// Sets the Tab order of a widget's content to the reading order: layouts item by item, grids row by row.
 void tabAsLaidOut(QWidget& root);
 
-/// Does that for every dialog of the program when it is shown, but for those of Qt; one that has put the focus nowhere
-/// gets it at its first stop.
+/// Does the same for all dialogs of the program, except Qt's own, when they are shown. Focuses the first widget if none
+/// has the focus.
 class TabOrder final : public QObject {
     Q_OBJECT
 

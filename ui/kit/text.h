@@ -6,7 +6,7 @@
 
 namespace vitrine::ui {
 
-/// UTF-8, as the program's texts are, for widgets.
+/// Converts UTF-8 text of the lower layers for widgets.
 [[nodiscard]] inline QString text(std::string_view s)
 {
     return QString::fromUtf8(s.data(), static_cast<qsizetype>(s.size()));

@@ -17,7 +17,7 @@ Theme& current()
     return active;
 }
 
-/// Of light that sRGB encodes, relative to white.
+/// Returns the relative luminance of an sRGB color; white has 1.
 double luminance(const QColor& color)
 {
     const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
@@ -80,7 +80,7 @@ void applyTheme(QApplication& app, const Theme& chosen)
     palette.setColor(QPalette::Link, chosen.accent);
     for (const auto role : {QPalette::WindowText, QPalette::Text})
         palette.setColor(QPalette::Disabled, role, chosen.dim);
-    QColor off = chosen.text;  // A button that cannot be pressed must not read like one that can.
+    QColor off = chosen.text;  // A disabled button must not look like an enabled one.
     off.setAlphaF(chosen.highContrast ? 0.6F : 0.35F);
     palette.setColor(QPalette::Disabled, QPalette::ButtonText, off);
     app.setPalette(palette);

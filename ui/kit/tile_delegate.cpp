@@ -11,7 +11,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int twoLines = 34;  // Pixels for name and second line, of type of the usual size.
+constexpr int twoLines = 34;  // Pixels for the name and the second line, at the usual font size.
 
 QImage cut(const QImage& picture, const QSize& size)
 {

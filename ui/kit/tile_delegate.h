@@ -5,26 +5,26 @@
 
 namespace vitrine::ui {
 
-/// Draws one line of the exhibit or preset list: picture at the left, one or two lines of text.
+/// Delegate of the exhibit and preset lists: draws a picture at the left and one or two lines of text.
 class TileDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
-    static constexpr int secondLine = Qt::UserRole + 1;  ///< Role of the quiet line below the name.
-    static constexpr int mark = Qt::UserRole + 2;        ///< Role of a word shown where no picture is.
+    static constexpr int secondLine = Qt::UserRole + 1;  ///< Role of the faint line below the name.
+    static constexpr int mark = Qt::UserRole + 2;        ///< Role of a word shown in place of a missing picture.
     static constexpr QSize picture{64, 36};
 
     using QStyledItemDelegate::QStyledItemDelegate;
     void paint(QPainter*, const QStyleOptionViewItem&, const QModelIndex&) const override;
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override;
-    /// In place of the name, and nothing shines through it.
+    /// Makes an opaque editor in place of the name.
     QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex&) const override;
     void updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem&, const QModelIndex&) const override;
 };
 
-/// A picture cut to the shape of the lists' pictures, twice as large for fine screens.
+/// Returns a picture cut to the shape of the lists' pictures, at twice their size for high-resolution screens.
 [[nodiscard]] QPixmap thumbnailOf(const QImage&);
-/// The same, six times as large: to be kept, for lists and for looking at it closely.
+/// Returns the same at six times their size, to be saved for lists and previews.
 [[nodiscard]] QImage previewOf(const QImage&);
 
 }  // namespace vitrine::ui

@@ -12,7 +12,7 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double usualHeight =
-    15;  // Pixels of a line of the type for which the window was laid out: 9 points at 96 dpi.
+    15;  // Line height in pixels of the font for which the window was laid out: 9 points at 96 dpi.
 
 class TypeFollower final : public QObject {
 public:

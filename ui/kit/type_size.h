@@ -7,15 +7,15 @@ class QWidget;
 
 namespace vitrine::ui {
 
-/// Pixels for what has so many beside type of the usual size: more beside larger type, never fewer.
+/// Scales a size in pixels from the usual font size to this font. Never returns less than `pixels`.
 [[nodiscard]] int grown(int pixels, const QFontMetrics&);
-/// The same beside this widget's type.
+/// The same for the widget's font.
 [[nodiscard]] int grown(int pixels, const QWidget&);
 
-/// Calls `work` now and whenever the widget's type gets another size. It must not be called after the widget's end.
+/// Calls `work` now and whenever the widget's font size changes. `work` is not called after the widget is destroyed.
 void followType(QWidget& widget, std::function<void()> work);
 
-/// These sizes are pixels beside type of the usual size, and grow with the widget's type.
+/// Set sizes that grow with the widget's font. Arguments are pixels at the usual font size.
 void growHeight(QWidget& widget, int fixed);
 void growWidth(QWidget& widget, int fixed);
 void growSize(QWidget& widget, int fixedWidth, int fixedHeight);

@@ -9,7 +9,7 @@
 namespace vitrine::ui {
 namespace {
 
-// Title bar and borders, as large as desktops draw them. They are not known before the window is shown.
+// Pixels of title bar and borders on common desktops. They are unknown before the window is shown.
 constexpr int titleBar = 40;
 constexpr int border = 8;
 constexpr int offset = 32;
