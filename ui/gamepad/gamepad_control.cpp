@@ -16,12 +16,12 @@ namespace vitrine::ui {
 namespace {
 
 constexpr int firstLook = 2000;   // Milliseconds after the start.
-constexpr int searching = 1000;   // Milliseconds between two looks while none is connected ...
-constexpr int resting = 40;       // ... while one is and nothing on it is held ...
-constexpr int held = 16;          // ... and while something is.
-constexpr int repeatAfter = 400;  // Milliseconds, as keys do.
+constexpr int searching = 1000;   // Milliseconds between two reads while none is connected,
+constexpr int resting = 40;       // while one is connected and no button or stick is held,
+constexpr int held = 16;          // and while one is held.
+constexpr int repeatAfter = 400;  // Milliseconds until the first repetition, as of keys.
 constexpr int repeatEvery = 80;
-constexpr double runsFrom = 0.25;  // Of the trigger's way, after its rest.
+constexpr double runsFrom = 0.25;  // Trigger position from which the visitor runs, after its dead zone.
 const QString devicesFolder = QStringLiteral("/dev/input");
 
 constexpr std::array cross{PadButton::up, PadButton::down, PadButton::left, PadButton::right};
@@ -32,7 +32,7 @@ bool isOfCross(PadButton button)
            button == PadButton::right;
 }
 
-/// As if the key was pressed and let go, where it would be typed.
+/// Sends the press and release of a key to the widget that has the keyboard.
 void type(int key)
 {
     QWidget* to = QApplication::activePopupWidget();
@@ -96,7 +96,7 @@ void GamepadControl::tick()
     walk(now, here);
     if (!now.connected) {
         before_ = {};
-        // One that was pulled out leaves nothing open.
+        // Closes SDL when the gamepad is unplugged.
         if (!kept_ && !padIsPlugged()) {
             timer_.stop();
             pads_.reset();

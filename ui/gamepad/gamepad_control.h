@@ -14,36 +14,38 @@ namespace vitrine::ui {
 
 class Viewport;
 
-/// A gamepad in the visitor's hands: sticks walk and look, buttons do what keys do, in the window and in its dialogs.
-/// Nothing is opened before something like one is plugged in, and what none is connected to is asked once a second.
+/// Control by gamepad: sticks walk and look, buttons act like keys, in the window and in its dialogs. SDL is opened
+/// only once a device like a gamepad is plugged in. Without a connected gamepad it is then polled once a second.
 class GamepadControl final : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr double lookSpeed = 2.4;  ///< Radians per second to the side, of a stick at its edge.
+    static constexpr double lookSpeed = 2.4;  ///< Radians per second to the side with the stick at its edge.
     static constexpr double tiltSpeed = 1.5;  ///< The same upward and downward.
-    static constexpr double zoomSpeed = 8;    ///< Steps of the wheel per second, of a trigger, around an exhibit.
+    static constexpr double zoomSpeed = 8;    ///< Zoom steps per second with a trigger pulled, around an exhibit.
 
     using Open = std::function<std::unique_ptr<Pads>()>;
 
-    /// Both must outlive it. Looks for gamepads from a moment on, when the window has its first picture.
+    /// Both must outlive this object. The search for gamepads begins two seconds later, when the window has its first
+    /// picture.
     GamepadControl(Viewport&, QObject* parent, Open open = openPads);
     ~GamepadControl() override;
 
-    /// Opens SDL now and keeps it, whether something is plugged in or not.
+    /// Opens SDL now and keeps it open, even if nothing is plugged in.
     void open();
     [[nodiscard]] bool opened() const { return pads_ != nullptr; }
     [[nodiscard]] bool connected() const { return before_.connected; }
-    /// Milliseconds between two looks at the gamepads; 0: none is looked at.
+    /// Milliseconds between two reads of the gamepads; 0: none is read.
     [[nodiscard]] int interval() const { return timer_.isActive() ? timer_.interval() : 0; }
 
 signals:
-    /// The next exhibit (1), or the one before (-1).
+    /// Asks for the next exhibit (1), or the one before (-1).
     void exhibitAsked(int step);
     void pauseAsked();
-    /// The next row of the parameters, or the one before.
+    /// Asks for the next parameter of the panel (1), or the one before (-1).
     void rowAsked(int step);
-    /// More or less of the row that is chosen; `again`: the button is still held, which is one gesture.
+    /// Asks to change the focused parameter by a step up or down. `again`: the button is still held, which continues
+    /// the gesture.
     void changeAsked(int step, bool again);
     void failed(const QString& message);
 
@@ -64,7 +66,7 @@ private:
     QTimer timer_;
     QFileSystemWatcher devices_;
     QElapsedTimer clock_;
-    qint64 repeatAt_ = 0;  // Of the clock, milliseconds: when a button of the cross that is held counts again.
+    qint64 repeatAt_ = 0;  // Time of `clock_` in milliseconds at which a held button of the directional pad repeats.
     bool kept_ = false;
     bool walking_ = false;
 };

@@ -9,10 +9,11 @@
 namespace vitrine::ui {
 namespace {
 
-/// Whether a device of these key capabilities, as /sys has them, has buttons of a joystick or a gamepad.
+/// Returns whether key capabilities, as given in /sys, contain buttons of a joystick or a gamepad.
 bool hasPadButtons(const QByteArray& capabilities)
 {
-    // Words of 64 bits in hexadecimal, the lowest last; those buttons are 0x120 to 0x13f of linux/input-event-codes.h.
+    // The capabilities are hexadecimal words of 64 bits, the lowest last. The buttons are 0x120 to 0x13f of
+    // linux/input-event-codes.h.
     const QList<QByteArray> words = capabilities.simplified().split(' ');
     constexpr qsizetype word = 0x120 / 64;
     if (words.size() <= word) return false;
@@ -34,7 +35,7 @@ bool padIsPlugged()
 
 std::unique_ptr<Pads> openPads()
 {
-    // Tried again when it throws.
+    // A static initialization that throws is tried again by the next call.
     static void* const symbol =
         render::openModule({"libvitrine_gamepad.so", VITRINE_GAMEPAD_BUILT, "vitrinePads", "reads gamepads", "SDL"},
                            [](void* found) { return found; });
