@@ -109,19 +109,19 @@ void ColorEditor::showWrong(bool wrong)
 {
     if (wrong == wrong_) return;
     wrong_ = wrong;
-    QPalette colors;  // The application's, whatever theme it has by then.
+    QPalette colors;  // The application's palette, which has the colors of the present theme.
     if (wrong) colors.setColor(QPalette::Text, theme().error);
     code_->setPalette(wrong ? colors : QPalette());
 }
 
 void ColorEditor::typed()
 {
-    // Leaving the field as it was keeps the digits that the code does not show.
+    // An unchanged field keeps the digits that the code does not show.
     if (code_->text() == encoded(value_).name()) return showWrong(false);
     QString problem;
     const std::optional<Value> color = typedValue(row(), code_->text(), &problem);
     if (!color) {
-        // Left without Enter, the field goes back to what is.
+        // Left without Enter, the field shows the present value again.
         if (code_->hasFocus())
             showWrong(true);
         else
@@ -137,7 +137,7 @@ void ColorEditor::typed()
 void ColorEditor::choose()
 {
     auto* dialog = new ColorDialog(said(label(row())), encoded(value_), window());
-    // All that is tried in one visit to the dialog is one undo step; Cancel takes it back.
+    // All colors tried in one opening of the dialog are one undo step. Cancel restores the color from before.
     const Gesture gesture = newGesture();
     const glm::dvec3 before = value_;
     connect(dialog, &ColorDialog::picked, this, [this, gesture](const QColor& color) {

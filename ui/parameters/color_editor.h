@@ -9,11 +9,12 @@ class QLineEdit;
 
 namespace vitrine::ui {
 
-/// Linear Rec. 709 to and from the sRGB encoding that screens and people use. Components 0 to 1.
+/// Convert linear Rec. 709 to the sRGB encoding of screens, and back. Components 0 to 1.
 [[nodiscard]] QColor encoded(const glm::dvec3& linear);
 [[nodiscard]] glm::dvec3 linear(const QColor&);
 
-/// A swatch that opens a dialog over the panel, and the color as #rrggbb; typed in any way that `typedValue` takes.
+/// Editor of a color: a swatch that opens a dialog over the panel, and the color as #rrggbb. Accepts all notations of
+/// `typedValue`.
 class ColorEditor final : public ValueEditor {
     Q_OBJECT
 

@@ -7,8 +7,8 @@
 
 namespace vitrine::ui {
 
-/// Saturation to the right and value upward in a field, hue in a bar below it. Arrows move in the field, with Ctrl in
-/// the bar.
+/// Color field with saturation to the right and value upward, and a hue bar below. Arrow keys move in the field, with
+/// Ctrl in the bar.
 class ColorField final : public QWidget, public Spoken {
     Q_OBJECT
 
@@ -16,7 +16,7 @@ public:
     explicit ColorField(const QColor& start, QWidget* parent);
 
     [[nodiscard]] QColor color() const;
-    /// Where in the widget these are, 0 to 1.
+    /// Return positions in the widget, in pixels, for values from 0 to 1.
     [[nodiscard]] QPointF placeOf(double saturation, double value) const;
     [[nodiscard]] QPointF placeOfHue(double hue) const;
 
@@ -39,12 +39,12 @@ private:
     void take(const QPointF&);
     void set(double hue, double saturation, double value);
 
-    // Kept beside the color: gray has no hue, black no saturation.
+    // Kept beside the color, because gray has no hue and black no saturation.
     double hue_ = 0, saturation_ = 0, value_ = 0;
     bool inBar_ = false;
 };
 
-/// Chooses a color; what is tried is on show at once.
+/// Dialog that chooses a color. Colors being tried are applied at once.
 class ColorDialog final : public QuietDialog {
     Q_OBJECT
 

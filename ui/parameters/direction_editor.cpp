@@ -14,7 +14,7 @@
 namespace vitrine::ui {
 namespace {
 
-/// The two angles are rows of a table of their own: fields, steps and typing are those of any number.
+/// The two angles are a parameter table of their own, so that they have the fields, steps and typing of any number.
 struct Angles final : Parameters {
     Real azimuth = real("azimuth", 0, degree, {-std::numbers::pi, std::numbers::pi},
                         "Compass angle: 0 is the far end of the hall, 90 its right side.");
@@ -54,7 +54,7 @@ DirectionEditor::DirectionEditor(const ValueRef& value, QWidget* parent)
 void DirectionEditor::showValue(const Value& value)
 {
     const glm::dvec3& direction = std::get<glm::dvec3>(value);
-    // Straight up has no azimuth: the fields keep theirs as long as they mean the same direction.
+    // A vertical direction has no azimuth: the fields keep theirs while they mean the same direction.
     if (glm::distance(direction, directionOf({azimuth_->value(), elevation_->value()})) < 1e-9) return;
     const Heading heading = headingOf(direction);
     azimuth_->showValue(heading.yaw);

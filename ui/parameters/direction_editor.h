@@ -8,7 +8,7 @@ namespace vitrine::ui {
 
 class NumberField;
 
-/// A direction as degrees of azimuth (0 is along -z, growing to the right) and elevation above the horizon.
+/// Editor of a direction: azimuth in degrees (0 is along -z, growing to the right) and elevation above the horizon.
 class DirectionEditor final : public ValueEditor {
     Q_OBJECT
 

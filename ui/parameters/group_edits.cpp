@@ -56,7 +56,7 @@ void GroupEdits::hold(std::size_t row, const Value& value, Gesture gesture, cons
     SceneState next = history_.sceneState();
     ParameterValues& values = next.values[exhibit_];
     for (const std::size_t each : rows) {
-        values.setMotion(each, std::nullopt);  // Whoever sets it has taken it over.
+        values.setMotion(each, std::nullopt);  // Setting the value ends the animation.
         values.chooseFile(each, value);
     }
     const QString name = within(said(labelInGroup(values.rows()[row])));

@@ -12,25 +12,25 @@
 
 namespace vitrine::ui {
 
-/// Edits the values of one exhibit, whose groups of one kind ("coats") can be edited together: then a change to a row
-/// changes the same row of all of them, in the same undo step.
+/// Edits of one exhibit's values. Groups of one kind ("coats") can be edited together: a change of one parameter is
+/// then made in all of them, in the same undo step.
 class GroupEdits final : public QObject, public ValueHolder {
     Q_OBJECT
 
 public:
-    /// The history must outlive it.
+    /// The history must outlive this object.
     GroupEdits(History&, std::size_t exhibit, QObject* parent);
 
     [[nodiscard]] const ParameterValues& heldValues() const override { return history_.sceneState().values[exhibit_]; }
     void hold(std::size_t row, const Value&, Gesture, const QString& text) override;
-    /// Each row to the initial value of its own.
+    /// Sets each parameter to its own initial value.
     void reset(std::size_t row, Gesture, const QString& text) override;
-    /// Lets the row move, or not, and gives it this value; the others likewise.
+    /// Sets or ends the animation of a parameter and sets its base value, also in groups that are edited together.
     void setMotion(std::size_t row, const QString& text, const std::optional<Motion>&, const Value& base);
 
     [[nodiscard]] bool together(std::string_view array) const { return together_.contains(array); }
     void setTogether(std::string_view array, bool together);
-    /// The row itself, and the same row of the other groups while they are edited together.
+    /// Returns the parameter itself and, while groups are edited together, the same parameter of the other groups.
     [[nodiscard]] std::vector<std::size_t> rowsWith(std::size_t row) const;
 
     /// One group of an array.
@@ -38,21 +38,21 @@ public:
         std::size_t element = 0;
         std::string heading;
     };
-    /// Those of an array, in their order.
+    /// Returns the groups of an array in their order.
     [[nodiscard]] std::vector<Group> groupsOf(std::string_view array) const;
-    /// The rows of one group become as those of another, with their motions; one undo step.
+    /// Copies all values and animations of one group to another, as one undo step.
     void copy(std::string_view array, std::size_t from, std::size_t to);
-    /// The same to all others.
+    /// Copies them to all other groups.
     void copyToOthers(std::string_view array, std::size_t from);
-    /// Whether each row of one group is as that of the other.
+    /// Returns whether all parameters of two groups have equal values.
     [[nodiscard]] bool alike(std::string_view array, std::size_t a, std::size_t b) const;
 
 signals:
-    /// What is edited together.
+    /// Emitted when other groups are edited together.
     void changed();
 
 private:
-    /// The same row of another group; nothing: it has none of that kind.
+    /// Returns the same parameter of another group, if it has one of that kind.
     [[nodiscard]] std::optional<std::size_t> twinOf(std::size_t row, std::size_t element) const;
     void copyInto(ParameterValues&, std::string_view array, std::size_t from, std::size_t to) const;
 

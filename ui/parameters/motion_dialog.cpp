@@ -14,7 +14,7 @@
 namespace vitrine::ui {
 namespace {
 
-/// What a motion goes by beside its two ends, as rows: their controls are those of every other row.
+/// Parameters of an animation beside its two ends, as a table, so that they have the usual controls.
 struct MotionTable final : Parameters {
     Choice<MotionKind> kind =
         choice("kind", MotionKind::sine, {"once", "sine", "triangle", "steps", "noise", "by distance"},
@@ -69,7 +69,7 @@ Motion withNumbers(Motion motion, const ParameterValues& values)
     return motion;
 }
 
-/// Whether a motion of this kind goes by a row of the table.
+/// Returns whether animations of this kind use a parameter of the table.
 bool isUsed(MotionKind kind, std::size_t row)
 {
     const MotionTable& t = motionTable();
@@ -99,7 +99,7 @@ Motion usualMotion(const ParameterInfo& row, const Value& now)
         if (row.kind == Kind::choice)
             motion.to = *number + 1 < static_cast<double>(row.choices.size()) ? *number + 1 : 0;
     } else if (const auto* three = std::get_if<glm::dvec3>(&now)) {
-        // The color that is left of white; a quarter turn about the vertical.
+        // Colors: the complement to white. Directions: a quarter turn about the vertical.
         if (row.kind == Kind::color)
             motion.to = glm::dvec3(1) - *three;
         else
@@ -109,7 +109,7 @@ Motion usualMotion(const ParameterInfo& row, const Value& now)
     return motion;
 }
 
-/// The dialog's own rows, whose changes are changes of the motion.
+/// Values of the dialog's table; setting one changes the animation.
 class MotionDialog::Numbers final : public ValueHolder {
 public:
     explicit Numbers(MotionDialog& dialog) : dialog_(dialog) {}
@@ -129,7 +129,7 @@ private:
     ParameterValues values_ = motionTable().initial();
 };
 
-/// One end of the way: values of the exhibit in which the row has the value that it has there.
+/// Values of the exhibit in which the animated parameter has its value at one end.
 class MotionDialog::End final : public ValueHolder {
 public:
     End(MotionDialog& dialog, Value Motion::*end, const ParameterValues& values, std::size_t row)
@@ -185,7 +185,7 @@ MotionDialog::MotionDialog(History& history, std::size_t exhibit, const std::vec
 
 MotionDialog::~MotionDialog()
 {
-    // The editors read from what goes before them.
+    // The editors use the objects that are destroyed after them.
     for (ParameterRow* row : rows_) delete row;
     for (const End* end : {from_.get(), to_.get()}) delete end->editor;
 }

@@ -11,18 +11,19 @@ namespace vitrine::ui {
 class ParameterRow;
 class ValueEditor;
 
-/// How one row moves. What is changed is on show at once, all of it one undo step; Cancel brings back what was before.
-/// Closes when the row stops elsewhere.
+/// Dialog for the animation of one parameter. Changes are applied at once, as one undo step; Cancel restores the state
+/// from before. Closes when the animation is ended elsewhere.
 class MotionDialog final : public QuietDialog {
     Q_OBJECT
 
 public:
-    /// Lets the first of these rows move where it stood still; the others, which are edited together with it, move as
-    /// it does from the first change on. The history must outlive it.
+    /// Animates the first of these parameters if it is not animated yet. The others, which are edited together with it,
+    /// get the same animation from the first change on. The history must outlive the dialog.
     MotionDialog(History&, std::size_t exhibit, const std::vector<std::size_t>& rows, QWidget* parent);
     ~MotionDialog() override;
 
-    /// What a motion has by this name ("period"); null where its kind does not go by it, or it is none.
+    /// Returns the control of an animation parameter ("period"). Null if the animation's kind does not use it, or there
+    /// is none.
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
 
 public slots:
@@ -34,15 +35,15 @@ private:
 
     void addEnd(End&, const QString& name);
     void addNumbers();
-    /// The row's motion in the history; null: it does not move, or is not there.
+    /// Returns the present animation in the history. Null if the parameter is not animated or does not exist.
     [[nodiscard]] const Motion* present() const;
     void change(const Motion&);
     void refresh();
 
     History& history_;
     std::size_t exhibit_;
-    std::string name_;                 ///< Of the row: a file may give the table others meanwhile.
-    std::vector<std::string> others_;  ///< That move with it.
+    std::string name_;                 ///< Name of the parameter: a file may change the table, and with it the index.
+    std::vector<std::string> others_;  ///< Names of the parameters that are animated together with it.
     Gesture gesture_ = newGesture();
     SceneState before_;
     std::unique_ptr<Numbers> numbers_;
@@ -50,7 +51,8 @@ private:
     std::vector<ParameterRow*> rows_;
 };
 
-/// Where a row begins to move: there and back, from its value to the end of its comfortable range that is farther away.
+/// Returns the initial animation of a parameter: there and back, from its value to the farther end of its comfortable
+/// range.
 [[nodiscard]] Motion usualMotion(const ParameterInfo&, const Value& now);
 
 }  // namespace vitrine::ui

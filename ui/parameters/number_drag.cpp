@@ -29,11 +29,11 @@ bool NumberDrag::move(double x, Gain gain)
         lastX_ = x;
         return true;
     }
-    // By differences, so that a modifier pressed halfway changes the speed and not the number.
+    // Adds differences, so that pressing a modifier during the drag changes the speed and not the value.
     position_ += (x - lastX_) / pixelsPerRange * factor(gain);
     lastX_ = x;
     value_ = scale_.value(position_, gain);
-    // Beyond a legal limit the pointer does not have to come all the way back.
+    // The position is not beyond the legal limits: a drag back takes effect at once.
     const double reached = scale_.position(value_);
     if (std::abs(reached - position_) > 0.05) position_ = reached;
     return true;

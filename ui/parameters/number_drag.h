@@ -8,22 +8,22 @@ namespace vitrine::ui {
 
 [[nodiscard]] Gain gainOf(Qt::KeyboardModifiers);
 
-/// A number being dragged by its field or its label.
+/// State of a drag that changes a number, by its field or its label.
 class NumberDrag {
 public:
-    static constexpr double pixelsPerRange = 200;  ///< The comfortable range from end to end.
-    static constexpr int threshold = 3;            ///< Pixels before a press becomes a drag.
+    static constexpr double pixelsPerRange = 200;  ///< Pixels from end to end of the comfortable range.
+    static constexpr int threshold = 3;            ///< Pixels after which a press becomes a drag.
 
     explicit NumberDrag(const ParameterInfo& row) : scale_(row) {}
 
     void press(double value, double x);
-    /// The pointer is at `x`. Returns whether this is a drag by now; then `value` is the number.
+    /// Moves the pointer to `x`. Returns whether the press is a drag; `value` is then the new number.
     bool move(double x, Gain);
     [[nodiscard]] bool pressed() const { return pressed_; }
     [[nodiscard]] bool dragging() const { return dragging_; }
     [[nodiscard]] double value() const { return value_; }
     [[nodiscard]] double startValue() const { return startValue_; }
-    /// The button went up or Esc was pressed. Returns whether it was a drag.
+    /// Ends the drag: the button was released or Esc was pressed. Returns whether it was a drag.
     bool release();
 
 private:

@@ -35,7 +35,7 @@ void NumberEditor::showValue(const Value& value)
 
 void NumberEditor::labelPressed(double x)
 {
-    field_->setFocus(Qt::MouseFocusReason);  // So that Esc reaches the number.
+    field_->setFocus(Qt::MouseFocusReason);  // The field then receives Esc.
     field_->dragFrom(x);
 }
 

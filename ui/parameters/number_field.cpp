@@ -21,7 +21,7 @@ NumberField::NumberField(const ParameterInfo& row, QWidget* parent)
     setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     setTextMargins(2, 0, 2, 0);
     setFocusPolicy(Qt::StrongFocus);
-    setContextMenuPolicy(Qt::NoContextMenu);  // The row's menu, so that reset is always there.
+    setContextMenuPolicy(Qt::NoContextMenu);  // The menu of the parameter opens instead, which has "Reset".
     growHeight(*this, 22);
     setAttribute(Qt::WA_Hover);
     endEdit();
@@ -171,7 +171,7 @@ void NumberField::keyPressEvent(QKeyEvent* event)
         } else if (editing_) {
             endEdit();
         } else {
-            event->ignore();  // So that Esc goes on to the viewport.
+            event->ignore();  // The viewport handles Esc.
         }
         return;
     case Qt::Key_Return:
@@ -220,7 +220,7 @@ void NumberField::focusOutEvent(QFocusEvent* event)
 {
     QLineEdit::focusOutEvent(event);
     if (event->reason() == Qt::PopupFocusReason) return;
-    if (!commit()) endEdit();  // Not a number: the value stays as it was.
+    if (!commit()) endEdit();  // An invalid text leaves the value as it was.
     update();
 }
 

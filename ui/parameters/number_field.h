@@ -10,13 +10,13 @@
 
 namespace vitrine::ui {
 
-/// A number with its unit. Drag changes it, a click or a key types it (arithmetic and units too), arrows
-/// step; Shift is finer, Ctrl coarser. Enter accepts; Esc brings back the value before the edit.
+/// Field for a number with its unit. Dragging changes it; a click or a key starts typing, with arithmetic and units.
+/// Arrow keys step; Shift is finer, Ctrl coarser. Enter accepts; Esc restores the value before the edit.
 class NumberField final : public QLineEdit, public Spoken {
     Q_OBJECT
 
 public:
-    static constexpr int usualWidth = 70;  ///< Pixels beside type of the usual size.
+    static constexpr int usualWidth = 70;  ///< Width in pixels at the usual font size.
 
     NumberField(const ParameterInfo& row, QWidget* parent);
 
@@ -24,7 +24,7 @@ public:
     [[nodiscard]] double value() const { return value_; }
     [[nodiscard]] bool editing() const { return editing_; }
 
-    /// The row's label drags the field's number.
+    /// Drag of the number by the parameter's label; pixels.
     void dragFrom(double x);
     void dragTo(double x, Qt::KeyboardModifiers);
     void dragEnd();
@@ -51,7 +51,7 @@ protected:
 
 private:
     void beginEdit();
-    /// Takes what was typed; returns false when it is no number, and says so.
+    /// Accepts the typed text. Returns false and marks the field if it is no number.
     bool commit();
     void endEdit();
     void refresh();

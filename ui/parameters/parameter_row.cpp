@@ -19,13 +19,13 @@
 namespace vitrine::ui {
 namespace {
 
-/// Of a row that does not act.
+/// Opacity of a parameter without effect.
 float idleInk()
 {
     return theme().highContrast ? 0.75F : 0.45F;
 }
 
-constexpr int markRoom = 14;  // Pixels for a mark beside a label.
+constexpr int markRoom = 14;  // Width in pixels of a mark beside a label.
 
 void paintWave(QPainter& painter, const QPointF& middle)
 {
@@ -54,7 +54,7 @@ void RowLabel::paintEvent(QPaintEvent*)
     painter.setPen(ink);
     const int marks = (locked_ ? 1 : 0) + (moving_ ? 1 : 0);
     const QRect room = rect().adjusted(0, 0, -marks * markRoom, 0);
-    // Names differ at their ends: "Handle radius", "Handle thickness".
+    // Elided in the middle, because names differ at their ends: "Handle radius", "Handle thickness".
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(text(), Qt::ElideMiddle, room.width()));
     painter.setRenderHint(QPainter::Antialiasing);
@@ -125,7 +125,7 @@ void ResetDot::paintEvent(QPaintEvent*)
     if (!isEnabled()) return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    // Drawn as beside type of the usual size.
+    // Painted at the usual font size and scaled.
     painter.translate(QRectF(rect()).center());
     painter.scale(grown(100, *this) / 100.0, grown(100, *this) / 100.0);
     const QPointF center;
@@ -136,7 +136,7 @@ void ResetDot::paintEvent(QPaintEvent*)
         painter.drawEllipse(center, 3, 3);
         return;
     }
-    // An arrow that turns back.
+    // Arrow that turns back.
     painter.setPen(QPen(amber, 1.5, Qt::SolidLine, Qt::RoundCap));
     const QRectF circle(center.x() - 4.5, center.y() - 4.5, 9, 9);
     painter.drawArc(circle, 135 * 16, -270 * 16);
@@ -299,7 +299,7 @@ void ParameterRow::resizeEvent(QResizeEvent* event)
 
 void ParameterRow::alignEditors()
 {
-    // Of a wider panel, labels take their share; all rows are as wide, so that all editors begin at the same place.
+    // In a wider panel labels are wider. All rows have the same width, so that all editors begin at the same place.
     naming_->setFixedWidth(std::clamp(width() * 36 / 100, grown(narrowestLabel, *this), grown(widestLabel, *this)));
 }
 

@@ -7,16 +7,16 @@
 
 namespace vitrine::ui {
 
-/// The name of a row; dragging it edits a number.
+/// Label with the name of a parameter; dragging it changes a number.
 class RowLabel final : public QLabel {
     Q_OBJECT
 
 public:
     RowLabel(const QString& text, ValueEditor* editor, QWidget* parent);
     void setDim(bool dim);
-    /// Shows a padlock.
+    /// Shows or hides a padlock.
     void setLocked(bool locked);
-    /// Shows a wave.
+    /// Shows or hides a wave, the mark of an animation.
     void setMoving(bool moving);
 
 protected:
@@ -33,7 +33,7 @@ private:
     bool moving_ = false;
 };
 
-/// An amber dot while the value differs from the initial one, an arrow under the pointer; a click resets.
+/// Reset button: an amber dot if the value differs from the initial one, an arrow under the pointer.
 class ResetDot final : public QAbstractButton {
     Q_OBJECT
 
@@ -48,7 +48,7 @@ private:
     bool differs_ = false;
 };
 
-/// The mark of a quality parameter: what does its accuracy cost?
+/// Button of a quality parameter that shows the cost of its accuracy.
 class GaugeMark final : public QAbstractButton {
     Q_OBJECT
 
@@ -59,7 +59,7 @@ protected:
     void paintEvent(QPaintEvent*) override;
 };
 
-/// Mark of a row that does nothing now: a click says why, and offers what would change that.
+/// Button of a parameter without effect: explains why, and offers changes that give it an effect.
 class IdleMark final : public QAbstractButton {
     Q_OBJECT
 
@@ -70,12 +70,12 @@ protected:
     void paintEvent(QPaintEvent*) override;
 };
 
-/// One row of the panel: label, editor, reset dot.
+/// Row of the panel for one parameter: label, editor, reset dot.
 class ParameterRow final : public QWidget {
     Q_OBJECT
 
 public:
-    // Pixels beside type of the usual size.
+    // Pixels at the usual font size.
     static constexpr int rowHeight = 26;
     static constexpr int narrowestLabel = 112, widestLabel = 240;
 
@@ -83,32 +83,32 @@ public:
 
     [[nodiscard]] const ParameterInfo& info() const { return editor_->row(); }
     void showValue(const Value&);
-    /// Back to the initial value.
+    /// Sets the initial value.
     void reset();
     [[nodiscard]] bool differs() const { return differs_; }
-    /// Whether label, name, group, help or a choice contains `words`, whatever the case.
+    /// Returns whether label, name, group, help or a choice contains `words`, ignoring case.
     [[nodiscard]] static bool matches(const ParameterInfo&, const QString& words);
     [[nodiscard]] bool matches(const QString& words) const { return matches(info(), words); }
-    /// A row that means nothing at the moment is not shown, whatever is searched for.
+    /// Sets whether the row may be shown. A parameter that means nothing now stays hidden, even if a search finds it.
     void setWanted(bool wanted) { wanted_ = wanted; }
     [[nodiscard]] bool wanted() const { return wanted_; }
-    /// Grays the row while it does not act, with a mark that asks why: `when` is empty while it acts. It can be edited
-    /// all the same, and acts with that value as soon as it does.
+    /// Grays the row while the parameter has no effect, and shows a mark that explains it. `when`: the condition for an
+    /// effect; empty: it has one. The value can be edited all the same.
     void setIdle(const QString& when);
     [[nodiscard]] bool idle() const { return !idleUntil_.isEmpty(); }
-    /// Why it does nothing, as a sentence; empty while it acts.
+    /// Returns a sentence why the parameter has no effect; empty if it has one.
     [[nodiscard]] QString whyIdle() const;
-    /// Marks a row that keeps its value when others are varied.
+    /// Marks a parameter that keeps its value when others are varied.
     void setLocked(bool locked) { label_->setLocked(locked); }
-    /// Marks a row that moves, and says how in its tooltip; empty: it keeps its value.
+    /// Marks an animated parameter. `how`: description for the tooltip; empty: not animated.
     void setMotion(const QString& how);
     [[nodiscard]] const QString& motion() const { return motion_; }
-    /// Quality parameters show their gauge only once something answers it.
+    /// Shows or hides the gauge of a quality parameter. It is hidden until its click is handled.
     void setGaugeShown(bool);
 
 signals:
     void accuracyAsked();
-    /// Why does it do nothing, and what would change that? At this place on the screen.
+    /// Asks to explain at this screen position why the parameter has no effect, and what would give it one.
     void wayAsked(const QPoint& at);
 
 protected:

@@ -138,7 +138,7 @@ ParameterSection::ParameterSection(const QString& title, QWidget* parent) : QWid
     heading_ = new SectionHeading(title, this);
     layout->addWidget(heading_);
     connect(heading_, &SectionHeading::menuAsked, this, &ParameterSection::menuAsked);
-    // Not `clicked`: a screen reader toggles it without a click.
+    // `clicked` is not used, because screen readers toggle without a click.
     connect(heading_, &QAbstractButton::toggled, this, [this](bool open) {
         layOut();
         emit foldedByVisitor(!open);

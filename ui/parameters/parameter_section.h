@@ -9,20 +9,20 @@ namespace vitrine::ui {
 
 class ParameterRow;
 
-/// The heading of a group: a click folds it. While folded, a dot says that something inside was changed.
+/// Heading of a group; a click folds the group. While folded, a dot marks that a value inside was changed.
 class SectionHeading final : public QAbstractButton {
     Q_OBJECT
 
 public:
     SectionHeading(const QString& title, QWidget* parent);
     void setMarked(bool);
-    /// Shows a padlock.
+    /// Shows or hides a padlock.
     void setLocked(bool);
-    /// Says that it is edited together with others, so many in all; 0: alone.
+    /// Shows the number of groups that are edited together; 0: edited alone.
     void setTogether(int groups);
 
 signals:
-    /// By a right click, the menu key, or a click on the dots at its end; on the screen.
+    /// Asks for a menu at this screen position: by a right click, the Menu key, or a click on the dots at its end.
     void menuAsked(const QPoint& at);
 
 protected:
@@ -33,7 +33,7 @@ protected:
     [[nodiscard]] QSize sizeHint() const override { return {120, 28}; }
 
 private:
-    /// Where the dots are.
+    /// Returns the rectangle of the dots.
     [[nodiscard]] QRect menuPlace() const;
     void describe();
 
@@ -42,7 +42,7 @@ private:
     int together_ = 0;
 };
 
-/// The rows of one group. Rows before the first group have no heading and do not fold.
+/// Rows of one group of parameters. Rows before the first group have no heading and cannot be folded.
 class ParameterSection final : public QWidget {
     Q_OBJECT
 
@@ -53,18 +53,18 @@ public:
     [[nodiscard]] QString title() const { return title_; }
     [[nodiscard]] bool folded() const;
     void setFolded(bool);
-    /// Shows the rows that match; while there are words or `onlyChanged`, folding does not hide them.
-    /// Returns how many rows are there to see or unfold.
+    /// Shows the matching rows. With `words` or `onlyChanged` they are shown even if the group is folded. Returns the
+    /// number of matching rows.
     int filter(const QString& words, bool onlyChanged);
-    /// After values changed: the mark of the heading.
+    /// Updates the heading's mark. Call after values changed.
     void refresh();
     void setLocked(bool locked);
-    /// Marks it as edited together with others, so many in all; 0: alone.
+    /// Marks the group as edited together with others. `groups`: their number; 0: edited alone.
     void setTogether(int groups);
 
 signals:
     void foldedByVisitor(bool folded);
-    /// What can be done with the group, on the screen.
+    /// Asks for the group's menu at this screen position.
     void menuAsked(const QPoint& at);
 
 protected:

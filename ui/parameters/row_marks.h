@@ -5,7 +5,7 @@ class QPointF;
 
 namespace vitrine::ui {
 
-/// A padlock about this point, as large as a small letter: what it stands beside is locked against varying.
+/// Paints a padlock around this point, as large as a lowercase letter. It marks what is locked against varying.
 void paintPadlock(QPainter&, const QPointF& middle);
 
 }  // namespace vitrine::ui

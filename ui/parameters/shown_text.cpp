@@ -25,7 +25,8 @@ QString tr(const char* words)
     return QCoreApplication::translate("ShownText", words);
 }
 
-/// At most `digits` significant digits, without trailing zeros; never a thousand-digit number.
+/// Formats a number with at most `digits` significant digits, without trailing zeros. Very large and small ones get an
+/// exponent.
 QString shortNumber(double x, int digits)
 {
     if (x == 0) return QStringLiteral("0");
@@ -56,20 +57,20 @@ QString withUnit(const QString& number, Unit unit)
     return unit == Unit::degree || unit == Unit::percent ? number + symbol : number + QChar(0x2009) + symbol;
 }
 
-/// "16:06", to the nearest minute.
+/// Formats hours as "16:06", to the nearest minute.
 QString clockText(double hours)
 {
     const long long minutes = std::llround(hours * 60);
     return QStringLiteral("%1:%2").arg(minutes / 60).arg(minutes % 60, 2, 10, QLatin1Char('0'));
 }
 
-/// Three numbers, with the separator between them that the language has beside its decimal sign.
+/// Returns the separator of three numbers: a semicolon if the language has a decimal comma.
 QString listSeparator()
 {
     return numberLocale().decimalPoint() == QLatin1String(",") ? QStringLiteral("; ") : QStringLiteral(", ");
 }
 
-/// A number, or three of them, as files have it.
+/// Converts a typed number, or three of them, to the notation of files.
 QString asInFiles(const ParameterInfo& row, const QString& typed)
 {
     if (row.isNumeric()) return withPoint(typed);
@@ -79,7 +80,7 @@ QString asInFiles(const ParameterInfo& row, const QString& typed)
     return parts.join(QLatin1Char(','));
 }
 
-/// A value as it was typed: also as its language writes numbers, and colors by their names.
+/// Parses a typed value. Accepts the number notation of the language and names of colors.
 std::optional<Value> meantBy(const ParameterInfo& row, const QString& typed)
 {
     if (std::optional<Value> value = parseValue(row, asInFiles(row, typed).toStdString())) return value;
@@ -88,7 +89,7 @@ std::optional<Value> meantBy(const ParameterInfo& row, const QString& typed)
     return linear(QColor(typed));
 }
 
-/// What a row takes, for those who typed something else.
+/// Returns which values a parameter accepts, for the message on an invalid one.
 QString whatItTakes(const ParameterInfo& row)
 {
     switch (row.kind) {

@@ -8,24 +8,25 @@
 
 namespace vitrine::ui {
 
-/// For a field that is not being edited: five digits and the unit, "0.35" or "12.5 mm".
+/// Formats a value for a field that is not being edited: four significant digits and the unit, "0.35" or "12.5 mm".
 [[nodiscard]] QString shownText(const ParameterInfo&, const Value&);
-/// For copying and presets: every digit, in the unit shown, without it.
+/// Formats a value with all digits, in the displayed unit, without the unit. For copying and presets.
 [[nodiscard]] QString exactText(const ParameterInfo&, const Value&);
-/// The same for editing: with the decimal sign of the window's language.
+/// The same with the decimal sign of the window's language, for editing.
 [[nodiscard]] QString editedText(const ParameterInfo&, const Value&);
-/// What was typed: arithmetic, units; brought to the nearest legal value. On nothing, `problem` says why.
+/// Parses a typed text with arithmetic and units, and returns the nearest legal value. If the text is invalid,
+/// `problem` gets a sentence why.
 [[nodiscard]] std::optional<Value> typedValue(const ParameterInfo&, const QString&, QString* problem = nullptr);
 
-/// "0 to 10", in the unit shown.
+/// Returns the legal range in the displayed unit: "0 to 10".
 [[nodiscard]] QString legalRangeText(const ParameterInfo&);
-/// The values that differ from the initial ones, as the JSON text of a preset.
+/// Returns the values that differ from the initial ones, as the JSON text of a preset.
 [[nodiscard]] QString allAsJson(const ParameterValues&, const QString& exhibit);
-/// The values of such a text, of the same exhibit; nothing when it is none. `problem` says why, or what had to be
-/// changed.
+/// Reads the JSON text of a preset of this exhibit; nullopt if it is not one. `problem` gets why, or what was
+/// corrected.
 [[nodiscard]] std::optional<ParameterValues> allFromJson(const Parameters&, const QString& exhibit, const QString& json,
                                                          QString* problem = nullptr);
-/// The whole tooltip of a row: its label, help, unit, range, initial value, key, and how to change it.
+/// Returns the tooltip of a parameter: label, help, unit, range, initial value, key, and how to change it.
 [[nodiscard]] QString tooltipText(const ParameterInfo&);
 
 }  // namespace vitrine::ui

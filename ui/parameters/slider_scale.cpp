@@ -6,7 +6,7 @@
 namespace vitrine::ui {
 namespace {
 
-/// The nearest of 1, 2, 5 times a power of ten that is not above `x`.
+/// Returns the largest of 1, 2, 5 times a power of ten that is not above `x`.
 double roundStep(double x)
 {
     const double power = std::pow(10.0, std::floor(std::log10(x)));
@@ -14,7 +14,7 @@ double roundStep(double x)
     return power * (digit >= 5 ? 5 : digit >= 2 ? 2 : 1);
 }
 
-/// `x` as the multiple `round(x / step)` of `step`, computed so that 0.3 stays 0.3 and not 0.30000000000000004.
+/// Returns the multiple of `step` nearest to `x`, computed so that 0.3 does not become 0.30000000000000004.
 double toMultiple(double x, double step)
 {
     const double perStep = 1 / step;
@@ -47,7 +47,7 @@ double SliderScale::position(double value) const
 
 double SliderScale::value(double position, Gain gain) const
 {
-    // The ends are exact, whatever rounding says.
+    // The ends are returned exactly, without rounding.
     if (position == 0) return legal(range_.softLow);
     if (position == 1) return legal(range_.softHigh);
     const double raw = logarithmic_ ? range_.softLow * std::pow(range_.softHigh / range_.softLow, position)

@@ -4,22 +4,23 @@
 
 namespace vitrine::ui {
 
-/// How finely a hand moves a number: Shift a tenth, Ctrl tenfold.
+/// Speed of a change by hand: Shift a tenth, Ctrl tenfold.
 enum class Gain { fine, normal, coarse };
 [[nodiscard]] double factor(Gain);
 
-/// The way of a number along its slider. Position 0 is the low end of the comfortable range and 1 the
-/// high end, linear or logarithmic as the row says; dragging a field may go beyond, up to the legal limits.
+/// Mapping between a number and its position on a slider. Position 0 is the low end of the comfortable range and 1 the
+/// high end, linear or logarithmic as the parameter says. Dragging a field may go beyond, up to the legal limits.
 class SliderScale {
 public:
-    /// For kinds real and count.
+    /// Requires kind real or count.
     explicit SliderScale(const ParameterInfo&);
 
-    /// Not limited to 0..1; on a logarithmic scale a value that is not positive has position 0.
+    /// Returns the position, which may be outside of 0 to 1. On a logarithmic scale a value that is not positive has
+    /// position 0.
     [[nodiscard]] double position(double value) const;
-    /// Legal, and round in the unit shown: as many digits as a hand can place.
+    /// Returns the value, legal and rounded in the displayed unit to the digits that a hand can place.
     [[nodiscard]] double value(double position, Gain = Gain::normal) const;
-    /// The value `steps` arrow presses away; legal and round.
+    /// Returns the value after `steps` presses of an arrow key; legal and rounded.
     [[nodiscard]] double stepped(double value, double steps, Gain = Gain::normal) const;
 
 private:
@@ -30,7 +31,7 @@ private:
     bool whole_;
     bool logarithmic_;
     double shownPerStored_;
-    double step_;  // One arrow press on a linear scale, in the unit shown.
+    double step_;  // Change by one press of an arrow key on a linear scale, in the displayed unit.
 };
 
 }  // namespace vitrine::ui

@@ -11,7 +11,7 @@ SpokenNumber spokenNumber(const ParameterInfo& row, const SliderScale& scale, do
 {
     const double shownPerStored = info(row.unit).shownPerStored;
     const double now = std::isfinite(value) ? value : std::get<double>(row.initial);
-    // At an end there is a step in one direction only.
+    // At an end of the range only one direction has a step.
     const double step = std::max(std::abs(scale.stepped(now, 1) - now), std::abs(now - scale.stepped(now, -1)));
     return {now * shownPerStored, low * shownPerStored, high * shownPerStored, step * shownPerStored,
             shownText(row, now)};

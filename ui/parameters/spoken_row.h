@@ -5,10 +5,11 @@
 
 namespace vitrine::ui {
 
-/// A value of a row as a screen reader says it: in the unit shown, within `low` to `high`, which are in the stored one.
+/// Returns a parameter's value for screen readers, in the displayed unit. `value`, `low` and `high` are in the stored
+/// unit.
 [[nodiscard]] SpokenNumber spokenNumber(const ParameterInfo&, const SliderScale&, double value, double low,
                                         double high);
-/// What was set in the unit shown, in the stored one.
+/// Converts a number in the displayed unit to the stored unit.
 [[nodiscard]] double storedNumber(const ParameterInfo&, double spoken);
 
 }  // namespace vitrine::ui

@@ -10,7 +10,7 @@ namespace vitrine::ui {
 void ValueEditor::edit(const Value& value, Gesture gesture)
 {
     value_.set(value, gesture);
-    if (value_.value() != value) showValue(value_.value());  // It was not legal.
+    if (value_.value() != value) showValue(value_.value());  // The value was corrected to a legal one.
 }
 
 ValueEditor* makeEditor(const ValueRef& value, QWidget* parent)

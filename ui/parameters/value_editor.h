@@ -6,7 +6,7 @@
 
 namespace vitrine::ui {
 
-/// Edits one value of the look on show. One subclass per kind.
+/// Editor of one parameter value. One subclass for each kind.
 class ValueEditor : public QWidget {
     Q_OBJECT
 
@@ -14,16 +14,16 @@ public:
     ValueEditor(const ValueRef& value, QWidget* parent) : QWidget(parent), value_(value), row_(value.info()) {}
 
     [[nodiscard]] const ParameterInfo& row() const { return row_; }
-    /// Shows a value and sets nothing. A control that shows it already is not painted again.
+    /// Shows a value and sets nothing. A control that already shows it is not painted again.
     virtual void showValue(const Value&) = 0;
-    /// Dragging the row's label edits numbers; others ignore it.
+    /// Drag of the parameter's label, which changes numbers. Other editors ignore it.
     virtual void labelPressed(double) {}
     virtual void labelMoved(double, Qt::KeyboardModifiers) {}
     virtual void labelReleased() {}
     [[nodiscard]] virtual bool dragsByLabel() const { return false; }
 
 protected:
-    /// The visitor changed the value. Edits of one gesture are one undo step.
+    /// Sets the value after a change by the visitor. Edits of one gesture are one undo step.
     void edit(const Value&, Gesture);
 
 private:
@@ -31,7 +31,7 @@ private:
     const ParameterInfo& row_;
 };
 
-/// The editor for the row's kind.
+/// Makes the editor for the parameter's kind.
 [[nodiscard]] ValueEditor* makeEditor(const ValueRef&, QWidget* parent);
 
 }  // namespace vitrine::ui

@@ -16,7 +16,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double margin = 7;  // Room for the handle at both ends.
+constexpr double margin = 7;  // Pixels for the handle at both ends.
 
 }  // namespace
 
@@ -116,7 +116,7 @@ void ValueSlider::mousePressEvent(QMouseEvent* event)
     dragging_ = true;
     lastX_ = event->position().x();
     position_ = std::clamp(scale_.position(value_), 0.0, 1.0);
-    // A press on the handle grabs it, elsewhere it brings the handle there.
+    // A press on the handle grabs it; a press elsewhere moves the handle there.
     if (std::abs(lastX_ - xAt(position_)) > 7) {
         position_ = positionAt(lastX_);
         edit(scale_.value(position_), gesture_);

@@ -10,14 +10,15 @@
 
 namespace vitrine::ui {
 
-/// A thin horizontal slider over a row's comfortable range. A press jumps there; Shift drags finer; arrows step.
+/// Thin horizontal slider over a parameter's comfortable range. A press moves the handle there; Shift drags finer;
+/// arrow keys step.
 class ValueSlider final : public QSlider, public Spoken {
     Q_OBJECT
 
 public:
     ValueSlider(const ParameterInfo& row, QWidget* parent);
 
-    /// Not painted again where it shows that value already: the one under the pointer, when its own edit comes back.
+    /// Shows a value. Not painted again if it is shown already, as when the slider's own edit comes back.
     void showValue(double value);
 
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
@@ -38,7 +39,7 @@ protected:
     [[nodiscard]] QSize minimumSizeHint() const override { return {40, 20}; }
 
 private:
-    static constexpr int ticks = 10000;  ///< QSlider's own integer range.
+    static constexpr int ticks = 10000;  ///< Size of QSlider's integer range.
 
     [[nodiscard]] double positionAt(double x) const;
     [[nodiscard]] double xAt(double position) const;
@@ -46,7 +47,7 @@ private:
 
     const ParameterInfo& row_;
     SliderScale scale_;
-    double value_ = std::numeric_limits<double>::quiet_NaN();  // Until one is shown.
+    double value_ = std::numeric_limits<double>::quiet_NaN();  // NaN until a value is shown.
     double valueAtPress_ = 0;
     double lastX_ = 0;
     double position_ = 0;

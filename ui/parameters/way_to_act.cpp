@@ -10,14 +10,14 @@ bool isAmong(const std::vector<double>& values, double x)
     return std::find(values.begin(), values.end(), x) != values.end();
 }
 
-/// Whether the test of one row holds for this value of it.
+/// Returns whether the test holds for the value `x` of its parameter.
 bool testHolds(const Condition& test, double x)
 {
     if (test.test == Condition::Test::above) return x > test.values.front();
     return isAmong(test.values, x) == (test.test == Condition::Test::among);
 }
 
-/// A value of the row for which the test holds; nothing where it has none.
+/// Returns a value of the parameter for which the test holds, if there is one.
 std::optional<double> valueFor(const Condition& test, const ParameterInfo& row)
 {
     const double initial = std::get<double>(row.initial);
@@ -29,10 +29,10 @@ std::optional<double> valueFor(const Condition& test, const ParameterInfo& row)
     return found == candidates.end() ? std::nullopt : std::optional(*found);
 }
 
-/// Makes the condition hold in `values`, and adds what it changes. Returns whether it could.
+/// Makes the condition hold in `values`, and adds the changes to `changes`. Returns whether it succeeded.
 bool reach(const Condition& condition, ParameterValues& values, RowChanges& changes);
 
-/// The same for a row that is to act.
+/// The same for a parameter that is to have an effect.
 bool reachRow(std::size_t row, ParameterValues& values, RowChanges& changes)
 {
     const std::optional<Condition>& condition = values.rows()[row].actsWhen;

@@ -9,11 +9,12 @@
 
 namespace vitrine::ui {
 
-/// Rows of a table and what each is to be set to.
+/// Parameters of a table and their new values.
 using RowChanges = std::vector<std::pair<std::size_t, Value>>;
 
-/// Changes of other rows after which row `row` acts (`acts`), the row that is changed first in front. Of several ways
-/// the first one that its condition names. Empty where it acts already; nothing where only a file would make it act.
+/// Returns the changes of other parameters that give parameter `row` an effect (`acts`), in the order to make them. Of
+/// several ways, the first in its condition is taken. Empty if it has an effect already; nullopt if only a file would
+/// give it one.
 [[nodiscard]] std::optional<RowChanges> changesToAct(const ParameterValues&, std::size_t row);
 
 }  // namespace vitrine::ui
