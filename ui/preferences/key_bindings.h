@@ -11,33 +11,34 @@ namespace vitrine::ui {
 
 class Preferences;
 
-/// The shortcuts of the window's actions: the usual ones, or the visitor's own, kept in the preferences by the actions'
-/// ids (their object names). No two actions ever have the same one: the visitor's own goes before a usual one.
+/// Shortcuts of the window's actions: the usual ones, or the visitor's own, which are stored in the preferences by
+/// action id (object name). No two actions have the same shortcut: the visitor's own one wins over a usual one.
 class KeyBindings final : public QObject {
     Q_OBJECT
 
 public:
     using Keys = QList<QKeySequence>;
 
-    /// Actions with their usual shortcuts; those without an id keep them. Both must outlive it.
+    /// Takes the actions with their usual shortcuts. Actions without an id keep these. The actions and the preferences
+    /// must outlive this object.
     KeyBindings(const QList<QAction*>& actions, Preferences&, QObject* parent = nullptr);
 
-    /// Those that can get others, in the order of the menus.
+    /// Returns the actions whose shortcuts can be changed, in the order of the menus.
     [[nodiscard]] const QList<QAction*>& actions() const { return actions_; }
     [[nodiscard]] Keys usual(const QAction& action) const { return usual_.value(&action); }
-    /// Its shortcuts are the visitor's own.
+    /// Returns whether the action's shortcuts are the visitor's own.
     [[nodiscard]] bool differs(const QAction&) const;
     [[nodiscard]] bool anyDiffers() const;
-    /// Who else has one of them; null when nobody has.
+    /// Returns another action that has one of the shortcuts; null if there is none.
     [[nodiscard]] QAction* user(const Keys&, const QAction& except) const;
-    /// Gives them to it, and takes them from whoever has them.
+    /// Gives the shortcuts to the action, and takes them from other actions.
     void set(QAction&, const Keys&);
     void resetAll();
-    /// Why no action can have this one, a sentence; empty when one can.
+    /// Returns a sentence why this shortcut cannot be used; empty if it can.
     [[nodiscard]] static QString refusal(const QKeySequence&);
-    /// Its name without the marks of a menu.
+    /// Returns the action's name without the marks of menu keys.
     [[nodiscard]] static QString nameOf(const QAction&);
-    /// In the desktop's own words, "Ctrl+Shift+Z, Ctrl+Y"; empty for none.
+    /// Formats shortcuts as the desktop names them, "Ctrl+Shift+Z, Ctrl+Y"; empty for none.
     [[nodiscard]] static QString textOf(const Keys&);
 
 signals:

@@ -95,7 +95,7 @@ void KeysPage::build()
     layout->addWidget(name_);
     layout->addLayout(editing);
     layout->addLayout(asking);
-    // Two lines of a message come and go without moving what is above.
+    // Space for two lines, so that a message moves nothing above it.
     followType(*message_, [this] { message_->setMinimumHeight(2 * message_->fontMetrics().lineSpacing()); });
 }
 
@@ -157,7 +157,7 @@ void KeysPage::showChosen()
 
 void KeysPage::typed()
 {
-    // One stroke is all that a shortcut has here: nobody waits for a second one.
+    // A shortcut has one stroke only: later ones are ignored.
     const QKeySequence whole = edit_->keySequence();
     if (whole.isEmpty()) return;
     const QKeySequence stroke(whole[0]);

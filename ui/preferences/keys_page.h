@@ -13,13 +13,13 @@ class QTreeWidgetItem;
 
 namespace vitrine::ui {
 
-/// All commands with their shortcuts: found by words, given another one, reset. A shortcut that somebody else has is
-/// taken only when the visitor says so.
+/// Page with all commands and their shortcuts: search, change, reset. A shortcut of another command is taken only after
+/// the visitor confirms.
 class KeysPage final : public QWidget {
     Q_OBJECT
 
 public:
-    /// They must outlive it.
+    /// The bindings must outlive the page.
     explicit KeysPage(KeyBindings&, QWidget* parent = nullptr);
 
 private:
@@ -29,7 +29,7 @@ private:
     void showChosen();
     [[nodiscard]] QAction* chosen() const;
     void typed();
-    /// Gives these to the chosen command, or asks first, when another one has one of them.
+    /// Gives the shortcuts to the chosen command. Asks first if another command has one of them.
     void give(const KeyBindings::Keys&);
     void say(const QString& words, bool asks);
 
@@ -44,7 +44,7 @@ private:
     QLabel* message_;
     QPushButton* take_;
     QPushButton* leave_;
-    KeyBindings::Keys asked_;  // Would be taken from somebody.
+    KeyBindings::Keys asked_;  // Shortcuts that wait for the visitor's confirmation.
 };
 
 }  // namespace vitrine::ui

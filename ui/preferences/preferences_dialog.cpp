@@ -35,7 +35,8 @@ PreferencesDialog::PreferencesDialog(Preferences& preferences, KeyBindings& keys
     tabs_->addTab(new KeysPage(keys, this), tr("Keys"));
     addFilesPage();
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
-    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);  // Enter ends a number, nothing else.
+    // Enter in a number field confirms the number only.
+    buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     buttons->setContentsMargins(8, 0, 8, 0);
     auto* layout = new QVBoxLayout(this);
@@ -174,7 +175,7 @@ void PreferencesDialog::addChoice(QGridLayout& lines, const QString& label, cons
         lines, label, tip, *box,
         [box, value](const PreferenceValues& values) {
             const int number = value(values);
-            // One that somebody wrote into the file by hand.
+            // The file may have another number, edited by hand.
             if (box->findData(number) < 0) box->addItem(QString::number(number), number);
             box->setCurrentIndex(box->findData(number));
         },
@@ -189,7 +190,7 @@ void PreferencesDialog::addNumber(QGridLayout& lines, const QString& label, cons
     box->setRange(range.least, range.most);
     box->setSingleStep(step);
     box->setSuffix(unit);
-    box->setKeyboardTracking(false);  // A number that is being typed is none yet.
+    box->setKeyboardTracking(false);  // An incomplete number is not applied.
     connect(box, &QSpinBox::valueChanged, this,
             [this, member](int value) { change([&](PreferenceValues& values) { values.*member = value; }); });
     addLine(
@@ -203,7 +204,7 @@ void PreferencesDialog::addSwitch(QGridLayout& lines, const QString& words, cons
 {
     auto* box = new QCheckBox(words, this);
     box->setAccessibleName(words);
-    // Not `clicked`: a screen reader toggles it without a click.
+    // `clicked` is not used, because screen readers toggle without a click.
     connect(box, &QCheckBox::toggled, this,
             [this, member](bool on) { change([&](PreferenceValues& values) { values.*member = on; }); });
     addLine(

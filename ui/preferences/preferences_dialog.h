@@ -15,12 +15,12 @@ namespace vitrine::ui {
 
 class KeyBindings;
 
-/// Everything that the visitor prefers of the program, applied at once; each line has a dot that resets it.
+/// Dialog with all preferences, which are applied at once. Each line has a dot that resets it.
 class PreferencesDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both must outlive the dialog.
     PreferencesDialog(Preferences&, KeyBindings&, QWidget* parent);
 
 signals:
@@ -29,7 +29,7 @@ signals:
 private:
     using Choices = std::vector<std::pair<int, QString>>;
 
-    /// A page of lines, in a tab.
+    /// Adds a tab with a grid for lines.
     QGridLayout* page(const QString& title);
     void addWindowPage();
     void addPicturePage();
@@ -39,9 +39,9 @@ private:
     void addNumber(QGridLayout&, const QString& label, const QString& tip, const QString& unit, int step,
                    PreferenceRange, int PreferenceValues::*);
     void addSwitch(QGridLayout&, const QString& words, const QString& tip, bool PreferenceValues::*);
-    /// What the language menu offers; it is kept by itself.
+    /// Adds the choice of the language menu, which is stored separately.
     void addLanguage(QGridLayout&);
-    /// Puts the label, the control and a dot into the next line.
+    /// Adds a line with the label, the control and a reset dot.
     void addLine(QGridLayout&, const QString& label, const QString& tip, QWidget& control,
                  std::function<void(const PreferenceValues&)> show,
                  std::function<bool(const PreferenceValues&)> differs, std::function<void(PreferenceValues&)> reset);
