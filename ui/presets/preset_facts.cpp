@@ -48,7 +48,7 @@ PresetFacts presetFacts(const PresetStore& store, const std::filesystem::path& p
                 facts.differences << PresetPreview::tr("%1: %2").arg(said(label(rows[i])),
                                                                      wordsOf(rows[i], preset.values.row(i)));
         }
-        // Rows that a file will give the table.
+        // Values of parameters that a file will add to the table.
         for (const auto& [name, json] : preset.values.pending())
             facts.differences << PresetPreview::tr("%1: %2").arg(QString::fromStdString(name),
                                                                  QString::fromStdString(json).trimmed());

@@ -5,7 +5,7 @@
 
 namespace vitrine::ui {
 
-/// What the large preview of this preset of this exhibit says; of one that cannot be read, why.
+/// Returns the content of the large preview of an exhibit's preset. If the file cannot be read, it says why.
 [[nodiscard]] PresetFacts presetFacts(const PresetStore&, const std::filesystem::path&, const std::string& exhibit,
                                       const Parameters&);
 

@@ -27,14 +27,14 @@ namespace vitrine::ui {
     return QString::fromStdString(s);
 }
 
-/// The name of a preset as people read it. Presets that come with the exhibits are named in the window's language;
-/// their files stay English.
+/// Returns the displayed name of a preset. Names of presets that come with the exhibits are translated; their files
+/// stay English.
 [[nodiscard]] inline QString presetName(const std::string& name, bool shipped)
 {
     return shipped ? said(name) : words(name);
 }
 
-/// The same for its tags.
+/// Returns the displayed tags of a preset, likewise translated.
 [[nodiscard]] inline QStringList presetTags(const PresetTags& tags, bool shipped)
 {
     QStringList shown;

@@ -23,12 +23,12 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int sideBySideUpTo = 140;  // Percent of the usual type.
-constexpr int fewPresets = 5;        // These are seen at once.
+constexpr int sideBySideUpTo = 140;  // Percent of the usual font size.
+constexpr int fewPresets = 5;        // Up to this number of presets there is no search.
 constexpr int idRole = Qt::UserRole;
-constexpr int ownLine = TileDelegate::mark + 1;  // The second line of a preset as it was loaded.
+constexpr int ownLine = TileDelegate::mark + 1;  // Role of the second line that a preset was loaded with.
 constexpr int tagsRole = ownLine + 1;
-constexpr int mostChips = 12;  // The others are found by words.
+constexpr int mostChips = 12;  // Most tags shown; others are found by typing.
 
 void showTiles(QListWidget& list)
 {
@@ -68,7 +68,7 @@ PresetList::PresetList(QWidget* parent)
     connect(words_, &QLineEdit::textChanged, this, &PresetList::filter);
     list_->setAccessibleName(tr("Presets"));
     showTiles(*list_);
-    // One preset is always seen whole, however large the type.
+    // The list is always high enough for one preset, whatever the font size.
     followType(*list_, [this] {
         QStyleOptionViewItem option;
         option.font = list_->font();
@@ -125,8 +125,8 @@ void PresetList::setActions(QAction* save, QAction* saveAs, const QList<QAction*
     more->setMenu(drop);
     row->addWidget(more);
     tabAsLaidOut(*this);
-    // Large words would take the width of the picture side by side, and the height of the list one above the other: the
-    // menu has the second command, too.
+    // With a large font, two buttons would take the picture's width or the list's height. The menu has the second
+    // command, too.
     followType(*buttons_,
                [this, saveAsButton = last] { saveAsButton->setVisible(grown(100, *buttons_) <= sideBySideUpTo); });
 }
@@ -136,7 +136,7 @@ void PresetList::fill(const std::vector<PresetLine>& entries)
     const QSignalBlocker quiet(list_);
     const QString before = selected();
     list_->clear();
-    // The visitor's own first.
+    // The visitor's own presets come first.
     std::vector<PresetLine> sorted = entries;
     std::stable_partition(sorted.begin(), sorted.end(), [](const PresetLine& entry) { return !entry.shipped; });
     for (const PresetLine& entry : sorted) list_->addItem(itemFor(entry));
@@ -197,7 +197,7 @@ void PresetList::filter()
 
 void PresetList::showNothing(bool on)
 {
-    // A hidden label would still be read to those who do not see it.
+    // A hidden label would still be read by screen readers.
     if (!on) {
         delete std::exchange(nothing_, nullptr);
     } else if (!nothing_) {

@@ -17,18 +17,18 @@ class PresetPreview;
 class TagChips;
 struct PresetFacts;
 
-/// One line of the list. `id` is whatever its owner finds it by.
+/// Line of the list. `id` identifies the preset for the owner of the list.
 struct PresetLine {
     QString id;
     QString name;
-    bool shipped = false;  ///< Came with the program: can be loaded and duplicated, not changed.
-    QString problem;       ///< Why it cannot be opened; empty when it can.
+    bool shipped = false;  ///< Comes with the program: can be loaded and duplicated, but not changed.
+    QString problem;       ///< Reason why it cannot be opened; empty if it can.
     QPixmap thumbnail;
     QStringList tags;
 };
 
-/// The presets of one exhibit, by picture and name, the visitor's own first. Where there are more than a few, words
-/// and tags find some of them. A large preview shows what a line does not. Asks for everything; does nothing itself.
+/// List of one exhibit's presets with picture and name, the visitor's own first. More than a few can be searched by
+/// words and tags. A large preview shows further details. The list emits requests and changes nothing itself.
 class PresetList final : public QWidget {
     Q_OBJECT
 
@@ -36,20 +36,20 @@ public:
     explicit PresetList(QWidget* parent = nullptr);
 
     void fill(const std::vector<PresetLine>&);
-    /// The preset that the look was loaded from or saved to, or "" for none; `changed`: the look has left it since.
+    /// Marks the preset that the scene state was loaded from or saved to; "": none. `changed`: values differ from it.
     void setCurrent(const QString& id, bool changed = false);
     [[nodiscard]] QString selected() const;
-    /// The actions that its buttons and menu offer, in this order; null is a separator.
+    /// Sets the actions of the two buttons and of the menu, in this order; null is a separator.
     void setActions(QAction* save, QAction* saveAs, const QList<QAction*>& menu);
-    /// Lets the visitor type a new name in place. Returns false where the preset is none of his own.
+    /// Begins typing a new name in place. Returns false if the preset is not the visitor's own.
     bool startRename(const QString& id);
-    /// The answer to `factsAsked`.
+    /// Shows the preview; called in answer to `factsAsked`.
     void showPreview(const PresetFacts&);
-    /// One entry per use, of all presets in the list.
+    /// Returns the tags of all presets in the list, with one entry for each use.
     [[nodiscard]] QStringList tagsInUse() const;
 
 signals:
-    /// `selected` is another one, by the visitor.
+    /// Emitted when the visitor selected another preset.
     void selectedChanged();
     void loadAsked(const QString& id);
     void factsAsked(const QString& id);
@@ -59,7 +59,7 @@ protected:
     bool eventFilter(QObject*, QEvent*) override;
 
 private:
-    /// Shows those that have all words that were typed, and all tags that are pressed.
+    /// Shows the presets that have all typed words and all pressed tags.
     void filter();
     void showNothing(bool);
     [[nodiscard]] QListWidgetItem* itemFor(const PresetLine&);
@@ -71,7 +71,7 @@ private:
     QListWidget* list_;
     PresetPreview* preview_;
     QVBoxLayout* layout_;
-    QLabel* nothing_ = nullptr;  ///< Says that nothing is found; null while something is.
+    QLabel* nothing_ = nullptr;  ///< Label for an empty result; null if something is found.
     QWidget* buttons_;
     QList<QAction*> menu_;
 };

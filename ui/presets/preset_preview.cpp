@@ -13,7 +13,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int restTime = 700;  // Milliseconds of the pointer on a line.
+constexpr int restTime = 700;  // Milliseconds that the pointer rests on a line before its preview opens.
 constexpr QSize largest(384, 240);
 constexpr int mostDifferences = 12;
 
@@ -109,7 +109,7 @@ bool PresetPreview::takesKey(QEvent* event)
     const int key = static_cast<QKeyEvent*>(event)->key();
     const bool opens = key == Qt::Key_Space && list_.currentIndex().isValid();
     if (!opens && !(key == Qt::Key_Escape && isVisible())) return false;
-    event->accept();  // Not those of the window.
+    event->accept();  // The window's shortcuts must not get these keys.
     if (event->type() == QEvent::ShortcutOverride) return true;
     if (isVisible() || !opens) {
         close();

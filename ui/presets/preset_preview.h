@@ -10,26 +10,26 @@ class QListWidget;
 
 namespace vitrine::ui {
 
-/// What the large preview of a preset says.
+/// Content of the large preview of a preset.
 struct PresetFacts {
     QString name;
-    QString origin;  ///< Whose it is, and of when.
+    QString origin;  ///< Author and date.
     QStringList tags;
-    QStringList differences;  ///< From the initial values: "Roughness: 0.4".
-    QString problem;          ///< Why it cannot be opened; empty where it can.
+    QStringList differences;  ///< Values that differ from the initial ones: "Roughness: 0.4".
+    QString problem;          ///< Reason why it cannot be opened; empty if it can.
     QPixmap picture;
 };
 
-/// A preset large beside its line in the list: while the pointer rests on it, or after Space, until Esc or Space. While
-/// it is open by Space, it follows the line that is selected. Takes no focus.
+/// Large preview beside a line of the preset list. Opens while the pointer rests on a line, or by Space until Esc or
+/// Space; it then follows the selected line. Takes no focus.
 class PresetPreview final : public QFrame {
     Q_OBJECT
 
 public:
-    /// Watches this list, whose items have their ids in this role. The list must outlive it.
+    /// Watches the list, whose items have their ids in the role `idRole`. The list must outlive the preview.
     PresetPreview(QListWidget&, int idRole);
 
-    /// The answer to `asked`.
+    /// Shows the preview; called in answer to `asked`.
     void show(const PresetFacts&);
 
 signals:
@@ -47,7 +47,7 @@ private:
     QListWidget& list_;
     int idRole_;
     QTimer rest_;
-    QPoint pointer_;  // Over the list, where it was last.
+    QPoint pointer_;  // Last position of the pointer over the list.
     QPersistentModelIndex about_;
     bool byKey_ = false;
     QLabel* picture_;

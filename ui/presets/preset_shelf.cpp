@@ -81,7 +81,7 @@ void PresetShelf::refresh()
                 if (entry.thumbnail) line.thumbnail.load(idOf(*entry.thumbnail));
                 lines.push_back(std::move(line));
             }
-            // The visitor's own first: these are looked for.
+            // The visitor's own presets come first, because they are used most.
             std::stable_partition(lines.begin(), lines.end(), [](const PresetLine& line) { return !line.shipped; });
             list_.fill(lines);
         },
@@ -152,7 +152,7 @@ void PresetShelf::load(const QString& id)
         show(loaded.preset, window_.shown(), tr("Load %1").arg(name));
         use(std::move(loaded));
     });
-    mark();  // Also where the click chose a preset that could not be loaded.
+    mark();  // Restores the mark if the clicked preset could not be loaded.
 }
 
 Preset PresetShelf::presetOnShow(const QString& name) const
@@ -194,7 +194,7 @@ void PresetShelf::saveAs()
     const StoredPreset* used = inUse();
     const QString before = used ? presetName(used->preset.name, used->shipped) : title;
     auto* ask = new NameDialog(tr("Save preset of %1 as").arg(title), freeName(before), list_.window());
-    // Whatever is on show by then, it is this exhibit that was named.
+    // The name is for this exhibit, even if another one is chosen by then.
     connect(ask, &NameDialog::named, this, [this, shown = window_.shown()](const QString& name) {
         if (window_.shown() != shown) window_.choose(shown);
         saveUnder(name);
@@ -232,7 +232,7 @@ void PresetShelf::keepMissingThumbnail()
     if (!used || used->shipped || changedSince(*used) ||
         std::filesystem::exists(PresetStore::thumbnailPath(used->path), ignored))
         return;
-    // Of an exhibit that nobody stands before, the picture shows something else.
+    // If the visitor is not at the exhibit, the picture does not show the preset.
     const bool fromItsOwnView = used->preset.camera == window_.history().sceneState().camera;
     const bool before = window_.viewport().mode() == CameraControl::Mode::orbit && window_.chosen() == window_.shown();
     if (window_.shown() != hallIndex && !fromItsOwnView && !before) return;
@@ -260,7 +260,7 @@ void PresetShelf::renameTo(const QString& id, const QString& name)
         const std::filesystem::path path = store_.rename(pathOf(id), unique.toStdString());
         uses_.renamed(pathOf(id), store_.load(path, exhibitName(), table()));
     });
-    // The list is in the middle of an edit.
+    // Queued, because the list is still in the middle of an edit.
     QMetaObject::invokeMethod(this, &PresetShelf::refresh, Qt::QueuedConnection);
 }
 
@@ -296,7 +296,7 @@ void PresetShelf::setTags(const QString& id, const PresetTags& tags, std::size_t
     trySafely([&] {
         store_.setTags(pathOf(id), tags);
         const Subject& subject = window_.museum().subject(exhibit);
-        // What is in use knows the file as it is now.
+        // The preset in use takes the changed tags from the file.
         uses_.renamed(pathOf(id), store_.load(pathOf(id), subject.name(), subject.parameters()));
     });
     refresh();
@@ -316,7 +316,7 @@ void PresetShelf::duplicate()
         const QString name = presetName(original.preset.name, original.shipped);
         const std::filesystem::path copy =
             store_.duplicate(pathOf(id), freeName(tr("%1 copy").arg(name)).toStdString());
-        // The copy is the visitor's, and so are the words by which it is found.
+        // The copy is the visitor's own, so its tags are translated, as they are displayed.
         PresetTags tags;
         for (const QString& tag : presetTags(original.preset.tags, original.shipped)) tags.push_back(tag.toStdString());
         if (tags != original.preset.tags) store_.setTags(copy, tags);
@@ -329,7 +329,7 @@ void PresetShelf::remove()
     const QString id = list_.selected();
     if (id.isEmpty()) return;
     trySafely([&] {
-        // Fails here, before there is a step to undo, when the file may not be deleted.
+        // An undeletable file throws here, before there is an undo step.
         auto removed = std::make_shared<RemovedPreset>(store_.remove(pathOf(id)));
         auto first = std::make_shared<bool>(true);
         uses_.forget(pathOf(id));
@@ -355,7 +355,7 @@ void PresetShelf::importFile()
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         trySafely([&] {
             std::filesystem::path copy = store_.importFile(path.toStdString(), exhibitName(), table());
-            // A picture shows itself what is in it; the others get theirs once what they look like is on the screen.
+            // A picture is its own thumbnail. Other files get one once the screen shows the preset.
             if (const QImage picture(path); !picture.isNull())
                 saveThumbnail(idOf(PresetStore::thumbnailPath(copy)), previewOf(picture));
             const QString name = QString::fromStdString(store_.load(copy, exhibitName(), table()).preset.name);
@@ -363,7 +363,7 @@ void PresetShelf::importFile()
                 copy = store_.rename(copy, unique.toStdString());
             refresh();
             load(QString::fromStdString(copy.string()));
-            keepMissingThumbnail();  // Where the picture shows it already.
+            keepMissingThumbnail();  // The picture on the screen may already show the preset.
         });
     });
     dialog->open();

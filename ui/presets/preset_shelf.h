@@ -18,50 +18,50 @@ namespace vitrine::ui {
 class PresetList;
 class Workbench;
 
-/// What a preset, an exhibition, or a picture with one inside makes of the settings on show.
+/// Scene state read from a preset, an exhibition, or a picture with one inside, applied to the present one.
 struct ReadSettings {
     SceneState sceneState;
-    std::size_t exhibit = 0;  ///< Whose it is; of an exhibition the chosen one.
-    QString name;             ///< For people.
+    std::size_t exhibit = 0;  ///< Exhibit of the preset, or the one chosen in the exhibition.
+    QString name;             ///< Name for people.
     bool movesCamera = false;
-    std::vector<std::string> notes;  ///< What reading changed, for people.
+    std::vector<std::string> notes;  ///< Sentences on values that were corrected while reading.
 };
 
-/// Presets on disk, for the exhibit whose parameters the panel shows: loads, saves, renames, duplicates, deletes. What
-/// fails is said in the message strip, and everything stays as it was.
+/// Presets on disk of the exhibit whose parameters the panel shows: loads, saves, renames, duplicates, deletes. A
+/// failure is reported in the message strip and changes nothing.
 class PresetShelf final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both must outlive this object.
     PresetShelf(Workbench&, PresetList&, PresetStore);
 
-    /// Shows the presets of the table on show.
+    /// Lists the presets of the exhibit whose parameters are shown.
     void refresh();
-    /// The values or the table on show changed: marks the preset in use.
+    /// Marks the preset in use. Call after values or the shown exhibit changed.
     void mark();
-    /// The picture is at rest: it becomes that of the preset in use, if this has none and shows its own look.
+    /// Saves the finished picture as thumbnail of the preset in use, if it has none and the picture shows it unchanged.
     void keepMissingThumbnail();
-    /// "Old gold", with " *" when the look has left it since; empty when no preset is in use.
+    /// Name of the preset in use: "Old gold", with " *" if values were changed since; empty if none is in use.
     [[nodiscard]] QString titleOfUse() const;
 
-    /// What this file would make of the settings on show; nothing, and a message, where it cannot be read. Nothing
-    /// changes.
+    /// Reads a file and returns the scene state that it gives. If it cannot be read, shows a message and returns
+    /// nullopt. Changes nothing.
     [[nodiscard]] std::optional<ReadSettings> settingsIn(const QString& path);
-    /// The presets of the table on show, by name and the id that is their path; the visitor's own first.
+    /// Returns the presets of the shown exhibit by name and id (their path), the visitor's own first.
     [[nodiscard]] std::vector<std::pair<QString, QString>> choices();
-    /// The id of the preset that is selected in the list; empty: none.
+    /// Returns the id of the preset selected in the list; empty: none.
     [[nodiscard]] QString selected() const;
 
-    // What the actions do; those without an argument work on the preset selected in the list.
+    // Commands. Those without an argument act on the preset selected in the list.
     void load(const QString& id);
-    /// What the panel shows, to the preset in use, or under a new name where that is none of the visitor's own.
+    /// Saves the present values to the preset in use, or under a new name if that preset is not the visitor's own.
     void save();
     void saveAs();
-    /// A name that is taken gets a number: no two presets of an exhibit have one name.
+    /// Saves under this name. A name that exists gets a number, because names of an exhibit's presets are unique.
     void saveUnder(const QString& name);
     void rename();
-    /// Asks for the tags of one of the visitor's own.
+    /// Asks for the tags of the selected preset, which must be the visitor's own.
     void editTags();
     void duplicate();
     void remove();
@@ -69,13 +69,13 @@ public:
     void exportFile();
     void saveExhibition();
 
-    /// A preset or exhibition from a file: shown, not copied.
+    /// Loads a preset or exhibition from a file without copying the file.
     void loadFile(const QString& path);
-    /// Returns false when the picture has no preset inside; true when it is shown, or what is wrong was said.
+    /// Loads the preset inside a picture. Returns false if there is none; true if it was loaded or an error was shown.
     bool loadFromPicture(const QString& path);
 
 signals:
-    /// Which preset is in use, or whether the look has left it, may have changed.
+    /// Emitted when the preset in use, or whether its values were changed, may have changed.
     void marked();
 
 private:
@@ -91,7 +91,7 @@ private:
     [[nodiscard]] std::string exhibitName() const;
     [[nodiscard]] const Parameters& table() const;
     [[nodiscard]] Preset presetOnShow(const QString& name) const;
-    /// What "Save" writes back, and what the list marks; null where none was loaded or saved.
+    /// Returns the preset that "Save" writes and the list marks; null if none was loaded or saved.
     [[nodiscard]] const StoredPreset* inUse() const;
     void use(StoredPreset);
     [[nodiscard]] bool changedSince(const StoredPreset&) const;

@@ -11,30 +11,30 @@ class QUndoStack;
 
 namespace vitrine::ui {
 
-/// Which preset each exhibit was loaded from or saved to, from which step of the history on: undo brings back the one
-/// before.
+/// For each exhibit, the preset that was loaded or saved last, with the history step of that. Undo brings back the
+/// preset from before.
 class PresetUses {
 public:
-    /// The steps must outlive it.
+    /// The stack must outlive this object.
     explicit PresetUses(const QUndoStack& steps) : steps_(steps) {}
 
-    /// Null where none was loaded or saved up to the present step.
+    /// Returns the exhibit's preset at the present step; null if none was loaded or saved before.
     [[nodiscard]] const StoredPreset* of(const std::string& exhibit) const;
-    /// From the present step on.
+    /// Sets the preset that is in use from the present step on.
     void add(StoredPreset);
     void forget(const std::filesystem::path&);
-    /// The file has another name, and may hold another one.
+    /// Updates uses of a file that was renamed, or whose content changed.
     void renamed(const std::filesystem::path& before, const StoredPreset& after);
-    /// Drops what belongs to steps that are no longer in the history. Call whenever the history's index changes.
+    /// Removes uses that belong to steps no longer in the history. Call whenever the history's index changes.
     void prune();
 
 private:
     struct Use {
-        const QUndoCommand* since = nullptr;  // Null: from the start.
+        const QUndoCommand* since = nullptr;  // Null: since the start.
         StoredPreset stored;
     };
     const QUndoStack& steps_;
-    std::vector<Use> uses_;  // The last one last.
+    std::vector<Use> uses_;  // Oldest first.
 };
 
 }  // namespace vitrine::ui

@@ -7,12 +7,13 @@
 
 namespace vitrine::ui {
 
-/// The look as the text of an exhibition: everything in one file. `chosen`: the exhibit whose parameters are on show.
+/// Returns the scene state as the text of an exhibition file, which is self-contained. `chosen`: the exhibit whose
+/// parameters are shown.
 [[nodiscard]] std::string textOf(const Museum&, const SceneState&, std::size_t chosen, const std::string& name);
 
-/// The look in the text of an exhibition. What reading changed or did not know goes to `notes`. Throws
-/// Failure naming file, line and key; `fileName` is for messages. `chosen`: the exhibit that was chosen, or where the
-/// file does not say it, the one in the middle of the picture.
+/// Reads a scene state from the text of an exhibition file. `notes` gets what was corrected or unknown. `fileName` is
+/// for messages. `chosen` is set to the chosen exhibit, or to the one in the middle of the picture if the file names
+/// none. Throws Failure naming file, line and key.
 [[nodiscard]] SceneState lookFrom(const Museum&, std::string text, std::string fileName,
                                   std::vector<std::string>& notes, std::size_t* chosen = nullptr);
 

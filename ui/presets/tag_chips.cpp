@@ -13,7 +13,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr const char* tagOf = "tag";  // The property of a chip that has it.
+constexpr const char* tagOf = "tag";  // Property of a chip that holds its tag.
 
 }  // namespace
 
@@ -21,7 +21,7 @@ TagChips::TagChips(QWidget* parent) : QWidget(parent)
 {
     setAccessibleName(tr("Tags"));
     new FlowLayout(this);
-    // A font of their own keeps its size when the application gets another.
+    // A font set on a widget does not follow the application's font size, so it is set again.
     followType(*this, [this] {
         for (QToolButton* chip : findChildren<QToolButton*>()) chip->setFont(chipFont());
         keepRoom();
@@ -30,7 +30,7 @@ TagChips::TagChips(QWidget* parent) : QWidget(parent)
 
 void TagChips::keepRoom()
 {
-    // Layouts around this one ask for the least size alone, and not for that of a certain width.
+    // Outer layouts ask for the minimum size only, and not for a height that depends on the width.
     setMinimumHeight(layout()->heightForWidth(width()));
 }
 
@@ -66,10 +66,10 @@ void TagChips::setTags(const QStringList& uses, int most)
     const QStringList before = pressed();
     while (QLayoutItem* item = layout()->takeAt(0)) {
         item->widget()->hide();
-        item->widget()->deleteLater();  // It may be the one that was just pressed.
+        item->widget()->deleteLater();  // The chip may be the sender of the present signal.
         delete item;
     }
-    QMap<QString, int> counts;  // Sorted by name.
+    QMap<QString, int> counts;  // Sorted by tag.
     for (const QString& tag : uses) ++counts[tag];
     QStringList sorted = counts.keys();
     std::stable_sort(sorted.begin(), sorted.end(),

@@ -5,19 +5,19 @@
 
 namespace vitrine::ui {
 
-/// Tags as small buttons that can be pressed in, the ones in most use first.
+/// Tags as small toggle buttons, the most used ones first.
 class TagChips final : public QWidget {
     Q_OBJECT
 
 public:
     explicit TagChips(QWidget* parent = nullptr);
 
-    /// One entry per use; those that are pressed and are still there stay so. Only the `most` in most use are shown,
-    /// and those that are pressed.
+    /// Sets the tags, with one entry for each use. Pressed tags that remain stay pressed. Shows the `most` most used
+    /// tags, and the pressed ones.
     void setTags(const QStringList& uses, int most);
     [[nodiscard]] QStringList shown() const;
     [[nodiscard]] QStringList pressed() const;
-    void setPressed(const QStringList&);  ///< Says nothing.
+    void setPressed(const QStringList&);  ///< Does not emit `changed`.
 
 signals:
     void changed();

@@ -11,7 +11,7 @@ namespace vitrine::ui {
 
 class TagChips;
 
-/// Asks for the tags of a preset: typed, separated by commas, or picked among those in use.
+/// Dialog for the tags of a preset: typed with commas between them, or picked from those in use.
 class TagsDialog final : public QuietDialog {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ private:
     QLineEdit* text_;
     QLabel* why_;
     TagChips* chips_;
-    QStringList tags_;  ///< As far as they are good.
+    QStringList tags_;  ///< Typed tags, as far as they are valid.
 };
 
 }  // namespace vitrine::ui
