@@ -15,11 +15,11 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr std::size_t fewKinds = 12;  // Fewer are seen at once and need no search field.
+constexpr std::size_t fewKinds = 12;  // With fewer kinds, the menu has no search field.
 
 QString wordsOf(const TreeKind& kind)
 {
-    // "cappedConeBetween" is found by "cone between", too.
+    // "cone between" also finds "cappedConeBetween".
     QString spelledOut;
     for (const char c : kind.name) {
         if (c >= 'A' && c <= 'Z') spelledOut += QLatin1Char(' ');

@@ -226,7 +226,8 @@ void TreeDock::offerKinds(KindMenu* menu, What what, bool shapes, bool operation
         std::vector<TreeKind> offered;
         for (const TreeKind& kind : tree.kinds) {
             if (kind.operation ? !operations : !shapes) continue;
-            if (what == What::kind && kind.operation != ofOperation) continue;  // A shape stays one.
+            // The kind of a shape can change to other shapes only.
+            if (what == What::kind && kind.operation != ofOperation) continue;
             offered.push_back(kind);
         }
         menu->offer(offered);

@@ -20,19 +20,19 @@ class TreeOverlay;
 class TreeRowsView;
 class TreeView;
 
-/// The tree of the visited exhibit, what can be done with its nodes, and the numbers of the selected one.
+/// Dock with the tree of the visited exhibit, the commands for its nodes, and the numbers of the selected node.
 class TreeDock final : public QWidget {
     Q_OBJECT
 
 public:
-    /// All must outlive it.
+    /// All must outlive the dock.
     TreeDock(TreeEditor&, TreeOverlay&, TreeFile&, QWidget* parent = nullptr);
 
     [[nodiscard]] TreeView& view() const { return *view_; }
     [[nodiscard]] TreeRowsView& rows() const { return *rows_; }
     [[nodiscard]] TreeEditor& editor() const { return editor_; }
     [[nodiscard]] TreeOverlay& overlay() const { return overlay_; }
-    /// By what it does.
+    /// Returns the action of an edit.
     [[nodiscard]] QAction* action(TreeEdit::What what) const { return actions_.value(static_cast<int>(what)); }
 
 protected:
@@ -44,12 +44,12 @@ private:
     [[nodiscard]] QWidget* bar();
     [[nodiscard]] QWidget* finder();
     void showNothing(bool);
-    /// Fills a menu of kinds when it opens; `operations`: those that hold others, or shapes.
+    /// Fills a menu of kinds whenever it opens. `operations`: kinds that hold other nodes.
     void offerKinds(KindMenu*, TreeEdit::What, bool shapes, bool operations);
     void openMenu(const QPoint&);
     void apply(TreeEdit::What, const std::string& word = {});
     void enable();
-    /// Where what is added goes: the selected node, or the nearest around it that takes children.
+    /// Returns the edit that adds a node to the selected one, or to the nearest node around it that takes children.
     [[nodiscard]] TreeEdit addition(const std::string& kind) const;
     [[nodiscard]] QString words(TreeEdit::What, const std::string& word) const;
 
@@ -60,7 +60,7 @@ private:
     TreeRowsView* rows_;
     QLineEdit* words_;
     QVBoxLayout* layout_;
-    QLabel* nothing_ = nullptr;  ///< Says that no node has the words; null while one has.
+    QLabel* nothing_ = nullptr;  ///< Label for an empty search result; null if a node is found.
     QHash<int, QAction*> actions_;
     KindMenu *adds_, *wraps_, *kinds_;
     QToolButton* save_ = nullptr;

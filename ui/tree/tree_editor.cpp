@@ -12,7 +12,7 @@
 namespace vitrine::ui {
 namespace {
 
-/// Cause of the problems of editing the tree: they leave with the next edit that is done.
+/// Returns the cause of problems of editing the tree. They are removed by the next successful edit.
 QString treeEditCause()
 {
     return QStringLiteral("editing of the tree");
@@ -57,7 +57,7 @@ void TreeEditor::refresh()
         tree_ = std::move(now);
         if (another) emit treeChanged();
     }
-    // A node that an undo took away leaves the one that was selected before it.
+    // If an undo removed the selected node, the one selected before it is selected again.
     if (!selected_.empty() && tree_.find(selected_) == TreeNode::none) select(std::exchange(selectedBefore_, {}));
     emit valuesChanged();
 }

@@ -13,48 +13,46 @@ namespace vitrine::ui {
 
 class Workbench;
 
-/// The tree of the visited exhibit, the node that is selected in it, and their changes as steps of the history.
+/// Tree of the visited exhibit and its selected node. Their changes are steps of the history.
 class TreeEditor final : public QObject {
     Q_OBJECT
 
 public:
-    /// The window must outlive it.
+    /// The window must outlive this object.
     explicit TreeEditor(Workbench&, QObject* parent = nullptr);
 
     void setSubject(std::size_t exhibit);
     [[nodiscard]] std::size_t subject() const { return subject_; }
-    /// The exhibit's; null where it has no tree.
+    /// Returns the exhibit's interface to its tree; null if it has none.
     [[nodiscard]] const HasTree* source() const { return source_; }
     [[nodiscard]] const ParameterValues& values() const;
     [[nodiscard]] const Tree& tree() const { return tree_; }
-    /// Its id; empty: none.
+    /// Returns the id of the selected node; empty: none.
     [[nodiscard]] const std::string& selected() const { return selected_; }
-    /// Selects nothing where there is no such node.
+    /// Selects a node. Selects nothing if there is no such node.
     void select(const std::string& node);
 
-    /// Makes a change, selects the node that it was about, and says why where it makes no sense. Returns whether it was
-    /// made.
+    /// Makes an edit and selects its node. Returns whether it was made; otherwise a message says why not.
     bool apply(const TreeEdit&, const QString& text);
     /// Sets a number of the selected node.
     void setRow(std::size_t row, const Value&, Gesture, const QString& text);
-    /// The same of its place.
+    /// Moves, turns or scales the selected node.
     void setPlace(const TreePlace& from, const TreePlace& to, Gesture, const QString& text);
-    /// "ball", for the texts of steps.
+    /// Returns the title of the selected node for texts of undo steps, such as "ball".
     [[nodiscard]] QString selectedTitle() const;
 
 signals:
-    /// Other nodes, or another exhibit.
+    /// Emitted when the nodes, or the exhibit, changed.
     void treeChanged();
     void selectionChanged();
-    /// Values of the exhibit, those of its nodes among them.
+    /// Emitted when values of the exhibit changed, including those of nodes.
     void valuesChanged();
-    /// Somebody asked to see the selected node.
+    /// Emitted when the selected node was requested to be shown.
     void shown();
 
 private:
     void refresh();
-    /// From now on the document says what the file says, so that what changes it can be undone whatever becomes of the
-    /// file.
+    /// Copies the text of the file to the document parameter, so that edits can be undone whatever happens to the file.
     void beginDocument();
     void change(const ParameterValues&, Gesture, const QString& text);
 
@@ -62,7 +60,7 @@ private:
     const HasTree* source_ = nullptr;
     std::size_t subject_ = 0;
     Tree tree_;
-    std::shared_ptr<const Parameters> table_;  ///< That the tree was made of.
+    std::shared_ptr<const Parameters> table_;  ///< Table from which the tree was made.
     std::string selected_;
     std::string selectedBefore_;
 };

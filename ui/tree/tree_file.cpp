@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t mostBytes = 32U << 20U;
 
-/// Empty where it cannot be read.
+/// Reads a file; empty if it cannot be read.
 std::string textOfFile(const std::string& path)
 {
     try {
@@ -56,7 +56,7 @@ void TreeFile::noteFiles()
         Seen& seen = seen_[each.index];
         if (seen.path != document.path) seen = {document.path, textOfFile(document.path)};
     }
-    // Not while somebody is in the middle of a change.
+    // Queued, so that it does not change values in the middle of a change.
     QMetaObject::invokeMethod(this, &TreeFile::giveUpUnedited, Qt::QueuedConnection);
 }
 
@@ -158,7 +158,7 @@ void TreeFile::filesChanged()
         const std::string text = documentOf(values, document);
         if (text.empty() || text == now) continue;
         if (text == before) {
-            // Nothing was edited here, or all of it undone.
+            // Nothing was edited here, or all edits were undone.
             values.setRow(document.document, std::string());
             window_.history().settle(state);
         } else {

@@ -15,36 +15,37 @@ namespace vitrine::ui {
 class TreeEditor;
 class Workbench;
 
-/// The files of trees: saves what was edited, and asks what to do where another program saved the same file meanwhile.
+/// Files of trees: saves edited documents. Asks what to do if another program has changed an edited file.
 class TreeFile final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both must outlive this object.
     TreeFile(Workbench&, TreeEditor&, QObject* parent = nullptr);
 
-    /// Writes the document of the visited exhibit to its file. Asks for one where that is the program's own; returns
-    /// whether it is written.
+    /// Writes the document of the visited exhibit to its file and returns true. If the file is the program's own, opens
+    /// a dialog for another one and returns false.
     bool save();
-    /// Asks where to.
+    /// Asks for a file and saves to it.
     void saveAs();
-    /// What was not touched keeps its text. Returns whether it is written; says why where it is not.
+    /// Writes the document to this file; unedited parts keep their text. Returns whether it was written. A failure is
+    /// shown as a message.
     bool saveTo(const QString& path);
-    /// Whether the visited exhibit has a tree that was edited since its file was read.
+    /// Returns whether the tree of the visited exhibit was edited since its file was read.
     [[nodiscard]] bool edited() const;
-    /// The names of files whose documents say something else than they.
+    /// Returns the names of files whose documents have unsaved changes.
     [[nodiscard]] QStringList unsaved() const;
 
 signals:
     void saved(const QString& path);
 
 private:
-    /// A file as it was seen last.
+    /// Path and content of a file when it was read last.
     struct Seen {
         std::string path, text;
     };
     void noteFiles();
-    /// Where a document says what its file says, there is none.
+    /// Drops documents that equal their files.
     void giveUpUnedited();
     void filesChanged();
     void ask(std::size_t exhibit, const QString& name);
@@ -52,7 +53,7 @@ private:
 
     Workbench& window_;
     TreeEditor& editor_;
-    std::map<std::size_t, Seen> seen_;  ///< By exhibit.
+    std::map<std::size_t, Seen> seen_;  ///< Key: index of the exhibit.
     QPointer<QMessageBox> question_;
 };
 

@@ -9,9 +9,9 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double reach = 76;       ///< Pixels from the middle to the end of a handle.
+constexpr double reach = 76;       ///< Pixels from the center to the end of a handle.
 constexpr double grabWithin = 7;   ///< Pixels.
-constexpr double shortest = 0.15;  ///< Of the length across the view: what is shorter points at the eye.
+constexpr double shortest = 0.15;  ///< Part of `reach`. A handle that looks shorter points at the eye.
 constexpr int ringPoints = 64;
 
 double dot(const QPointF& a, const QPointF& b)
@@ -19,19 +19,19 @@ double dot(const QPointF& a, const QPointF& b)
     return a.x() * b.x() + a.y() * b.y();
 }
 
-/// The axes in the parent's space along or about which the three numbers of a place act.
+/// Returns the axes in the parent's space along or about which the three numbers of a place act.
 glm::dmat3 axesOf(HandleMode mode, const TreePlace& place)
 {
     if (mode == HandleMode::move) return glm::dmat3(1);
     if (mode == HandleMode::scale) return place.rotation();
-    // Turned about z first, then y, then x: each axis is turned by those that come after it.
+    // Rotations apply about z first, then y, then x: each axis is turned by the later ones.
     TreePlace aboutX = place, aboutXy = place;
     aboutX.rotate = {place.rotate.x, 0, 0};
     aboutXy.rotate = {place.rotate.x, place.rotate.y, 0};
     return {glm::dvec3(1, 0, 0), aboutX.rotation()[1], aboutXy.rotation()[2]};
 }
 
-/// Points of the parent's space in the widget.
+/// Projection of points in the parent's space to pixels of the widget.
 struct Projector {
     glm::dmat4 worldFromParent;
     const render::View& view;
@@ -41,7 +41,7 @@ struct Projector {
     {
         return onScreen(view, widget, glm::dvec3(worldFromParent * glm::dvec4(p, 1)));
     }
-    /// How many pixels a meter of the parent across the view is, at p.
+    /// Returns the pixels per meter of the parent's space, across the view, at p.
     [[nodiscard]] double pixelsPerMeter(const glm::dvec3& p) const
     {
         const double scale = std::cbrt(std::abs(glm::determinant(glm::dmat3(worldFromParent))));
@@ -59,7 +59,7 @@ std::optional<Handle> arrow(int axis, HandleMode mode, const Projector& project,
     if (!from || !to) return std::nullopt;
     const QPointF line = *to - *from;
     if (std::sqrt(dot(line, line)) < shortest * reach) return std::nullopt;
-    // Twice as far from the middle is twice as large.
+    // Twice the distance from the center is twice the size.
     const QPointF perUnit = mode == HandleMode::scale ? line / std::max(std::abs(scale), 1e-9) : line / length;
     return Handle{axis, {*from, *to}, {perUnit, perUnit}};
 }

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int halvings = 3;
 
-/// The part of the widget in which the shape can be seen.
+/// Returns the part of the widget that can contain the shape.
 QRectF partOf(const TreeShape& shape, const render::View& view, const glm::dmat4& worldFromExhibit,
               const QSizeF& widget)
 {
@@ -31,7 +31,7 @@ QRectF partOf(const TreeShape& shape, const render::View& view, const glm::dmat4
     return part.adjusted(-2 * outlineCell, -2 * outlineCell, 2 * outlineCell, 2 * outlineCell).intersected(whole);
 }
 
-/// Marching squares (Lorensen and Cline 1987, in the plane) over what rays meet.
+/// Marching squares (Lorensen and Cline 1987, in the plane) over the hits of rays.
 class Contour {
 public:
     Contour(const TreeShape& shape, const render::View& view, const glm::dmat4& worldFromExhibit, const QSizeF& widget)
@@ -69,7 +69,7 @@ private:
         const glm::dvec2 ndc(2 * p.x() / widget_.width() - 1, 1 - 2 * p.y() / widget_.height());
         return shape_.isHit(render::Ray{view_.eye, view_.direction(ndc)}.transformed(exhibitFromWorld_)) ? 1 : 0;
     }
-    /// Between a point that is hit and one that is not.
+    /// Returns a contour point between one that hits the shape and one that misses it, by bisection.
     [[nodiscard]] QPointF edge(QPointF hit, QPointF missed) const
     {
         for (int i = 0; i < halvings; ++i) {

@@ -17,7 +17,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int outlineDelay = 40;  ///< Milliseconds.
+constexpr int outlineDelay = 40;  ///< Milliseconds without a change.
 
 QColor colorOf(int axis)
 {
@@ -161,7 +161,7 @@ void TreeOverlay::drag(const QPointF& at)
 {
     const auto now = place();
     if (!now) return;
-    // Only the number of this axis: others may move by themselves meanwhile.
+    // Changes the number of this axis only, because others may be animated.
     const TreePlace wanted = dragged(mode_, drag_->place, drag_->handle, drag_->point, at - drag_->from);
     const int axis = drag_->handle.axis;
     TreePlace to = *now;

@@ -20,24 +20,24 @@ class ProgressJob;
 class TreeEditor;
 class Viewport;
 
-/// The selected node in the picture: its outline, which another thread finds, and handles to drag. A click on the
-/// exhibit selects what it shows.
+/// Overlay for the selected node: its outline, computed on another thread, and handles to drag. A click on the exhibit
+/// selects the node there.
 class TreeOverlay final : public QWidget {
     Q_OBJECT
 
 public:
-    /// All must outlive it; it lies over the viewport.
+    /// All must outlive the overlay, which lies over the viewport.
     TreeOverlay(const Museum&, TreeEditor&, Viewport&);
     ~TreeOverlay() override;
 
     void setMode(HandleMode);
     [[nodiscard]] HandleMode mode() const { return mode_; }
-    /// As painted now.
+    /// Returns the handles as painted last.
     [[nodiscard]] const std::vector<Handle>& handles() const { return handles_; }
     [[nodiscard]] const std::vector<QLineF>& outline() const { return outline_; }
 
 signals:
-    /// Another outline is shown.
+    /// Emitted when another outline is shown.
     void outlined();
 
 protected:
@@ -46,7 +46,7 @@ protected:
 
 private:
     void pick(std::size_t exhibit, const QPointF& at);
-    /// The look is another one, or what is selected.
+    /// Updates outline and handles after a change of the scene state or selection.
     void renew();
     void askForOutline();
     void findHandles();
@@ -68,9 +68,9 @@ private:
     HandleMode mode_ = HandleMode::move;
     std::vector<Handle> handles_;
     std::vector<QLineF> outline_;
-    glm::dmat4 outlineView_{0};  ///< `View::clipFromWorld` of the outline: seen from elsewhere it lies elsewhere.
+    glm::dmat4 outlineView_{0};  ///< `View::clipFromWorld` of the outline. In another view the outline is wrong.
     std::optional<Drag> drag_;
-    QTimer soon_;  // So that what moves asks for an outline when it rests.
+    QTimer soon_;  // Delays the outline until changes stop.
     ProgressJob* job_;
 };
 

@@ -92,7 +92,7 @@ void TreeRowsView::rebuild()
         for (QWidget* child : rows_.back()->findChildren<QWidget*>()) child->installEventFilter(this);
     }
     layout->addStretch(1);
-    // What asked for other rows may be one of those that go.
+    // The caller may be one of the removed controls, so they are deleted later.
     if (QWidget* before = scroll_->takeWidget()) before->deleteLater();
     scroll_->setWidget(content);
     for (ParameterSection* section : sections_) static_cast<void>(section->filter({}, false));
@@ -101,7 +101,7 @@ void TreeRowsView::rebuild()
 bool TreeRowsView::eventFilter(QObject* object, QEvent* event)
 {
     if (event->type() == QEvent::Wheel && !qobject_cast<QWidget*>(object)->hasFocus()) {
-        event->ignore();  // Scrolling never changes a value.
+        event->ignore();  // The wheel scrolls and does not change values.
         return true;
     }
     return QWidget::eventFilter(object, event);

@@ -18,15 +18,15 @@ class ParameterRow;
 class ParameterSection;
 class TreeEditor;
 
-/// The numbers of the selected node, each with its slider.
+/// Numbers of the selected node, each with a slider.
 class TreeRowsView final : public QWidget, private ValueHolder {
     Q_OBJECT
 
 public:
-    /// The editor must outlive it.
+    /// The editor must outlive the view.
     explicit TreeRowsView(TreeEditor&, QWidget* parent = nullptr);
 
-    /// Null where the selected node has none of this name.
+    /// Returns the control of a number; null if the selected node has none of this name.
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
 
 protected:
@@ -39,7 +39,7 @@ private:
     void rebuild();
 
     TreeEditor& editor_;
-    std::optional<ParameterValues> values_;  ///< Under the table that the controls were made of.
+    std::optional<ParameterValues> values_;  ///< Values under the table from which the controls were made.
     QScrollArea* scroll_;
     QLabel* note_;
     std::vector<ParameterRow*> rows_;

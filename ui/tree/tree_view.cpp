@@ -13,7 +13,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int mostUnfolded = 500;  ///< Nodes; of larger trees only the first level is.
+constexpr int mostUnfolded = 500;  ///< Number of nodes. Larger trees are unfolded to the first level only.
 
 }  // namespace
 
@@ -150,7 +150,7 @@ void TreeView::takeEdit(QTreeWidgetItem* item, int column)
     const bool hidden = item->checkState(0) == Qt::Unchecked;
     const QString typed = item->text(0).trimmed();
     if (hidden == node.hidden && typed == title) return;
-    // The tree is made anew of the change: when whoever edits the item is done with it.
+    // Queued: the change rebuilds the tree, which must not happen while an item is being edited.
     QMetaObject::invokeMethod(
         this,
         [this, node, title, hidden, typed] {
@@ -166,7 +166,7 @@ void TreeView::takeEdit(QTreeWidgetItem* item, int column)
 
 bool TreeView::event(QEvent* event)
 {
-    // Its keys are its own while it has the focus, whatever shortcuts the window has for them.
+    // F2 renames while the tree has the focus, whatever the window's shortcuts.
     if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_F2) {
         event->accept();
         return true;
@@ -202,7 +202,7 @@ TreeEdit TreeView::moveOf(const QTreeWidgetItem& dragged, QTreeWidgetItem& targe
 
 void TreeView::dropEvent(QDropEvent* event)
 {
-    // The tree is made anew of what the change gives: nothing is moved here.
+    // Items are not moved here: the edit rebuilds the tree.
     event->setDropAction(Qt::IgnoreAction);
     event->accept();
     const QTreeWidgetItem* dragged = currentItem();

@@ -10,18 +10,19 @@ namespace vitrine::ui {
 
 class TreeEditor;
 
-/// The nodes of the exhibit's tree: a check mark shows or hides, dragging reorders, F2 renames.
+/// Tree of the exhibit's nodes: a check mark shows or hides, dragging reorders, F2 renames.
 class TreeView final : public QTreeWidget {
     Q_OBJECT
 
 public:
-    /// The editor must outlive it.
+    /// The editor must outlive the view.
     explicit TreeView(TreeEditor&, QWidget* parent = nullptr);
 
-    /// Null where there is no such node.
+    /// Returns the item of a node; null if there is no such node.
     [[nodiscard]] QTreeWidgetItem* itemOf(const std::string& node) const;
     [[nodiscard]] static std::string nodeOf(const QTreeWidgetItem&);
-    /// What dropping one item on another means (`side` 0), or above it (-1) or below (1); no parent: nothing.
+    /// Returns the edit for dropping one item on another (`side` 0), above it (-1) or below it (1). Without a parent
+    /// the edit does nothing.
     [[nodiscard]] static TreeEdit moveOf(const QTreeWidgetItem& dragged, QTreeWidgetItem& target, int side);
     /// Shows only nodes whose name or kind contains all these words, with their parents. No words: all nodes.
     void setWords(const QString&);
@@ -43,8 +44,8 @@ private:
     [[nodiscard]] bool hasWords(const QTreeWidgetItem&) const;
     void showSelection();
     void takeEdit(QTreeWidgetItem*, int column);
-    /// Ctrl with the arrows: up and down among its siblings, out of its parent, into the one above. False: it cannot go
-    /// there.
+    /// Moves the selected node with Ctrl and an arrow key: up and down among its siblings, out of its parent, or into
+    /// the node above. Returns false if that is impossible.
     bool moveByKey(int key);
     void startMove(const QTreeWidgetItem& moved, QTreeWidgetItem& target, int side);
 
