@@ -13,15 +13,15 @@
 namespace vitrine {
 namespace {
 
-/// What a frame makes before it is laid over the picture.
+/// Images that are made before the beams are drawn over the picture.
 struct RayImages {
     std::optional<render::ResourceId> mask, gathered, scattered;
     bool haze = false;
 };
 
-/// Returns whether a technique is drawn; otherwise its passes are listed as skipped with the reason: one of `asked` is
-/// 0, `bound` is 0, or `drawable` is. An invisible technique may be drawn to prove that it is invisible; what is not
-/// `drawable` may not.
+/// Returns whether the passes of a technique are planned. If not, they are listed as skipped, with the reason: a factor
+/// in `asked` is 0, `bound` is 0, or `drawable` is 0. An ineffective technique may be planned to prove that it has no
+/// effect, but never one that is not `drawable`.
 bool isDrawn(std::initializer_list<render::Factor> asked, const render::ContributionBound& bound,
              const render::Factor& drawable, std::initializer_list<const char*> passes, render::FramePlan& plan)
 {
@@ -32,7 +32,7 @@ bool isDrawn(std::initializer_list<render::Factor> asked, const render::Contribu
     return false;
 }
 
-/// Lays what was made over the frame.
+/// Draws the images over the frame.
 void planComposite(const RaysScene& s, const RayImages& made, render::ContributionBound bound, render::FramePlan& plan)
 {
     const RayView view = s.values[s.table.view];
@@ -79,7 +79,7 @@ render::Box CrepuscularRays::bounds(const ParameterValues&) const
 
 double CrepuscularRays::firstHit(const ExhibitState& state, const render::Ray& ray) const
 {
-    // Flat and inside the wall, so that the wall beside the window hides it.
+    // The panes are flat and inside the wall, so the wall beside the window hides them.
     constexpr double wallsMiddle = -3.9;
     render::Box panes = bounds(state.values);
     panes.low.z = panes.high.z = wallsMiddle;
@@ -141,8 +141,8 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     RaysScene s = raysScene(table_, context, plan);
     const RayView view = context.values[table_.view];
     const bool maskShown = view == RayView::mask;
-    // The views of the mask and of the light alone are drawn even where they are black; only in the picture are rays an
-    // effect that can be left out.
+    // The views "mask" and "light alone" are drawn even if they are black. Only in the picture are rays an effect that
+    // may be left out.
     const bool effect = view == RayView::picture;
     const render::ContributionBound rays = effect ? screenRaysBound(s) : render::ContributionBound{};
     const render::ContributionBound haze = effect ? hazeBound(s, plan.view) : render::ContributionBound{};

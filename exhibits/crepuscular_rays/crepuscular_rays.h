@@ -6,9 +6,9 @@
 
 namespace vitrine {
 
-/// Sunbeams through the tall window, laid over the finished frame: smeared from the sky in screen space, or marched
-/// through the hall's air. Read the table, then this file's plan, then sun_in_picture.h (where the sun is) and
-/// screen_rays.cpp and air_beams.cpp (what is drawn).
+/// Sunbeams through the tall window, drawn over the finished frame. They are smeared from the sky in screen space, or
+/// marched through the hall's air. Start reading with the parameters, then `planOverFrame`, then sun_in_picture.h
+/// (position of the sun), screen_rays.cpp and air_beams.cpp (the passes).
 class CrepuscularRays final : public Exhibit,
                               public HasButton,
                               public OverFrame,
@@ -28,9 +28,9 @@ public:
     [[nodiscard]] int place() const override { return 4; }
     [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
-    /// The window: what is clicked to get here. The beams reach as far as the sun does.
+    /// Returns the bounds of the window, which is what a click selects. The beams reach farther.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
-    /// The panes, from wall to wall.
+    /// Returns the distance to the panes; they span the opening from wall to wall.
     [[nodiscard]] double firstHit(const ExhibitState&, const render::Ray&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
@@ -38,7 +38,7 @@ public:
     bool press(ParameterValues&) const override;
     void planOverFrame(const PlanContext&, render::FramePlan&) const override;
     [[nodiscard]] double turnOfHangings(const ParameterValues&, double time) const override;
-    /// With the other technique, and with the hall without beams.
+    /// Offers comparisons with the other technique and with the hall without beams.
     [[nodiscard]] std::vector<OfferedComparison> comparisons() const override;
 
 private:

@@ -11,18 +11,19 @@
 namespace vitrine {
 namespace {
 
-// Alone, the tall window's light comes in as it does in the hall, in the exhibit's own space: a window without walls.
+// Shown alone, the exhibit has an opening in the position of the hall's tall window, in its own space and without
+// walls.
 const render::Box ownOpening{{-1.2, -1.1, -4.0}, {1.2, 3.9, -3.4}};
 const render::Box ownRoom{{-6, -2.5, -3.5}, {6, 6.5, 20.5}};
 
-constexpr int largestMask = 2048;  ///< Pixels along a side: a print of any size needs no finer mask of its sky.
+constexpr int largestMask = 2048;  ///< Pixels along a side; also a print of any size needs no finer mask of its sky.
 
 int cellSize(RayResolution resolution)
 {
     return resolution == RayResolution::full ? 1 : resolution == RayResolution::half ? 2 : 4;
 }
 
-/// The view of the whole picture at the mask's size, with the sample's jitter.
+/// Returns the view of the whole picture at the size of the mask, with the jitter of the sample.
 render::View viewOfWhole(const render::View& view, glm::ivec2 size)
 {
     render::View whole = view;
@@ -38,10 +39,10 @@ render::View viewOfWhole(const render::View& view, glm::ivec2 size)
     return whole;
 }
 
-/// How far the draft has carried the dust, meters: past the banner, and up.
+/// Returns the displacement of the dust by the draft in meters: past the banner, and up.
 glm::dvec3 dustMoved(const CrepuscularRaysTable& table, const ParameterValues& values, double time)
 {
-    constexpr double farthest = 4096;  // Where a float still tells millimeters; it takes a day.
+    constexpr double farthest = 4096;  // A float still resolves millimeters here; the dust gets there in a day.
     if (!values[table.animate] || !std::isfinite(time)) return glm::dvec3(0);
     return glm::dvec3(0.8, 0.2, 0.56) * std::fmod(values[table.driftSpeed] * time, farthest);
 }
@@ -99,7 +100,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     const render::Raster& raster = plan.view.raster;
     RaysScene s{table, context, values, {}, raster.drawn() != raster.size, {}, {}, {}, {}, {}, {}};
 
-    // Mask pixels are picture pixels, unless a tile asks for the whole of a picture that is very large.
+    // Mask pixels are picture pixels, except for tiles of a very large picture.
     const double maskScale =
         s.tile ? std::min(1.0, static_cast<double>(largestMask) / std::max(raster.size.x, raster.size.y)) : 1.0;
     s.maskSize = glm::max(glm::ivec2(glm::round(glm::dvec2(raster.size) * maskScale)), glm::ivec2(1));
@@ -109,7 +110,7 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     if (around.sunIrradiance != glm::dvec3(0))
         s.beams = context.alone ? beams(std::span(&ownOpening, 1), ownRoom, around.towardsSun)
                                 : beams(around.openings, around.room, around.towardsSun);
-    // Alone, all air is that of the beam.
+    // Shown alone, all air is that of the beam.
     s.air = !context.alone ? around.room : s.beams.empty() ? ownRoom : s.beams.front().box;
 
     const PixelBlocks cells(raster, cellSize(values[table.resolution]));
@@ -131,8 +132,8 @@ RaysScene raysScene(const CrepuscularRaysTable& table, const PlanContext& contex
     const glm::dvec3& sunLight = around.sunIrradiance;
     const glm::dvec3 sunColor = sunLight / std::max({sunLight.x, sunLight.y, sunLight.z, 1e-6});
     const double fade = plain ? (s.sun.inFront ? 1 : 0) : glsl::shaftEdgeFade(s.sun.beyond, values[table.edgeFade]);
-    // Strength is relative to the finished picture: exposure is divided out. It is in proportion to the sun, and 1 for
-    // the sun's initial strength.
+    // Strength is relative to the finished picture, so exposure is divided out. It is proportional to the strength of
+    // the sun, and 1 at the sun's initial strength.
     const double strength = values[table.weight] * std::exp2(values[table.rayExposure]) * fade * around.sunShare /
                             std::max(around.exposure, 1e-9);
     b.strength = glm::vec3(values[table.tint].value * sunColor * strength);
@@ -159,7 +160,7 @@ render::ContributionBound screenRaysBound(const RaysScene& s)
                                  [&](const render::Box& opening) { return s.wholeView.mayContain(opening); });
     const glm::dvec3 tint = values[s.table.tint].value;
     const double fade = plain ? 1 : glsl::shaftEdgeFade(s.sun.beyond, values[s.table.edgeFade]);
-    // The mask is at most 1, and so is its mean; the plain sum adds up all samples.
+    // The mask and its mean are at most 1; the plain sum adds up all samples.
     return render::boundOf(0, plain ? values[s.table.samples] : 1,
                            {render::required(values[s.table.weight] > 0, "the weight of the rays is 0"),
                             {plain && !(values[s.table.density] > 0) ? 0.0 : 1.0, "the density of the rays is 0"},
@@ -174,8 +175,7 @@ render::ContributionBound screenRaysBound(const RaysScene& s)
 
 namespace {
 
-/// The most that the air hides of anything: no ray is longer in it than from corner to corner, and the dust is densest
-/// on the floor.
+/// Returns the largest opacity of the air: the longest ray is the diagonal of its box, at the density on the floor.
 double mostHidden(const RaysScene& s)
 {
     return -std::expm1(-s.values[s.table.airDensity] * 2 * glm::length(s.air.halfSize()));

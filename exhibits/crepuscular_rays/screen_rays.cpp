@@ -24,7 +24,7 @@ std::int64_t pixels(glm::ivec2 size)
     return static_cast<std::int64_t>(size.x) * size.y;
 }
 
-/// The depth of everything that hides the sky, drawn once more for the whole picture.
+/// Plans a pass with the depth of everything that hides the sky, for the whole picture. Returns its depth image.
 std::string planOccluders(const RaysScene& s, render::FramePlan& plan)
 {
     const char* reason = s.tile ? "a tile does not show the whole sky" : "the mask is made of the occluders";
@@ -119,7 +119,7 @@ RayMethod methodOf(const RaysScene& s)
 {
     if (s.values[s.table.sum] == RaySum::plain) return RayMethod::loop;
     const RayMethod method = s.values[s.table.method];
-    // The running sum gives a short stretch of the way as a small difference of large numbers.
+    // For a short path the running sum is a small difference of large numbers.
     const double stretch = 1 - glsl::shaftWeightBelow(1.0 - s.block.gathered, s.block.exponent);
     if (method == RayMethod::polar && stretch < 0.1) return RayMethod::loop;
     return s.tile && method == RayMethod::threePasses ? RayMethod::loop : method;
@@ -133,7 +133,7 @@ ResourceId planMask(const RaysScene& s, render::FramePlan& plan)
     const ResourceId mask =
         plan.image({.name = "crepuscular_rays.mask", .format = render::Format::rgba16f, .size = s.maskSize});
     Pass pass = s.pass("mask", "the sky is in view", "crepuscular_rays/mask.frag");
-    // What is not covered tells the sky only as long as the sky is not drawn; depth is ready when all is.
+    // Alpha distinguishes the sky only until the sky is drawn. Depth is complete once everything opaque is drawn.
     pass.phase = alpha ? render::PassPhase::opaque : render::PassPhase::volume;
     if (alpha) pass.shader.defines.emplace_back("FROM_ALPHA");
     if (occluders) pass.view = s.wholeView;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double thinnestBeam = 0.3;  ///< Meters.
 
-/// The beam behind one opening; its box is empty when no light comes through.
+/// Returns the beam behind one opening; its box is empty if no light enters.
 Beam beamBehind(const render::Box& opening, const render::Box& room, const glm::dvec3& towardsSun)
 {
     Beam beam;
@@ -20,7 +20,7 @@ Beam beamBehind(const render::Box& opening, const render::Box& room, const glm::
     beam.axis = flatAxis(opening);
     const int axis = beam.axis;
     const bool high = opening.center()[axis] > room.center()[axis];
-    // The sun has to stand outside, beyond this wall.
+    // The sun has to be outside, on the other side of this wall.
     const double outwards = high ? towardsSun[axis] : -towardsSun[axis];
     if (!(outwards > 1e-4)) return beam;
     beam.plane = high ? std::min(opening.low[axis], room.high[axis]) : std::max(opening.high[axis], room.low[axis]);
@@ -30,7 +30,7 @@ Beam beamBehind(const render::Box& opening, const render::Box& room, const glm::
         if (i == axis) continue;
         if (opening.high[i] - opening.low[i] - deep * std::abs(along[i]) < thinnestBeam) return beam;
     }
-    // The rectangle on its plane, carried along the light until the last of it has left the room on the other side.
+    // Sweeps the rectangle on its plane along the light, until all of it has left the room on the other side.
     const double other = high ? room.low[axis] : room.high[axis];
     double reach = other - beam.plane;
     for (int i = 0; i < 3; ++i) {
@@ -59,7 +59,7 @@ SunInPicture sunInPicture(const render::View& view, const glm::dvec3& towardsSun
     SunInPicture sun;
     const glm::dvec3 inView = glm::dmat3(view.viewFromWorld) * towardsSun;
     const double w = -inView.z;
-    // So near to the camera's plane rounding alone would say on which side of it the sun stands.
+    // This close to the camera plane, rounding alone decides on which side the sun is.
     if (!(w > 1e-9)) return sun;
     const glm::dvec2 ndc = (glm::dvec2(inView) / w - view.tanShift) / view.tanHalfFov;
     sun.inFront = true;
@@ -79,7 +79,7 @@ PolarGrid polarGrid(glm::dvec2 source, glm::dvec2 size, int samples)
     grid.around = distance < 1;
     grid.radii = grid.angles = std::clamp(4 * samples, 16, 4096);
     grid.lastRadius = farthest * 1.01;
-    // Nearer than a few pixels, all is one; beyond the edge, nothing shines before the edge.
+    // Inside the picture, half a pixel is the finest radius. From outside, nothing shines before the edge.
     grid.firstRadius = std::max({grid.around ? 0.5 : distance * 0.995, farthest / 512, 0.25});
     if (grid.around) {
         grid.firstAngle = -std::numbers::pi;

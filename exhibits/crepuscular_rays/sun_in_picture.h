@@ -10,40 +10,39 @@
 
 namespace vitrine {
 
-/// Where a light at infinity stands in a picture.
+/// Position of a light at infinity in a picture.
 struct SunInPicture {
     bool inFront = false;
-    glm::dvec2 pixel{
-        0};  ///< Of the whole picture, from its lower left corner; may lie beyond its edges. Only when `inFront`.
-    /// max(|x|, |y|) - 1 in normalized device coordinates: negative inside; infinite on the camera's plane and behind
-    /// it.
+    /// Pixels of the whole picture, from its lower left corner; may lie beyond the edges. Valid if `inFront`.
+    glm::dvec2 pixel{0};
+    /// max(|x|, |y|) - 1 in normalized device coordinates: negative inside the picture, infinite on the camera plane
+    /// and behind it.
     double beyond = std::numeric_limits<double>::infinity();
 };
 
-/// `towardsSun` is unit length, world space. Projected as the homogeneous point (direction, 0), so that it is
-/// right for every view; continuous wherever the sun is in front.
+/// Returns where the sun is. `towardsSun` is a unit vector in world space. It is projected as the homogeneous point
+/// (direction, 0), which is right for every view and continuous wherever the sun is in front.
 [[nodiscard]] SunInPicture sunInPicture(const render::View&, const glm::dvec3& towardsSun);
 
-/// The log-polar grid around `source` that holds the rectangle from 0 to `size`: angles and radii in pixels.
+/// Log-polar grid around `source` that covers the rectangle from 0 to `size`. Radii are in pixels, angles in radians.
 struct PolarGrid {
-    double firstAngle = 0, span = 0;  ///< Radians; the whole circle when the source is inside.
+    double firstAngle = 0, span = 0;  ///< Radians; the full circle if the source is inside.
     double firstRadius = 0.5, lastRadius = 1;
     int radii = 1, angles = 1;
-    bool around = true;  ///< The source is inside.
+    bool around = true;  ///< Whether the source is inside the picture.
 };
 [[nodiscard]] PolarGrid polarGrid(glm::dvec2 source, glm::dvec2 size, int samples);
 
-/// The beam that the sun makes of an opening, as far as it stays inside the room: for
-/// shaders/crepuscular_rays/air.glsl.
+/// Beam of sunlight through an opening, limited to the inside of the room; read by shaders/crepuscular_rays/air.glsl.
 struct Beam {
     render::Box opening;  ///< Flat along `axis`.
     int axis = 2;
-    double plane = 0;  ///< Where on that axis the light enters the room.
-    render::Box box;   ///< That holds what is lit.
+    double plane = 0;  ///< Coordinate along `axis` of the plane on which the light enters the room.
+    render::Box box;   ///< Bounding box of the lit air.
 };
 
-/// The beams of all openings that the sun shines through into the room; empty for a sun on the other side.
-/// A sliver of less than 30 cm, by which the sun misses the rim of a deep opening, is left out.
+/// Returns the beams of all openings through which the sun shines into the room. A beam less than 30 cm wide, which is
+/// left of a deep opening in oblique light, is omitted.
 [[nodiscard]] std::vector<Beam> beams(std::span<const render::Box> openings, const render::Box& room,
                                       const glm::dvec3& towardsSun);
 
