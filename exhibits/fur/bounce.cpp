@@ -10,23 +10,22 @@
 namespace vitrine {
 namespace {
 
-// Where they lie, meters from the middle of the pit, and how they are turned about y.
+// Places of the bodies at rest, in meters from the center of the pit, and their rotations about y.
 const glm::dvec3 homes[furBodyCount] = {{-0.62, 0, -0.02}, {0.55, 0, 0.58}, {0.30, 0, -0.74}};
 constexpr double homeTurns[furBodyCount] = {0, 0.35, 0.2};
 
 constexpr double gravity = 9.81;      ///< m/s².
-constexpr double strandScale = 0.15;  ///< Meters of lag that count as one strand length: as long as a strand of the
-                                      ///< museum after which this exhibit is made.
-// A throw: its mean speed is the table's jump; shares of it go up, more or less, and to the sides.
+constexpr double strandScale = 0.15;  ///< Meters of lag that count as one strand length: a strand of the reference.
+// A throw has the mean speed `jump`. These shares of it vary the upward speed and the two horizontal ones.
 constexpr double throwUp = 0.16, throwAside = 0.35;
 constexpr double landing =
-    pitRadius + pitPadRadius;      ///< Meters from the axis: throws that would come down beyond are steeper.
-constexpr double homeStart = 1.5;  ///< Seconds after which bodies that lie elsewhere hop home.
-constexpr double nearHome = 0.04, nearTurn = 0.12;  ///< Meters and radians: so near is there.
-constexpr double hopLeast = 0.02, hopMost = 0.6;    ///< Meters of height.
-constexpr double braking = 8;                       ///< 1/s, of what slides and rolls on the ground then.
-constexpr double calm = 0.3;                        ///< Seconds for which all have to lie.
-constexpr double settling = 0.5;                    ///< Seconds in which the last millimeters go.
+    pitRadius + pitPadRadius;      ///< Meters from the axis; throws that would land farther out are made steeper.
+constexpr double homeStart = 1.5;  ///< Seconds after which bodies that are not at their places hop there.
+constexpr double nearHome = 0.04, nearTurn = 0.12;  ///< Meters and radians within which a body counts as at its place.
+constexpr double hopLeast = 0.02, hopMost = 0.6;    ///< Height of a hop, meters.
+constexpr double braking = 8;     ///< Deceleration rate of sliding and rolling bodies at their places, 1/s.
+constexpr double calm = 0.3;      ///< Seconds for which all bodies have to lie still.
+constexpr double settling = 0.5;  ///< Seconds in which the last millimeters are interpolated.
 constexpr double dt = 1.0 / Bounce::stepsPerSecond;
 
 double skinRadius(int body)
@@ -40,7 +39,7 @@ double smooth(double low, double high, double x)
     return t * t * (3 - 2 * t);
 }
 
-/// Number `i` of a throw, in [-1, 1): integer hash (splitmix64, Steele et al. 2014).
+/// Returns random number `i` of a throw, in [-1, 1): integer hash (splitmix64, Steele et al. 2014).
 double throwOf(std::uint32_t toss, int i)
 {
     std::uint64_t z = (static_cast<std::uint64_t>(toss) << 32U) +
@@ -50,13 +49,13 @@ double throwOf(std::uint32_t toss, int i)
     return static_cast<double>((z ^ (z >> 31U)) >> 11U) / static_cast<double>(1ULL << 52U) - 1;
 }
 
-/// Velocity with which a body leaves the ground, m/s.
+/// Returns the velocity at which a body leaves the ground, m/s.
 glm::dvec3 throwVelocity(const BounceSettings& s, int body)
 {
     const auto random = [&](int n) { return throwOf(s.toss, 16 * body + n); };
     glm::dvec3 velocity = s.jump * glm::dvec3(throwAside * random(0), 1 + throwUp * random(1), throwAside * random(2));
     const glm::dvec3 aside = glm::dvec3(velocity.x, 0, velocity.z) * (2 * velocity.y / gravity);
-    // Where the straight way from home to the landing leaves the circle: |home + t aside| = landing.
+    // Finds where the straight path from home leaves the circle of landing: |home + t aside| = landing.
     const double a = glm::dot(aside, aside);
     const double b = glm::dot(aside, homes[body]);
     const double c = glm::dot(homes[body], homes[body]) - landing * landing;
@@ -70,14 +69,14 @@ glm::dquat homeTurn(int body)
     return glm::angleAxis(homeTurns[body], glm::dvec3(0, 1, 0));
 }
 
-/// How high the middle of a body lies when it rests on the floor.
+/// Returns the height in meters of the center of a body that rests on the floor.
 double restHeight(const BounceSettings& s, int body, double skinScale)
 {
     if (body == furRing && s.model) return s.cushion[body] - s.model->bounds.low.y;
     return skinRadius(body) * skinScale + s.cushion[body];
 }
 
-/// The same at most, whatever skin the third body has.
+/// Returns an upper bound of `restHeight`, whatever skin the third body has.
 double heightOfStart(const BounceSettings& s, int body)
 {
     return s.cushion[body] + (body == furBall   ? ballRadius * s.growth.largest()
@@ -93,7 +92,8 @@ RigidShape shapeOf(const BounceSettings& s, int body)
     if (!s.model) return RingShape{ringRadius, radius};
     HullShape hull;
     hull.margin = s.cushion[body];
-    // Bullet's hulls are for few points; a thousand of a large model show its shape well enough.
+    // Bullet's convex hulls are made for few points. About a thousand points of a large model show its shape well
+    // enough.
     const std::size_t stride = s.model->vertices.size() / 1000 + 1;
     for (std::size_t i = 0; i < s.model->vertices.size(); i += stride)
         hull.points.emplace_back(s.model->vertices[i].position);
@@ -123,7 +123,7 @@ BounceSettings bounceSettings(const FurTable& table, const ParameterValues& v,
     s.model = std::move(model);
     s.jump = v[table.jump];
     s.toss = static_cast<std::uint32_t>(v[table.toss]);
-    const bool growing = v[table.growing] && !v[table.byHand];  // By hand, they keep still.
+    const bool growing = v[table.growing] && !v[table.byHand];  // With `byHand`, the bodies keep still.
     s.growth = {v[table.growth], v[table.growthRate], growing, growing ? time : 0.0};
     s.spring = {2 * std::numbers::pi * v[table.frequency], v[table.damping]};
     s.method = v[table.springModel];
@@ -162,7 +162,7 @@ render::Box bouncingSpace(const FurTable& table, const ParameterValues& values, 
     const BounceSettings s = bounceSettings(table, values, nullptr, 0);
     render::Box space;
     for (int i = 0; i < furBodyCount; ++i) {
-        // Strands keep their length within 1 %.
+        // Strands keep their length within 1 %. A millimeter is added as a margin.
         const double reach = (i == furBall   ? ballRadius * s.growth.largest()
                               : i == furRoll ? rollRadius + rollHalfLength
                                              : ringRadius + ringTube) +
@@ -192,11 +192,11 @@ FurStates restStates(const BounceSettings& s, double since)
 
 struct Bounce::World {
     RigidBodies bodies{{pitRadius, pitRim, pitPadRadius, pitPadLift, gravity}};
-    double nextHop[furBodyCount] = {};  ///< Seconds; before it, one that has hopped is still in the air.
+    double nextHop[furBodyCount] = {};  ///< Seconds; earliest time at which the body hops again.
     glm::dvec3 lastVelocity[furBodyCount] = {};
     glm::dvec3 lastSpin[furBodyCount] = {};
     double calmSince = 0;  ///< Seconds.
-    MotionState asleep{};  ///< Where they came to lie.
+    MotionState asleep{};  ///< State in which the bodies stopped.
 };
 
 Bounce::Bounce(const BounceSettings& settings) : settings_(settings), world_(std::make_unique<World>())
@@ -224,8 +224,8 @@ std::int64_t Bounce::steps() const
     return steps_;
 }
 
-/// Keeps a body within its flight, so that nothing is drawn where nobody looks for it: of the energy that collisions
-/// and a growing ball give it, no more than a throw's, and what little pushing bodies apart adds to that.
+/// Keeps a body within its flight limits, so nothing is drawn outside its bounds. Collisions and the growing ball may
+/// give it no more energy than the fastest throw.
 void Bounce::hold()
 {
     for (int i = 0; i < furBodyCount; ++i) {
@@ -248,9 +248,9 @@ void Bounce::hold()
     }
 }
 
-/// Brings the bodies back to where they lay, so that the next press begins where this one ends: whatever lies
-/// elsewhere, or on another side, hops there, over the rim where it must, and brakes where it comes down. Returns
-/// whether all lie where they should.
+/// Brings the bodies back to their places, so the next press begins where this one ends. A body that lies elsewhere, or
+/// is turned differently, hops to its place, over the rim if necessary. It brakes where it lands. Returns whether all
+/// bodies lie at their places.
 bool Bounce::home(double now)
 {
     bool all = true;
@@ -270,7 +270,7 @@ bool Bounce::home(double now)
                 world_->bodies.accelerate(i, glm::dvec3(-velocity.x, 0, -velocity.z) * (braking * dt),
                                           -spin * (braking * dt));
         } else if (!there && now >= world_->nextHop[i] && world_->bodies.touches(i)) {
-            // As high as it is far, so that it comes over the rim and over what lies between.
+            // The height grows with the distance, so the hop clears the rim and the bodies between.
             const double up = std::sqrt(2 * gravity * std::min(hopLeast + 0.4 * glm::length(away), hopMost));
             const double inAir = 2 * up / gravity;
             world_->bodies.accelerate(i, away / inAir + glm::dvec3(0, up, 0) - velocity, turn / inAir - spin);
@@ -292,7 +292,7 @@ bool Bounce::still(const MotionState& m) const
     return true;
 }
 
-/// One step of the bodies.
+/// Computes one step of the bodies.
 Bounce::MotionState Bounce::stepBodies()
 {
     const double now = static_cast<double>(motion_.size()) * dt;
@@ -327,7 +327,7 @@ Bounce::MotionState Bounce::stepBodies()
     return next;
 }
 
-/// One step of the springs of body `i`, over `steps` moments after `before`.
+/// Advances the springs of body `i` by `steps` steps of the bodies, from number `before` in `motion_`.
 void Bounce::stepSprings(int i, std::size_t before, int steps)
 {
     const double h = steps * dt;
@@ -357,7 +357,7 @@ void Bounce::stepSprings(int i, std::size_t before, int steps)
     }
 }
 
-/// The steps of the bodies up to the next step of the springs, and that step.
+/// Computes the steps of the bodies up to the next step of the springs, and that step.
 void Bounce::block()
 {
     const int steps =

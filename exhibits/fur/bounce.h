@@ -12,76 +12,80 @@
 
 namespace vitrine {
 
-/// How the size of the ball changes by itself.
+/// Periodic change of the ball's size.
 struct Growth {
-    double amount = 0;    ///< Meters of radius, up and down.
-    double rate = 0;      ///< Hertz.
-    bool always = false;  ///< Otherwise only while the bodies bounce.
-    double start = 0;     ///< Seconds on the exhibit's clock at which the button was pressed; for `always`.
+    double amount = 0;    ///< Amplitude of the radius, meters.
+    double rate = 0;      ///< Frequency, hertz.
+    bool always = false;  ///< If false, the ball changes only while the bodies bounce.
+    double start = 0;     ///< Seconds on the exhibit's clock at which the button was pressed; used if `always`.
 
     bool operator==(const Growth&) const = default;
-    /// Skin over skin at rest, `since` seconds after the press.
+    /// Returns the radius of the skin relative to rest, `since` seconds after the press.
     [[nodiscard]] double skinScale(double since) const;
-    /// The most that it ever is.
+    /// Returns the largest value of `skinScale`.
     [[nodiscard]] double largest() const;
 };
 
-/// Everything that the motion after a press depends on.
+/// Settings that the motion after a press depends on.
 struct BounceSettings {
-    double cushion[furBodyCount] = {};          ///< Meters of fur under each skin that the contact does not flatten.
-    std::shared_ptr<const render::Mesh> model;  ///< In place of the ring.
-    double jump = 3;                            ///< Mean speed with which they leave the ground, m/s.
-    std::uint32_t toss = 1;                     ///< Which of many throws.
+    double cushion[furBodyCount] = {};          ///< Meters of fur under each skin that contact does not flatten.
+    std::shared_ptr<const render::Mesh> model;  ///< Model in place of the ring; null: the ring.
+    double jump = 3;                            ///< Mean speed at which the bodies leave the ground, m/s.
+    std::uint32_t toss = 1;                     ///< Seed of the throw.
     Growth growth;
     Spring spring;
     FurSpring method = FurSpring::closedForm;
-    int springRate = 240;  ///< Spring steps a second.
+    int springRate = 240;  ///< Spring steps per second.
     double inertia = 1, gravity = 0.3, airDrag = 0, strength = 1;
     double displacementLimit = 1;  ///< Strand lengths.
     double rotationLimit = 1;      ///< Radians.
 
     bool operator==(const BounceSettings&) const = default;
 };
-/// All of them but the model spelled out to the last bit.
+/// Returns a key of all settings except the model, exact to the last bit.
 [[nodiscard]] std::string keyOf(const BounceSettings&);
-/// `time`: of the press, on the exhibit's clock.
+/// Returns the settings. `time` is the time of the press on the exhibit's clock, in seconds.
 [[nodiscard]] BounceSettings bounceSettings(const FurTable&, const ParameterValues&,
                                             std::shared_ptr<const render::Mesh> model, double time);
 
-/// How far the middle of a body gets while it jumps, whatever it meets: pit space, meters.
+/// Limits of the center of a jumping body, whatever it collides with; pit space, meters.
 struct Flight {
-    double highest = 0;   ///< Above the pit's floor.
-    double farthest = 0;  ///< From the pit's axis.
+    double highest = 0;   ///< Height above the floor of the pit.
+    double farthest = 0;  ///< Distance from the axis of the pit.
 };
 [[nodiscard]] Flight flightOf(const BounceSettings&, int body);
 
-/// The space that the bodies and their fur may fill, pit space: at rest, or at any time of a jump. The largest skin
-/// that a body may have is counted, so that a visitor's model need not be known.
+/// Returns the space that the bodies and their fur may fill, in pit space: at rest, or at any time of a jump. The body
+/// in place of the ring counts with its largest possible skin, so the user's model need not be known.
 [[nodiscard]] render::Box bouncingSpace(const FurTable&, const ParameterValues&, bool jumping);
 
-/// Where the bodies lie before a press, and again when they have come to rest; `since` only moves what grows.
+/// Returns the states before a press, which are also those after the bodies have come to rest. `since` only affects the
+/// ball's changing size.
 [[nodiscard]] FurStates restStates(const BounceSettings&, double since = 0);
 
-/// What happens after a press of the button: three bodies thrown up from rest, bouncing, then rolling back to
-/// where they lay (those that left the pit hop over its rim first), and their fur. Simulated in steps of 1/240 s as far
-/// as it is asked for, and kept: the state at a time is the same however, and in whatever order, one asks.
+/// Motion after the button is pressed: three bodies are thrown up from rest, bounce, and roll back to their places, and
+/// their fur follows. Bodies that left the pit hop back over its rim first.
+///
+/// The simulation runs in steps of 1/240 s as far as a call needs, and is kept. The state at a time does not depend on
+/// the number or order of the calls.
 class Bounce {
 public:
     static constexpr int stepsPerSecond = 240;
-    static constexpr double longest = 14;  ///< Seconds after which everything rests in any case.
+    static constexpr double longest = 14;  ///< Seconds after which everything is at rest in any case.
 
     explicit Bounce(const BounceSettings&);
     ~Bounce();
 
     [[nodiscard]] const BounceSettings& settings() const { return settings_; }
-    /// At `since` seconds after the press, between steps by interpolation; at rest before it and after the end.
+    /// Returns the states `since` seconds after the press, interpolated between steps. Before the press and after the
+    /// end it is the state at rest.
     [[nodiscard]] FurStates at(double since);
-    /// Seconds after the press at which all is at rest, when that is at or before `since`; else infinity.
+    /// Returns the seconds after the press at which everything is at rest, if that is at most `since`; else infinity.
     [[nodiscard]] double restedAt(double since);
-    /// Meters by which a body was put to rest beside its place, at most, and then moved there: as far as it was
-    /// simulated.
+    /// Returns the largest distance in meters between where a body stopped and its place, to which it is then moved.
+    /// Covers the part simulated so far.
     [[nodiscard]] double slid() const { return slid_; }
-    /// Steps that have been simulated so far.
+    /// Returns the number of steps simulated so far.
     [[nodiscard]] std::int64_t steps() const;
 
 private:
@@ -89,7 +93,7 @@ private:
         glm::dvec3 position[furBodyCount];
         glm::dquat rotation[furBodyCount];
         SpringState tipOffset[furBodyCount];
-        SpringState tipRotation[furBodyCount];  ///< As rotation vectors, pit space.
+        SpringState tipRotation[furBodyCount];  ///< Rotation vectors, pit space.
     };
     struct World;
     void extend(double since);
@@ -104,14 +108,14 @@ private:
     BounceSettings settings_;
     std::vector<MotionState> motion_;
     double end_ = std::numeric_limits<double>::infinity();
-    double landed_ = std::numeric_limits<double>::infinity();  ///< When the bodies had come to lie, seconds.
+    double landed_ = std::numeric_limits<double>::infinity();  ///< Seconds at which the bodies have stopped.
     std::unique_ptr<World> world_;
     std::int64_t steps_ = 0;
     double slid_ = 0;
 };
 
-/// A jump that several may ask about at once: a state of a simulation as the asset store keeps it. Simulated as far as
-/// anybody has asked, and the answer to each question is always the same.
+/// Simulated jump in the asset store, which several threads may read at once. It is simulated as far as any caller
+/// needed, and the state at a time is always the same.
 class RecordedJump {
 public:
     explicit RecordedJump(const BounceSettings& settings) : bounce_(settings) {}
@@ -119,12 +123,12 @@ public:
     struct Sample {
         FurStates states;
         double rested = 0;       ///< As Bounce::restedAt.
-        std::int64_t steps = 0;  ///< That lead from the press to here.
+        std::int64_t steps = 0;  ///< Steps from the press to this time.
     };
     [[nodiscard]] Sample at(double since) const;
-    /// Steps that have been simulated so far, whoever asked for them.
+    /// Returns the number of steps simulated so far, for all callers together.
     [[nodiscard]] std::int64_t stepsTaken() const;
-    /// Of memory, when all of it is simulated.
+    /// Size in bytes of a complete jump.
     static constexpr std::uint64_t mostBytes = 2U << 20U;
 
 private:

@@ -9,7 +9,7 @@
 namespace vitrine {
 namespace {
 
-/// How thick a body is around its spine.
+/// Returns the thickness of a body around its spine, meters.
 double bodyRadius(int body)
 {
     return body == furBall ? ballRadius : body == furRoll ? rollRadius : ringTube;
@@ -60,7 +60,7 @@ glm::dmat4 Coats::worldFromBody(int index) const
 
 render::Box Coats::space(int index, const render::Box& skin) const
 {
-    // Strands keep their length within 1 %.
+    // Strands keep their length within 1 %. A millimeter is added as a margin.
     const double reach = 1.02 * values[table.coats[static_cast<std::size_t>(index)].length] + 1e-3;
     const double skinScale = states[static_cast<std::size_t>(index)].skinScale;
     return {skin.low * skinScale - reach, skin.high * skinScale + reach};
@@ -117,14 +117,15 @@ std::vector<Coats::FreeSide> Coats::freeSides(int index) const
     const double length = values[table.coats[static_cast<std::size_t>(index)].length];
     std::vector<FreeSide> sides{{{0, 1, 0}, 0}};
     const double out = std::hypot(state.position.x, state.position.z);
-    // Outside, the wall presses nothing, and the ground lies as high as the rim.
+    // Outside the pit, its wall presses nothing, and the ground is as high as the rim.
     if (out > pitRadius)
         sides.push_back({{0, 1, 0}, pitRim});
     else if (out > 0.3 && state.position.y < pitRim + 0.3)
         sides.push_back({-glm::dvec3(state.position.x, 0, state.position.z) / out, -pitRadius});
     for (int other = 0; other < furBodyCount; ++other) {
         if (other == index) continue;
-        // Between the nearest points of two spines, found by going back and forth, the middle of the gap.
+        // The plane is in the middle of the gap between the nearest points of the two spines, which are found by
+        // alternating projection.
         const FurState& theirs = states[static_cast<std::size_t>(other)];
         glm::dvec3 mine = state.position;
         glm::dvec3 its = theirs.position;

@@ -31,7 +31,7 @@ void boundIt(Mesh& mesh)
     for (const Vertex& v : mesh.vertices) mesh.bounds.include(glm::dvec3(v.position));
 }
 
-/// A grid of (columns + 1) × (rows + 1) vertices; faces look along du × dv.
+/// Adds a grid of (columns + 1) × (rows + 1) vertices; its faces look along du × dv.
 void addGrid(Mesh& mesh, int columns, int rows, const std::function<Vertex(double u, double v)>& at)
 {
     const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -91,7 +91,7 @@ std::shared_ptr<const Mesh> rollSkin(double radius, double halfLength, int segme
         const glm::dvec3 n(-std::sin(angle), ring * std::cos(phi), ring * std::sin(phi));
         return skinVertex(radius * n + glm::dvec3(along, 0, 0), n, (onCap ? 1.0 : 0.5) / radius);
     });
-    // Columns run along x, rows from y to z: du × dv looks inwards.
+    // Columns run along x, rows from y to z, so du × dv looks inwards.
     for (std::size_t i = 0; i + 2 < mesh->indices.size(); i += 3) std::swap(mesh->indices[i + 1], mesh->indices[i + 2]);
     boundIt(*mesh);
     return mesh;
@@ -115,7 +115,7 @@ std::shared_ptr<const Mesh> ringSkin(double radius, double tube, int segments)
 
 int finRows(const Mesh& skin)
 {
-    // A closed skin has half as many edges again as triangles, and a row two triangles on each of them.
+    // A closed skin has 1.5 times as many edges as triangles, and a row has two triangles on each edge.
     const std::size_t inOneRow = std::max<std::size_t>(skin.indices.size(), 1);
     return static_cast<int>(std::min<std::size_t>(600000 / inOneRow, 6));
 }

@@ -8,37 +8,39 @@
 
 namespace vitrine {
 
-// Skins that can wear a coat. Vertex::extra.x carries the mean curvature, 1/meter (never below 0: a
-// hollow bulges nothing). Vertices that share a place share a normal, so that shells do not
-// tear along edges.
+// Skins for coats. Vertex::extra.x is the mean curvature in 1/m, at least 0: concave parts count as flat. Vertices at
+// the same place share one normal, so shells have no gaps along edges.
 
-/// A sphere from a cube of 6 × cells × cells quads, corners evened out by the tangent of the angle.
+/// Returns a sphere made of a cube with 6 × cells × cells quads. The tangent of the angle evens out their sizes.
 [[nodiscard]] std::shared_ptr<const render::Mesh> ballSkin(double radius, int cells);
 
-/// A cylinder along x from -halfLength to halfLength with half balls on its ends.
+/// Returns a cylinder along x from -halfLength to halfLength with hemispheres on its ends.
 [[nodiscard]] std::shared_ptr<const render::Mesh> rollSkin(double radius, double halfLength, int segments);
 
-/// A torus around y: `radius` to the middle of the tube, `tube` its own.
+/// Returns a torus around y: `radius` is that of its center line, `tube` that of the tube.
 [[nodiscard]] std::shared_ptr<const render::Mesh> ringSkin(double radius, double tube, int segments);
 
-/// The visitor's model as one skin, scaled to fit a sphere of `radius` around the origin: places merged,
-/// triangles without area left out, normals made anew from the faces around each place (weighted by their
-/// angle, Thürmer and Wüthrich 1998) and curvature from them, sides of mirrored parts turned back. What was left out or
-/// mended is said in `notes`, one sentence each. Throws Failure (Blame::file), naming `file`, when nothing is left.
+/// Returns the user's model as one skin, scaled to fit into a sphere of `radius` around the origin. Coincident vertices
+/// are merged and triangles without area are dropped. Normals are those of the faces around each place, weighted by
+/// their angles (Thürmer and Wüthrich 1998); the curvature follows from them. Mirrored parts are turned the right way
+/// round.
+///
+/// Everything dropped or repaired is added to `notes`, one sentence each. Throws Failure (Blame::file) naming `file` if
+/// nothing is left.
 [[nodiscard]] std::shared_ptr<const render::Mesh> modelSkin(const render::Model&, const std::string& file,
                                                             double radius, std::vector<std::string>& notes);
 
-/// Mean distance of the corners from the origin: how large a ball stands for a model where its shape does not matter.
+/// Returns the mean distance of the vertices from the origin: the radius of a ball that approximates a model.
 [[nodiscard]] double meanRadius(const render::Mesh&);
 
-/// Rows of quads that the fins of a skin can have, 6 at most, so that all of them have no more than 600,000 triangles;
-/// 0: its edges alone are too many.
+/// Returns how many rows of quads the fins of a skin can have: at most 6, with at most 600,000 triangles in total. It
+/// is 0 if one row is too many.
 [[nodiscard]] int finRows(const render::Mesh& skin);
 
-/// A quad on every edge of a skin, standing on it; Vertex::extra.y is the height, 0 or 1 in `rows` steps.
+/// Returns a quad on every edge of a skin, upright. Vertex::extra.y is the height, from 0 to 1 in `rows` steps.
 [[nodiscard]] std::shared_ptr<const render::Mesh> finsOf(const render::Mesh& skin, int rows);
 
-/// A flat disk of radius 1 on y = 0, facing up, in rings fine enough for light computed at its vertices.
+/// Returns a flat disk of radius 1 at y = 0, facing up, fine enough for lighting at its vertices.
 [[nodiscard]] std::shared_ptr<const render::Mesh> diskMesh();
 
 }  // namespace vitrine

@@ -28,7 +28,7 @@ std::string seconds(double s)
     return text;
 }
 
-/// A file of the visitor's, or one of the program's own by its place among the assets: "models/teddy.glb".
+/// Returns the path of a user's file, or of an asset of the program such as "models/teddy.glb".
 std::string modelFile(const std::string& path)
 {
     std::error_code ignored;
@@ -44,13 +44,13 @@ std::string joined(const std::vector<std::string>& notes)
     return line;
 }
 
-/// Infinity is right: the button was never pressed.
+/// Returns whether both times can be shown. An infinite `sinceOwnPress` is right: the button was never pressed.
 bool clockIsRight(double time, double sinceOwnPress)
 {
     return std::isfinite(time) && sinceOwnPress >= 0;
 }
 
-/// The ball grows and shrinks all the time.
+/// Returns whether the ball changes its size all the time.
 bool grows(const FurTable& table, const ParameterValues& values)
 {
     return values[table.growing] && values[table.growth] > 0 && values[table.growthRate] > 0 && !values[table.byHand];
@@ -65,7 +65,7 @@ void lieByHand(const FurTable& table, const ParameterValues& values, FurStates& 
     }
 }
 
-/// Null where its edges are too many.
+/// Returns the fins of a skin, or null if it has too many edges.
 std::shared_ptr<const render::Mesh> finsOn(const std::shared_ptr<const render::Mesh>& skin, render::AssetStore& assets)
 {
     const int rows = finRows(*skin);
@@ -92,11 +92,11 @@ std::string whyUnfinned(const std::shared_ptr<const render::Mesh>& skin)
 }  // namespace
 
 struct Fur::Prepared final : PreparedPart {
-    /// What a visitor's model becomes.
+    /// Skin made from the user's model.
     struct RingModel {
         std::shared_ptr<const render::Mesh> skin;
-        double radius = 0;               ///< Meters, of the ball that stands for it.
-        std::vector<std::string> notes;  ///< What of it was left out or mended.
+        double radius = 0;               ///< Radius in meters of the ball that approximates the model.
+        std::vector<std::string> notes;  ///< What was dropped or repaired in the file.
     };
     static render::AssetStore::Made<RingModel> readRingModel(const std::string& path)
     {
@@ -107,12 +107,12 @@ struct Fur::Prepared final : PreparedPart {
         return {std::move(model), bytes};
     }
 
-    std::shared_ptr<const RingModel> model;  ///< Null where the ring is shown.
+    std::shared_ptr<const RingModel> model;  ///< Null if the ring is shown.
     std::array<std::shared_ptr<const render::Mesh>, furBodyCount> skins, fins;
     FurStates states;
     bool moving = false;
-    std::string reason;      ///< Of the simulation step, or of its absence.
-    std::int64_t steps = 0;  ///< Of the simulation, from the press to here.
+    std::string reason;      ///< Reason for the simulation step, or for its absence.
+    std::int64_t steps = 0;  ///< Simulation steps from the press to this time.
 };
 
 Fur::Fur()
@@ -166,7 +166,7 @@ double Fur::firstHit(const ExhibitState& state, const render::Ray& ray) const
         table_, state.values, now.states, glm::dmat4(1), state.time, 1, now.model ? now.model->radius : 0};
     double nearest = never;
     for (int i = 0; i < furBodyCount; ++i) {
-        // The ellipsoid that touches the sides of the space the coat may fill.
+        // Tests the ellipsoid that touches the sides of the space that the coat may fill.
         const render::Box space = coats.space(i, now.skins[static_cast<std::size_t>(i)]->bounds);
         const glm::dmat4 bodyFromBall =
             glm::scale(glm::translate(glm::dmat4(1), space.center()), glm::max(space.halfSize(), 1e-6));
@@ -174,7 +174,7 @@ double Fur::firstHit(const ExhibitState& state, const render::Ray& ray) const
             std::min(nearest, render::firstHit(ray.transformed(glm::inverse(coats.worldFromBody(i) * bodyFromBall)),
                                                glm::dvec3(0), 1));
     }
-    // The floor of the pit is theirs, too.
+    // The floor of the pit belongs to the exhibit, too.
     const double floor = render::firstHit(ray, {{-pitRadius, 0, -pitRadius}, {pitRadius, 0, pitRadius}});
     const glm::dvec3 there = std::isfinite(floor) ? ray.at(floor) : glm::dvec3(2 * pitRadius);
     return std::hypot(there.x, there.z) < pitRadius ? std::min(nearest, floor) : nearest;
@@ -208,7 +208,8 @@ std::vector<StudyView> Fur::studyViews(const ParameterValues& values) const
     spun.set(table_.handRotation, 2.0943951023931953);
     ParameterValues landing = values;
     landing.set(table_.frozenAt, 0.9);
-    // Stiff fur in long steps: of the three ways to step a spring, one flies off, one is late, one does not notice.
+    // Stiff fur in long steps distinguishes the three spring methods: the first diverges, the second is late, the third
+    // is exact.
     ParameterValues stiff = landing;
     stiff.set(table_.frequency, 4.0);
     stiff.set(table_.springRate, 30);
@@ -266,7 +267,7 @@ void Fur::planMotion(const PlanContext& context, render::FramePlan& plan) const
 {
     constexpr const char* motion = "fur/motion";
     if (plan.find(motion) || plan.findSkipped(motion)) return;
-    // Without a number, so that it stays one line in the log however the clock goes on.
+    // The message has no number, so it stays one line in the log while the clock advances.
     if (!clockIsRight(context.time, context.sinceOwnPress))
         plan.warn("fur/clock",
                   "the time is no number, or lies before the press of the button; the bodies are shown at rest "
@@ -304,8 +305,8 @@ FurScene Fur::sceneOf(const PlanContext& context, std::uint32_t seed) const
 std::vector<render::LocalLight> Fur::localLights(const ExhibitState& state) const
 {
     const ParameterValues& values = state.values;
-    // To the bodies its light is parallel; around them it comes from a spot, whose edge is soft from well within the
-    // pit to the posts before it.
+    // The fur is lit by parallel light from this lamp. Its surroundings are lit by a spot, whose soft edge extends from
+    // well within the pit to the posts in front of it.
     constexpr double distance = 8, whole = 1.2, edge = 2.5;
     const glm::dvec3 towards = values[table_.lampDirection].value;
     render::LocalLight lamp;
@@ -314,7 +315,7 @@ std::vector<render::LocalLight> Fur::localLights(const ExhibitState& state) cons
     lamp.axis = -towards;
     lamp.coneInner = std::atan(whole / distance);
     lamp.coneOuter = std::atan(edge / distance);
-    lamp.nearest = 0.65 * distance;  // All in its cone is farther away, where it hangs at first.
+    lamp.nearest = 0.65 * distance;  // Everything in the cone is farther away, for the lamp's initial direction.
     return {lamp};
 }
 

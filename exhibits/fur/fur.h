@@ -11,8 +11,8 @@ namespace vitrine {
 
 struct FurScene;
 
-/// Three furry bodies in a pit that bounce when the red button is pressed. Shell texturing: the skin is drawn
-/// many times, each time a little further out, and keeps only what is inside a strand.
+/// Three furry bodies in a pit that jump when the red button is pressed. Shell texturing: the skin is drawn many times,
+/// each time a little farther out, and only the pixels inside a strand are kept.
 class Fur final : public Exhibit, public HasButton, public HasLocalLights, public SeenInReflections {
 public:
     using Table = FurTable;
@@ -35,24 +35,24 @@ public:
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] render::Box boundsOf(const ExhibitState&) const override;
-    /// The visitor's model, the skins with their fins, and where the bodies are.
+    /// Prepares the user's model, the skins with their fins, and the states of the bodies.
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     [[nodiscard]] double firstHit(const ExhibitState&, const render::Ray&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
     [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
-    /// The lamp above the pit, on what is around the bodies.
+    /// Returns the lamp above the pit, which lights the surroundings of the bodies.
     [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState&) const override;
     [[nodiscard]] bool lightsChange(const ExhibitState&) const override { return false; }
-    /// The bodies before a press, coat and all, without a visitor's model.
+    /// Returns a cylinder for each body at rest, coat included. The user's model is not considered.
     [[nodiscard]] std::vector<StandingShape> reflectedShapes(const ParameterValues&) const override;
     void planShadow(const PlanContext&, render::FramePlan&) const override;
     void plan(const PlanContext&, render::FramePlan&) const override;
 
 private:
     struct Prepared;
-    /// The simulation's line in the ledger, once in a plan: shadow and picture both read its state.
+    /// Adds the simulation to the frame report, once in a plan: shadow and picture both read its state.
     void planMotion(const PlanContext&, render::FramePlan&) const;
     [[nodiscard]] FurScene sceneOf(const PlanContext&, std::uint32_t seed) const;
     void findMotion(const PrepareContext&, Prepared&) const;

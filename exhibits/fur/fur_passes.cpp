@@ -18,12 +18,12 @@ using render::Pass;
 constexpr const char* statesName = "fur.bodies";
 constexpr const char* names[furBodyCount] = {"ball", "roll", "ring"};
 
-// A shadow is a silhouette seen from far away: few shells fill it.
+// Few shells fill the silhouette of a shadow, which is seen from far away.
 constexpr float shadowShells = 8;
 constexpr int shadowSamples = 6;
-/// With shells chosen by angle, the factor by which their number grows towards grazing views.
+/// Factor by which the number of shells grows towards grazing views, if they are chosen by angle.
 constexpr int grazingShells = 4;
-/// A visitor's model may have any number of triangles; all its shells together have no more than this.
+/// Largest number of triangles in all shells of a body, since a user's model may have any number of them.
 constexpr double mostTriangles = 6e6;
 
 struct Planner {
@@ -92,7 +92,7 @@ struct Planner {
         plan.add(std::move(made));
     }
 
-    /// The body as this view asks for it.
+    /// Returns the body with the number of shells that this view needs.
     [[nodiscard]] FurBody seen(int i) const
     {
         FurBody body = affordable(i);
@@ -106,7 +106,7 @@ struct Planner {
         return body;
     }
 
-    /// Returns what the eye meets of strands; nothing where no coat is in view.
+    /// Returns the image of the visible strands; none if no coat is in view.
     std::optional<render::ResourceId> coat()
     {
         Pass made = coatPass("fur/coat", "");
@@ -148,7 +148,7 @@ struct Planner {
     {
         made.countSamples = true;
         drawSurface(made, {.normal = scene.context.channels.normal});
-        made.colors.front() = std::move(strands);  // Its radiance follows in a pass of its own.
+        made.colors.front() = std::move(strands);  // The shading pass adds the radiance.
     }
 
     void shade(const render::ResourceId& found) const
@@ -156,8 +156,8 @@ struct Planner {
         Pass made = exhibitPass("fur/shade", "light on the strands that were found", values(), "fur/shade.vert",
                                 "fur/shade.frag");
         made.colors = {Attachment::whole(radianceImage)};
-        // Far sides of boxes around the fur, where something is in front of them: few pixels without a strand are
-        // asked.
+        // Draws the back faces of the boxes around the fur where something is in front of them, so few pixels without a
+        // strand are shaded.
         made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::farther, .cull = render::Cull::front, .depthClamp = true};
         scene.context.lighting.bindLighting(made);
@@ -187,7 +187,7 @@ struct Planner {
         if (scene.context.alone)
             made.shader.defines.emplace_back("ALONE");
         else
-            made.bound = {1, 0, {}};  // All light is kept off.
+            made.bound = {1, 0, {}};  // The pass may block all light.
         made.colors = {Attachment::whole(radianceImage)};
         made.depth = Attachment::whole(depthImage);
         made.state = {.depthTest = render::DepthTest::nearer, .blend = render::Blend::premultiplied};

@@ -8,7 +8,7 @@
 
 namespace vitrine {
 
-/// A furry exhibit at one moment: what its passes are planned from.
+/// State of the exhibit at one time, from which its passes are planned.
 struct FurScene {
     const PlanContext& context;
     Coats coats;
@@ -16,11 +16,11 @@ struct FurScene {
     std::shared_ptr<const render::Mesh> fins[furBodyCount];  ///< Null unless silhouettes are filled with fins.
 };
 
-// Both read the simulation state "fur.bodies".
+// The passes of both functions read the simulation state "fur.bodies".
 
-/// A few shells of each body, in the exhibits' shadow map.
+/// Plans a few shells of each body in the shadow map of the exhibits.
 void planCoatShadow(const FurScene&, render::FramePlan&);
-/// Shells, fins, light and floor, or why not.
+/// Plans shells, fins, shading and floor, or the reasons for skipping them.
 void planCoats(const FurScene&, render::FramePlan&);
 
 }  // namespace vitrine

@@ -16,8 +16,8 @@ namespace {
 using render::Mesh;
 using render::Vertex;
 
-/// Writes the mean curvature into the vertices: half the divergence of the normals, which across a triangle are mixed
-/// from those of its corners; a corner takes the mean of its triangles, by area. On a sphere it is exact.
+/// Writes the mean curvature into the vertices: half the divergence of the normals, which are interpolated across each
+/// triangle. A vertex gets the mean of its triangles, weighted by area. The result is exact on a sphere.
 void bendIt(Mesh& mesh)
 {
     std::vector<double> bend(mesh.vertices.size());
@@ -29,7 +29,7 @@ void bendIt(Mesh& mesh)
             normal[k] = glm::dvec3(mesh.vertices[mesh.indices[i + k]].normal);
         }
         const glm::dvec3 across = glm::cross(at[1] - at[0], at[2] - at[0]);
-        const double area = glm::length(across);  // Twice the triangle's.
+        const double area = glm::length(across);  // Twice the area of the triangle.
         if (!(area > 1e-14)) continue;
         double divergence = 0;
         for (std::size_t k = 0; k < 3; ++k)
@@ -43,10 +43,11 @@ void bendIt(Mesh& mesh)
         mesh.vertices[i].extra.x = weight[i] > 0 ? static_cast<float>(std::max(bend[i] / weight[i], 0.0)) : 0;
 }
 
-/// Triangles of parts become one skin: what lies in one place is one vertex, with the normal of all around it.
+/// Builder of one skin from the triangles of all parts. Vertices at one place are merged, and their normal is that of
+/// all faces around it.
 class Sewing {
 public:
-    /// `radius` of the skin, meters.
+    /// `radius` is that of the skin, meters.
     explicit Sewing(double radius) : grid_(radius * 1e-5) { mesh_->name = "model"; }
 
     void add(const std::array<glm::dvec3, 3>& at)
@@ -71,14 +72,14 @@ public:
         mesh_->indices.insert(mesh_->indices.end(), corner.begin(), corner.end());
     }
     [[nodiscard]] bool empty() const { return mesh_->indices.empty(); }
-    /// The skin; nothing more may be added.
+    /// Returns the skin. No triangles may be added afterwards.
     [[nodiscard]] std::shared_ptr<const Mesh> finished(std::vector<std::string>& notes)
     {
         std::size_t without = 0;
         for (std::size_t i = 0; i < normals_.size(); ++i) {
             const double length = glm::length(normals_[i]);
             if (!(length > 1e-9)) ++without;
-            // Where faces cancel, as on both sides of a sheet, outwards is away from the middle.
+            // If the faces cancel, as on both sides of a sheet, the normal points away from the center.
             const glm::vec3& p = mesh_->vertices[i].position;
             const double out = glm::length(glm::dvec3(p));
             mesh_->vertices[i].normal = length > 1e-9 ? glm::vec3(normals_[i] / length)
@@ -112,7 +113,7 @@ private:
     std::shared_ptr<Mesh> mesh_ = std::make_shared<Mesh>();
     std::map<std::array<std::int64_t, 3>, std::uint32_t> places_;
     std::vector<glm::dvec3> normals_;
-    double grid_;  ///< Meters: nearer than this is one place.
+    double grid_;  ///< Meters; vertices within the same cell of this size are merged.
     std::size_t flat_ = 0;
 };
 

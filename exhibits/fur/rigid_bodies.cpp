@@ -28,11 +28,11 @@ btTransform bulletOf(const RigidPose& pose)
                        bulletOf(pose.position));
 }
 
-constexpr double restitutionOfPad = 0.4;  ///< Soft, against 0.9 of floor and wall.
+constexpr double restitutionOfPad = 0.4;  ///< The pad is soft; floor and wall have 0.9.
 
 using Shapes = std::vector<std::unique_ptr<btCollisionShape>>;
 
-/// A shape made of others owns none of them: the parts go to `parts`.
+/// Makes a collision shape. A compound shape does not own its parts, which are added to `parts`.
 std::unique_ptr<btCollisionShape> makeShape(const RigidShape& shape, Shapes& parts)
 {
     const auto s = [](double x) { return static_cast<btScalar>(x); };
@@ -93,13 +93,13 @@ RigidBodies::RigidBodies(const RigidPit& pit) : world_(std::make_unique<World>()
     World& w = *world_;
     const auto s = [](double x) { return static_cast<btScalar>(x); };
     w.dynamics.setGravity({0, s(-pit.gravity), 0});
-    // Bullet's own 2 s are long for a visitor who waits for stillness; it is a global of the library.
+    // Bullet's own 2 s are too long for a user who waits until all is still. The value is a global of the library.
     gDeactivationTime = btScalar(0.5);
-    // The solver visits contacts in a random order otherwise, from a generator of its own.
+    // Without this, the solver visits contacts in a random order, from its own generator.
     w.dynamics.getSolverInfo().m_solverMode &= ~SOLVER_RANDMIZE_ORDER;
     w.wall(std::make_unique<btStaticPlaneShape>(btVector3(0, 1, 0), btScalar(0)), btTransform::getIdentity());
-    // Blocks of ground behind the wall, as wide as they must be to leave no gap between them outside, and the pad as a
-    // tube of as many straight pieces.
+    // The ground behind the wall consists of blocks, wide enough to leave no gap on their outer side. The pad consists
+    // of as many straight pieces of a tube.
     constexpr int sides = 32;
     constexpr double ground = 8;
     for (int i = 0; i < sides; ++i) {

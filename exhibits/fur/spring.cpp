@@ -7,7 +7,7 @@
 namespace vitrine {
 namespace {
 
-/// Cosine and sine part of a damped oscillation after t seconds, each with the decay in it.
+/// Cosine and sine parts of a damped oscillation after t seconds, including the decay.
 struct Decay {
     double c, s;
 };
@@ -18,7 +18,7 @@ Decay decay(const Spring& spring, double t)
     const double d = spring.omega * spring.omega * (1 - spring.zeta) * (1 + spring.zeta);
     const double x = d * t * t;
     if (std::abs(x) < 1e-3) {
-        // Critical damping, or a short step: cos and sin(.)/. by their series, which do not divide by the root of d.
+        // Critical damping or a short step: cos and sin(.)/. by their series, which do not divide by the root of d.
         const double e = std::exp(-p * t);
         return {e * (1 - x / 2 * (1 - x / 12 * (1 - x / 30))), e * t * (1 - x / 6 * (1 - x / 20 * (1 - x / 42)))};
     }
@@ -27,7 +27,7 @@ Decay decay(const Spring& spring, double t)
         const double e = std::exp(-p * t);
         return {e * std::cos(w * t), e * std::sin(w * t) / w};
     }
-    // Overdamped: hyperbolic functions overflow before the decay brings them down, their product does not.
+    // Overdamped: the hyperbolic functions overflow before the decay reduces them, but their product does not.
     const double mu = std::sqrt(-d);
     const double slow = std::exp(-spring.omega * spring.omega / (p + mu) * t);
     const double fast = std::exp(-(p + mu) * t);
@@ -64,7 +64,7 @@ double energy(const SpringState& state, const glm::dvec3& target, const Spring& 
 SpringState limited(const SpringState& state, double limit)
 {
     const double length = glm::length(state.value);
-    if (!std::isfinite(length)) return {};  // An unstable method has left the numbers.
+    if (!std::isfinite(length)) return {};  // The unstable method has overflowed.
     if (length <= limit) return state;
     const glm::dvec3 out = state.value / length;
     return {out * limit, state.rate - out * std::max(glm::dot(state.rate, out), 0.0)};

@@ -7,8 +7,8 @@
 
 namespace vitrine {
 
-/// A damped oscillator: undamped angular frequency in rad/s (0: nothing draws it back) and damping ratio
-/// (0 swings forever, 1 returns fastest without swinging). Both at least 0.
+/// Damped oscillator: undamped angular frequency in rad/s (0: no restoring force) and damping ratio (0 oscillates
+/// forever, 1 returns fastest without oscillating). Both are at least 0.
 struct Spring {
     double omega = 0;
     double zeta = 0;
@@ -23,23 +23,22 @@ struct SpringState {
     bool operator==(const SpringState&) const = default;
 };
 
-/// The state `seconds` later, drawn towards a target that rests meanwhile. FurSpring::closedForm is exact for
-/// every step: one of an hour equals all the small ones in it, and no step can add energy. The other two are
-/// one step of the method that they name, and fail as it does.
-/// A step of 0, a negative, infinite or NaN one changes nothing.
+/// Returns the state `seconds` later, drawn towards a constant target. FurSpring::closedForm is exact for every step:
+/// one step of an hour equals all the small ones in it, and no step adds energy. The other two are one step of the
+/// method that they name, with its errors. A zero, negative, infinite or NaN step changes nothing.
 [[nodiscard]] SpringState advance(const SpringState&, const glm::dvec3& target, const Spring&, double seconds,
                                   FurSpring);
 
-/// Energy per unit mass about `target`: never grows under the closed form.
+/// Returns the energy per unit mass about `target`; it never grows with the closed form.
 [[nodiscard]] double energy(const SpringState&, const glm::dvec3& target, const Spring&);
 
-/// The state with its value at most `limit` long, and no rate left that would lead out again.
+/// Returns the state with a value no longer than `limit`, and without a rate that leads out again.
 [[nodiscard]] SpringState limited(const SpringState&, double limit);
 
-/// Axis times angle, the angle at most pi, of a unit quaternion; q and -q give the same. At pi, where two
-/// axes are as good, the one whose first nonzero component is positive.
+/// Returns axis times angle of a unit quaternion, with an angle of at most pi; q and -q give the same. At pi both axes
+/// are equally good, and the one whose first nonzero component is positive is returned.
 [[nodiscard]] glm::dvec3 rotationVector(const glm::dquat&);
-/// The unit quaternion of an axis times an angle; exact near 0.
+/// Returns the unit quaternion of an axis times an angle; exact near 0.
 [[nodiscard]] glm::dquat rotationOf(const glm::dvec3& rotationVector);
 
 }  // namespace vitrine
