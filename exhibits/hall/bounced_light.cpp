@@ -35,7 +35,7 @@ Pass keptPass(const char* name, const SceneLighting& light, const render::Hash& 
     return pass;
 }
 
-/// A pass that writes the six sides of all points in the air.
+/// Completes a pass that writes the six sides of all points in the air.
 void fillAir(const char* image, const char* shader, const SunTransfer& transfer, Pass& pass, render::FramePlan& plan)
 {
     const glm::ivec3 size = transfer.grid().size;
@@ -139,7 +139,7 @@ void planAirLight(const HallScene& scene, const SceneLighting& light, render::Fr
     AirLightBlock block;
     block.size = transfer.grid().size;
     block.skyRow = static_cast<int>(row);
-    // One color for all of the sky, as on the walls (kit/surface.frag).
+    // The sky counts as one color here, as on the walls (kit/surface.frag).
     block.sky = glm::mix(light.light.skyHorizon, light.light.skyZenith, 0.4F) *
                 glm::vec3(transfer.scale(row), transfer.scale(row + 1), transfer.scale(row + 2));
     block.sun = light.light.sunIrradiance;

@@ -8,16 +8,16 @@
 namespace vitrine {
 namespace {
 
-// Kilometers, and per kilometer.
+// Lengths are in kilometers, coefficients per kilometer.
 constexpr double groundRadius = 6360;
 constexpr double airRadius = 6460;
 const glm::dvec3 rayleighScattering{5.802e-3, 13.558e-3, 33.1e-3};
 constexpr double mieScattering = 3.996e-3;
 constexpr double mieExtinction = 8.396e-3;
 const glm::dvec3 ozoneAbsorption{0.650e-3, 1.881e-3, 0.085e-3};
-constexpr double mieForward = 0.8;  ///< Mean cosine of the angle by which haze scatters.
+constexpr double mieForward = 0.8;  ///< Mean cosine of the scattering angle of haze.
 
-/// Of the molecules, the haze and the ozone, 1 where each is densest.
+/// Densities of molecules, haze and ozone, relative to the place where each is densest.
 struct AirDensity {
     double molecules, haze, ozone;
 };
@@ -32,8 +32,9 @@ glm::dvec3 extinction(const AirDensity& air)
     return rayleighScattering * air.molecules + glm::dvec3(mieExtinction * air.haze) + ozoneAbsorption * air.ozone;
 }
 
-/// Distance along a ray from `radius` above the center, at cosine `up` to the upright, to the sphere of `sphere`'s
-/// radius around it; negative where it is missed or lies behind.
+/// Returns the distance along a ray to a sphere of radius `sphere` around the center of the earth. The ray begins at
+/// `radius` from the center; `up` is the cosine of its angle to the vertical. Negative if the sphere is missed or lies
+/// behind.
 double distanceToSphere(double radius, double up, double sphere)
 {
     const double b = radius * up;
@@ -43,7 +44,7 @@ double distanceToSphere(double radius, double up, double sphere)
     return radius > sphere ? -b - root : -b + root;
 }
 
-/// Share of the sun's light that reaches a place; 0 in the shadow of the earth.
+/// Returns the transmittance from the sun to a place; 0 in the shadow of the earth.
 glm::dvec3 sunTransmittance(const glm::dvec3& place, const glm::dvec3& towardsSun)
 {
     const double radius = glm::length(place);
@@ -57,15 +58,15 @@ glm::dvec3 sunTransmittance(const glm::dvec3& place, const glm::dvec3& towardsSu
     return glm::exp(-depth);
 }
 
-/// Numbers over height and the cosine between the sun and the upright, looked up between their rows and columns.
+/// Table over height and the cosine of the angle between sun and vertical, interpolated bilinearly.
 class HeightAndSun {
 public:
     HeightAndSun(int heights, int cosines) : heights_(heights), cosines_(cosines)
     {
         cells_.resize(static_cast<std::size_t>(heights) * static_cast<std::size_t>(cosines));
     }
-    /// Of a row and column, kilometers and cosine. Both lie closer where the air changes most: near the ground, and
-    /// where the sun is at the horizon.
+    /// Heights of rows in kilometers, and cosines of columns. Both are denser where the air changes most: near the
+    /// ground, and for a sun at the horizon.
     [[nodiscard]] double height(int row) const
     {
         const double share = static_cast<double>(row) / (heights_ - 1);
@@ -110,7 +111,7 @@ glm::dvec3 towards(double cosine)
     return {std::sqrt(std::max(1 - cosine * cosine, 0.0)), cosine, 0};
 }
 
-/// Share of the sun's light that reaches a height.
+/// Returns the table of the transmittance from the sun to a height.
 const HeightAndSun& sunlight()
 {
     static const HeightAndSun table = [] {
@@ -123,7 +124,7 @@ const HeightAndSun& sunlight()
     return table;
 }
 
-/// Light that was scattered more than once, as radiance that is the same from everywhere: Hillaire 2020, section 5.5.
+/// Returns multiply scattered light as isotropic radiance: Hillaire 2020, section 5.5.
 glm::dvec3 manyTimesScattered(double height, double cosine)
 {
     constexpr int directions = 48, steps = 12;
@@ -133,7 +134,7 @@ glm::dvec3 manyTimesScattered(double height, double cosine)
     const glm::dvec3 sun = towards(cosine);
     glm::dvec3 twice(0), again(0);
     for (int i = 0; i < directions; ++i) {
-        // Spread evenly over the sphere by the golden angle.
+        // The golden angle distributes the directions evenly over the sphere.
         const double up = 1 - (2 * i + 1.0) / directions;
         const double turn = i * 2.39996322972865332;
         const double flat = std::sqrt(1 - up * up);
@@ -192,7 +193,7 @@ glm::dvec3 clearSkyRadiance(double sunElevation, double elevation, double fromSu
     glm::dvec3 depth(0), sum(0);
     double last = 0;
     for (int i = 1; i <= steps; ++i) {
-        // Denser near the eye, where the air is.
+        // Steps are shorter near the eye, where the air is densest.
         const double share = static_cast<double>(i) / steps;
         const double next = end * share * share;
         const double step = next - last;
@@ -215,7 +216,7 @@ glm::dvec3 clearSkyRadiance(double sunElevation, double elevation, double fromSu
 
 namespace {
 
-/// The factor between two colors of the sky, half as saturated: the hall's own sky is paler than clear air.
+/// Returns the ratio of two sky colors at half the saturation, since the hall's own sky is paler than clear air.
 glm::dvec3 tintOf(const glm::dvec3& color, const glm::dvec3& reference)
 {
     const glm::dvec3 factor = color / reference;
@@ -227,7 +228,7 @@ glm::dvec3 tintOf(const glm::dvec3& color, const glm::dvec3& reference)
 
 SkyTint skyTint(double sunElevation)
 {
-    // Looked at well beside the sun, so that its glow does not count as sky: lib/sky.glsl adds that.
+    // The view is well beside the sun, so its glow does not count as sky. lib/sky.glsl adds the glow.
     constexpr double low = 0.06, beside = 0.6;
     const auto zenith = [](double sun) { return clearSkyRadiance(sun, std::numbers::pi / 2, 0); };
     const auto away = [](double sun) { return clearSkyRadiance(sun, low, std::numbers::pi - beside); };

@@ -4,24 +4,28 @@
 
 namespace vitrine {
 
-/// Radiance that the clear air over sea level sends to an eye on the ground, in linear Rec. 709, for sunlight of
-/// irradiance 1 above the air; not negative. `sunElevation` in radians above the horizon, negative at night;
-/// `elevation` and `fromSun` are of the direction that is looked in: radians above the horizon, and of azimuth away
-/// from the sun. Hillaire 2020, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique": light
-/// scattered once along the ray, and what is scattered more often as if it came from everywhere alike.
+/// Returns the radiance of the clear sky over sea level, seen from the ground, in linear Rec. 709 and not negative.
+/// Sunlight has irradiance 1 above the air.
+///
+/// `sunElevation` is in radians above the horizon, negative at night. `elevation` and `fromSun` are the direction of
+/// the view: radians above the horizon, and radians of azimuth away from the sun.
+///
+/// Hillaire 2020, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique": single scattering along the
+/// ray, and multiple scattering as if it were isotropic.
 [[nodiscard]] glm::dvec3 clearSkyRadiance(double sunElevation, double elevation, double fromSun);
 
-/// What a clear sky looks like against the one under which the hall's own colors of sun and sky were chosen.
+/// Color of a clear sky relative to the one for which the hall's colors of sun and sky were chosen.
 struct SkyTint {
     glm::dvec3 zenith{1};   ///< Factor of the zenith's radiance.
-    glm::dvec3 horizon{1};  ///< Factor of the horizon's, away from the sun.
-    glm::dvec3 sunward{0};  ///< What the horizon below the sun has more than away from it, in units of the latter then.
+    glm::dvec3 horizon{1};  ///< Factor of the horizon's radiance, away from the sun.
+    glm::dvec3 sunward{0};  ///< Radiance of the horizon below the sun in addition to that away from it, divided by the
+                            ///< latter's luminance at `referenceSunElevation`.
 };
 
-/// Of a sun that high, radians; the factors are 1 at `referenceSunElevation`.
+/// Returns the tint for a sun `sunElevation` radians above the horizon. The factors are 1 at `referenceSunElevation`.
 [[nodiscard]] SkyTint skyTint(double sunElevation);
 
-/// Of the sun at the hall's initial angles, radians.
+/// Elevation of the sun at the hall's initial parameters, radians.
 inline constexpr double referenceSunElevation = 0.3316;
 
 }  // namespace vitrine

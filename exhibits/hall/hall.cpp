@@ -23,7 +23,8 @@ render::Camera Hall::bestView(const ParameterValues&) const
 
 std::vector<StudyView> Hall::studyViews(const ParameterValues& values) const
 {
-    // Half-shadows and mirror images in the grazing floor; the coffers' fine edges; bars before the brightest there is.
+    // The views show penumbrae and reflections in the floor at grazing angles, fine edges of the coffers, and bars in
+    // front of the brightest light.
     return {{"best view", bestView(values), 0, values},
             {"along the floor", {{4.6, 0.45, 2.5}, {-2.5, 0.35, -9}, 0.959931}, 0, values},
             {"up into the vault", {{-2.2, 1.65, 5.5}, {0.6, 7.2, -3}, 1.047198}, 0, values},

@@ -8,10 +8,11 @@
 
 namespace vitrine {
 
-/// The building: light, walls, shadows, reflections, and the way the picture is developed.
+/// The building: light, walls, shadows, reflections and tone mapping.
 class Hall final : public Subject {
 public:
-    /// With these exhibits standing in it. Throws Failure (Blame::file) when the font of the plaques cannot be read.
+    /// Creates the hall with these exhibits in it. Throws Failure (Blame::file) if the font of the plaques cannot be
+    /// read.
     Hall(std::shared_ptr<const HallModel>, std::vector<ExhibitSlot>);
 
     [[nodiscard]] std::string_view name() const override { return "hall"; }
@@ -22,10 +23,10 @@ public:
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
 
-    /// Reads the visitor's panorama and objects. Any thread may call it, several at once.
+    /// Reads the user's panorama and objects. Thread-safe.
     [[nodiscard]] std::shared_ptr<const PreparedHall> prepare(const ParameterValues&, render::AssetStore&) const;
 
-    /// The hall under these values, which must outlive it, with what was prepared (null: nothing).
+    /// Returns the hall's state for these values, which must outlive it, and what was prepared for it (null: nothing).
     [[nodiscard]] HallScene scene(const ParameterValues&, bool alone, const PreparedHall* prepared) const;
 
 private:

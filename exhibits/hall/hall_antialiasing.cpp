@@ -1,4 +1,4 @@
-// A picture in motion, averaged over its frames.
+// Temporal antialiasing: a picture in motion is averaged over its frames.
 #include "exhibits/hall/hall_scene.h"
 #include "render/glsl/std140.h"
 #include "shaders/lib/bindings.glsl"
@@ -9,7 +9,7 @@ namespace vitrine {
 
 namespace {
 
-constexpr int samplesInTurn = 1024;  ///< Then the samples of pixels begin again.
+constexpr int samplesInTurn = 1024;  ///< Length of the sequence of sample positions, which then repeats.
 
 bool isWhole(const FrameRequest& request)
 {
@@ -25,7 +25,7 @@ render::Pass historyPass(std::string name, std::string fragment, std::string sou
     pass.inputs = {{UNIT_SOURCE, std::move(source)}};
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(block);
     pass.draws = {render::Draw{}};
-    // Every pixel is written, so what was in the images before is of no interest.
+    // Every pixel is written, so the previous content is not needed.
     pass.colors = {render::Attachment::cleared(frameHistoryImage)};
     return pass;
 }

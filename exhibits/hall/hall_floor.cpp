@@ -1,4 +1,4 @@
-// The floor: what stands on it darkens it, and it mirrors that and the window.
+// The floor: contact shadows, and reflections of the objects on it and of the window.
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "exhibits/kit/surface_draw.h"
@@ -21,16 +21,16 @@ using render::Attachment;
 using render::Pass;
 
 constexpr const char* contactImage = "floor.contact";
-constexpr double contactTexels = 80;  ///< Of the map of contact shadows, for each meter.
+constexpr double contactTexels = 80;  ///< Texels of the contact shadow map per meter.
 
-/// Of the floor that the map covers: least and greatest x and z, meters.
+/// Returns the area of the floor that the map covers: least and greatest x and z, meters.
 glm::dvec4 contactArea(const HallScene& scene)
 {
     const render::Box& room = scene.model.room();
     return {room.low.x, room.low.z, room.high.x, room.high.z};
 }
 
-/// Everything that stands on the floor or hangs over it.
+/// Returns everything that stands on the floor or hangs over it.
 std::vector<StandingShape> shapesIn(const HallScene& scene)
 {
     std::vector<StandingShape> shapes = scene.model.furniture().shapes;
@@ -44,7 +44,7 @@ std::vector<StandingShape> shapesIn(const HallScene& scene)
     return shapes;
 }
 
-/// What is so near the floor that it darkens it there.
+/// Returns the shapes that are near enough to the floor to darken it.
 std::vector<StandingShape> touching(std::vector<StandingShape> shapes)
 {
     std::erase_if(shapes, [](const StandingShape& shape) {
@@ -53,13 +53,14 @@ std::vector<StandingShape> touching(std::vector<StandingShape> shapes)
     return shapes;
 }
 
-/// Meters around a shape in which lobes still meet more than a hundredth of it: they spread as they rise to its top.
+/// Returns the distance in meters around a shape within which reflection lobes meet more than a hundredth of it. Lobes
+/// spread with the height of its top.
 double spreadAround(const StandingShape& shape)
 {
     return 0.1 + 0.25 * static_cast<double>(shape.center.y + shape.halfHeight);
 }
 
-/// Those whose mirror images may be seen and are the largest, from near to far.
+/// Returns the shapes with the largest reflections that may be visible, from near to far.
 std::vector<StandingShape> mirroredIn(const render::View& view, std::vector<StandingShape> shapes)
 {
     const glm::dvec3 mirrorEye = view.eye * glm::dvec3(1, -1, 1);
@@ -87,7 +88,7 @@ std::vector<StandingShape> mirroredIn(const render::View& view, std::vector<Stan
     return result;
 }
 
-/// Window, bars and oculus.
+/// Writes window, bars and oculus into the block.
 void mirrorOpenings(const HallModel& model, FloorMirrorBlock& block)
 {
     const WindowBars& bars = model.furniture().bars;
@@ -106,7 +107,7 @@ void mirrorOpenings(const HallModel& model, FloorMirrorBlock& block)
     }
 }
 
-/// Sets the bit of the shape in every azimuth in which the eye sees it, or what its mirror image spreads to.
+/// Sets the bit of the shape in every azimuth in which the eye sees the shape or its blurred reflection.
 void markAzimuths(std::size_t index, const glm::dvec3& eye, FloorMirrorBlock& block)
 {
     using std::numbers::pi;
@@ -116,7 +117,7 @@ void markAzimuths(std::size_t index, const glm::dvec3& eye, FloorMirrorBlock& bl
     const glm::dvec2 towards(shape.center.x - eye.x, shape.center.z - eye.z);
     const double distance = glm::length(towards);
     const double halfWidth = distance > radius ? std::asin(radius / distance) : pi;
-    // From bin to bin, a bin's middle moves by less than this angle: they are narrowest on the diagonals.
+    // The step is smaller than every bin; bins are narrowest on the diagonals.
     constexpr double bin = 4 * pi / MIRROR_AZIMUTHS;
     const double middle = std::atan2(towards.y, towards.x);
     for (double angle = -halfWidth - bin; angle < halfWidth + bin; angle += 0.2 * bin) {

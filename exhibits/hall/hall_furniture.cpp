@@ -19,7 +19,7 @@ using render::MeshInstance;
 
 constexpr double wallHeight = 1.8;  ///< Colliders that are at least as high are walls.
 
-/// Which vertices hang together: of each the first one of its piece.
+/// Returns for each vertex the first vertex of its connected component.
 std::vector<std::uint32_t> pieceOfVertices(const render::Mesh& mesh)
 {
     std::vector<std::uint32_t> parent(mesh.vertices.size());
@@ -67,16 +67,16 @@ bool isFurniture(const Collider& collider)
     return 2 * collider.halfSize.y < wallHeight;
 }
 
-/// Whether a piece with this middle belongs to what the collider keeps visitors off.
+/// Returns whether a piece with this center belongs to the obstacle of a collider.
 bool standsIn(const Collider& collider, const glm::dvec3& middle)
 {
-    constexpr double margin = 0.12;  // A plaque hangs a little before its plinth.
+    constexpr double margin = 0.12;  // A plaque hangs a little in front of its plinth.
     const glm::dvec3 p = glm::abs(glm::dvec3(collider.localFromWorld * glm::dvec4(middle, 1)));
     const double deep = collider.cylinder ? collider.halfSize.x : collider.halfSize.z;
     return p.x < collider.halfSize.x + margin && p.y < collider.halfSize.y + 0.3 && p.z < deep + margin;
 }
 
-/// The collider that keeps visitors off this piece of furniture; nothing where it is none.
+/// Returns the collider around a piece of furniture; none if the piece is no furniture.
 std::optional<std::size_t> colliderOf(const HallModel& model, const StandingShape& shape)
 {
     const glm::dvec3 half = boundsOf(shape).halfSize();
@@ -96,7 +96,7 @@ const render::Box* openingAlongX(const HallModel& model)
     return nullptr;
 }
 
-/// A slender piece within the opening is one of its bars.
+/// Adds a slender piece within the opening to the bars.
 void addBar(const render::Box& piece, const render::Box& opening, WindowBars& bars, std::vector<double>& depths)
 {
     constexpr double slender = 0.1;  // Meters.
@@ -120,7 +120,8 @@ glm::dvec3 meanColor(const HallModel& model, const MeshInstance& part)
     return model.material(part.material ? part.material->name : std::string()).meanColor;
 }
 
-/// The lightmaps hold what is larger than their texels, and so smeared that only close by something is missing.
+/// Weakens the contact shadow of a shape that is larger than the lightmaps' texels. They already contain its shadow,
+/// but blurred, so only the part close to it is missing.
 void countAsBaked(StandingShape& shape)
 {
     constexpr float texels = 0.15F;  // Meters: three of the sky's lightmap on the floor.

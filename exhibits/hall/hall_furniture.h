@@ -12,41 +12,44 @@ namespace vitrine {
 
 class HallModel;
 
-/// What hangs together in a mesh: triangles that share a place, to a tenth of a millimeter.
+/// Connected component of a mesh. Vertices within a tenth of a millimeter count as one.
 struct MeshPiece {
-    render::Box box;        ///< In the mesh's space.
-    bool round = false;     ///< Turned about the upright axis of its box.
-    double meanRadius = 0;  ///< Of its vertices about that axis.
-    double discLow = 0;     ///< Heights between which it is at least 0.7 times as wide as at its widest.
+    render::Box box;        ///< Bounds in the space of the mesh.
+    bool round = false;     ///< Whether it is a solid of revolution about the vertical axis of its box.
+    double meanRadius = 0;  ///< Mean distance of its vertices from that axis.
+    double discLow = 0;     ///< Range of heights in which the piece is at least 0.7 times as wide as at its widest.
     double discHigh = 0;
 };
 [[nodiscard]] std::vector<MeshPiece> piecesOf(const render::Mesh&);
 
-/// A piece as a shape: a cylinder where it is round, and only its foot where that is flat and the rest slender.
+/// Returns a piece as a shape: a cylinder if it is round. If it has a flat foot and is slender above, only the foot
+/// counts.
 [[nodiscard]] StandingShape shapeOf(const MeshPiece&, const glm::dvec3& color);
 
-/// Boxes of one color and one height that lie side by side become one: the boards of a seat.
+/// Merges adjacent boxes of the same color and height, such as the boards of a seat.
 void joinBoards(std::vector<StandingShape>&);
 
-/// Bars before a window, each its middle and half its width, meters: upright ones by x, level ones by y.
+/// Bars of a window, each as center and half width in meters: upright ones along x, horizontal ones along y.
 struct WindowBars {
     std::vector<glm::dvec2> upright, level;
-    double z = 0;  ///< Of the panes; the opening's middle where there are no bars.
+    double z = 0;  ///< Depth of the bars; without bars, the center of the opening.
 };
 
-/// What of the building's walls is no wall.
+/// Parts of the building's walls that are furniture.
 struct Furniture {
     std::vector<StandingShape> shapes;
     WindowBars bars;
 };
 
-/// Plinths, posts, desk, benches and the rim of the pit: the pieces of `HallModel::walls()` that lie where colliders no
-/// higher than a visitor stand; a collider without any stands for itself. World space. Large ones are in the baked
-/// light, which smears what it has of them: their contact shadows count less, and reach less far. And the bars before
-/// the opening in a wall along x, where there is one.
+/// Returns plinths, posts, desk, benches and the rim of the pit, in world space. These are the pieces of
+/// `HallModel::walls()` inside colliders lower than `wallHeight`. A collider without any piece counts as a shape
+/// itself.
+///
+/// Large pieces are also in the baked light, which blurs them, so their contact shadows are weaker and shorter. The
+/// result includes the bars of the opening in a wall along x, if there is one.
 [[nodiscard]] Furniture furnitureOf(const HallModel&);
 
-/// The shapes of a place's own parts, as `partsAt` has them. World space. No light is baked with them.
+/// Returns the shapes of a place's own parts, in world space. No light is baked with them.
 [[nodiscard]] std::vector<StandingShape> shapesOf(const HallModel&, std::span<const render::MeshInstance> parts);
 
 }  // namespace vitrine

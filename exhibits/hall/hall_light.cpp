@@ -14,12 +14,13 @@
 namespace vitrine {
 namespace {
 
-/// The exposure at which plaster in the shade of the default light is about a quarter gray; and that of the studio.
+/// Exposures: in the hall, at which plaster in the shade of the initial light is about a quarter gray, and in the
+/// studio.
 constexpr double hallExposure = 12.2;
 constexpr double studioExposure = 1.04;
 
-/// Conservative test of whether the box, swept towards the light, overlaps the opening. Light comes in from outside:
-/// from above, and through a wall from the side on which it is.
+/// Conservative test of whether the box, swept towards the light, overlaps the opening. Light enters from outside: from
+/// above, or through a wall from its outer side.
 bool passesThrough(const render::Box& box, const glm::dvec3& towardsLight, const render::Box& opening,
                    const render::Box& room)
 {
@@ -34,7 +35,7 @@ bool passesThrough(const render::Box& box, const glm::dvec3& towardsLight, const
         const glm::dvec3 p((corner & 1) != 0 ? box.high.x : box.low.x, (corner & 2) != 0 ? box.high.y : box.low.y,
                            (corner & 4) != 0 ? box.high.z : box.low.z);
         const double t = (plane - p[axis]) / along;
-        if (!(t > 0)) return true;  // Beside or beyond the opening: nothing is promised.
+        if (!(t > 0)) return true;  // The corner is beside or beyond the opening, so the test stays conservative.
         for (int i = 0; i < 2; ++i) {
             const double x = p[axes[i]] + t * towardsLight[axes[i]];
             low[i] = std::min(low[i], x);
@@ -45,9 +46,10 @@ bool passesThrough(const render::Box& box, const glm::dvec3& towardsLight, const
            low[1] <= opening.high[axes[1]];
 }
 
-/// No nine coefficients of light up to 1 give more: the integral of their kernel's absolute value is 1.07.
+/// Upper bound of ambient light from nine coefficients of light up to 1: the integral of the absolute value of their
+/// kernel is 1.07.
 constexpr double mostAmbient = 1.1;
-/// The studio of lib/sky.glsl where its room and all its lamps would overlap.
+/// Radiance of the studio in lib/sky.glsl if its room and all its lamps overlapped.
 constexpr double brightestOfStudio = 14;
 
 render::ContributionBound shadowBound(const Sun& sun)
@@ -68,25 +70,25 @@ double largest(const glm::vec3& color)
     return std::max({color.x, color.y, color.z});
 }
 
-/// Of sky, panorama and studio, and of the walls that they and the sun light; `bounced`: most of the sun's bounced
-/// light in the air, for a sun of irradiance 1.
+/// Returns an upper bound of the radiance of sky, panorama and studio, and of the walls lit by them and by the sun.
+/// `bounced` is the largest bounced light in the air for a sun of irradiance 1.
 double brightestAround(const HallScene& scene, const LightBlock& light, double bounced)
 {
     if (scene.alone) return scene.environment ? scene.environmentBrightest : brightestOfStudio;
     const double sky = std::max(largest(light.skyZenith), largest(light.skyHorizon)) + 1.35 * largest(light.skySunward);
     const double sun = largest(light.sunIrradiance);
-    // The sky's lightmap holds 0 to 1 of its scale; around the sun the sky glows (lib/sky.glsl).
+    // The sky's lightmap contains 0 to 1 times its scale. Around the sun the sky glows (lib/sky.glsl).
     const double baked = sky * static_cast<double>(light.skyLightmapScale) + sun * bounced;
     return std::max(scene.environment ? scene.environmentBrightest : sky + 0.35 * sun, baked + mostReflected * sun);
 }
 
-/// Exposure to which the eye has got used: in the hall, or in the studio.
+/// Returns the exposure to which the eye is adapted: in the hall, or in the studio.
 double adaptationOf(const HallScene& scene)
 {
     return scene.alone ? studioExposure : hallExposure;
 }
 
-/// Sun, sky, exposure and filters as shaders read them; no shadow map and no probe yet.
+/// Returns sun, sky, exposure and filters as shaders read them, without shadow map and probe.
 LightBlock lightBlock(const HallScene& scene, const Sun& source)
 {
     const HallTable& table = scene.table;
@@ -110,13 +112,13 @@ LightBlock lightBlock(const HallScene& scene, const Sun& source)
     return light;
 }
 
-/// Where in the hall's shadow map the openings are: what lies beside them, as the sun sees it, is in the dark, and need
-/// not be looked up.
+/// Writes the areas of the openings in the hall's shadow map. Everything outside them, seen from the sun, is in shadow
+/// and needs no lookup.
 void boundSunlight(const HallScene& scene, SceneLighting& lighting)
 {
-    constexpr double reveal = 0.6;   // Meters: a wall is so thick, and light comes in askew.
-    constexpr double farthest = 16;  // Meters from what throws a half-shadow, as in shaders/lib/light.glsl.
-    constexpr double texels = 8;     // More than any filter is wide.
+    constexpr double reveal = 0.6;   // Meters; walls are this thick, and light enters obliquely.
+    constexpr double farthest = 16;  // Meters to the caster of a penumbra, as in shaders/lib/light.glsl.
+    constexpr double texels = 8;     // Wider than every filter.
     LightBlock& light = lighting.light;
     const std::vector<render::Box>& openings = scene.model.openings();
     if (openings.size() > MOST_SUN_PASSAGES) return;
@@ -156,7 +158,7 @@ bool isInWalls(const HallModel& model, const glm::dvec3& eye)
 std::string whyHidden(const HallModel& model, const render::Box& worldBox, const render::View& view)
 {
     if (!view.mayContain(worldBox)) return "out of view";
-    if (isInWalls(model, view.eye)) return {};  // One looks through them.
+    if (isInWalls(model, view.eye)) return {};  // The eye sees through the walls.
     for (const Occluder& occluder : model.occluders())
         if (isBehind(occluder, worldBox, view.eye)) return "behind a wall";
     return {};
@@ -237,7 +239,7 @@ std::string whyUnlit(const HallScene& scene, const render::Box& worldBox)
 std::uint64_t lightKey(const HallScene& scene)
 {
     render::Hash hash;
-    // Exposure, sampling and what the floor alone shows change no light: they are left out of the key.
+    // Exposure, sampling and effects on the floor alone change no light, so they are not in the key.
     ParameterValues lighting = scene.values;
     for (const std::size_t row :
          {std::size_t{scene.table.exposure.row}, std::size_t{scene.table.supersamples.row},

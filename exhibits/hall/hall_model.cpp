@@ -23,7 +23,7 @@ using render::Json;
 
 const render::Box unitBox{glm::dvec3(-1), glm::dvec3(1)};
 
-/// The number of "cloth_7" or "plaque_free" for the prefix "cloth_" or "plaque_".
+/// Returns the number in a name such as "cloth_7" or "plaque_free" for the prefix "cloth_" or "plaque_".
 std::optional<int> placeNumber(const std::string& name, const std::string& prefix)
 {
     if (name.rfind(prefix, 0) != 0) return std::nullopt;
@@ -39,7 +39,7 @@ glm::dvec3 axisScale(const glm::dmat4& m)
     return {glm::length(glm::dvec3(m[0])), glm::length(glm::dvec3(m[1])), glm::length(glm::dvec3(m[2]))};
 }
 
-/// The rotation and translation of a transform, its scale taken out.
+/// Returns the rotation and translation of a transform, without its scale.
 glm::dmat4 rigid(const glm::dmat4& m)
 {
     const glm::dvec3 s = glm::max(axisScale(m), glm::dvec3(1e-12));
@@ -48,7 +48,7 @@ glm::dmat4 rigid(const glm::dmat4& m)
 
 using TextureInTheMaking = std::future<std::shared_ptr<const render::Texture>>;
 
-/// On a thread of its own: reading the maps is most of what opening the hall takes.
+/// Reads a texture on another thread: textures are most of the loading time of the hall.
 TextureInTheMaking map(const Json& row, const char* key, bool sRgb)
 {
     const auto file = row.find(key);
@@ -63,7 +63,7 @@ std::shared_ptr<const render::Texture> made(TextureInTheMaking& texture)
     return texture.valid() ? texture.get() : nullptr;
 }
 
-/// The hall's file names no pictures, so the loader saw no need for tangents; its normal maps do need them.
+/// Adds tangents. The hall's file names no textures, so the loader made none, but its normal maps need them.
 render::MeshInstance withTangents(render::MeshInstance part, const HallMaterial& material)
 {
     if (!material.material.normalMap) return part;

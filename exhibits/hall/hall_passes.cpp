@@ -24,7 +24,7 @@ double turnAt(const HallScene& scene, int place)
     return 0;
 }
 
-/// What hangs at occupied places and turns about its upright axis, as far as it has turned.
+/// Returns what hangs at occupied places, rotated about its vertical axis by its current angle.
 std::vector<MeshInstance> hanging(const HallScene& scene)
 {
     std::vector<MeshInstance> parts;
@@ -38,7 +38,7 @@ std::vector<MeshInstance> hanging(const HallScene& scene)
     return parts;
 }
 
-/// Holds the part however far it turns, world from a box from -1 to 1.
+/// Returns the box around a part at any rotation about its vertical axis: world from a box from -1 to 1.
 glm::dmat4 worldFromSwept(const MeshInstance& part)
 {
     const render::Box& box = part.mesh->bounds;
@@ -78,8 +78,8 @@ void planButtons(const HallScene& scene, const SceneLighting& light, const Chann
     plan.add(std::move(pass));
 }
 
-/// The map of what stands still is drawn once; where hangings may be, it is put back whenever they have turned, and
-/// they are drawn over it.
+/// Plans the shadow map with hangings that rotate. The map of the static parts is drawn once. When the hangings have
+/// rotated, it is restored in their area, and they are drawn over it.
 void planTurningShadow(const HallScene& scene, const Pass& still, const std::vector<MeshInstance>& turning,
                        render::FramePlan& plan)
 {
@@ -110,7 +110,7 @@ void planTurningShadow(const HallScene& scene, const Pass& still, const std::vec
     restore.key = key.value();
     Pass hangings = follow("hall/shadow/hangings", "what hangs here has turned", Attachment::whole("shadow.hall"));
     hangings.key = key.value();
-    // The probe is kept however they turn, so it must not see them: it is made before they are drawn.
+    // The probe is kept when they rotate, so they must not be in its shadows: it is captured before they are drawn.
     restore.phase = hangings.phase = render::PassPhase::prepare;
     hangings.shader.fragment = "kit/depth.frag";
     hangings.state = still.state;
@@ -259,15 +259,15 @@ void planSky(const HallScene& scene, const SceneLighting& light, render::FramePl
     Pass sky;
     sky.name = "sky";
     sky.reason = scene.alone ? "the environment is behind the exhibit" : "it may be seen through window and oculus";
-    // Last of the opaque ones: what is translucent is blended over it.
+    // Drawn last of the opaque passes; what is translucent is blended over it.
     sky.phase = render::PassPhase::opaque;
     sky.shader = {.vertex = "lib/fullscreen.vert", .fragment = "hall/sky.frag"};
     sky.colors = {Attachment::whole(radianceImage)};
     sky.depth = Attachment::whole(depthImage);
-    sky.state.depthTest = render::DepthTest::nearerOrEqual;  // The triangle lies at depth 0, the far plane.
+    sky.state.depthTest = render::DepthTest::nearerOrEqual;  // The triangle is at depth 0, the far plane.
     sky.draws = {Draw{}};
     light.bindLighting(sky);
-    // Neither shadow nor mirror image falls on the sky: it must not keep them alive where nothing else reads them.
+    // Shadows and reflections do not fall on the sky. Reading them here would keep them alive where no other pass does.
     std::erase_if(sky.inputs, [](const render::SampledTexture& input) { return input.unit != UNIT_ENVIRONMENT; });
     plan.add(std::move(sky));
 }

@@ -14,10 +14,11 @@ using render::Attachment;
 using render::Draw;
 using render::Pass;
 
-/// Of letters, light on dark: linear, and how much of it covers what is below.
+/// Color of the letters, light on dark: linear, with opacity.
 constexpr glm::vec4 enamel{0.80F, 0.76F, 0.66F, 0.97F};
 
-/// Of the plates between their bronze edges: bare bronze shows the room as bright as the letters.
+/// Returns the material of the plates between their bronze edges. Bare bronze would reflect the room as bright as the
+/// letters.
 const render::Material& darkEnamel()
 {
     static const render::Material dark = [] {
@@ -30,10 +31,10 @@ const render::Material& darkEnamel()
     return dark;
 }
 
-/// Of the plaques in view, below their letters.
+/// Plans the plates of the plaques in view, below their letters.
 void planPlates(const HallScene& scene, const SceneLighting& light, const Channels& channels, render::FramePlan& plan)
 {
-    constexpr double edge = 0.012, height = 0.0002;  // Meters: of bare bronze around it, and above it.
+    constexpr double edge = 0.012, height = 0.0002;  // Meters: width of the bare bronze edge, and height above it.
     Pass pass = surfacePass("hall/plates", "a plaque is in view", light, channels);
     for (const PlaqueText::Plaque& plaque : scene.text->plaques()) {
         const render::Box& plate = plaque.mesh->bounds;

@@ -17,7 +17,7 @@ using render::Pass;
 
 #include "shaders/hall/probe_block.glsl"
 
-constexpr int smallestFace = 4;  ///< Texels along a face of the roughest level.
+constexpr int smallestFace = 4;  ///< Texels along a face of the mip level for the highest roughness.
 
 Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, std::uint64_t key)
 {
@@ -30,9 +30,9 @@ Pass capturePass(const char* what, int face, const glm::dvec3& eye, int size, st
     return pass;
 }
 
-/// Light that the probe is captured in. The probe must not read itself: what has no lightmap is lit by the light in the
-/// air, also where baked light is switched off. Exhibits' shadows and the lamps that a view selects are left out,
-/// because the probe's key does not hold them.
+/// Returns the light in which the probe is captured. The probe must not read itself, so surfaces without a lightmap get
+/// the light in the air, even with baked light switched off. Shadows of exhibits and lamps selected by view are
+/// omitted, because the probe's key does not contain them.
 SceneLighting lightOfHallAlone(const HallScene& scene, const SceneLighting& light,
                                const std::optional<render::LocalLighting>& lamps)
 {
@@ -56,14 +56,14 @@ std::vector<render::Draw> wallDraws(const HallScene& scene)
     return draws;
 }
 
-/// What is around the probe would hide everything else, and it must not see itself.
+/// Returns whether something surrounds the probe. It would hide everything else, and the probe must not see itself.
 bool surroundsProbe(const HallScene& scene, const render::Box& box)
 {
     constexpr double around = 0.5;  // Meters.
     return render::Box{box.low - around, box.high + around}.contains(probePosition(scene));
 }
 
-/// What the exhibits are to the probe: simple shapes of their mean color.
+/// Returns the exhibits as the probe sees them: simple shapes in their mean colors.
 std::vector<StandingShape> bodiesSeen(const HallScene& scene)
 {
     std::vector<StandingShape> seen = scene.bodies;
@@ -80,7 +80,7 @@ render::Draw bodyDraw(const StandingShape& shape)
     const bool box = shape.kind == STANDING_BOX;
     const glm::dvec2 half(box ? shape.halfSize : glm::vec2(shape.halfSize.x));
     const auto height = static_cast<double>(shape.halfHeight);
-    // What is round is drawn as a dome that stands where it stands.
+    // A round shape is drawn as a dome on the same spot.
     const double up = box ? height : 2 * height;
     const glm::dvec3 foot = glm::dvec3(shape.center) - glm::dvec3(0, box ? 0 : height, 0);
     const glm::dvec3 first(shape.axis.x, 0, shape.axis.y);
@@ -89,7 +89,7 @@ render::Draw bodyDraw(const StandingShape& shape)
     return surfaceDraw(box ? boxMesh() : domeMesh(), world, material);
 }
 
-/// What stands and hangs in the hall, as far as it keeps still.
+/// Returns what stands and hangs in the hall, without rotation of the hangings.
 std::vector<render::Draw> thingDraws(const HallScene& scene)
 {
     std::vector<render::MeshInstance> parts = standingParts(scene);
@@ -109,7 +109,7 @@ std::vector<render::Draw> thingDraws(const HallScene& scene)
     return draws;
 }
 
-/// What is drawn into each face.
+/// Draws that are repeated for each face.
 struct Surroundings {
     std::vector<render::Draw> walls, things;
 };
@@ -162,7 +162,7 @@ void planLevel(int level, int levels, int size, int samples, const render::Contr
     pass.shader = {.compute = "hall/probe_prefilter.comp"};
     pass.storage = {{.image = "probe", .level = level}};
     pass.inputs = {{UNIT_SOURCE, std::string("probe.captured")}};
-    // Level follows the square root of roughness (lib/light.glsl), so roughness is its square.
+    // The level is proportional to the square root of roughness (lib/light.glsl), so roughness is its square.
     pass.blocks[BLOCK_OBJECT] =
         render::std140Bytes(ProbeLevel{.roughness = t * t, .samples = level == 0 ? 1 : samples, .capturedSize = size});
     pass.groups = {(side + 7) / 8, (side + 7) / 8, 6};
@@ -171,7 +171,7 @@ void planLevel(int level, int levels, int size, int samples, const render::Contr
     plan.add(std::move(pass));
 }
 
-/// Of all that the probe sees.
+/// Returns a hash of everything that the probe sees.
 std::uint64_t keyOf(const HallScene& scene, const std::optional<render::LocalLighting>& lamps)
 {
     render::Hash hash;
@@ -246,7 +246,7 @@ void planProbe(const HallScene& scene, const SceneLighting& light, render::Frame
     for (int level = 0; level < levels; ++level)
         planLevel(level, levels, size, scene.values[scene.table.probeSamples], light.probeLight, key, plan);
 
-    // A level of 16 texels holds all that nine coefficients can tell.
+    // A level of 16 texels contains everything that nine coefficients can represent.
     const int level = std::max(allLevels - 5, 0);
     Pass sum;
     sum.name = "probe/irradiance";

@@ -21,44 +21,45 @@ namespace vitrine {
 
 class PlaqueText;
 
-/// An exhibit as the hall knows it: where it stands and what its plaque says.
+/// Place of an exhibit, and the texts of its plaque.
 struct ExhibitSlot {
     int place = 0;
     std::string title, summary, tryThis;
     bool hasButton = false;
 };
 
-/// What moves at an exhibit's place, at one moment.
+/// Moving parts at the place of an exhibit, at one time.
 struct ExhibitPose {
-    double rotation = 0;  ///< How far what hangs there has turned about its upright axis, radians.
-    double sincePress = std::numeric_limits<double>::infinity();  ///< Of the button, seconds; infinity: never.
+    double rotation = 0;  ///< Rotation of the hanging parts about their vertical axis, radians.
+    double sincePress =
+        std::numeric_limits<double>::infinity();  ///< Seconds since the button was pressed; infinity: never.
 };
 
-/// An object of a visitor's own, as far as it could be read, and the plinth that it stands on.
+/// An object of the user, as far as it could be read, and its plinth.
 struct PreparedObject {
-    std::shared_ptr<const render::Model> model;  ///< Null: there is none.
-    std::shared_ptr<const render::Mesh> plinth;  ///< Of its own, its foot at the origin; null: it has none.
+    std::shared_ptr<const render::Model> model;  ///< Null if there is no object.
+    std::shared_ptr<const render::Mesh> plinth;  ///< Its own plinth, with its foot at the origin; null if it has none.
 };
 
 /// The user's panorama and objects, as far as they can be read.
 struct PreparedHall final : PreparedPart {
     std::shared_ptr<const render::Texture> environment;
     double environmentBrightest = 0;              ///< The panorama's largest value.
-    std::vector<std::string> environmentNotes{};  ///< What its file says and is not shown: full sentences.
+    std::vector<std::string> environmentNotes{};  ///< Features of the file that are not shown: full sentences.
     std::array<PreparedObject, mostOwnObjects> objects;
 };
 
-/// An object of a visitor's own where it stands.
+/// An object of the user at its place.
 struct OwnObject {
-    std::size_t which = 0;  ///< Of the table's `objects`.
+    std::size_t which = 0;  ///< Index into the `objects` of HallTable.
     std::shared_ptr<const render::Model> model;
     glm::dmat4 worldFromModel{1};
-    render::Box box;                                  ///< Of the object, world space.
-    std::optional<render::MeshInstance> plinth = {};  ///< Of its own; world space.
-    std::vector<Collider> colliders = {};             ///< Keep visitors off it and its plinth.
+    render::Box box;                                  ///< Bounds of the object, world space.
+    std::optional<render::MeshInstance> plinth = {};  ///< Its own plinth, world space.
+    std::vector<Collider> colliders = {};             ///< Keep the walking user off the object and its plinth.
 };
 
-/// Everything that the hall's passes are planned from.
+/// State from which the passes of the hall are planned.
 struct HallScene {
     const HallModel& model;
     const HallTable& table;
@@ -66,145 +67,147 @@ struct HallScene {
     bool alone = false;                                       ///< No walls: an exhibit in the environment's light.
     std::shared_ptr<const render::Texture> environment = {};  ///< Null: the sky, or the studio when alone.
     double environmentBrightest = 0;                          ///< The panorama's largest value.
-    std::vector<std::string> environmentNotes{};              ///< What its file says and is not shown: full sentences.
+    std::vector<std::string> environmentNotes{};  ///< Features of its file that are not shown: full sentences.
     std::vector<OwnObject> objects = {};
     std::shared_ptr<const PlaqueText> text = {};
     std::span<const ExhibitSlot> exhibits;
-    std::uint64_t filesId = 0;                    ///< As PreparedPart's.
-    std::vector<ExhibitPose> poses = {};          ///< One for each slot; may be shorter.
-    std::vector<StandingShape> bodies = {};       ///< Of the exhibits, as they stand on the floor; world space.
-    std::vector<StandingShape> besideFloor = {};  ///< Of the exhibits, where it is not the hall's floor they stand on.
-    /// Lamps that time does not change, wherever one looks: the probe sees what they light. World space.
+    std::uint64_t filesId = 0;                    ///< As in PreparedPart.
+    std::vector<ExhibitPose> poses = {};          ///< One for each slot; may have fewer elements.
+    std::vector<StandingShape> bodies = {};       ///< Exhibits on the floor, world space.
+    std::vector<StandingShape> besideFloor = {};  ///< Exhibits that do not stand on the hall's floor, world space.
+    /// Lamps that are independent of time and view, so the probe captures what they light. World space.
     std::vector<render::LocalLight> steadyLamps = {};
 };
 
-/// What is drawn at a place beside its exhibit: a cloth over an empty one, else its stand and what hangs there, as far
-/// as it has turned.
+/// Returns the parts at a place beside its exhibit: a cloth if it is empty, else its stand and the hangings at their
+/// current angle.
 [[nodiscard]] std::vector<render::MeshInstance> partsAt(const HallScene&, const Place&);
 
-// hall_light.cpp
+// The following functions are defined in hall_light.cpp.
 
-/// Unit vector towards the sun, world space.
+/// Returns the unit vector towards the sun, world space.
 [[nodiscard]] glm::dvec3 towardsSun(const HallScene&);
-/// The light for everything in the hall, or for an exhibit alone. `runEverything`: as FramePlan's.
+/// Returns the light for everything in the hall, or for an exhibit alone. `runEverything` is FramePlan's.
 [[nodiscard]] SceneLighting sceneLighting(const HallScene&, bool runEverything = false);
-/// Whether an eye there sees through the walls, because it lies within them, or so near their outer faces that the near
-/// plane may cut these away.
+/// Returns whether the eye sees through the walls, because it is inside them, or so close outside that the near plane
+/// may cut them away.
 [[nodiscard]] bool isInWalls(const HallModel&, const glm::dvec3& eye);
-/// Empty when the box may be seen from there: it is in view, and no wall hides it.
+/// Returns why the box is invisible; empty if it may be visible: in view, and not behind a wall.
 [[nodiscard]] std::string whyHidden(const HallModel&, const render::Box& worldBox, const render::View&);
-/// Empty when the sun may reach a point of the box through window or oculus.
+/// Returns why the box cannot cast a shadow of the sun; empty if it may. Reasons are: no sun, sun shadows switched off,
+/// or no sunlight through window and oculus on any point of the box.
 [[nodiscard]] std::string whyUnlit(const HallScene&, const render::Box& worldBox);
-/// Changes whenever something that falls on the static hall, or is seen in its probe, changes.
+/// Returns a hash that changes with all light on the static hall and with everything that its probe shows.
 [[nodiscard]] std::uint64_t lightKey(const HallScene&);
 
-// bounced_light.cpp
+// The following functions are defined in bounced_light.cpp.
 
-/// What the sun lights from where it stands.
+/// Returns the parts of floor and walls that the sun lights from its current direction.
 [[nodiscard]] std::vector<SunTransfer::Source> bounceOf(const HallScene&);
-/// What its bounced light, `most` of it in the air, adds to a surface.
+/// Returns a bound on the sun's bounced light on surfaces; `most` is the largest in the air.
 [[nodiscard]] render::ContributionBound boundOfBounce(const HallScene&, double most);
-/// The sun's bounced light on walls and floor, kept while the sun stands still.
+/// Plans the sun's bounced light on walls and floor, which is kept until the sun moves.
 void planBouncedLight(const HallScene&, const SceneLighting&, render::FramePlan&);
-/// The light of sky and sun in the air, for what has no lightmap: kept while neither changes.
+/// Plans the light of sky, sun and lamps in the air, for surfaces without a lightmap. It is kept until one changes.
 void planAirLight(const HallScene&, const SceneLighting&, render::FramePlan&);
-/// Lets everything that is lit read it.
+/// Makes all lit passes read the light in the air.
 void lookUpAirLight(const HallScene&, SceneLighting&);
-/// Lets a pass that draws walls read the sky's light on them and, where there is any, the sun's bounced light.
+/// Makes a pass that draws walls read the sky's lightmap and, if there is any, the sun's bounced light.
 void bindLightmaps(const HallScene&, const SceneLighting&, render::Pass&);
 
-// hall_passes.cpp
+// The following functions are defined in hall_passes.cpp.
 
-/// Of buttons, and of models that name no material.
+/// Returns the paint of buttons, and of models without a material.
 [[nodiscard]] const render::Material& redPaint();
 
-/// Cloths over empty places, stands of occupied ones, the visitor's own plinths: what is in the hall beside its walls
-/// and never moves by itself.
+/// Returns cloths over empty places, stands of occupied ones, and the plinths of the user's objects: everything static
+/// in the hall beside its walls.
 [[nodiscard]] std::vector<render::MeshInstance> standingParts(const HallScene&);
 
-/// Whether an exhibit stands there: its stand is drawn, and no cloth.
+/// Returns whether an exhibit is at the place: its stand is drawn, and no cloth.
 [[nodiscard]] bool isOccupied(const HallScene&, int place);
-/// A part of the building or of what stands in it, of its material.
+/// Returns the draw of a part of the building or of what stands in it, with its material.
 [[nodiscard]] render::Draw partDraw(const HallScene&, const render::MeshInstance&);
 
-/// The sun's depth map of walls and furniture, kept while neither moves.
+/// Plans the sun's depth map of walls and furniture, which is kept until something moves.
 void planHallShadow(const HallScene&, const SceneLighting&, render::FramePlan&);
-/// Walls, furniture, cloths over empty places, the visitor's objects, buttons and plaques.
+/// Plans walls, furniture, cloths over empty places, the user's objects, buttons and plaques.
 void planWalls(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
-/// What is behind everything: sky, panorama, or the studio of an exhibit alone.
+/// Plans the background: sky, panorama, or the studio of an exhibit alone.
 void planSky(const HallScene&, const SceneLighting&, render::FramePlan&);
 
-// own_objects.cpp
+// The following functions are defined in own_objects.cpp.
 
-/// Reads the visitor's objects and makes their plinths. `unreadable` is told which of them cannot be read, and why.
+/// Callback for an object that cannot be read: its index, and the reason.
 using ToldUnreadable = std::function<void(std::size_t which, const std::string& why)>;
+/// Reads the user's objects and makes their plinths. Adds the state of the files to `files`.
 [[nodiscard]] std::array<PreparedObject, mostOwnObjects> preparedObjects(const HallTable&, const ParameterValues&,
                                                                          render::AssetStore&, render::Hash& files,
                                                                          const ToldUnreadable&);
-/// Those that could be read, each where it stands: on the floor, walls and furniture keep it off.
+/// Returns the objects that could be read, each at its place. On the floor, they are moved out of walls and furniture.
 [[nodiscard]] std::vector<OwnObject> objectsAt(const HallModel&, const HallTable&, const ParameterValues&,
                                                const std::array<PreparedObject, mostOwnObjects>&);
-/// "hall/visitor", "hall/visitor/2", ...: the name of its pass.
+/// Returns the name of an object's pass: "hall/visitor", "hall/visitor/2", ...
 [[nodiscard]] std::string ownPassName(std::size_t which);
-/// What each draws, or why not.
+/// Plans the passes of each object, or the reasons for skipping them.
 void planOwnObjects(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
-/// Boxes of what their materials are on average, and their plinths: for the floor.
+/// Returns for the floor's reflections the plinths, and the objects as boxes of their mean color.
 [[nodiscard]] std::vector<StandingShape> ownShapes(const HallScene&);
 
-// hall_plaques.cpp
+// The following function is defined in hall_plaques.cpp.
 
-/// Plates of dark enamel at the places, and the letters on them.
+/// Plans plates of dark enamel at the places, and the letters on them.
 void planPlaques(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
 
-// hall_floor.cpp
+// The following functions are defined in hall_floor.cpp.
 
-/// The map of contact shadows on the floor, kept until something else stands on it.
+/// Plans the map of contact shadows on the floor, which is kept until something on it changes.
 void planContactShadows(const HallScene&, render::FramePlan&);
-/// The floor of polished stone, which mirrors what stands on it, after the other walls.
+/// Plans the floor of polished stone, which reflects what stands on it, after the other walls.
 void planFloor(const HallScene&, const SceneLighting&, const Channels&, render::FramePlan&);
-/// Whether the floor's own pass draws this part of the walls.
+/// Returns whether the floor's own pass draws this part of the walls.
 [[nodiscard]] bool isFloor(const render::MeshInstance&);
 
-// hall_probe.cpp
+// The following functions are defined in hall_probe.cpp.
 
-/// The reflection probe: captured from inside the hall (or the environment alone), blurred by roughness, and
-/// summed up as nine spherical-harmonic coefficients; kept while nothing in it changes.
+/// Plans the reflection probe: captured from inside the hall (or the environment alone), blurred by roughness, and
+/// summed up as nine spherical-harmonic coefficients. It is kept until something in it changes.
 void planProbe(const HallScene&, const SceneLighting&, render::FramePlan&);
-/// Mip levels of a probe with this many texels along a face, one for each roughness.
+/// Returns the number of mip levels of a probe with `size` texels along a face; each is for one roughness.
 [[nodiscard]] int probeLevels(int size);
-/// The point from which the probe is captured, world space.
+/// Returns the point from which the probe is captured, world space.
 [[nodiscard]] glm::dvec3 probePosition(const HallScene&);
-/// Of the steady lamps, what the probe reckons with, without their shadows; none where none shines.
+/// Returns the light of the steady lamps in the probe, without shadows; none if no lamp shines.
 [[nodiscard]] std::optional<render::LocalLighting> probeLamps(const HallScene&);
 
-// hall_antialiasing.cpp
+// The following functions are defined in hall_antialiasing.cpp.
 
-/// Over how many frames a picture in motion is averaged, and a hash of all that it shows but for what moves.
+/// Number of frames over which a picture in motion is averaged, and a hash of everything in it except motion.
 struct FrameHistory {
     int frames = 1;
     std::uint64_t look = 0;
 };
-/// The tone-mapped image of a picture in motion, before it is averaged over its frames.
+/// Tone-mapped image of a picture in motion, before it is averaged over its frames.
 inline constexpr const char* displayImage = "display";
-/// What the frames before left for it.
+/// Average of the previous frames.
 inline constexpr const char* frameHistoryImage = "frame history";
-/// Whether the picture is averaged over its frames. Its samples lie at `antialiasingSample` of their pixels.
+/// Returns whether the picture is averaged over its frames. Its samples are at `antialiasingSample` of their pixels.
 [[nodiscard]] bool isAveragedOverFrames(const FrameRequest&, const FrameHistory&);
-/// Which sample of its pixels a frame in motion draws, from 0.
+/// Returns the index of the sample within its pixels that a frame in motion draws, from 0.
 [[nodiscard]] int antialiasingSample(const FrameRequest&);
-/// The mean of a picture over its frames, from `displayImage` into the image "frame"; of a picture at rest, what the
-/// next motion begins with.
+/// Plans the average of a picture over its frames, from `displayImage` into the image "frame". For a converged picture,
+/// plans the history with which the next motion begins.
 void planAntialiasing(const FrameRequest&, const FrameHistory&, render::FramePlan&);
 
-// hall_tone_mapping.cpp
+// The following functions are defined in hall_tone_mapping.cpp, except `buttonScale`.
 
-/// What every picture ends with: tone mapping and the mean over supersamples, or over the frames of a picture in
+/// Plans the end of every frame: tone mapping and the mean over supersamples, or over the frames of a picture in
 /// motion, into the image "frame".
 void planToneMapping(const SceneLighting&, const FrameRequest&, const FrameHistory&, render::FramePlan&);
 
-/// Seconds for which a pressed button moves.
+/// Duration in seconds of the movement of a pressed button.
 inline constexpr double buttonTime = 0.2;
-/// Vertical scale of a button, `seconds` after it was pressed: 1 to 0.1 in half of `buttonTime`, and back in the other.
+/// Returns the vertical scale of a button `seconds` after it was pressed: 1 to 0.1 in half of `buttonTime`, then back.
 [[nodiscard]] double buttonScale(double seconds);
 
 }  // namespace vitrine

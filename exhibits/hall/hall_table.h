@@ -13,13 +13,13 @@ enum class ShadowFilter : int { hard, tent3, tent5, disk };
 enum class FloorMirror : int { probe, shapes };
 enum class LampsLit : int { automatic, on, off };
 
-/// What an object of a visitor's own stands on.
+/// Base of an object of the user.
 enum class ObjectStand : int { freePlinth, ownPlinth, floor };
 
-/// So many objects of a visitor's own may stand in the hall.
+/// Largest number of the user's objects in the hall.
 inline constexpr std::size_t mostOwnObjects = 4;
 
-/// The rows of one object of a visitor's own.
+/// Parameters of one object of the user.
 struct OwnObjectRows {
     File model;
     Real modelSize, modelRotation;
@@ -27,12 +27,12 @@ struct OwnObjectRows {
     Real modelAcross, modelAlong, modelPlinthHeight;
 };
 
-/// What the hall is called; here, so that lists need not read the building itself.
+/// Title of the hall; defined here, so lists need not read the building itself.
 inline constexpr std::string_view hallTitle = "The hall";
 inline constexpr std::string_view hallSummary =
     "The museum itself: its sun, its sky, its reflections and the exposure of the picture.";
 
-/// What can be set about the building: light, reflections, and how the picture is developed.
+/// Parameters of the building: light, reflections and tone mapping.
 struct HallTable final : Parameters {
     Group picture = group("Picture");
     Real exposure = real("exposure", 0.0, stop, Range{-16, 16}.soft(-4, 4),
@@ -50,8 +50,8 @@ struct HallTable final : Parameters {
                "Average a picture in motion over its frames, moved to where they are now: without it, edges crawl and "
                "fine things flicker until the picture rests.",
                quality(1));
-    // Measured at 640 x 360: with 8 frames, at most 0.43 % of the pixels flicker by more than 16 of 255 levels, and the
-    // error against 64 samples is the smallest; 16 and 32 frames blur.
+    // Measured at 640 x 360: with 8 frames, at most 0.43 % of the pixels flicker by more than 16 of 255 levels. The
+    // error against 64 samples is also the smallest; 16 and 32 frames blur.
     Count historyFrames =
         count("historyFrames", 8, Range{1, 64, logarithmic}.soft(1, 32),
               "Frames that a picture in motion is averaged over: few flicker, many blur what is fine.", quality(64),
@@ -80,8 +80,8 @@ struct HallTable final : Parameters {
                                when(sunBy, SunBy::angles) && whenAbove(sunStrength, 0));
     Toggle sunShadows = toggle(
         "sunShadows", true, "Let walls and exhibits keep the sun off; without it, the sun shines through everything.");
-    // Measured at 160 x 90: the disk errs 0.027 where the tent of 5 x 5 errs 0.070, and takes 19 ms of a frame in place
-    // of 5.6.
+    // Measured at 160 x 90: the error is 0.027 with the disk and 0.070 with the tent of 5 x 5. The disk takes 19 ms of
+    // a frame, the tent 5.6 ms.
     Choice<ShadowFilter> shadowFilter =
         choice("shadowFilter", ShadowFilter::tent5, {"hard", "tent 3x3", "tent 5x5", "sun's disk"},
                "How softly the edge of a shadow is drawn: by a fixed number of texels, or as wide as the sun's disk "
@@ -145,11 +145,11 @@ struct HallTable final : Parameters {
         "bars and what stands on the floor, each where a ray finds it.",
         quality(FloorMirror::shapes), when(reflectionProbe));
 
-    // Half-shadows are in the floor.
+    // Penumbrae are visible on the floor.
     StudiedRows studied{*this, {{.name = "diskSamples", .views = {"along the floor", "best view"}}}};
 
-    /// The first on the free plinth, with nothing before the names of its rows: model, modelSize, ... The others where
-    /// their rows say: secondModel, secondModelSize, ...
+    /// The first is on the free plinth; its parameters have no prefix: model, modelSize, ... The others are where their
+    /// parameters say: secondModel, secondModelSize, ...
     std::vector<OwnObjectRows> objects =
         groups("objects", objectElements, [this](std::size_t which) { return object(which); });
 
@@ -158,8 +158,7 @@ private:
                                                                          {"second", "Second object"},
                                                                          {"third", "Third object"},
                                                                          {"fourth", "Fourth object"}}};
-    /// Where each stands at first, x and z, once it is off the free plinth: where it hides nothing and is in nobody's
-    /// way.
+    /// Initial position of each object beside the free plinth, x and z: it hides nothing and obstructs nobody.
     static constexpr std::array<glm::dvec2, mostOwnObjects> objectSpots{
         {{4.8, -3.5}, {-4.9, -3.5}, {4.7, -0.5}, {-4.7, -10.2}}};
 

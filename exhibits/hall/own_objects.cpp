@@ -1,4 +1,4 @@
-// The visitor's own objects: where they stand, what they stand on, what they draw.
+// The user's own objects: placement, plinths and passes.
 #include "exhibits/hall/hall_scene.h"
 
 #include "exhibits/hall/plinth.h"
@@ -36,22 +36,22 @@ render::AssetStore::Made<render::Model> readModel(const std::string& path)
     return {std::move(model), bytes};
 }
 
-/// Meters per unit of the model.
+/// Returns meters per unit of the model.
 double scaleOf(const render::Model& model, double largestSide)
 {
     const glm::dvec3 extent = 2.0 * model.bounds.halfSize();
     return largestSide / std::max({extent.x, extent.y, extent.z, 1e-9});
 }
 
-/// Half the width of the plinth below an object: as wide as that is, and a little more.
+/// Returns half the width in meters of the plinth below an object: a little wider than the object.
 double plinthHalfWidth(const render::Model& model, double largestSide)
 {
     const glm::dvec3 half = model.bounds.halfSize() * scaleOf(model, largestSide);
     return std::clamp(std::max(half.x, half.z) + 0.08, narrowestPlinth, widestPlinth);
 }
 
-/// Half the width and the height of the plinth of its own, meters; nothing: it has none. To whole millimeters, so that
-/// one that grows slowly is not made anew for every picture.
+/// Returns half the width and the height of an object's own plinth in meters; none if it has no plinth. They are
+/// rounded to millimeters, so a plinth that grows slowly is not remade for every frame.
 std::optional<glm::dvec2> plinthSize(const OwnObjectRows& rows, const ParameterValues& values,
                                      const render::Model& model)
 {
@@ -69,7 +69,7 @@ std::shared_ptr<const render::Mesh> plinthFor(const OwnObjectRows& rows, const P
     return assets.made<render::Mesh>("hall.plinth", key, [&] { return makePlinth(size->x, size->y); }).value;
 }
 
-/// World from where the object stands: the top of the free plinth or of its own, or the floor.
+/// Returns the transform of the object's base: the top of the free plinth or of its own plinth, or the floor.
 glm::dmat4 worldFromStand(const HallModel& hall, const OwnObjectRows& rows, const ParameterValues& values,
                           const render::Model& model)
 {
@@ -83,8 +83,8 @@ glm::dmat4 worldFromStand(const HallModel& hall, const OwnObjectRows& rows, cons
     return glm::translate(glm::dmat4(1), glm::dvec3(at.x, top, at.y));
 }
 
-/// Upright boxes that keep visitors off the object, as it is turned, and off its plinth. Of an object that fills the
-/// hall they are kept off the middle only: it would shut them in.
+/// Returns upright boxes around the object, as it is rotated, and around its plinth. The box of an object that fills
+/// the hall covers only its center, or it would trap the walking user.
 std::vector<Collider> collidersOf(const render::Box& turned, const glm::dmat4& worldFromTurned,
                                   const std::optional<glm::dvec2>& plinth)
 {
@@ -99,7 +99,7 @@ std::vector<Collider> collidersOf(const render::Box& turned, const glm::dmat4& w
     return made;
 }
 
-/// An object where its rows put it.
+/// Returns an object at the position of its parameters.
 OwnObject standing(const HallModel& hall, std::size_t which, const OwnObjectRows& rows, const ParameterValues& values,
                    const PreparedObject& prepared)
 {
@@ -107,7 +107,7 @@ OwnObject standing(const HallModel& hall, std::size_t which, const OwnObjectRows
     const render::Box& box = model.bounds;
     const glm::dmat4 worldFromTurned =
         glm::rotate(worldFromStand(hall, rows, values, model), values[rows.modelRotation], glm::dvec3(0, 1, 0));
-    // It stands on its lowest point, above the middle of what it stands on.
+    // The lowest point of the object touches the center of its base.
     const glm::dmat4 turnedFromModel =
         glm::translate(glm::scale(glm::dmat4(1), glm::dvec3(scaleOf(model, values[rows.modelSize]))),
                        -glm::dvec3(box.center().x, box.low.y, box.center().z));
@@ -132,7 +132,7 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
         channels,
         {"BASE_COLOR_MAP", "VERTEX_COLOR", "NORMAL_MAP", "ORM_MAP", "OCCLUSION_MAP", "EMISSIVE_MAP", "ALPHA_MASK"});
     pass.state.cull = render::Cull::none;
-    pass.depthOnly.reset();  // Its textures cut holes.
+    pass.depthOnly.reset();  // Alpha-masked textures cut holes into its depth.
     Pass blended = pass;
     blended.name += "/blended";
     blended.phase = render::PassPhase::transparent;
@@ -160,7 +160,7 @@ void planOwnObject(const HallScene& scene, const OwnObject& object, const SceneL
         plan.skip(blended.name, "nothing of the visitor's object is translucent");
 }
 
-/// Why there is nothing to draw of this one.
+/// Returns why an object has nothing to draw.
 std::string whyNone(const HallScene& scene, std::size_t which)
 {
     const OwnObjectRows& rows = scene.table.objects[which];
@@ -205,7 +205,7 @@ std::vector<OwnObject> objectsAt(const HallModel& hall, const HallTable& table, 
 void planOwnObjects(const HallScene& scene, const SceneLighting& light, const Channels& channels,
                     render::FramePlan& plan)
 {
-    // From far to near, so that what is translucent lies over what is behind it.
+    // Objects are drawn from far to near, so translucent parts are blended over what is behind them.
     std::vector<const OwnObject*> farFirst;
     for (const OwnObject& object : scene.objects) farFirst.push_back(&object);
     std::stable_sort(farFirst.begin(), farFirst.end(), [&](const OwnObject* a, const OwnObject* b) {

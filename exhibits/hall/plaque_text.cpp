@@ -11,7 +11,7 @@
 namespace vitrine {
 namespace {
 
-// Layout of a plate of 0.42 x 0.26 m, meters: sizes are those of the smallest letters, for the longest text.
+// Layout of a plate of 0.42 x 0.26 m, in meters. Sizes are those of the smallest letters, for the longest text.
 constexpr double plateWidth = 0.42;
 constexpr double plateHeight = 0.26;
 constexpr double plateMargin = 0.022;
@@ -19,7 +19,7 @@ constexpr double numberSize = 0.040;
 constexpr double titleSize = 0.038;
 constexpr double bodySize = 0.0205;
 constexpr double mostScale = 1.5;
-constexpr double lift = 0.0006;  ///< Above the plate, so that letters win the depth test.
+constexpr double lift = 0.0006;  ///< Height above the plate, so letters pass the depth test.
 
 std::u32string decodeUtf8(std::string_view text)
 {
@@ -36,7 +36,7 @@ std::u32string decodeUtf8(std::string_view text)
     return result;
 }
 
-/// Moves the letters to the middle of the plate.
+/// Moves the letters to the center of the plate.
 void center(render::Mesh& mesh)
 {
     glm::vec2 low(1e9F), high(-1e9F);
@@ -128,7 +128,7 @@ void PlaqueText::append(render::Mesh& mesh, const std::u32string& text, glm::dve
             const auto corner = [&](float x, float y, float u, float v) {
                 mesh.vertices.push_back({{x, y, static_cast<float>(lift)}, {0, 0, 1}, {1, 0, 0, 1}, {u, v}, {}});
             };
-            // Texture rows run downwards: v0 is the glyph's top.
+            // Texture rows run downwards, so v0 is the top of the glyph.
             corner(low.x, low.y, g.uv0.x, g.uv1.y);
             corner(high.x, low.y, g.uv1.x, g.uv1.y);
             corner(high.x, high.y, g.uv1.x, g.uv0.y);
@@ -174,7 +174,7 @@ std::shared_ptr<const render::Mesh> PlaqueText::set(int number, const ExhibitSlo
                                       {decodeUtf8(summary), bodySize, {}}};
     if (slot && !slot->tryThis.empty())
         paragraphs.push_back({decodeUtf8(translated("Try: " + slot->tryThis)), bodySize, {}});
-    // As large as the plate has room for.
+    // The text is as large as the plate allows.
     double scale = mostScale;
     while (scale > 1 && lay(paragraphs, scale, nullptr) < -plateHeight / 2 + plateMargin) scale -= 0.02;
     lay(paragraphs, scale, mesh.get());

@@ -12,7 +12,7 @@ namespace vitrine {
 
 struct ExhibitSlot;
 
-/// The texts of all plaques as meshes of glyph quads over a distance-field atlas.
+/// Texts of all plaques, as meshes of glyph quads with a distance-field atlas.
 class PlaqueText {
 public:
     struct Plaque {
@@ -20,14 +20,13 @@ public:
         std::shared_ptr<const render::Mesh> mesh;
     };
 
-    /// Reads assets/fonts and sets the text of every place that has a plaque: its number, title, one line
-    /// and what to try; "In preparation" where no slot stands. In the language of the program. Throws Failure
-    /// (Blame::file).
+    /// Reads assets/fonts and sets the texts of all plaques, in the language of the program: number, title, summary and
+    /// what to try. A place without a slot says "In preparation". Throws Failure (Blame::file).
     PlaqueText(const HallModel&, const std::vector<ExhibitSlot>&);
 
     [[nodiscard]] const std::vector<Plaque>& plaques() const { return plaques_; }
     [[nodiscard]] std::shared_ptr<const render::Texture> atlas() const { return atlas_; }
-    /// Texels from an outline to the end of the distance field.
+    /// Returns the number of texels from an outline to the end of the distance field.
     [[nodiscard]] double spread() const { return spread_; }
 
 private:
@@ -38,15 +37,15 @@ private:
     struct Paragraph {
         std::u32string text;
         double size;           ///< Meters.
-        std::u32string label;  ///< Before it, or empty.
+        std::u32string label;  ///< Text before the paragraph, or empty.
     };
     void readFont();
     [[nodiscard]] const Glyph& glyph(char32_t) const;
     [[nodiscard]] double widthOf(const std::u32string&) const;
     [[nodiscard]] std::vector<std::u32string> broken(const std::u32string& text, double widest) const;
     void append(render::Mesh&, const std::u32string&, glm::dvec2 pen, double size) const;
-    /// Sets them at so many times their sizes, or only measures where `mesh` is null. Returns the last base line's
-    /// height.
+    /// Sets the paragraphs at `scale` times their sizes; only measures them if `mesh` is null. Returns the height of
+    /// the last baseline.
     double lay(const std::vector<Paragraph>&, double scale, render::Mesh* mesh) const;
     [[nodiscard]] std::shared_ptr<const render::Mesh> set(int number, const ExhibitSlot*) const;
 

@@ -11,7 +11,7 @@
 namespace vitrine {
 namespace {
 
-/// The four sides of a plinth from one (half width, height) to the next, flat shaded.
+/// Adds the four sides of a plinth between two levels (half width, height), flat shaded.
 void addPlinthSides(render::Mesh& mesh, glm::vec2 lower, glm::vec2 upper)
 {
     const glm::vec2 along = glm::normalize(upper - lower);

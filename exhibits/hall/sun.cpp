@@ -11,12 +11,12 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double latitude = 48 * degree;
-/// From south, westwards: the sun stands at the hall's initial angles a little after four o'clock.
+/// Azimuth from south, westwards: the sun is at the hall's initial angles a little after four o'clock.
 constexpr double windowAzimuth = 70.6 * degree;
-/// Above the air: what makes the light of four o'clock as strong as the hall's initial sun.
+/// Strength above the air that makes the light at four o'clock as strong as the hall's initial sun.
 constexpr double strengthAboveAir = 7.5;
-/// What is left of the sky by night, of its light at four o'clock: that of a moon out of sight, brighter than it is, as
-/// eyes that got used to the dark see it.
+/// Light of the sky at night relative to four o'clock: moonlight, brighter than in reality, as eyes adapted to the dark
+/// see it.
 const glm::dvec3 moonlitSky{0.011, 0.015, 0.024};
 
 }  // namespace
@@ -36,7 +36,7 @@ Sun sunAtHour(double hour)
     sun.azimuth = std::remainder(fromSouth - windowAzimuth, 2 * std::numbers::pi);
     const double high = std::max(sun.elevation / degree, 0.0);
     const double airMass = 1 / (std::sin(high * degree) + 0.50572 * std::pow(high + 6.07995, -1.6364));
-    // The disk takes a degree to set.
+    // The disk sets over one degree of elevation.
     const double risen = std::clamp(sun.elevation / degree + 0.5, 0.0, 1.0);
     sun.strength = strengthAboveAir * std::pow(0.7, std::pow(airMass, 0.678)) * risen;
     sun.temperature = 2000 + 3700 * (1 - std::exp(-high / 15));
@@ -59,7 +59,7 @@ SkyTint skyByHour(double sunElevation)
 SkyTint skyOf(const HallTable& table, const ParameterValues& values, const Sun& sun)
 {
     if (values[table.sunBy] == SunBy::hour) return skyByHour(sun.elevation);
-    // Colors and strengths are set by hand here; where the air glows, the height of the sun alone tells.
+    // Colors and strengths are set by hand here. The glow depends on the elevation of the sun alone.
     return {.sunward = skyTint(sun.elevation).sunward};
 }
 

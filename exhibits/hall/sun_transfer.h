@@ -12,50 +12,51 @@
 
 namespace vitrine {
 
-/// What the sun's light bounces to once it has come in through window and oculus, wherever the sun stands:
-/// assets/models/hall_transfer.py, which finds it, says how. Parts of floor and walls that the sun can reach are
-/// sources of light for the air: for the six sides (+x, -x, +y, -y, +z, -z) of small cubes at points between the walls.
-/// In irradiance over pi, of a sun of irradiance 1.
+/// Bounced sunlight in the hall for every direction of the sun, computed by assets/models/hall_transfer.py, which
+/// describes the method. Parts of floor and walls that the sun can reach are sources of light for the air. Light in the
+/// air is stored for the six sides (+x, -x, +y, -y, +z, -z) of small cubes at grid points. Values are irradiance over
+/// pi, for a sun of irradiance 1.
 class SunTransfer {
 public:
-    /// A part of floor or wall in the sun, and its light.
+    /// Sunlit part of floor or wall, and its light.
     struct Source {
-        std::size_t row = 0;  ///< Of the picture of what it sends.
+        std::size_t row = 0;  ///< Row of `picture()` with the light that it sends.
         double light = 0;
     };
 
-    /// Points in the air; the first and the last are corners of the box.
+    /// Grid of points in the air; the first and the last are corners of the box.
     struct Grid {
         render::Box box;
-        glm::ivec3 size{0};  ///< Along each axis; x runs first.
+        glm::ivec3 size{0};  ///< Points along each axis; x varies fastest.
     };
 
     SunTransfer() = default;
-    /// Reads hall_bounce.json and the pictures that it names. Throws Json::exception or Failure (Blame::file) when they
-    /// cannot be read or do not fit together.
+    /// Reads the light from the contents of hall_bounce.json and from the pictures that it names. Throws
+    /// Json::exception or Failure (Blame::file) if they cannot be read or do not match.
     explicit SunTransfer(const render::Json&);
 
-    /// What the sun lights from an azimuth (as Sun's; any finite angle) and an elevation (clamped to 0 to 90 degrees),
-    /// radians. Linear between four directions that were traced: it has no jumps. Empty where what comes in lights a
-    /// picture by less than one level of 255.
+    /// Returns the sources lit by the sun from an azimuth (as in Sun; any finite angle) and an elevation (clamped to
+    /// the range in the file), in radians. Interpolates bilinearly between traced directions, so there are no jumps.
+    /// Empty if less than one level of 255 comes in.
     [[nodiscard]] std::vector<Source> at(double azimuth, double elevation) const;
-    /// No place in the air has more light.
+    /// Returns an upper bound on the light of these sources anywhere in the air.
     [[nodiscard]] double most(const std::vector<Source>&) const;
 
     [[nodiscard]] const Grid& grid() const { return grid_; }
-    /// What each source sends, a row each: the square root over `scale(row)` for side s of point i in column 6 i + s.
-    /// Then three rows (red, green, blue) with the light of a sky of radiance 1, and three with the tint of the
-    /// bounced light, over its mean.
+    /// Returns the light that each source sends, one row per source: the square root of light over `scale(row)`, for
+    /// side s of point i in column 6 i + s. Three more rows (red, green, blue) are the light of a sky of radiance 1.
+    /// The last three are the tint of the bounced light relative to its mean.
     [[nodiscard]] const std::shared_ptr<const render::Texture>& picture() const { return picture_; }
     [[nodiscard]] double scale(std::size_t row) const { return scales_[row]; }
     [[nodiscard]] std::size_t sourceCount() const { return scales_.size() - 6; }
-    /// On the hall's lightmap: the square root, over `surfaceScale`, of a surface's bounced light over that of the air.
+    /// Returns on the hall's lightmap the square root, over `surfaceScale`, of a surface's bounced light relative to
+    /// the air's.
     [[nodiscard]] const std::shared_ptr<const render::Texture>& surfaces() const { return surfaces_; }
     [[nodiscard]] double surfaceScale() const { return surfaceScale_; }
 
 private:
-    std::vector<double> elevations_;  ///< Of the grid's rows, radians, rising.
-    std::size_t azimuths_ = 0;        ///< Columns, evenly around from -180 degrees.
+    std::vector<double> elevations_;  ///< Elevations of the table's rows, radians, increasing.
+    std::size_t azimuths_ = 0;        ///< Number of columns, evenly spaced from -180 degrees.
     std::shared_ptr<const render::Texture> suns_, picture_, surfaces_;
     double sunScale_ = 1, surfaceScale_ = 1;
     std::vector<double> scales_;

@@ -10,7 +10,7 @@
 namespace vitrine {
 namespace {
 
-/// Of a lamp of strength 1: walls are then about half as bright by night as in the shade by day.
+/// Radiance of a lamp of strength 1. Walls at night are then about half as bright as in the shade by day.
 constexpr double radianceOfLamp = 4.5;
 
 }  // namespace

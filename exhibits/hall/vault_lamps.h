@@ -12,31 +12,31 @@
 
 namespace vitrine {
 
-/// The lamps in the coffers of the vault, as they burn.
+/// Current state of the lamps in the coffers of the vault.
 struct VaultLamps {
-    glm::dvec3 radiance{0};      ///< Of their glass, to all sides; linear Rec. 709, in the hall's units.
-    std::string_view whyDark{};  ///< Where they do not burn: one sentence's part for the ledger.
+    glm::dvec3 radiance{0};      ///< Radiance of their glass in all directions; linear Rec. 709, in the hall's units.
+    std::string_view whyDark{};  ///< Why they do not shine: part of a sentence in the frame report.
 };
 
 [[nodiscard]] VaultLamps vaultLampsOf(const HallTable&, const ParameterValues&);
 
-/// How bright lamps burn that are lit by themselves, 0 to 1: none before the sun is `lampsBegin` low, all once it has
-/// set; smooth between. `sunElevation` in radians.
+/// Returns the brightness of automatic lamps, 0 to 1. It is 0 until the sun is down to `lampsBegin`, and 1 once it has
+/// set, smooth between. `sunElevation` is in radians.
 [[nodiscard]] double lampsShareAt(double sunElevation);
 inline constexpr double lampsBegin = 0.14;  ///< Radians, 8 degrees.
 
-/// What lamps of radiance 1 send to the hall, without color: assets/models/hall_lamps.py, which finds it, says how. On
-/// the hall's lightmap it is the alpha of the sky's light; in the air it stands on the points of SunTransfer.
+/// Light in the hall from lamps of radiance 1, without color, computed by assets/models/hall_lamps.py, which describes
+/// the method. On the hall's lightmap it is the alpha of the sky's light. In the air it uses the points of SunTransfer.
 class LampLight {
 public:
     LampLight() = default;
-    /// Reads hall_lamps.json and the picture that it names. Throws Json::exception or Failure (Blame::file) when they
-    /// cannot be read.
+    /// Reads the light from the contents of hall_lamps.json and from the picture that it names. Throws Json::exception
+    /// or Failure (Blame::file) if they cannot be read.
     explicit LampLight(const render::Json&);
 
-    /// Irradiance over pi where the square of the lightmap's alpha is 1.
+    /// Returns the irradiance over pi where the square of the lightmap's alpha is 1.
     [[nodiscard]] double surfaceScale() const { return surfaceScale_; }
-    /// One row: the square root, over `airScale`, for side s of point i in column 6 i + s.
+    /// Returns one row: the square root of light over `airScale`, for side s of point i in column 6 i + s.
     [[nodiscard]] const std::shared_ptr<const render::Texture>& air() const { return air_; }
     [[nodiscard]] double airScale() const { return airScale_; }
 

@@ -8,9 +8,9 @@ namespace {
 
 constexpr double visitorHeight = 1.8;
 constexpr double longestStep = 0.1;
-constexpr double longestWalk = 100;  ///< Longer ones end after this: the house is smaller.
+constexpr double longestWalk = 100;  ///< Longer walks end after this distance; the building is smaller.
 
-/// Out of a box, by the shortest way in the horizontal plane.
+/// Pushes a point out of a box, by the shortest way in the horizontal plane.
 glm::dvec2 pushedOutOfBox(glm::dvec2 p, glm::dvec2 halfSize, double reach)
 {
     const glm::dvec2 nearest = glm::clamp(p, -halfSize, halfSize);
@@ -34,7 +34,7 @@ glm::dvec2 pushedOutOfDisk(glm::dvec2 p, double radius, double reach)
     return distance > 1e-9 ? p * (least / distance) : glm::dvec2(least, 0);
 }
 
-/// `eye` of someone who fills `reach` around it, moved out of one obstacle; colliders stand upright, so only the
+/// Moves `eye` of a body that fills `reach` around it out of one obstacle. Colliders are upright, so only the
 /// horizontal plane matters.
 glm::dvec3 pushedOut(const Collider& collider, const glm::dvec3& eye, double reach = visitorRadius)
 {
@@ -42,7 +42,7 @@ glm::dvec3 pushedOut(const Collider& collider, const glm::dvec3& eye, double rea
     glm::dvec3 local = glm::dvec3(collider.localFromWorld * glm::dvec4(feet, 1));
     const double bottom = -collider.halfSize.y;
     const double top = collider.halfSize.y;
-    // What lies wholly overhead or underfoot (a step up to 5 cm) is no obstacle.
+    // An obstacle completely above the head or below the feet (a step up to 5 cm) does not block.
     if (local.y + visitorHeight < bottom || local.y + 0.05 > top) return eye;
     const glm::dvec2 flat(local.x, local.z);
     const glm::dvec2 out = collider.cylinder
@@ -67,7 +67,7 @@ glm::dvec3 walkAround(const std::vector<Collider>& colliders, const glm::dvec3& 
         const glm::dvec3 before = eye;
         eye += whole / static_cast<double>(steps);
         eye.y = to.y;
-        // Two obstacles can push against each other in a corner: settle, and give up rather than slip through.
+        // Two obstacles can push against each other in a corner. If the position does not settle, the walk ends here.
         bool settled = false;
         for (int round = 0; round < 4 && !settled; ++round) {
             const glm::dvec3 last = eye;

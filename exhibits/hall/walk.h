@@ -10,25 +10,24 @@
 
 namespace vitrine {
 
-/// A visitor is an upright cylinder of this radius, meters.
+/// Radius in meters of the upright cylinder that a walking user fills.
 inline constexpr double visitorRadius = 0.28;
 
-/// Where a visitor going from eye position `from` to `to` ends up: pushed out of every obstacle, in steps
-/// short enough that none is jumped over. The height of `to` is kept. A NaN in `to` leaves him at `from`.
+/// Returns where a walk from eye position `from` to `to` ends. It is pushed out of every obstacle, in steps too short
+/// to jump over one. The height of `to` is kept. A NaN or an infinite value in `to` leaves the eye at `from`.
 [[nodiscard]] glm::dvec3 walkAround(const std::vector<Collider>&, const glm::dvec3& from, const glm::dvec3& to);
 
-/// Where a thing that fills `radius` around it (meters) can stand on the floor: `at` (x, z), moved out of every
-/// obstacle in its way; `at` itself where it cannot get out of them.
+/// Returns a free position on the floor for an object that fills `radius` meters around it: `at` (x, z), moved out of
+/// obstacles. Returns `at` unchanged if there is no way out.
 [[nodiscard]] glm::dvec2 standingPlace(const std::vector<Collider>&, const glm::dvec2& at, double radius);
 
-/// A camera, which goes where a visitor cannot stand, keeps so far from what it must not run into, meters.
+/// Distance in meters that a flying camera keeps from obstacles.
 inline constexpr double cameraRadius = 0.08;
 
-/// Whether a camera gets straight from `from` to `to` past every obstacle: over, under or beside it. NaN: no.
+/// Returns whether a camera can move straight from `from` to `to` past every obstacle. With NaN it cannot.
 [[nodiscard]] bool cameraPasses(const std::vector<Collider>&, const glm::dvec3& from, const glm::dvec3& to);
 
-/// Whether one occluder alone hides the whole box from `eye`: exact for a convex occluder and a box, so what
-/// is called hidden is hidden.
+/// Returns whether one occluder alone hides the whole box from `eye`. The test is exact for a rectangle and a box.
 [[nodiscard]] bool isBehind(const Occluder&, const render::Box&, const glm::dvec3& eye);
 
 }  // namespace vitrine

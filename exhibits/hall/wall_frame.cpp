@@ -25,7 +25,7 @@ void addQuad(render::Mesh& mesh, const std::array<glm::dvec3, 4>& corners)
     mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
 }
 
-/// A point of the profile: how far out of the opening's edge, and how far out of the wall.
+/// Point of the profile: distance out of the opening's edge, and out of the wall.
 struct ProfilePoint {
     double out, height;
 };
@@ -63,7 +63,7 @@ std::shared_ptr<const render::Mesh> panelMesh(const WallFrame& frame)
 
 glm::dmat4 plaqueBeside(const WallFrame& frame)
 {
-    // As the plaques beside the niches hang: 0.42 m from the border, tilted by 5 degrees towards the reader.
+    // The plaque hangs like those beside the niches: 0.42 m from the border, tilted by 5 degrees towards the reader.
     const double right = frame.opening.x / 2 + frame.border + 0.42;
     const glm::dmat4 at = glm::translate(glm::dmat4(1), glm::dvec3(right, -0.25, 0.042));
     return glm::rotate(at, glm::radians(-5.0), glm::dvec3(1, 0, 0));
