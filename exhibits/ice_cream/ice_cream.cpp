@@ -21,11 +21,11 @@
 namespace vitrine {
 namespace {
 
-constexpr double plinthTop = -0.62;  ///< Meters above the middle of the niche.
+constexpr double plinthTop = -0.62;  ///< Meters above the center of the niche.
 constexpr const char* notBuiltUp = "the build-up has not come so far";
-constexpr double behindTheWall = -0.2;  ///< Meters: how far the axis stands in the niche.
+constexpr double behindTheWall = -0.2;  ///< Position in meters of the axis in the niche along z.
 
-/// Own space from that of the source: turned, scaled, on its plinth in the niche.
+/// Returns the transform to exhibit space from the reference's space: turned, scaled, and on its plinth in the niche.
 glm::dmat4 standing(const IceCreamTable& t, const ParameterValues& values, double time)
 {
     const double turns = values[t.animate] && std::isfinite(time) ? std::fmod(values[t.orbitSpeed] * time, 1.0) : 0;
@@ -34,11 +34,11 @@ glm::dmat4 standing(const IceCreamTable& t, const ParameterValues& values, doubl
     return glm::scale(glm::rotate(placed, angle, glm::dvec3(0, 1, 0)), glm::dvec3(values[t.size]));
 }
 
-/// What is not built up yet is switched off, as far as rows of the kit do it.
+/// Returns the values with effects of later stages switched off, as far as parameters of SdfRows do it.
 ParameterValues builtUp(const IceCreamTable& t, const ParameterValues& values, IceCreamStage stage)
 {
     ParameterValues now = values;
-    // Shadows that the table has without a soft edge stay so: rows of that edge do not act then.
+    // Shadows without a soft edge are unchanged, since parameters of that edge do not act then.
     const bool soft = values[t.shadowMethod] != SdfShadow::none && values[t.shadowMethod] != SdfShadow::hard;
     if (stage < IceCreamStage::classic)
         now.set(t.shadowMethod, SdfShadow::none);
@@ -55,7 +55,7 @@ struct PreparedSprinkles final : PreparedPart {
     std::shared_ptr<const Sprinkles> sprinkles;
 };
 
-/// Writes a number into a block that is bytes already.
+/// Writes a number into a block that is already packed into bytes.
 template <typename T> void patch(render::Bytes& block, std::string_view field, const T& value)
 {
     std::memcpy(block.data() + render::std140Offset<IceCreamShape>(field), &value, sizeof value);
@@ -78,7 +78,7 @@ SdfBody IceCream::body(const ParameterValues& values, double time) const
     body.switchedOff = notBuiltUp;
     body.ownLight = values[table_.lamp];
     if (values[table_.lighting] == IceCreamLighting::source) {
-        // The source's numbers are those of the film: over any exposure, they have no bound.
+        // The reference's light is in display values. Divided by any exposure, it has no bound.
         body.ownLight = std::numeric_limits<double>::infinity();
         const glm::dvec3 ambient = values[table_.sourceAmbient].value;
         body.occluded = {std::max({ambient.x, ambient.y, ambient.z}), "the ambient light is black"};
@@ -94,7 +94,7 @@ std::shared_ptr<const PreparedPart> IceCream::prepareBody(const PrepareContext& 
     const ParameterValues& values = context.values;
     IceCreamShape shape = iceCreamShape(table_, values, context.time);
     if ((shape.parts >> PART_SPRINKLES & 1) == 0) return nullptr;
-    // They lie on finished cream, wherever the candies are and whatever else is shown.
+    // Sprinkles lie on finished cream, independent of the candies and of what else is shown.
     ParameterValues whole = values;
     whole.set(table_.show, IceCreamParts::all);
     whole.set(table_.buildUp, false);
@@ -151,7 +151,7 @@ bool IceCream::isGlass(const ParameterValues& values) const
 render::Camera IceCream::bestView(const ParameterValues& values) const
 {
     const glm::dmat4 world = standing(table_, values, 0);
-    // The source's own first view, nearer where a wall is behind.
+    // The reference's first view is closer, since there is a wall behind the eye.
     if (values[table_.lighting] == IceCreamLighting::source) {
         const double size = values[table_.size];
         const glm::dvec3 foot(world[3]);
@@ -182,7 +182,7 @@ std::vector<StudyView> IceCream::studyViews(const ParameterValues& values) const
     ParameterValues source = values;
     source.set(table_.lighting, IceCreamLighting::source);
     source.set(table_.material, SdfMaterial::opaque);
-    // By places in the space of the source, whose axis and size are those of the exhibit at rest.
+    // Positions are in the reference's space, whose axis and size are those of the exhibit at rest.
     const glm::dmat4 placed = standing(table_, values, 0);
     const auto from = [&](const glm::dvec3& eye, const glm::dvec3& target, double fovY) {
         return render::Camera{eye, target, fovY}.transformed(placed);

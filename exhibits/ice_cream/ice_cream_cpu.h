@@ -17,10 +17,10 @@ struct SprinkleLists {
         float clear = 1e9;
     };
     std::vector<Cell> cells;
-    std::vector<vec4> ends;  ///< Two for each entry of a list.
+    std::vector<vec4> ends;  ///< Two for each list entry.
 };
 
-/// The solids around one shape. `solids` counts how many were evaluated, `fieldPart` tells what was found last.
+/// The solids around one shape. `solids` counts evaluations; `fieldPart` is the part found last.
 struct IceCream {
     IceCreamShape shape = {};
     SprinkleLists sprinkles = {};

@@ -19,17 +19,17 @@ constexpr double plinthRadius = 0.28, plinthHeight = 0.26, plinthRounding = 0.01
 constexpr int waferParts = 1 << PART_FOOT | 1 << PART_COLLAR | 1 << PART_BOWL | 1 << PART_RINGS | 1 << PART_BARS;
 constexpr int allCandies = ((1 << candyCount) - 1) << PART_CANDY;
 
-/// A vector turned about the y axis as the source's matrix does.
+/// Returns a vector rotated about the y axis, with the sign of the reference's matrix.
 dvec3 turned(const dvec3& v, double yaw)
 {
     return {std::cos(yaw) * v.x + std::sin(yaw) * v.z, v.y, std::cos(yaw) * v.z - std::sin(yaw) * v.x};
 }
 
-/// Smallest half height and middle, and the radius, of a cylinder around the axis that holds a rounded cone wherever it
-/// is turned to; grown by `slack`.
+/// Returns radius, center height and half height of the smallest cylinder around the y axis that contains a rounded
+/// cone at any rotation about that axis, grown by `slack`.
 dvec4 hullOf(const dvec3& foot, const dvec3& tip, double radius, double corner, double slack)
 {
-    // The base is a disk across the axis of the cone: as high as its slant lets it be.
+    // The base is a disk perpendicular to the cone's axis; its slant determines its height.
     const dvec3 axis = glm::normalize(tip - foot);
     const double rise = radius * std::sqrt(std::max(1 - axis.y * axis.y, 0.0));
     const double low = std::min(foot.y - rise, tip.y) - corner - slack;
@@ -38,12 +38,12 @@ dvec4 hullOf(const dvec3& foot, const dvec3& tip, double radius, double corner, 
     return {outer, 0.5 * (low + high), 0.5 * (high - low), 0};
 }
 
-/// `stage` cuts what has not come yet.
+/// Returns a layer of cream. Features of stages after `stage` are left out.
 glsl::CreamLayer layerOf(const CreamRows& rows, const ParameterValues& values, double rim, int stage, double slack)
 {
     glsl::CreamLayer layer{};
     const double height = values[rows.height], radius = values[rows.radius];
-    // What is left of the cone has to be one.
+    // Corners are limited, so something of the cone is left.
     const double corner = stage < STAGE_ROUND ? 0 : std::min({values[rows.corner], 0.45 * height, 0.95 * radius});
     const double length = height - 2 * corner;
     layer.corner = corner;
@@ -57,7 +57,7 @@ glsl::CreamLayer layerOf(const CreamRows& rows, const ParameterValues& values, d
     const double tilt = values[rows.tilt];
     layer.axis = turned({0, std::cos(tilt), std::sin(tilt)}, values[rows.yaw]);
     const dvec3 tip = layer.foot + layer.axis * length;
-    // The smallest ball around base and tip has its center where they are equally far, but not below the base.
+    // The smallest ball around base and tip has its center at equal distance from both, but not below the base.
     const double along = std::max(0.5 * (length * length - layer.radius * layer.radius) / length, 0.0);
     const double reach = std::max(length - along, std::hypot(along, layer.radius)) + corner;
     layer.ball = layer.foot + layer.axis * along;
@@ -67,7 +67,7 @@ glsl::CreamLayer layerOf(const CreamRows& rows, const ParameterValues& values, d
     return layer;
 }
 
-/// One of many orientations, even over all of them: Shoemake 1992, "Uniform Random Rotations".
+/// Returns random orientation `number`, uniform over all: Shoemake 1992, "Uniform Random Rotations"; 0 is upright.
 glm::dquat tumbled(int number)
 {
     if (number == 0) return {1, 0, 0, 0};
@@ -78,10 +78,11 @@ glm::dquat tumbled(int number)
             std::sqrt(u) * std::sin(b)};
 }
 
-/// `axis`: 0, 1 or 2, about which it spins; they bob at paces of their own.
+/// Returns candy number `index` at `time` seconds. The index determines the axis of its spin, and the pace and phase of
+/// its bobbing.
 glsl::Candy candyOf(const CandyRows& rows, const ParameterValues& values, std::size_t index, double time)
 {
-    constexpr double pace[3]{0.15, 0.13, 0.17};  // Radians a second, of the source.
+    constexpr double pace[3]{0.15, 0.13, 0.17};  // Radians per second, from the reference.
     glsl::Candy candy{};
     const std::size_t axis = (index + 2) % 3;
     candy.center = {values[rows.x], values[rows.y], values[rows.z]};
@@ -117,7 +118,7 @@ int partsShown(IceCreamParts show)
     return ~0;
 }
 
-/// Those that a stage has come to.
+/// Returns the parts that exist at a stage.
 int partsOfStage(int stage)
 {
     int parts = 1 << PART_PLINTH;
@@ -163,7 +164,7 @@ IceCreamStage stageAt(const IceCreamRows& t, const ParameterValues& values, doub
 {
     if (!values[t.buildUp] || !std::isfinite(time)) return values[t.stage];
     constexpr double stages = static_cast<double>(IceCreamStage::finished) + 1;
-    // The finished one stays twice as long.
+    // The finished one is shown twice as long.
     const double count = std::fmod(std::max(time, 0.0) / values[t.stageTime], stages + 1);
     return static_cast<IceCreamStage>(static_cast<int>(std::min(count, stages - 1)));
 }

@@ -11,21 +11,21 @@ namespace vitrine {
 
 #include "shaders/ice_cream/ice_cream_block.glsl"
 
-/// The ice cream's numbers at one moment, `time` in seconds. Without the grid of the sprinkles.
+/// Returns the shape at `time` seconds, without the grid of the sprinkles.
 [[nodiscard]] IceCreamShape iceCreamShape(const IceCreamRows&, const ParameterValues&, double time);
 
-/// Which stage of the build-up is shown, `time` seconds after it began.
+/// Returns the stage of the build-up that is shown `time` seconds after it began.
 [[nodiscard]] IceCreamStage stageAt(const IceCreamRows&, const ParameterValues&, double time);
 
-/// A box that holds it, in its own space; sprinkles are left out.
+/// Returns the bounding box in the shape's own space, without sprinkles.
 [[nodiscard]] render::Box boxOf(const IceCreamShape&);
-/// The same at any time and stage, with candies floating.
+/// Returns the bounding box over all times and stages, with floating candies.
 [[nodiscard]] render::Box boxOverTime(const IceCreamRows&, const ParameterValues&);
 
-/// What the source adds to a candy's angle after `time` seconds, radians.
+/// Returns the angle that the reference adds to a candy after `time` seconds, radians.
 [[nodiscard]] double candySpin(double time);
 
-/// The same shape in another precision: of C++ at float64 and float32 (ice_cream_cpu.h), or of the uniform block.
+/// Copies a shape into another precision: C++ at float64 or float32 (ice_cream_cpu.h), or the uniform block.
 template <typename To, typename From> void copyShape(To& to, const From& from)
 {
 #define COPY_FIELD(type, name) to.name = std::remove_cvref_t<decltype(to.name)>(from.name);

@@ -16,7 +16,7 @@ enum class IceCreamColors : int { material, part };
 enum class IceCreamLighting : int { hall, source };
 enum class IceCreamHighlight : int { ggx, blinnPhong };
 enum class SprinkleColors : int { candies, one };
-/// The build-up: STAGE_ numbers of shaders/ice_cream/ice_cream_block.glsl.
+/// Stages of the build-up: the STAGE_ numbers of shaders/ice_cream/ice_cream_block.glsl.
 enum class IceCreamStage : int {
     foot,
     collar,
@@ -41,14 +41,14 @@ enum class IceCreamStage : int {
     finished
 };
 
-/// The rows of one layer of cream. Meters before `size`.
+/// Parameters of one layer of cream. Lengths are in meters before scaling by `size`.
 struct CreamRows {
     Count lobes;
     Real radius, height, corner, offsetX, offsetZ, raise, tilt, yaw, twist, blend;
     Color color;
 };
 
-/// The rows of one candy. Meters before `size`.
+/// Parameters of one candy. Lengths are in meters before scaling by `size`.
 struct CandyRows {
     Real x, y, z, halfX, halfY, halfZ, corner;
     Color color;
@@ -56,8 +56,9 @@ struct CandyRows {
     Real spin, bob;
 };
 
-/// The soft-serve: its shape, its materials, its two lights. Lengths in meters before `size`; y up from the wafer's
-/// foot. The colors are the source's, which showed them without a gamma curve: here they are linear light.
+/// Parameters of the soft serve: its shape, its materials, its two lights. Lengths are in meters before scaling by
+/// `size`; y is up from the wafer's foot. The colors are those of the reference, which displayed them without a gamma
+/// curve: here they are linear light.
 struct IceCreamRows : virtual Parameters {
     Group whole = group("Ice cream");
     Choice<IceCreamStage> stage = choice(
@@ -109,7 +110,7 @@ struct IceCreamRows : virtual Parameters {
     Real footBlend =
         real("footBlend", 0.0075, meter, Range{0, 0.1}.soft(0, 0.03), "Width of the fillet between them and the foot.");
 
-    /// By layer: lowerLobes, ... upperLobes, ...
+    /// Indexed by layer: lowerLobes, ... upperLobes, ...
     std::vector<CreamRows> layers =
         groups("layers", layerElements, [this](std::size_t i) { return layer(layerInitials[i]); });
     Group joints = group("Joints of the cream");
@@ -118,7 +119,7 @@ struct IceCreamRows : virtual Parameters {
     Real waferBlend = real("waferBlend", 0.01, meter, Range{0, 0.5}.soft(0, 0.1),
                            "Width of the fillet between cream and wafer: wide runs down.");
 
-    /// By candy: candy1X, ... candy10Bob.
+    /// Indexed by candy: candy1X, ... candy10Bob.
     std::vector<CandyRows> candies =
         groups("candies", candyElements, [this](std::size_t i) { return candy(candyInitials[i]); });
 
@@ -195,7 +196,7 @@ private:
     };
     static constexpr std::array<Element, creamLayerCount> layerElements{
         {{"lower", "Lower layer of cream"}, {"upper", "Upper layer of cream"}}};
-    // The source raises the upper layer by the lower one's height less 0.05, along x and z as well as up.
+    // The reference raises the upper layer by the lower one's height less 0.05, along x and z as well as up.
     static constexpr double raised = 0.4 * 0.5403023058681398;
     static constexpr std::array<CreamInitial, creamLayerCount> layerInitials{{
         {7, 0.16, 0.40, 0.1, 0.3, 0.03, -1.0, std::numbers::pi / 10, 5},
@@ -219,8 +220,8 @@ private:
                                                                     {"candy10", "Candy 10, in the air"}}};
     static constexpr glm::dvec3 red{0.8796, 0.0158, 0.0137}, green{0.0173, 0.8456, 0.0092},
         blue{0.0155, 0.0754, 0.8796}, yellow{0.9266, 0.8796, 0.0053}, pink{0.6795, 0.0996, 0.2219};
-    // The first one's z is 16 in the source, for .16: out of sight. The fifth one, at (-.06, 1.1, -.11), lies within
-    // the cream there; here it is drawn out to the surface.
+    // In the reference, z of the first candy is 16 instead of .16, so it is out of sight. The fifth one, at (-.06, 1.1,
+    // -.11), is inside the cream there; here it is moved out to the surface.
     static constexpr std::array<CandyInitial, candyCount> candyInitials{{
         {0.12, 1.0, 0.16, red, 1, 0, 0},
         {0.06, 1.2, -0.08, green, 2, 0, 0},
@@ -229,7 +230,8 @@ private:
         {-0.0745, 1.1, -0.1365, pink, 5, 0, 0},
         {0.168, 0.95, -0.156, yellow, 6, 0, 0},
         {0.01, 0.94, 0.19, red, 7, 0, 0},
-        // In the air; a meter away from the axis in the source, nearer here, where there are walls.
+        // The last three float in the air. In the reference they are a meter from the axis; here they are nearer,
+        // because of the walls.
         {0.27, 1.12, 0.36, green, 8, 1, 0.07},
         {-0.46, 1.05, 0.08, pink, 9, 1, 0.05},
         {0.32, 1.32, -0.2, blue, 10, 1, 0.06},
@@ -281,11 +283,11 @@ private:
     }
 };
 
-/// Everything that can be set about it.
+/// All parameters of the exhibit.
 struct IceCreamTable final : IceCreamRows, SdfRows {
     IceCreamTable() : SdfRows(0, when(lighting, IceCreamLighting::source)) {}
 
-    // The hall's sun hardly reaches the niche; that of the source does.
+    // The hall's sun hardly reaches the niche, but the reference's sun does.
     StudiedRows studied{*this,
                         {{.name = "shadowMethod", .views = {"as in the source"}},
                          {.name = "shadowRays", .with = {{"sunWidth", degrees(10)}}, .views = {"as in the source"}}}};

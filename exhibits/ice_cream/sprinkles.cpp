@@ -14,9 +14,9 @@ namespace {
 using glm::dvec3;
 
 constexpr double cellWidth = 0.025;  ///< Meters.
-constexpr double listed = 0.008;     ///< Meters: what is nearer to a cell than this stands in its list.
+constexpr double listed = 0.008;     ///< Meters; sprinkles nearer to a cell than this are in its list.
 
-/// The numbers of one sprinkle: in [0, 1), other ones for each `draw`.
+/// Returns three random numbers of a sprinkle in [0, 1), different for each `draw`.
 dvec3 drawn(int sprinkle, int seed, int draw)
 {
     const glm::uvec3 bits =
@@ -25,7 +25,7 @@ dvec3 drawn(int sprinkle, int seed, int draw)
     return {glsl::unitFromBits(bits.x), glsl::unitFromBits(bits.y), glsl::unitFromBits(bits.z)};
 }
 
-/// Where a ray meets the cream, and its normal there; nothing where it meets the wafer, or nothing.
+/// Point where a ray meets the cream, and the normal there. There is none if the ray misses or meets the wafer.
 struct Landing {
     dvec3 point, normal;
 };
@@ -53,7 +53,8 @@ std::optional<Landing> landing(glsl::IceCream& solids, const dvec3& from, const 
     return {};
 }
 
-/// A few falls, slanting towards the axis; the first one that lands on cream and not under an overhang counts.
+/// Places one sprinkle: it falls up to 16 times, slanting towards the axis. The first fall that lands on cream and not
+/// under an overhang counts.
 std::optional<Sprinkles::One> strew(glsl::IceCream& solids, const SprinkleSettings& settings, double low, double high,
                                     double outer, int sprinkle)
 {
@@ -66,14 +67,14 @@ std::optional<Sprinkles::One> strew(glsl::IceCream& solids, const SprinkleSettin
         const double way = 2 * outer / std::hypot(direction.x, direction.z);
         const auto found = landing(solids, axis - direction * way, direction, way);
         if (!found || found->normal.y < -0.3) continue;
-        // Falls come as often to each height: what is wide takes more of them.
+        // Falls are uniform in height. Rejecting by radius makes them uniform in area.
         if (how.z * outer > std::hypot(found->point.x, found->point.z)) continue;
         const dvec3 across = glm::normalize(
             glm::cross(found->normal, std::abs(found->normal.y) < 0.9 ? dvec3(0, 1, 0) : dvec3(1, 0, 0)));
         const double turn = 2 * std::numbers::pi * how.x;
         const dvec3 along = std::cos(turn) * across + std::sin(turn) * glm::cross(found->normal, across);
         const double radius = solids.shape.sprinkleRadius;
-        const dvec3 center = found->point + found->normal * (0.5 * radius);  // A quarter of it is sunk in.
+        const dvec3 center = found->point + found->normal * (0.5 * radius);  // A quarter of it is embedded.
         const double half = std::max(0.5 * settings.length - radius, 1e-4);
         return Sprinkles::One{glm::vec3(center - along * half), glm::vec3(center + along * half),
                               static_cast<int>(5 * how.y)};
@@ -81,7 +82,7 @@ std::optional<Sprinkles::One> strew(glsl::IceCream& solids, const SprinkleSettin
     return {};
 }
 
-/// No more than the distance between a box and a capsule.
+/// Returns a lower bound of the distance between a box and a capsule.
 double gap(const dvec3& low, const dvec3& high, const Sprinkles::One& one, double radius)
 {
     constexpr int samples = 8;
@@ -106,7 +107,7 @@ template <typename Visit> void eachCell(const glm::ivec3& low, const glm::ivec3&
             for (int x = low.x; x <= high.x; ++x) visit(glm::ivec3(x, y, z));
 }
 
-/// Which sprinkles each cell lists.
+/// Returns the sprinkles in the list of each cell.
 std::vector<std::vector<int>> lists(const Sprinkles& s, double radius)
 {
     std::vector<std::vector<int>> near(s.grid.size());
@@ -126,8 +127,8 @@ std::vector<std::vector<int>> lists(const Sprinkles& s, double radius)
     return near;
 }
 
-/// Cells between each cell and the nearest one with a list, along the axis on which they are farthest apart: two passes
-/// of a chamfer, which is exact for that measure (Rosenfeld and Pfaltz 1966).
+/// Returns the number of cells between each cell and the nearest one with a list, along the axis on which they are
+/// farthest apart. Two passes of a chamfer are exact for that metric (Rosenfeld and Pfaltz 1966).
 std::vector<int> cellsToLists(const Sprinkles& s, const std::vector<std::vector<int>>& near)
 {
     std::vector<int> apart(near.size(), 1 << 20);
@@ -158,7 +159,7 @@ void fillGrid(Sprinkles& s, double radius)
         low = glm::min(low, glm::min(dvec3(one.start), dvec3(one.finish)));
         high = glm::max(high, glm::max(dvec3(one.start), dvec3(one.finish)));
     }
-    // Two empty cells all round.
+    // The margin has two empty cells on every side.
     const double margin = radius + listed + 2 * cellWidth;
     s.low = glm::vec3(low - margin);
     s.cell = static_cast<float>(cellWidth);
@@ -176,7 +177,8 @@ void fillGrid(Sprinkles& s, double radius)
             s.ends.emplace_back(one.finish, 0.0F);
         }
         s.grid[i].end = static_cast<std::int32_t>(s.ends.size() / 2);
-        // What touches a cell stands in its list: with k - 1 empty cells between, it is as far away as they are wide.
+        // A sprinkle that touches a cell is in its list. With k - 1 empty cells between, the distance is at least their
+        // width.
         s.grid[i].clear = static_cast<float>(std::max(listed, (apart[i] - 1) * cellWidth) - 1e-6);
     }
 }
@@ -187,7 +189,7 @@ Sprinkles strewn(const IceCreamShape& shape, const SprinkleSettings& settings)
 {
     glsl::IceCream solids;
     copyShape(solids.shape, shape);
-    // Only the cream counts, and the wafer, on which nothing sticks.
+    // Only the cream matters, and the wafer, to which nothing sticks.
     solids.shape.parts &= 3 << PART_CREAM | 31;
     double low = 1e9, high = -1e9, outer = 0.01;
     for (const CreamLayer& layer : shape.layers) {

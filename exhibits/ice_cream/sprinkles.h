@@ -11,33 +11,33 @@ namespace vitrine {
 struct SprinkleSettings {
     int count = 0;
     int seed = 1;
-    double length = 0.034;  ///< Meters, round ends included.
+    double length = 0.034;  ///< Meters, including the round ends.
 };
 
-/// Capsules strewn over the cream of a shape, in a grid that tells each point which of them are near.
+/// Capsules on the cream of a shape, in a grid that lists which of them are near each point.
 struct Sprinkles {
     struct One {
-        glm::vec3 start, finish;  ///< Of its middle line; meters.
+        glm::vec3 start, finish;  ///< Ends of the center line, meters.
         int color = 0;            ///< 0 to 4.
     };
     struct Cell {
-        std::int32_t first = 0, end = 0;  ///< Of its list.
-        float clear = 0;  ///< Meters: whatever is not in the list is farther from any point of the cell.
+        std::int32_t first = 0, end = 0;  ///< Range of its list.
+        float clear = 0;  ///< Meters; sprinkles that are not in the list are farther from any point of the cell.
         std::int32_t unused = 0;
     };
 
     std::vector<One> all;
-    glm::vec3 low{0};  ///< Of the grid.
-    float cell = 0;    ///< Width of its cells.
+    glm::vec3 low{0};  ///< Lower corner of the grid, meters.
+    float cell = 0;    ///< Width of its cells, meters.
     glm::ivec3 cells{0};
     std::vector<Cell> grid;
-    std::vector<glm::vec4> ends;  ///< Of the lists: start with color, finish, for each entry.
+    std::vector<glm::vec4> ends;  ///< Contents of the lists: for each entry the start with the color, and the finish.
 
-    std::shared_ptr<const render::Bytes> cellBytes, endBytes;  ///< The last two as std430.
+    std::shared_ptr<const render::Bytes> cellBytes, endBytes;  ///< `grid` and `ends` as std430.
 };
 
-/// Each sprinkle has random numbers of its own, from `seed` and its number: one more moves none of the others. Fewer
-/// than asked for where the cream is too small to be hit.
+/// Returns sprinkles on the cream. The random numbers of each depend on `seed` and on its index only, so one more moves
+/// none of the others. There are fewer than `count` if the cream is too small to be hit.
 [[nodiscard]] Sprinkles strewn(const IceCreamShape&, const SprinkleSettings&);
 
 }  // namespace vitrine
