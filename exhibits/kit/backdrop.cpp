@@ -11,7 +11,7 @@ namespace {
 
 using render::Attachment;
 
-constexpr int blurLevels = 7;  ///< The last one blurs over 64 pixels.
+constexpr int blurLevels = 7;  ///< The last level blurs over 64 pixels.
 
 constexpr const char* sharpPass = "kit/backdrop";
 constexpr const char* blurredPass = "kit/backdrop/blurred";
@@ -29,7 +29,7 @@ render::Pass copyPass(const char* name, const char* reason)
     return copy;
 }
 
-/// Levels of an image of this many pixels, down to one.
+/// Returns the number of mip levels of an image, down to one pixel.
 int largestLevels(glm::ivec2 size)
 {
     return static_cast<int>(std::bit_width(static_cast<unsigned>(std::max({size.x, size.y, 1}))));
@@ -43,7 +43,7 @@ render::ImageInfo pictureImage(const render::FramePlan& plan, const char* name, 
             .levels = std::min(levels, largestLevels(plan.view.raster.drawn()))};
 }
 
-/// The picture as everything opaque left it.
+/// Plans a copy of the picture after all opaque passes.
 void planSharp(render::FramePlan& plan)
 {
     if (plan.find(sharpPass)) return;
@@ -56,7 +56,7 @@ void planSharp(render::FramePlan& plan)
     plan.add(std::move(copy));
 }
 
-/// The same with its smaller levels.
+/// Plans the mip levels of that copy.
 void planBlurred(render::FramePlan& plan)
 {
     if (plan.find(blurredPass)) return;

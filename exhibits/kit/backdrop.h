@@ -7,13 +7,13 @@
 
 namespace vitrine {
 
-/// Draws the pass after everything opaque and lets it see through what it draws: shaders/kit/backdrop.glsl, as the
-/// define BACKDROP says, finds where a ray meets what the picture shows. A copy of radiance and depth is made once a
-/// frame, before the first pass that asks. `blurred`: rough glass needs its smaller levels too.
+/// Makes a pass run after everything opaque and read what is behind its surfaces: with the define BACKDROP,
+/// shaders/kit/backdrop.glsl finds where a ray meets the picture. Radiance and depth are copied once a frame, before
+/// the first such pass. `blurred` adds smaller mip levels for rough glass.
 void seeThrough(render::Pass&, render::FramePlan&, bool blurred);
 
-/// The depth image at which the air in the picture ends: that of what is behind the glass, where the plan has glass.
-/// Meaningful once all that is seen through is planned.
+/// Returns the depth image at which the air in the picture ends: the depth behind the glass, if the plan contains
+/// glass. Valid once all passes that call `seeThrough` are planned.
 [[nodiscard]] std::string depthBehindGlass(const render::FramePlan&);
 
 }  // namespace vitrine

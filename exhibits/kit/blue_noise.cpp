@@ -11,9 +11,9 @@ namespace {
 
 constexpr int side = 64;
 constexpr int count = side * side;
-constexpr double sigma = 1.9;  ///< Texels; Ulichney recommends 1.5, and a little more is better at this size.
+constexpr double sigma = 1.9;  ///< Texels; Ulichney recommends 1.5, but a little more is better at this size.
 
-/// Set texels and, for every texel, how crowded it is: a Gaussian around each set one, wrapping around.
+/// Set texels, and the density of every texel: a sum of Gaussians around the set ones, which wraps around.
 class Pattern {
 public:
     Pattern()
@@ -42,7 +42,7 @@ public:
         }
     }
 
-    /// The set texel in the tightest cluster, or the free one in the largest void.
+    /// Returns the set texel in the tightest cluster, or the free one in the largest void.
     [[nodiscard]] int extreme(bool set) const
     {
         int best = -1;
@@ -76,7 +76,7 @@ std::vector<int> ranks()
         pattern.flip(at);
         ++ones;
     }
-    // Spread the first points: the tightest cluster goes into the largest void until that is where it came from.
+    // Spreads the first points: the tightest cluster moves into the largest void, until that is where it came from.
     for (int i = 0; i < count; ++i) {
         const int from = pattern.extreme(true);
         pattern.flip(from);

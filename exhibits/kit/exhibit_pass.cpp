@@ -61,7 +61,7 @@ render::DepthOnly meshDepth()
 
 namespace {
 
-/// Seen by the sun, for a map that is kept until anything about any exhibit's shadow changes.
+/// Sets the view of the sun and the key, which changes with the shadow of any exhibit.
 void seenBySun(render::Pass& pass, const SceneLighting& around)
 {
     pass.phase = render::PassPhase::shadow;

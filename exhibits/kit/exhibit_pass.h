@@ -8,36 +8,37 @@
 
 namespace vitrine {
 
-/// A pass with the exhibit's values bound: `parameters.NAME` in its shaders. Everything else is as in an empty pass.
+/// Returns a pass with the exhibit's values bound: `parameters.NAME` in its shaders. Everything else is empty.
 [[nodiscard]] render::Pass exhibitPass(std::string name, std::string reason, const ParameterValues&, std::string vertex,
                                        std::string fragment);
 
-/// Makes it a pass that draws surfaces of the picture: their radiance and depth over what is there, the nearest one
-/// kept, back faces culled. Shaders write further outputs as the defines say: with `channels.normal`, WRITE_NORMAL and
-/// the normal at location 1; with `channels.evaluations`, WRITE_EVALUATIONS with the location of the count.
+/// Makes a pass draw surfaces into the picture: radiance and depth over what is there, depth-tested, with back faces
+/// culled. Defines tell shaders to write further outputs. With `channels.normal` it is WRITE_NORMAL, the normal at
+/// location 1. With `channels.evaluations` it is WRITE_EVALUATIONS, whose value is the location of the count.
 void drawSurface(render::Pass&, const Channels&, render::Load = render::Load::keep);
 
-/// The depth of meshes, for which their positions tell all: of passes whose every fragment hides what is behind. Their
-/// draws are `surfaceDraw`s, or have their block alone.
+/// Returns the depth-only variant for meshes whose positions determine their depth, so every fragment must be opaque.
+/// Draws are `surfaceDraw`s, or contain their block alone.
 [[nodiscard]] render::DepthOnly meshDepth();
 
-/// A pass of meshes with materials, `surfaceDraw`s, in this light, as by `drawSurface`. `defines` are permutations of
-/// shaders/kit/surface.frag. Its depth alone is `meshDepth`: one whose textures cut holes unsets `depthOnly`.
+/// Returns a pass of meshes with materials (`surfaceDraw`s) in this light, as by `drawSurface`. `defines` are
+/// permutations of shaders/kit/surface.frag. Its depth-only variant is `meshDepth`; unset `depthOnly` if textures cut
+/// holes.
 [[nodiscard]] render::Pass surfacePass(std::string name, std::string reason, const SceneLighting&, const Channels&,
                                        std::vector<std::string> defines = {}, render::Load = render::Load::keep);
 
-/// Why a shadow that `Exhibit::planShadow` adds is there.
+/// Reason for the passes that `Exhibit::planShadow` adds.
 inline constexpr const char* shadowReason = "the sun reaches it and its shadow may be seen";
 
-/// Makes it a pass that draws into the exhibits' shadow map as the sun sees them: nearest depth, kept until anything
-/// about any exhibit's shadow changes, left out where no shadow can be seen. Culling and depth bias stay as they are.
+/// Makes a pass draw into the exhibits' shadow map, seen from the sun: nearest depth. It is kept until the shadow of
+/// any exhibit changes, and skipped if no shadow can be visible. Culling and depth bias are unchanged.
 void castShadow(render::Pass&, const PlanContext&);
 
-/// Makes it a pass that draws what glass lets through of the sun: color, and in alpha the depth from which on it does,
-/// as the exhibits' shadow map has it. Kept and left out as that is.
+/// Makes a pass draw what glass transmits of the sunlight: color, and in alpha the depth behind which it applies, in
+/// units of the exhibits' shadow map. It is kept and skipped like that map.
 void castGlassShadow(render::Pass&, const PlanContext&);
 
-/// The shadow of meshes, as `meshDepth`.
+/// Returns the shadow pass of meshes with the shader of `meshDepth`.
 [[nodiscard]] render::Pass meshShadow(std::string name, const PlanContext&);
 
 }  // namespace vitrine

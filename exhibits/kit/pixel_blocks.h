@@ -6,8 +6,8 @@
 
 namespace vitrine {
 
-/// The blocks of `side` × `side` pixels that hold the drawn tile, on the grid of the whole picture: a tile may begin
-/// within a block, so that tiles join to the bit. For images of one texel for each block (`count` is their size).
+/// Blocks of `side` × `side` pixels that cover the drawn tile, on the grid of the whole picture. A tile may begin
+/// within a block, so adjacent tiles agree exactly. `count` is the size of an image with one texel per block.
 struct PixelBlocks {
     PixelBlocks(const render::Raster& raster, int pixels)
         : side(pixels), first(raster.offset / pixels),

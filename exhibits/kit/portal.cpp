@@ -13,7 +13,7 @@
 namespace vitrine {
 namespace {
 
-/// A square from -1 to 1 on z = 0, seen from +z.
+/// Returns a square from -1 to 1 on z = 0, facing +z.
 std::shared_ptr<const render::Mesh> squareMesh()
 {
     static const std::shared_ptr<const render::Mesh> square = [] {
@@ -28,7 +28,7 @@ std::shared_ptr<const render::Mesh> squareMesh()
     return square;
 }
 
-/// A point of it, the exhibit's space.
+/// Returns a point of the divider in exhibit space.
 glm::dvec4 dividerOf(const Portal& portal)
 {
     return {portal.divider, 0, -portal.behind, 1};
@@ -67,7 +67,7 @@ std::optional<glm::ivec2> portalColumns(const Portal& portal, const glm::dmat4& 
     if (portal.side == 0) return std::nullopt;
     const glm::dvec3 toLine = glm::dvec3(worldFromExhibit * dividerOf(portal)) - view.eye;
     const glm::dvec3 right = glm::cross(toLine, glm::dvec3(worldFromExhibit * glm::dvec4(0, 1, 0, 0)));
-    // How far right of the divider a ray is changes evenly across the picture.
+    // The signed distance of a ray from the divider is linear across the picture.
     const auto at = [&](double x, double y) { return glm::dot(right, view.direction({x, y})) * portal.side; };
     double low = 1, high = -1;
     for (const double y : {-1.0, 1.0}) {
@@ -79,7 +79,7 @@ std::optional<glm::ivec2> portalColumns(const Portal& portal, const glm::dmat4& 
         low = std::min(low, between);
         high = std::max(high, between);
     }
-    // One more on either side, for jitter and rounding.
+    // One more column on either side allows for jitter and rounding.
     const double width = view.raster.size.x;
     const auto column = [&](double ndc) { return (0.5 + 0.5 * ndc) * width - view.raster.offset.x; };
     if (high <= low) return glm::ivec2(0);

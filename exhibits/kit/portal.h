@@ -13,30 +13,31 @@ namespace vitrine {
 
 #include "shaders/kit/portal/portal_block.glsl"
 
-/// An opening through which one looks into a world of its own, and where in that world it is. By default that of the
-/// deep frames in the hall's side walls, places 5 to 9, whose origin is the middle of the frame's mouth, +z into the
-/// room: 5 mm before the back of the recess, so that the frame's inner sides are seen before it.
+/// Opening with a view into a separate world, and its position in that world. The defaults are for the deep frames in
+/// the hall's side walls, places 5 to 9. Their origin is the center of the frame's mouth, +z into the room. The opening
+/// is 5 mm in front of the back of the recess, so the frame's inner sides are visible in front of it.
 struct Portal {
     glm::dvec2 halfSize{1.2, 0.8};  ///< Meters.
-    double behind = 0.495;          ///< How far behind the mouth, meters.
-    glm::dmat4 workFromExhibit{1};  ///< A rotation, a shift and one scale: meters of the world beyond.
-    int side = 0;                   ///< Drawn is what is seen to the right (1) or left (-1) of a divider; 0: all.
-    double divider = 0;             ///< An upright line of the opening, so far right of its middle, meters.
+    double behind = 0.495;          ///< Distance behind the mouth, meters.
+    glm::dmat4 workFromExhibit{1};  ///< Rotation, translation and uniform scale, to meters of the world beyond.
+    int side = 0;                   ///< Side of a divider that is drawn: right (1) or left (-1); 0: both.
+    double divider = 0;  ///< Position of the vertical divider, meters to the right of the center of the opening.
 };
 
-/// Flat, in the exhibit's space.
+/// Returns the flat bounds of the opening in exhibit space.
 [[nodiscard]] render::Box portalBounds(const Portal&);
-/// From straight before it, so that the frame around it is in the picture; field of view 50°.
+/// Returns a camera straight in front of it with the frame in the picture; field of view 50°.
 [[nodiscard]] render::Camera portalView(const Portal&);
 
-/// Of a picture that is divided: the columns of its tile in which one side may be seen, as `Pass::columns` counts them;
-/// from one to the same where none is. Unset: all.
+/// Returns the columns of a tile in which one side of a divided picture may be visible, as in `Pass::columns`; an empty
+/// range if there are none. Unset means all columns.
 [[nodiscard]] std::optional<glm::ivec2> portalColumns(const Portal&, const glm::dmat4& worldFromExhibit,
                                                       const render::View&);
-/// A pass that draws what is seen through the opening: radiance that no light of the hall has touched, the depth of the
-/// opening, normals and evaluations. `fragment` is a shader with kit/portal/portal.glsl and kit/portal/main.glsl; the
-/// pass binds its parameters and the hall's light block, whose sun it may follow, and no map. Where the exhibit stands
-/// alone, what is beyond fills the picture, with depths of its own.
+/// Returns a pass that draws what is visible through the opening: radiance without light of the hall, the depth of the
+/// opening, normals and evaluations. `fragment` is a shader with kit/portal/portal.glsl and kit/portal/main.glsl.
+///
+/// The pass binds its parameters and the hall's light block, whose sun it may follow, but no maps. If the exhibit is
+/// shown alone, the world beyond fills the picture, with its own depths.
 [[nodiscard]] render::Pass portalPass(std::string name, std::string reason, const ParameterValues&,
                                       std::string fragment, const Portal&, const PlanContext&);
 

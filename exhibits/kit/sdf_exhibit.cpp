@@ -13,8 +13,8 @@ namespace vitrine {
 namespace {
 
 struct PreparedSdf final : PreparedPart {
-    std::optional<render::Asset<render::Mesh>> mesh;  ///< That is shown in its place.
-    std::shared_ptr<const PreparedPart> body;         ///< Of the exhibit's own; may be null.
+    std::optional<render::Asset<render::Mesh>> mesh;  ///< Mesh that is shown in place of the field.
+    std::shared_ptr<const PreparedPart> body;         ///< What the exhibit prepared for its body; may be null.
 };
 
 const PreparedPart* bodyOf(const PreparedPart* prepared)
@@ -22,7 +22,7 @@ const PreparedPart* bodyOf(const PreparedPart* prepared)
     return prepared ? static_cast<const PreparedSdf*>(prepared)->body.get() : nullptr;
 }
 
-/// With its size around its center changed by a factor.
+/// Returns the box scaled about its center.
 render::Box resized(const render::Box& box, double factor)
 {
     return {box.center() - factor * box.halfSize(), box.center() + factor * box.halfSize()};
@@ -30,7 +30,7 @@ render::Box resized(const render::Box& box, double factor)
 
 }  // namespace
 
-/// The kit's shaders include the field and its material under names of the kit.
+/// Returns sources in which the kit's shaders find field, material and shading under names of the kit.
 std::shared_ptr<const render::ShaderSources> sdfSources(const SdfShaders& shaders)
 {
     std::map<std::string, std::string> texts;
@@ -78,7 +78,7 @@ std::shared_ptr<const PreparedPart> SdfExhibit::prepare(const PrepareContext& co
 double SdfExhibit::firstHit(const ExhibitState& state, const render::Ray& ray) const
 {
     constexpr double never = std::numeric_limits<double>::infinity();
-    constexpr double tolerance = 1e-4;  // Meters: less than a pixel from anywhere a visitor can be.
+    constexpr double tolerance = 1e-4;  // Meters; less than a pixel from any place that a walking user can reach.
     const SdfBody now = body(state.values, state.time);
     const render::Ray own = ray.transformed(glm::affineInverse(now.exhibitFromBody));
     const double length = glm::length(own.direction);

@@ -20,7 +20,7 @@ namespace {
 using render::Attachment;
 using render::Pass;
 
-constexpr int pixelsOfCone = 8;  ///< Along a side of the block that one cone covers.
+constexpr int pixelsOfCone = 8;  ///< Side of the block that one cone covers.
 
 struct SdfPlanner {
     const SdfScene& scene;
@@ -77,7 +77,7 @@ struct SdfPlanner {
         plan.add(std::move(made));
     }
 
-    /// Why an effect is off that the table asks for, or not.
+    /// Returns why an effect is off: `switchedOff`, or the body's own reason if the parameters ask for it.
     [[nodiscard]] std::string whyOff(bool asked, std::string_view switchedOff) const
     {
         return std::string(asked ? scene.body.switchedOff : switchedOff);
@@ -97,12 +97,12 @@ struct SdfPlanner {
             needed.set(table.ambientOcclusion, false);
     }
 
-    /// What the shading does beside the plain surface: the pass is given the values as far as they are called for.
+    /// Plans the effects of the shading. The pass gets values without the effects that would be invisible.
     void effects(Pass& made) const
     {
         const SceneLighting& around = scene.context.lighting;
         const bool heat = values[table.heatMap] != SdfHeatMap::none;
-        // A heat map shows what the effects cost, which no light bounds.
+        // A heat map shows the cost of the effects, so no bound on light applies.
         const double any = heat ? std::numeric_limits<double>::infinity() : 1;
         const int bounces = values[table.bounces];
         const double own = scene.body.ownLight * mostReflected;
@@ -118,7 +118,7 @@ struct SdfPlanner {
                                             {{around.sunShadow.absolute + own, around.sunShadow.whyNone}})}))
             needed.set(table.shadowMethod, SdfShadow::none);
 
-        // Beyond the first surface, each one adds its own light, and the last one the room's.
+        // Each surface after the first adds its own light, and the last one the room's.
         const double shaded = bounces > 0 ? bounces * (around.sunShadow.absolute + own) : 0;
         const double reflected = around.probeLight.absolute + shaded;
         (void)plan.includeIfEffective(
@@ -141,7 +141,7 @@ struct SdfPlanner {
         if (scene.glass) made.shader.defines.emplace_back("GLASS");
         if (values[table.heatMap] != SdfHeatMap::none) made.shader.defines.emplace_back("HEAT_MAP");
         scene.context.lighting.bindLighting(made);
-        // It shades itself by rays of its own; the exhibits' shadow map is for what others keep from it.
+        // The body shades itself by rays. The exhibits' shadow map contains the shadows of others.
         if (scene.context.alone)
             std::erase_if(made.inputs,
                           [](const render::SampledTexture& input) { return input.unit == UNIT_SHADOW_EXHIBITS; });
@@ -156,7 +156,7 @@ struct SdfPlanner {
         Pass made = marchPass("march", "in view");
         made.variant = scene.body.variant;
         drawSurface(made, {.normal = scene.context.channels.normal});
-        // Back faces: they are there even when the camera is inside the box.
+        // Back faces exist even if the camera is inside the box.
         made.state.cull = render::Cull::front;
         made.state.depthClamp = true;
         made.depthOnly = {made.shader};
@@ -174,7 +174,7 @@ struct SdfPlanner {
             plan.skip(named("count"), "nobody asks for counts");
             return;
         }
-        // Rays that miss leave nothing in the picture, so they are counted in a pass of their own.
+        // Rays that miss write nothing into the picture, so they are counted in a separate pass.
         Pass made = marchPass("count", "the evaluations channel is asked for");
         made.phase = render::PassPhase::resolve;
         made.shader.defines.emplace_back("COUNT");
@@ -183,7 +183,7 @@ struct SdfPlanner {
         plan.add(std::move(made));
     }
 
-    /// Returns whether it is on show.
+    /// Returns whether the mesh is shown.
     [[nodiscard]] bool mesh(const render::Asset<render::Mesh>* found) const
     {
         if (values[table.shownAs] != SdfShown::mesh) {
@@ -205,7 +205,7 @@ struct SdfPlanner {
         return true;
     }
 
-    /// The twelve edges of the box, as thin bars.
+    /// Plans the twelve edges of the box as thin bars.
     void overlay() const
     {
         if (!values[table.showBox]) {

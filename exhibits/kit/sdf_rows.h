@@ -14,12 +14,12 @@ enum class SdfShadow : int { none, hard, classic, improved, signedDistance, area
 enum class SdfShown : int { field, mesh };
 enum class SdfHeatMap : int { none, steps, evaluations, normals, distance };
 
-// Rows of every exhibit that is a distance field. A table takes them by inheriting them after its own:
+// Parameters of every exhibit that is a distance field. A table inherits them after its own:
 //
-//     struct BallRows : virtual Parameters { Real radius = real("radius", 0.3, meter, {0.01, 1}, "Of the ball."); };
+//     struct BallRows : virtual Parameters { Real radius = real("radius", 0.3, meter, {0.01, 1}, "Ball radius"); };
 //     struct BallTable final : BallRows, SdfMaterialRows, SdfRows {};
 
-/// One material for the whole body: what shaders/kit/sdf/even_material.glsl reads.
+/// Uniform material of the whole body, read by shaders/kit/sdf/even_material.glsl.
 struct SdfMaterialRows : virtual Parameters {
     Group surface = group("Material");
     Choice<SdfMaterial> material = choice("material", SdfMaterial::opaque, {"opaque", "glass"},
@@ -37,11 +37,11 @@ struct SdfMaterialRows : virtual Parameters {
                                 "Of the glass: 1 bends nothing, 2.4 is diamond.", when(material, SdfMaterial::glass));
 };
 
-/// How the body is marched, shaded and looked into.
+/// Parameters of marching, shading and inspecting the body.
 struct SdfRows : virtual Parameters {
-    /// `initialBounces`: few for what is rough, whose mirror images of itself nobody would see. `litBesides`: when a
-    /// light of the exhibit's own shines on it and what is around it: then ambient occlusion acts on glass as well, and
-    /// it and the body's shadow on what surrounds it.
+    /// `initialBounces` is small for rough bodies, on which reflections of themselves are invisible. `litBesides` is
+    /// the condition for a light of the exhibit itself, which also shines on the surroundings. Then ambient occlusion
+    /// acts on glass, too, and occlusion and shadow act on the surroundings.
     explicit SdfRows(int initialBounces = 2, std::optional<Condition> litBesides = {})
         : initialBounces_(initialBounces), litBesides_(std::move(litBesides))
     {
@@ -125,11 +125,11 @@ private:
                                {.name = "normalStep", .settles = "A quarter of a pixel is wider, and is used instead."},
                                {.name = "bounces", .settles = "No ray meets the object so often."}}};
 
-    /// While its rays are marched for the picture.
+    /// Returns the condition that rays are marched for the picture.
     [[nodiscard]] static Condition whenMarched() { return whenLater("shownAs", static_cast<double>(SdfShown::field)); }
-    /// Also while a light of its own shades what is around it.
+    /// Returns `whenMarched`, or that a light of the exhibit itself casts shadows on the surroundings.
     [[nodiscard]] Condition whenShaded() const { return litBesides_ ? *litBesides_ || whenMarched() : whenMarched(); }
-    /// Also while rays of the sun are followed through it, for what glass leaves of them.
+    /// Returns `whenMarched`, or that rays of the sun are traced through glass.
     [[nodiscard]] Condition whenFollowed() const
     {
         return find("material") ? whenMarched() || whenLater("material", static_cast<double>(SdfMaterial::glass))

@@ -12,38 +12,38 @@ namespace vitrine {
 
 #include "shaders/kit/surface_object_block.glsl"
 
-/// What turns a model's normals into the world's, up to a positive factor: the direction of the inverse
-/// transpose, its largest column of length 1. Made of cofactors, so that a model which is scaled to a plane keeps
-/// the normals of that plane; the identity for what is scaled to a line or a point.
+/// Returns the matrix from a model's normals to the world's, up to a positive factor: the direction of the inverse
+/// transpose, with the largest column of length 1. It is made of cofactors, so a model scaled to a plane keeps the
+/// normals of that plane. The identity for a model scaled to a line or a point.
 [[nodiscard]] glm::dmat3 normalMatrix(const glm::dmat3& worldFromModel);
 
-/// Whether a transform turns what is right-handed into what is left-handed: its determinant is negative.
+/// Returns whether a transform changes handedness: its determinant is negative.
 [[nodiscard]] bool isMirrored(const glm::dmat4& worldFromModel);
 
-/// The block of a mesh that stands at `worldFromModel`; normals by `normalMatrix`, so that non-uniform scale and
-/// mirroring are right.
+/// Returns the block of a mesh at `worldFromModel`. Normals use `normalMatrix`, so non-uniform scale and mirroring are
+/// right.
 [[nodiscard]] SurfaceObject surfaceObject(const glm::dmat4& worldFromModel, const render::Material&,
                                           double textureTile = 1);
 
-/// A draw with every map of the surface shaders bound; where the material has none, a neutral pixel is.
+/// Returns a draw with every map of the surface shaders bound; missing ones are replaced by a neutral pixel.
 [[nodiscard]] render::Draw surfaceDraw(std::shared_ptr<const render::Mesh>, const glm::dmat4& worldFromModel,
                                        const render::Material&, double textureTile = 1);
 
-/// A mesh that is blended over what is behind it.
+/// Mesh that is blended over what is behind it.
 struct TranslucentPart {
     render::Draw draw;
     render::Box box;  ///< World space.
     bool doubleSided = false;
 };
-/// The draws of parts in the order in which they are blended: back faces of double-sided parts by the farthest point of
-/// their box, front faces by the nearest one, so that a part inside another one lies between the two sides of that.
+/// Returns the draws of parts in blending order. Back faces of double-sided parts are sorted by the farthest point of
+/// their box, front faces by the nearest. So a part inside another is drawn between the two sides of the outer one.
 /// Triangles of one side of a part keep their order.
 [[nodiscard]] std::vector<render::Draw> farToNear(const std::vector<TranslucentPart>&, const glm::dvec3& eye);
 
-/// Half a sphere of radius 1 on y = 0, dome up: a button.
+/// Returns a hemisphere of radius 1 above y = 0: a button.
 [[nodiscard]] std::shared_ptr<const render::Mesh> domeMesh();
 
-/// A box from -1 to 1, outward faces.
+/// Returns a box from -1 to 1 with outward faces.
 [[nodiscard]] std::shared_ptr<const render::Mesh> boxMesh();
 
 }  // namespace vitrine

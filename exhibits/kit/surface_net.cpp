@@ -44,7 +44,7 @@ FieldGrid sampled(const Distance& distance, const render::Box& box, int cells)
     return grid;
 }
 
-/// Mean of the crossings along the cell's edges, or nothing where the surface does not cross it.
+/// Finds the mean of the crossings along the cell's edges. Returns false if the surface does not cross the cell.
 bool cellVertex(const FieldGrid& grid, glm::ivec3 cell, glm::dvec3& result)
 {
     glm::dvec3 sum(0);
@@ -76,7 +76,7 @@ glm::dvec3 slopeOf(const Distance& distance, const glm::dvec3& p)
             distance(p + glm::dvec3(0, 0, h)) - distance(p - glm::dvec3(0, 0, h))};
 }
 
-/// One vertex for each cell that the surface crosses, on the surface.
+/// Adds one vertex on the surface for each cell that it crosses.
 VertexOfCell addVertices(const FieldGrid& grid, const Distance& distance, render::Mesh& mesh)
 {
     VertexOfCell vertexOfCell;
@@ -102,7 +102,7 @@ VertexOfCell addVertices(const FieldGrid& grid, const Distance& distance, render
     return vertexOfCell;
 }
 
-/// The quad around the grid edge from `here` along `axis`, if the surface crosses it.
+/// Adds the quad around the grid edge from `here` along `axis`, if the surface crosses it.
 void addQuad(const FieldGrid& grid, const VertexOfCell& vertexOfCell, glm::ivec3 here, int axis, render::Mesh& mesh)
 {
     glm::ivec3 next = here;
@@ -122,7 +122,8 @@ void addQuad(const FieldGrid& grid, const VertexOfCell& vertexOfCell, glm::ivec3
         mesh.indices.insert(mesh.indices.end(), {a, c, b, a, d, c});
 }
 
-/// Of every edge that has four cells around it: the outermost ones, too, as a body may touch the box's faces.
+/// Adds quads of all edges with four cells around them, including the outermost, since a body may touch the box's
+/// faces.
 void addQuads(const FieldGrid& grid, const VertexOfCell& vertexOfCell, render::Mesh& mesh)
 {
     for (int z = 0; z + 1 < grid.points.z; ++z)

@@ -11,9 +11,9 @@
 
 namespace vitrine {
 
-/// A triangle mesh of a distance field (meters, negative inside): surface nets (Gibson 1998, "Constrained Elastic
-/// Surface Nets") on a grid of `cells` along the longest side of the box that holds the body, vertices drawn onto the
-/// surface, normals from the field. Closed as far as the grid resolves.
+/// Returns a triangle mesh of a distance field (meters, negative inside): surface nets (Gibson 1998, "Constrained
+/// Elastic Surface Nets"). The grid has `cells` along the longest side of the bounding box. Vertices are projected onto
+/// the surface, normals are the field's. The mesh is closed as far as the grid resolves the field.
 [[nodiscard]] std::shared_ptr<const render::Mesh> surfaceNet(const std::function<double(const glm::dvec3&)>& distance,
                                                              const render::Box&, int cells, std::string name);
 
