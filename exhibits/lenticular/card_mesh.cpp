@@ -12,7 +12,7 @@ constexpr double cornerRadius = 0.007;
 constexpr double chamfer = 0.0007;
 constexpr int perCorner = 8;
 
-/// One closed line around the card: how far inside its outline, at which depth, with which tilt of the normal.
+/// Closed line around the card: distance inside its outline, depth, and tilt of the normal.
 struct Ring {
     double inset, z, outward, forward;
 };
@@ -52,7 +52,7 @@ void addFace(render::Mesh& mesh, double z, double forward, std::uint32_t count)
     }
 }
 
-/// A band from a ring nearer to the front to one farther back.
+/// Adds a band between a ring nearer to the front and one farther back.
 void addBand(render::Mesh& mesh, const Ring& front, const Ring& back, std::uint32_t count)
 {
     const std::uint32_t f = addRing(mesh, front);

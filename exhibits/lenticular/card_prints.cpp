@@ -23,11 +23,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double mostTexels = 40e6;  ///< Of all views together: 160 MB, and a third more for the smaller levels.
-constexpr int mostAcross = 16384;    ///< Pixels of a raster; every OpenGL 4.5 has textures of that side.
-constexpr int mostRows = 4096;       ///< With its halvings a raster has twice as many.
+constexpr double mostTexels = 40e6;  ///< Limit for all views together: 160 MB, and a third more for mip levels.
+constexpr int mostAcross =
+    16384;                      ///< Limit for the pixels of a raster; every OpenGL 4.5 supports textures of this size.
+constexpr int mostRows = 4096;  ///< Limit for rows; a raster with its smaller levels has twice as many.
 
-/// The mean of blocks of `factor` x `factor` pixels.
+/// Returns the means of blocks of `factor` x `factor` pixels.
 render::Image shrunk(const render::Image& image, int factor)
 {
     if (factor <= 1) return image;
@@ -56,7 +57,7 @@ std::uint8_t srgb8FromLinear16(std::uint16_t linear)
     return codes[linear];
 }
 
-/// The interlacer's 16 bits of linear light are more than a texture of 8-bit codes can show.
+/// Converts views to 8-bit codes. The interlacer's 16 bits of linear light are more than the texture can show.
 CardViews codesOf(const printing::ViewSet& set)
 {
     CardViews out;
@@ -79,7 +80,7 @@ void readInto(CardSource& source, const std::vector<fs::path>& files, int count)
     const int available = static_cast<int>(files.size());
     const int taken = std::clamp(count, 1, available);
     printing::ViewSet views;
-    // The middles of equal parts of the sequence; the next one is read while one is resampled.
+    // Takes the centers of equal parts of the sequence. The next view is read while one is resampled.
     const auto reading = [&](int i) {
         const auto at = static_cast<std::size_t>((i + 0.5) * available / taken);
         return std::async(std::launch::async, [file = files[at]] { return render::readColor(file); });
@@ -95,7 +96,7 @@ void readInto(CardSource& source, const std::vector<fs::path>& files, int count)
     source.views = codesOf(views);
 }
 
-/// A picture that vitrine print did not describe: a view.
+/// Returns whether a file is a picture without a description by vitrine print, and therefore a view.
 bool isPlainPicture(const fs::path& file)
 {
     std::error_code error;
@@ -108,8 +109,8 @@ bool isPlainPicture(const fs::path& file)
     throw Failure(Blame::file, "The card cannot show " + file.string() + ": " + why);
 }
 
-/// The raster as the shader reads it: columns across the lenses, rows along them, and under it its halvings
-/// along the lenses, so that no column ever mixes with its neighbor.
+/// Returns the raster as the shader reads it: columns across the lenses, rows along them. Below it are its smaller
+/// levels, halved only along the lenses, so no column mixes with its neighbor.
 std::shared_ptr<const render::Texture> stacked(const render::Image& raster, glm::ivec2 size, bool lying, bool mirror)
 {
     auto texture = std::make_shared<render::Texture>();
@@ -178,7 +179,7 @@ void readRaster(CardSource& source, const fs::path& file)
     source.raster = stacked(raster, source.rasterSize, source.lying, source.print.mirror);
 }
 
-/// What a path leads to: the files of its views, or none where it is a printed raster.
+/// Files of the views at a path; none if the path is a printed raster.
 struct CardFiles {
     std::vector<fs::path> views;
 };
@@ -205,7 +206,7 @@ render::AssetStore::Made<CardSource> readSource(const std::string& name, const s
     return {std::move(source), bytes};
 }
 
-/// Where the files hold fewer views than are asked for, or a raster, all counts give the same source.
+/// Returns the source at a path. For a raster, or if there are fewer views than `count`, all counts share one source.
 render::Asset<CardSource> sourceOf(render::AssetStore& assets, const std::string& use, const std::string& name,
                                    int count)
 {
@@ -218,7 +219,7 @@ render::Asset<CardSource> sourceOf(render::AssetStore& assets, const std::string
         static_cast<std::uint64_t>(taken));
 }
 
-/// Where column `column` of `columns` lies in a picture of `texels` across, `lenses` of which span it.
+/// Returns the extent of column `column` of `columns` in a picture of `texels` across, which `lenses` span.
 std::pair<double, double> spanOf(int column, int columns, double lenses, int texels)
 {
     const double lens = column - (columns - 1) / 2;
@@ -245,7 +246,7 @@ std::shared_ptr<const render::Texture> viewsAsTexture(const CardViews& views, in
     texture->name = "lenticular views";
     texture->width = lying || columns == 0 ? width : columns;
     texture->height = lying && columns > 0 ? columns : views.height;
-    // A single layer would not be an array.
+    // The shader needs an array, which a single layer would not be.
     texture->layers = std::max(views.count(), 2);
     texture->sRgb = true;
     texture->repeat = false;

@@ -9,7 +9,7 @@
 namespace vitrine::lenticular {
 namespace {
 
-/// As `check` demands: the curve reaches the cusp, the print lies below it.
+/// Adjusts a sheet until it passes `check`: the curve reaches the cusp, and the print is below it.
 CardSheetFound feasible(Sheet sheet)
 {
     std::string note;
@@ -28,7 +28,7 @@ CardSheetFound feasible(Sheet sheet)
     return {sheet, note};
 }
 
-/// The side of a picture that lies across the lenses.
+/// Returns the side of a picture that is across the lenses.
 double across(const glm::dvec2& size, bool horizontalLenses)
 {
     return horizontalLenses ? size.y : size.x;
@@ -46,7 +46,7 @@ CardPicture viewsPicture(const LenticularTable& table, const ParameterValues& va
     const double width = 2 * across(half, lying);
     const double lenses = width * ratio / pitch;
     const bool flat = values[table.strips] == CardStrips::flat;
-    // An odd number of whole lenses: one lies in the middle.
+    // The number of whole lenses is odd, so one is in the center.
     const int columns = 2 * static_cast<int>(std::ceil(std::max(lenses - 1, 0.0) / 2)) + 1;
     result.texture = viewTexture(assets, found, flat ? columns : 0, lenses, lying);
     if (!result.texture) return result;
@@ -148,7 +148,7 @@ CardPicture cardPicture(const LenticularTable& table, const ParameterValues& val
                                         : viewsPicture(table, values, chosen, half, found, assets);
     const Sheet& sheet = source.raster ? source.print.sheet : chosen;
     const double pitch = sheet.pitch();
-    // A Gauss curve is replaced by the box of its variance.
+    // The Gaussian is replaced by a box with the same variance.
     const double ink = std::sqrt(12.0) * values[table.inkSpread] * 1e3 / pitch;
     picture.block.halfSize = glm::vec2(half);
     picture.block.phase = static_cast<float>(values[table.phase]);

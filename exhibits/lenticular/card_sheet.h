@@ -16,34 +16,35 @@ using printing::Sheet;
 /// Half the card's width, height and thickness, in meters.
 inline const glm::dvec3 cardHalfSize{0.3, 0.2, 0.0025};
 
-/// The sheet that the table asks for, scaled to the slices if they are given. What cannot be made is replaced
-/// by the nearest that can, and `note` says so; it is empty otherwise.
+/// Sheet for the parameters, scaled to the slices if they are given. A sheet that cannot be made is replaced by the
+/// nearest that can; `note` then says so, and is empty otherwise.
 struct CardSheetFound {
     Sheet sheet;
     std::string note;
 };
 [[nodiscard]] CardSheetFound cardSheet(const LenticularTable&, const ParameterValues&);
 
-/// Refractive index at red (611 nm), green (549) and blue (465) of a plastic whose index at 587.6 nm and Abbe
-/// number are given: Cauchy's formula with two terms.
+/// Returns the refractive indices at red (611 nm), green (549 nm) and blue (465 nm) of a plastic with the given index
+/// at 587.6 nm and Abbe number: Cauchy's formula with two terms.
 [[nodiscard]] glm::dvec3 dispersedIndex(double index, double abbeNumber);
 
-/// Lens pitch over the pitch of strips made for an eye at `distance` meters, by the table's model; 1 at infinity.
+/// Returns the pitch of the lenses divided by that of strips made for the parameter `distance`, by the parameter
+/// `model`.
 [[nodiscard]] double pitchRatio(const LenticularTable&, const ParameterValues&, const Sheet&);
 
-/// Half the size, in meters, of a picture of this aspect ratio (width / height) inside the card's margin.
+/// Returns half the size in meters of a picture inside the card's margin. `aspect` is width / height.
 [[nodiscard]] glm::dvec2 pictureHalfSize(const LenticularTable&, const ParameterValues&, double aspect);
 
-/// What the shader knows of a print, and the texture that it samples.
+/// Data of a print for the shader, and its texture.
 struct CardPicture {
     CardPrintBlock block;
-    std::shared_ptr<const render::Texture> texture;  ///< Null where memory does not hold it.
+    std::shared_ptr<const render::Texture> texture;  ///< Null if there is not enough memory.
     bool raster = false;
 };
 [[nodiscard]] CardPicture cardPicture(const LenticularTable&, const ParameterValues&, const Sheet&,
                                       const std::shared_ptr<const CardSource>&, render::AssetStore&);
 
-/// The lenses of the print lie horizontally: as the table says, or the printed file.
+/// Returns whether the lenses of the print are horizontal, by the parameters or by the printed file.
 [[nodiscard]] bool horizontal(const LenticularTable&, const ParameterValues&, const CardSource&);
 
 }  // namespace vitrine::lenticular

@@ -26,12 +26,12 @@ using lenticular::CardPicture;
 using render::Attachment;
 using render::Pass;
 
-constexpr double rollTime = 1.2;  ///< Seconds in which the button rolls the other print in.
+constexpr double rollTime = 1.2;  ///< Seconds in which the button scrolls the other print in.
 
-/// What lies in the card at one moment.
+/// Prints in the card at one time.
 struct CardPose {
-    CardFace first = CardFace::front;  ///< The one that leaves, or rests.
-    double roll = 0;                   ///< 0 at rest, up to 1 as the other one comes.
+    CardFace first = CardFace::front;  ///< Print that leaves, or rests.
+    double roll = 0;                   ///< 0 at rest; increases to 1 while the other one enters.
 };
 
 CardFace otherFace(CardFace face)
@@ -39,7 +39,7 @@ CardFace otherFace(CardFace face)
     return face == CardFace::front ? CardFace::back : CardFace::front;
 }
 
-/// `sincePressed`: seconds since the button exchanged the prints, which rolls the new one in.
+/// Returns the pose. `sincePressed` is in seconds since the button exchanged the prints, which scrolls the new one in.
 CardPose poseAt(const LenticularTable& table, const ParameterValues& values, double time, double sincePressed)
 {
     const CardFace start = values[table.face];
@@ -49,20 +49,22 @@ CardPose poseAt(const LenticularTable& table, const ParameterValues& values, dou
     return {std::fmod(whole, 2.0) == 0 ? start : otherFace(start), y - whole};
 }
 
-/// The prints that lie in the card.
+/// Prints in the card.
 struct PreparedCard final : PreparedPart {
     struct Face {
         CardPicture picture;
-        bool lying = false;  ///< Its lenses are horizontal.
+        bool lying = false;  ///< Whether its lenses are horizontal.
     };
-    std::array<Face, 2> faces{};  ///< By CardFace; without a texture: it does not lie there, or cannot be shown.
-    std::vector<std::pair<std::string, std::string>> doubts;  ///< Step and sentence: a description that was not used.
-    std::string sheetNote;  ///< How the sheet differs from what was asked for, where that cannot be.
+    std::array<Face, 2>
+        faces{};  ///< Indexed by CardFace; without a texture if the face is not in the card or cannot be shown.
+    std::vector<std::pair<std::string, std::string>>
+        doubts;             ///< Steps and sentences about descriptions that were not used.
+    std::string sheetNote;  ///< How the sheet differs from the parameters, if they are impossible.
 
     [[nodiscard]] const Face& face(CardFace f) const { return faces[static_cast<std::size_t>(f)]; }
 };
 
-/// Everything that the passes of one frame share.
+/// State that the passes of one frame share.
 struct Scene {
     const LenticularTable& table;
     const PlanContext& context;
@@ -111,8 +113,8 @@ void addPicture(Pass& pass, CardObject& object, int slot, const CardPicture& pic
     if (picture.raster) pass.shader.defines.emplace_back(slot == 0 ? "FIRST_RASTER" : "SECOND_RASTER");
 }
 
-/// White paper sends no more than this, whatever colors are printed on it: the room's light, the sun's, and the lamp's,
-/// which hangs a quarter further from the card's middle than from its nearest corner.
+/// Returns an upper bound of the light from white paper, whatever is printed on it: light of the room, the sun and the
+/// lamp. The lamp is a quarter farther from the card's center than from its nearest corner.
 render::ContributionBound dispersionBound(const Scene& s)
 {
     const SceneLighting& around = s.context.lighting;
@@ -194,7 +196,7 @@ double scrollRest(double time, double period, double hold)
 
 glm::dvec3 cardMiddle()
 {
-    // place_2 lies 1.2 m above the floor; the ledge's top is at 0.884 m, its two rests touch the back at z = -0.02.
+    // place_2 is 1.2 m above the floor. The ledge's top is at 0.884 m, and its two rests touch the back at z = -0.02.
     return {0, 0.884 - 1.2 + cardHalfSize.y, -0.02 + 2 * cardHalfSize.z};
 }
 
@@ -228,15 +230,15 @@ bool Lenticular::press(ParameterValues& values) const
 
 std::vector<StandingShape> Lenticular::standingShapes(const ParameterValues& values) const
 {
-    constexpr double print = 0.3;  // Of its mean color: the prints show rooms in their own light.
+    constexpr double print = 0.3;  // Mean color of the prints, which show rooms in their own light.
     return {standingBox(bounds(values), glm::dvec3(print))};
 }
 
 std::vector<render::LocalLight> Lenticular::localLights(const ExhibitState& state) const
 {
-    // As in lenticular/gloss.glsl.
+    // The same position as in lenticular/gloss.glsl.
     const glm::dvec3 fromCard{-0.5, 1.1, 2.4};
-    constexpr double whole = 0.4, edge = 1.2;  // Meters from the card's middle: stand, plaque and button are within.
+    constexpr double whole = 0.4, edge = 1.2;  // Meters from the card's center; stand, plaque and button are within.
     const double distance = glm::length(fromCard);
     render::LocalLight lamp;
     lamp.position = cardMiddle() + fromCard;
@@ -244,7 +246,7 @@ std::vector<render::LocalLight> Lenticular::localLights(const ExhibitState& stat
     lamp.axis = -fromCard / distance;
     lamp.coneInner = std::atan(whole / distance);
     lamp.coneOuter = std::atan(edge / distance);
-    lamp.nearest = 0.65 * distance;  // All in its cone is farther away, where it hangs at first.
+    lamp.nearest = 0.65 * distance;  // Everything in the cone is farther away.
     return {lamp};
 }
 

@@ -7,9 +7,8 @@
 
 namespace vitrine {
 
-/// A glossy card that one walks past: strips of many views under a sheet of cylindrical lenses, which show
-/// each eye another view. Two prints roll by, like a billboard's. Either is a set of views, or the very raster
-/// of a file that `vitrine print` wrote.
+/// A glossy card with strips of many views under a sheet of cylindrical lenses, which show each eye a different view.
+/// Its two prints scroll like a billboard. Each is a set of views, or the raster of a file that `vitrine print` wrote.
 class Lenticular final : public Exhibit, public HasButton, public StandsOnFloor, public HasLocalLights {
 public:
     using Table = LenticularTable;
@@ -29,7 +28,7 @@ public:
     [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
-    /// The prints that lie in the card, as read and as the shader samples them.
+    /// Prepares the prints in the card, as read and as the shader samples them.
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
     [[nodiscard]] double nextChange(const ParameterValues&, double time) const override;
@@ -37,7 +36,7 @@ public:
     [[nodiscard]] double nextChangeOf(const ExhibitState&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] std::vector<StandingShape> standingShapes(const ParameterValues&) const override;
-    /// The lamp that is aimed at the card, on what is beside it.
+    /// Returns the lamp that is aimed at the card, which lights its surroundings.
     [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState&) const override;
     [[nodiscard]] bool lightsChange(const ExhibitState&) const override { return false; }
     void planShadow(const PlanContext&, render::FramePlan&) const override;
@@ -47,14 +46,15 @@ private:
     Table table_;
 };
 
-/// How many prints have rolled by at `time`: whole while one rests, for the share `hold` of each period, then
-/// eased to the next. 0 at time 0; time that is not finite counts as 0.
+/// Returns how many prints have scrolled by at `time`. The number is whole while a print rests, for the share `hold` of
+/// each period, and then eases to the next. It is 0 at time 0 and for infinite or NaN times.
 [[nodiscard]] double scrollAt(double time, double period, double hold);
 
-/// Seconds from `time` to the next change of `scrollAt`: 0 while it rolls.
+/// Returns the seconds from `time` to the next change of `scrollAt`: 0 while it scrolls, infinite for infinite or NaN
+/// times.
 [[nodiscard]] double scrollRest(double time, double period, double hold);
 
-/// The middle of the card's front, in the exhibit's space: the card stands on the ledge of its stand.
+/// Returns the center of the card's front in exhibit space. The card stands on the ledge of its stand.
 [[nodiscard]] glm::dvec3 cardMiddle();
 
 }  // namespace vitrine

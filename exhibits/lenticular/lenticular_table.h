@@ -11,7 +11,7 @@ enum class CardStrips : int { flat, squeezed };
 enum class CardModel : int { linear, paraxial, exact };
 enum class CardEyes : int { off, left, right, anaglyph };
 
-/// Everything that can be set about the lenticular card. Lengths in meters.
+/// All parameters of the lenticular card. Lengths are in meters.
 struct LenticularTable final : Parameters {
     Group prints = group("Prints");
     File frontPrint = file(
