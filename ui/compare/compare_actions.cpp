@@ -18,7 +18,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int mostSteps = 20;  ///< Undo steps in the menu, the last ones.
+constexpr int mostSteps = 20;  ///< Number of undo steps in the menu, the last ones.
 
 struct ModeWords {
     CompareMode mode;
@@ -76,7 +76,7 @@ QAction* CompareActions::add(const QString& text, const QKeySequence& key, const
         action->setToolTip(now.isEmpty() ? tip : tr("%1 (%2)").arg(tip, now.toString(QKeySequence::NativeText)));
     };
     showKey();
-    connect(action, &QAction::changed, this, showKey);  // The visitor may give it another one.
+    connect(action, &QAction::changed, this, showKey);  // The visitor may change the shortcut.
     all_ << action;
     return action;
 }

@@ -16,34 +16,34 @@ namespace vitrine::ui {
 
 class CompareDesk;
 
-/// The commands of the comparison: menu, palette and bar are made of these.
+/// Commands of the comparison. The menu, the command palette and the bar are made from them.
 class CompareActions final : public QObject {
     Q_OBJECT
 
 public:
     explicit CompareActions(CompareDesk&);
 
-    /// In the order of the menu; null is a separator.
+    /// Returns the commands in the order of the menu; null is a separator.
     [[nodiscard]] const QList<QAction*>& all() const { return all_; }
     [[nodiscard]] QAction& mode(CompareMode mode) const { return *modes_.at(static_cast<std::size_t>(mode)); }
-    /// "Selected preset as B": for the list of presets, too.
+    /// Returns the command "Selected preset as B", which the list of presets also offers.
     [[nodiscard]] QAction* preset() const { return preset_; }
     [[nodiscard]] QAction& otherAlone() const { return *otherAlone_; }
     [[nodiscard]] QAction& swap() const { return *swap_; }
     [[nodiscard]] QAction& takeAll() const { return *takeAll_; }
     [[nodiscard]] QAction& giveAll() const { return *giveAll_; }
     [[nodiscard]] QAction& letGo() const { return *letGo_; }
-    /// Where B may come from: what is on show, a preset, a file, an undo step. Filled when it opens.
+    /// Returns the menu of sources for B: the present values, a preset, a file, an undo step. Filled when it opens.
     [[nodiscard]] QMenu& sources() const { return *sources_; }
 
-    /// Shows what is held and how it is shown.
+    /// Updates the commands to the present B and mode.
     void refresh();
-    /// Lists what the visited subject offers to be compared with.
+    /// Lists the comparisons that the visited subject offers.
     void refreshOffers();
 
 private:
     QAction* add(const QString& text, const QKeySequence&, const QString& tip);
-    /// Gives each an id, by which the visitor's own shortcuts are kept.
+    /// Gives each command an id, under which its shortcuts are stored.
     void nameAll();
     void addSources();
     void addOffers();
@@ -56,8 +56,8 @@ private:
     QAction* preset_ = nullptr;
     QAction* file_ = nullptr;
     QAction* step_ = nullptr;
-    std::vector<std::pair<std::size_t, QAction*>> offers_;  // With the subject that offers it.
-    std::array<QAction*, 6> modes_{};                       // By mode; that of `off` is null.
+    std::vector<std::pair<std::size_t, QAction*>> offers_;  // Offered comparisons, each with its subject.
+    std::array<QAction*, 6> modes_{};                       // Actions by mode; null for `off`.
     QAction* otherAlone_ = nullptr;
     QAction* swap_ = nullptr;
     QAction* takeAll_ = nullptr;

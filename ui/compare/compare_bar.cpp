@@ -23,7 +23,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr std::size_t mostRows = 30;  ///< Of those that differ, in their menu.
+constexpr std::size_t mostRows = 30;  ///< Most parameters in the menu of differences.
 constexpr int widestName = 140;
 constexpr std::array<const char*, 5> modeNames{
     QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Wipe"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Beside"),
@@ -78,7 +78,7 @@ CompareBar::CompareBar(CompareDesk& desk, QWidget* parent)
     line->addWidget(button(actions.letGo(), QStringLiteral("✕")));
     rows_->setAccessibleName(tr("Rows that differ"));
     connect(rows_, &QMenu::aboutToShow, this, &CompareBar::fillRows);
-    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // A narrow window is not made wider.
+    setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // The bar must not make a narrow window wider.
     hide();
 }
 
@@ -89,7 +89,7 @@ QToolButton* CompareBar::button(QAction& action, const QString& words)
     made->setAutoRaise(true);
     made->setFocusPolicy(Qt::TabFocus);
     made->setAccessibleName(action.text().remove(QLatin1Char('&')));
-    // The action's own words are for the menu; whatever changes of it, these stay.
+    // Keeps this text, which is shorter than the action's own.
     made->setText(words);
     connect(&action, &QAction::changed, made, [made, words] { made->setText(words); });
     return made;
@@ -157,7 +157,7 @@ void CompareBar::refresh()
 
 std::vector<QWidget*> CompareBar::whatMayGo() const
 {
-    // It is in the Compare menu, too; what ends the comparison stays.
+    // The Compare menu has the same commands. The button that ends the comparison always stays.
     std::vector<QWidget*> parts{differ_, morphs_, source_};
     parts.insert(parts.end(), buttons_.rbegin(), buttons_.rend());
     return parts;
@@ -166,7 +166,7 @@ std::vector<QWidget*> CompareBar::whatMayGo() const
 bool CompareBar::event(QEvent* event)
 {
     const bool done = QWidget::event(event);
-    // Words or their type became wider.
+    // Texts or their font became wider.
     if (event->type() == QEvent::LayoutRequest && isVisible() && layout()->minimumSize().width() > width()) {
         const std::vector<QWidget*> parts = whatMayGo();
         if (std::any_of(parts.begin(), parts.end(), [](const QWidget* part) { return !part->isHidden(); }))

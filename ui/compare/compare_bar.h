@@ -14,20 +14,20 @@ namespace vitrine::ui {
 class CompareDesk;
 class ValueSlider;
 
-/// One line below the picture while there is a B: how both are shown, how many rows differ, a slider that leads A to B,
-/// what B is and what it may become. Where the line is narrow, it leaves out what the menus have as well.
+/// Bar below the picture while there is a B: the mode, the number of differing parameters, a slider from A to B, and
+/// commands for B. A narrow bar leaves out what the menus also offer.
 class CompareBar final : public QWidget {
     Q_OBJECT
 
 public:
-    /// The desk must outlive it.
+    /// The desk must outlive the bar.
     CompareBar(CompareDesk&, QWidget* parent);
 
-    /// Shows what is held and how.
+    /// Updates the bar to the present B and mode.
     void refresh();
-    /// Out of sight whatever is held: nothing but the picture is shown.
+    /// While on, the bar stays hidden: used for the bare picture.
     void setBanned(bool);
-    /// "3 rows differ".
+    /// Returns the text "3 rows differ".
     [[nodiscard]] QString differenceText() const;
     [[nodiscard]] ValueSlider& gain() const { return *gain_; }
     [[nodiscard]] ValueSlider& morph() const { return *morph_; }
@@ -42,7 +42,7 @@ private:
     void addGain();
     void addMorph();
     void fillRows();
-    /// Widgets that give way where the bar is narrow, the first one first.
+    /// Returns the widgets to hide in a narrow bar, the first one first.
     [[nodiscard]] std::vector<QWidget*> whatMayGo() const;
     void showWhatFits();
 
@@ -55,7 +55,7 @@ private:
     QWidget* morphs_;
     ValueSlider* morph_;
     QToolButton* source_;
-    std::vector<QWidget*> buttons_;  // Of the modes, and the one that swaps.
+    std::vector<QWidget*> buttons_;  // Buttons of the modes, and the one that swaps.
     bool banned_ = false;
 };
 

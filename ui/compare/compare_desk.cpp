@@ -20,7 +20,7 @@ namespace {
 
 constexpr int lookAtFilesEvery = 1000;  // Milliseconds.
 
-/// Cause of the problems of drawing B.
+/// Returns the cause of problems of drawing B.
 QString drawingOfB()
 {
     return QStringLiteral("drawing of B");
@@ -56,7 +56,7 @@ CompareDesk::~CompareDesk() = default;
 void CompareDesk::refresh()
 {
     if (!other_->held() && overlay_->mode() != CompareMode::off) {
-        overlay_->setMode(CompareMode::off);  // Comes back here.
+        overlay_->setMode(CompareMode::off);  // Calls this function again.
         return;
     }
     if (!other_->held() || !namesFiles(workbench_.museum().subjects(), other_->sceneState())) {
@@ -89,12 +89,12 @@ void CompareDesk::setMode(CompareMode mode)
 {
     if (mode != CompareMode::off && !other_->held()) holdPresent();
     overlay_->setMode(mode);
-    refresh();  // Also where nothing changed: an action may have been unchecked.
+    refresh();  // Needed even if nothing changed, because an action may have been unchecked.
 }
 
 void CompareDesk::hold(const SceneState& sceneState, const QString& name)
 {
-    // Files in it may give further rows: read where files are read.
+    // Files that the state names may add parameters. They are read on the render thread.
     workbench_.viewport().renderThread().post(
         [this, &museum = workbench_.museum(), sceneState, name, number = ++holds_]() -> std::function<void()> {
             const TabledSceneState read = museum.readTables(sceneState);
@@ -123,7 +123,7 @@ void CompareDesk::lookAtFiles()
 void CompareDesk::holdPresent()
 {
     ++holds_;
-    // Its tables have been read.
+    // The parameter tables of A have been read already.
     other_->hold(workbench_.history().sceneState(), tr("A as it was"));
     if (overlay_->mode() == CompareMode::off) setMode(CompareMode::wipe);
 }

@@ -26,20 +26,19 @@ class OtherSettings;
 class PresetShelf;
 class Workbench;
 
-/// A row in which A and B differ.
+/// Parameter whose values differ between A and B.
 struct RowDifference {
     std::size_t exhibit = 0;
     std::string name;
     QString text;  ///< "Torus to Mug: Morph: 0.5 | 0.7", A's value first.
 };
 
-/// The comparison of what is on show, A, with other settings, B: where B comes from, how both are shown, what each
-/// costs.
+/// Comparison of the present settings, A, with other settings, B: the source of B, the mode, and the cost of each.
 class CompareDesk final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both must outlive it. `parent` is the window.
+    /// Both must outlive this object. `parent` is the window.
     CompareDesk(Workbench&, PresetShelf&, QWidget* parent);
     ~CompareDesk() override;
 
@@ -47,18 +46,18 @@ public:
     [[nodiscard]] OtherPicture& picture() const { return *picture_; }
     [[nodiscard]] CompareOverlay& overlay() const { return *overlay_; }
     [[nodiscard]] CompareActions& actions() const { return *actions_; }
-    /// To be placed by the window; hidden while nothing is compared.
+    /// Bar for the window's layout; hidden while nothing is compared.
     [[nodiscard]] CompareBar& bar() const { return *bar_; }
     [[nodiscard]] QWidget* window() const { return window_; }
 
-    /// Where there is no B, what is on show becomes B.
+    /// Sets the mode. If there is no B, the present settings become B.
     void setMode(CompareMode);
     void holdPresent();
     void holdSelectedPreset();
-    /// The preset, exhibition or picture of this path.
+    /// Sets B to the preset, exhibition or picture in this file.
     void holdFile(const QString& path);
     void holdStep(int step, const QString& name);
-    /// B is from now on what is on show, but for the rows that this subject offers to be compared in.
+    /// Makes B follow A, with the parameters changed that this subject offers for comparison.
     void compareWith(std::size_t subject, const OfferedComparison&);
     void chooseFile();
     void letGo();
@@ -66,17 +65,18 @@ public:
     [[nodiscard]] const QUndoStack& steps() const;
     [[nodiscard]] History& history() const;
     [[nodiscard]] Workbench& workbench() const { return workbench_; }
-    /// The rows in which A and B differ; none while there is no B.
+    /// Returns the parameters in which A and B differ; empty if there is no B.
     [[nodiscard]] std::vector<RowDifference> differences() const;
 
 signals:
-    /// What B costs, for the ledger: null while it is not drawn, and `why` then says why; empty: there is no B.
+    /// Emitted with the frame report of B. `report` is null while B is not drawn, and `why` gives the reason; an empty
+    /// `why` means that there is no B.
     void ledgerChanged(const vitrine::render::FrameReport* report, const QString& why);
 
 private:
-    /// Once its files are read. Without a name: what is B now, of other files.
+    /// Sets B once its files are read. Without a name, B is the same with files read again.
     void hold(const SceneState&, const QString& name);
-    /// The same B once more, where a file that it names is another one now.
+    /// Reads B's files again if they have changed.
     void lookAtFiles();
     void refresh();
     void tellLedger();
@@ -89,7 +89,7 @@ private:
     CompareOverlay* overlay_;
     CompareActions* actions_;
     CompareBar* bar_;
-    int holds_ = 0;  ///< B's so far: one that takes longer to read gives way to a later one.
+    int holds_ = 0;  ///< Number of B's so far. A result of an older reading is dropped.
     QTimer fileWatch_;
     std::uint64_t filesRead_ = 0;  ///< State of the files that B names.
 };

@@ -5,7 +5,7 @@
 
 namespace vitrine::ui {
 
-/// How A and B are shown together. In every mode, and without one, B is shown alone while its key is held down.
+/// Mode of showing A and B together. In every mode, and in `off`, B is shown alone while its key is held down.
 enum class CompareMode : std::uint8_t { off, wipe, sideBySide, flicker, flip, signedDifference };
 inline constexpr std::array compareModes{CompareMode::wipe, CompareMode::sideBySide, CompareMode::flicker,
                                          CompareMode::flip, CompareMode::signedDifference};

@@ -21,9 +21,9 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double grabWipeWithin = 7;  ///< Pixels.
-constexpr double wipeStep = 0.02;     ///< Of the width, by a key.
+constexpr double wipeStep = 0.02;     ///< Part of the width for one press of a key.
 constexpr int gap = 4;                ///< Pixels between two pictures side by side.
-const QColor veil(0x20, 0x1e, 0x1c);  ///< Around pictures, as the viewport before its first one.
+const QColor veil(0x20, 0x1e, 0x1c);  ///< Background around the pictures, as in the viewport without a picture.
 
 }  // namespace
 
@@ -45,7 +45,7 @@ CompareOverlay::CompareOverlay(Viewport& viewport, const OtherSettings& other, O
         renew();
     });
     connect(&other, &OtherSettings::changed, this, [this] {
-        if (!other_.held()) held_ = false;  // Its key stays down, of which nothing is known any more.
+        if (!other_.held()) held_ = false;  // The key may still be down, but its release will not be seen.
         renew();
     });
     lower();
@@ -119,7 +119,7 @@ void CompareOverlay::renew()
     setVisible(shown);
     viewport_.setCovered(shown && (otherAlone() || mode_ == CompareMode::sideBySide || isDifference(mode_)));
     if (!shown) return;
-    // Pictures of two moments, or from two places, differ where the settings do not.
+    // The difference is computed only if both pictures have the same time and camera.
     if (isDifference(mode_) && picture_.present()) computeDifference();
     update();
 }
@@ -128,7 +128,7 @@ void CompareOverlay::computeDifference()
 {
     const DifferenceKey key{viewport_.shown().cacheKey(), picture_.image().cacheKey(), mode_, gain()};
     if (key == differenceKey_) return;
-    // One at a time: else pictures that come faster than differences would leave none.
+    // One difference at a time. Otherwise pictures that come faster than differences would cancel each one.
     differenceDue_ = job_->running();
     if (differenceDue_) return;
     differenceKey_ = key;
@@ -252,10 +252,10 @@ bool CompareOverlay::dragWipe(const QMouseEvent& event)
 
 bool CompareOverlay::passOn(const QMouseEvent& event)
 {
-    // Who turns the head with the right button has the pointer held where it is.
+    // While the right button turns the head, the pointer is locked.
     const bool right = event.button() == Qt::RightButton || (event.buttons() & Qt::RightButton);
     if (!isVisible() || mode_ != CompareMode::sideBySide || otherAlone() || right) return false;
-    // What begins in one of them goes on in it, wherever the pointer is by then.
+    // A drag stays in the picture in which it began.
     const bool other = pressedOther_.value_or(event.position().x() > width() / 2.0);
     const QRect in = pictureOf(other);
     const QPointF at((event.position().x() - in.left()) * width() / std::max(in.width(), 1),

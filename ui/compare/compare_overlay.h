@@ -17,36 +17,36 @@ class OtherSettings;
 class ProgressJob;
 class Viewport;
 
-/// Lies over the viewport and shows B's picture beside A's, or where they differ. The line of the wipe is dragged, or
-/// moved by comma and period; side by side, the pointer works in either picture as in the whole one.
+/// Overlay of the viewport that shows B's picture beside A's, or their difference. The wipe line is dragged, or moved
+/// with comma and period. Side by side, the pointer works in both pictures as in the whole viewport.
 class CompareOverlay final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
-    /// All must outlive it.
+    /// All must outlive the overlay.
     CompareOverlay(Viewport&, const OtherSettings&, OtherPicture&);
 
     void setMode(CompareMode);
     [[nodiscard]] CompareMode mode() const { return mode_; }
-    /// What differences are multiplied by.
+    /// Sets the factor by which differences are multiplied.
     void setGain(int gain);
     [[nodiscard]] int gain() const { return gain_; }
-    /// B alone, whatever the mode.
+    /// While on, shows B alone, whatever the mode.
     void setOtherAlone(bool alone);
     [[nodiscard]] bool otherAlone() const { return alone_ || held_; }
-    /// Where the line of the wipe is, 0 (left) to 1.
+    /// Returns the position of the wipe line, 0 (left) to 1.
     [[nodiscard]] double wipe() const { return wipe_; }
     void setWipe(double share);
     [[nodiscard]] QAccessible::Role spokenRole() const override;
     [[nodiscard]] QString spokenText() const override;
-    /// Where the line is, in percent; none where there is no line.
+    /// Returns the position of the wipe line in percent, if it is shown.
     [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
     void setSpokenNumber(double percent) override { setWipe(percent / 100); }
-    /// The difference on show; null: none, or not there yet.
+    /// Returns the difference image; null if there is none yet.
     [[nodiscard]] const QImage& difference() const { return difference_; }
 
 signals:
-    /// Whether B has to be drawn may have changed.
+    /// Emitted when B may have to be drawn, or not any more.
     void needsChanged();
 
 protected:
@@ -60,18 +60,18 @@ private:
     void paintSideBySide(QPainter&);
     [[nodiscard]] QString otherText() const;
     void label(QPainter&, const QRect& in, Qt::Alignment, const QString&) const;
-    /// Where the pictures lie side by side.
+    /// Returns the rectangle of a picture in side-by-side mode.
     [[nodiscard]] QRect pictureOf(bool other) const;
-    /// Whether the event was for the line.
+    /// Returns whether the event was consumed by the wipe line.
     bool dragWipe(const QMouseEvent&);
-    /// Hands a pointer event over to the viewport, and to all that filter its events, where it lies in the whole
-    /// picture: this filter is to be the last one installed.
+    /// Passes a pointer event on to the viewport and all its event filters, at the position in the whole picture. This
+    /// filter must be the last one installed.
     bool passOn(const QMouseEvent&);
     bool holdKey(QEvent*);
-    /// Comma and period move the line.
+    /// Handles comma and period, which move the wipe line.
     bool moveWipe(QEvent*);
     [[nodiscard]] bool showsWipe() const;
-    /// Whether the key of B is down.
+    /// Sets whether the key of B is down.
     void hold(bool down);
 
     Viewport& viewport_;
@@ -83,9 +83,10 @@ private:
     bool alone_ = false, held_ = false;
     double wipe_ = 0.5;
     bool dragging_ = false, near_ = false;
-    std::optional<bool> pressedOther_;  // While the pointer is down side by side: whether it went down in B's picture.
-    bool passing_ = false;              // The event that comes is one that was passed on.
-    /// What a difference is of.
+    // Set while the pointer is down in side-by-side mode: whether it was pressed in B's picture.
+    std::optional<bool> pressedOther_;
+    bool passing_ = false;  // The present event was passed on by this filter.
+    /// Identity of a difference: both images, mode and gain.
     struct DifferenceKey {
         qint64 a = 0, b = 0;
         CompareMode mode = CompareMode::off;
@@ -94,7 +95,7 @@ private:
         bool operator==(const DifferenceKey&) const = default;
     };
     QImage difference_;
-    DifferenceKey differenceKey_;  // Of the one on show or in the making.
+    DifferenceKey differenceKey_;  // Difference that is shown or being computed.
     bool differenceDue_ = false;
 };
 

@@ -4,7 +4,7 @@
 
 namespace vitrine::ui {
 
-/// What the sliders of the comparison are over.
+/// Parameters behind the sliders of the comparison.
 struct CompareRows final : Parameters {
     Real towardsB = real("towardsB", 0, percent, {0, 1},
                          "How far A is led towards B: numbers evenly or by factors, colors as they look, angles the "

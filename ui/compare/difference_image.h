@@ -6,9 +6,9 @@
 
 namespace vitrine::ui {
 
-/// Where and how two pictures of the screen differ, A being the reference: the heat map of FLIP, white at 1/gain, or
-/// the signed difference times `gain` (`render::signedDifference`). Of pictures of two sizes, A is scaled to that of B.
-/// `mode` is one of the differences; any thread may call it.
+/// Returns the difference of two screen pictures, with A as the reference: a FLIP heat map, white at 1/gain, or the
+/// signed difference times `gain` (`render::signedDifference`). A is scaled to the size of B. `mode` must be one of the
+/// differences. Thread-safe.
 [[nodiscard]] QImage differenceImage(const QImage& a, const QImage& b, CompareMode mode, int gain);
 
 }  // namespace vitrine::ui

@@ -11,13 +11,13 @@ namespace vitrine::ui {
 class OtherSettings;
 class ValueSlider;
 
-/// Leads A towards B by a slider: at its left end A is as it was when the slider was first moved, at its right end as
-/// B. One drag is one undo step. Any other change of A or B begins a new way.
+/// Slider from A to B. At its left end A is as it was when the slider was first moved, at its right end it equals B.
+/// One drag is one undo step. Any other change of A or B starts again from the present A.
 class MorphControl final : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive it; the slider is over `CompareRows::towardsB`.
+    /// All must outlive this object. The slider must have the parameter `CompareRows::towardsB`.
     MorphControl(History&, const OtherSettings&, ValueSlider&, QObject* parent);
 
 private:
@@ -27,7 +27,7 @@ private:
     History& history_;
     const OtherSettings& other_;
     ValueSlider& slider_;
-    std::optional<SceneState> start_;  // A at the left end; nothing: what is on show.
+    std::optional<SceneState> start_;  // A at the left end; unset: the present A.
     bool moving_ = false;
 };
 

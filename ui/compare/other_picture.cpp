@@ -48,7 +48,7 @@ OtherPicture::Sight OtherPicture::sight() const
 void OtherPicture::follow(const render::FrameReport& report)
 {
     if (report.unfinished) {
-        // Of generated programs that take one another's place, one is built at a time: A's first.
+        // A and B share the program families, of which one program is built at a time: A's first.
         if (finished_) return;
         task_.cancel();
         ordered_.reset();
@@ -109,9 +109,9 @@ void OtherPicture::order()
                                    glm::ivec2(1));
     request.sample = 0;
     request.samples = wanted.rests ? std::min(quality.supersamples, viewport_.schedule().mostSamples()) : 1;
-    // Frames may have been left out since its last one, and it is not drawn again.
+    // Its history may be outdated, and the picture is not drawn again.
     request.cut = request.finished = true;
-    request.rests = false;  // Whether A's values rest says nothing of B.
+    request.rests = false;  // A may be idle while B has just changed.
     ordered_ = wanted;
     finished_ = false;
     auto step = [this, wanted, work, &renderers = renderers_](const RenderThread::Tell& tell) {

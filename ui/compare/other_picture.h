@@ -14,43 +14,44 @@ namespace vitrine::ui {
 class OtherSettings;
 class Viewport;
 
-/// The picture of B: seen by the camera, at the moment and at the resolution of the viewport's last whole picture, and
-/// refined while that one is at rest. Drawn only while it is wanted.
+/// Picture of B with the camera, time and resolution of the viewport's last whole picture, refined while that one is
+/// static. Drawn only while it is wanted.
 class OtherPicture final : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive it.
+    /// All must outlive this object.
     OtherPicture(Viewport&, Renderers&, const OtherSettings&, QObject* parent);
 
-    /// While on, there is always a picture of B, or one on the way. Off: nothing is drawn, and what drawing kept goes.
+    /// While on, a picture of B exists or is being drawn. Off: nothing is drawn, and the renderer of B is released.
     void setWanted(bool wanted);
     [[nodiscard]] bool wanted() const { return wanted_; }
 
-    /// Null until one is drawn, and where drawing it failed.
+    /// Returns the picture of B; null before the first one, and if drawing failed.
     [[nodiscard]] const QImage& image() const { return image_; }
-    /// It shows the B that is held now.
+    /// Returns whether the picture shows the present B.
     [[nodiscard]] bool upToDate() const { return pictured_.has_value(); }
-    /// It is that, and shows what the viewport's last whole picture shows, as finely at least.
+    /// Returns whether the picture shows the present B and matches the viewport's last whole picture, at least as
+    /// finely.
     [[nodiscard]] bool present() const;
-    /// Why the last one could not be drawn; empty where it could, or is not drawn yet.
+    /// Returns why drawing failed last; empty if it did not.
     [[nodiscard]] const QString& failure() const { return failure_; }
-    /// Of the last picture.
+    /// Returns the frame report of the last picture.
     [[nodiscard]] const render::FrameReport& report() const { return report_; }
-    /// All that is to be drawn of it is drawn.
+    /// Returns whether all samples are drawn.
     [[nodiscard]] bool finished() const { return finished_; }
-    /// Since the start, every sample counts: tests count that nothing is drawn that nobody sees.
+    /// Number of samples drawn since the start. Tests use it to check that nothing invisible is drawn.
     [[nodiscard]] long long picturesDrawn() const { return picturesDrawn_; }
 
 signals:
     void drawn();
-    /// There is none any more.
+    /// Emitted when the picture was discarded.
     void gone();
-    /// Said once for each B, after `gone`.
+    /// Emitted once for each B, after `gone`.
     void failed(const QString& why);
 
 private:
-    /// From where, when and how finely B is drawn.
+    /// Camera, time, size and quality of a picture of B.
     struct Sight {
         render::Camera camera;
         double time = 0;
@@ -60,11 +61,12 @@ private:
         double scale = 1;
         bool rests = false;
 
-        /// A picture from there serves for this sight, too: it is as fine at least.
+        /// Returns whether a picture of this view can also be used for `wanted`: it is the same view and at least as
+        /// fine.
         [[nodiscard]] bool serves(const Sight& wanted) const;
     };
     [[nodiscard]] Sight sight() const;
-    /// A drew a picture, whose settings may have changed: B is drawn anew only where it would look otherwise.
+    /// Handles a new picture of A. B is drawn again only if its view differs.
     void follow(const render::FrameReport&);
     void order();
     void forget();
@@ -75,10 +77,10 @@ private:
     const OtherSettings& other_;
     bool wanted_ = false;
     bool finished_ = false;
-    std::optional<Sight> ordered_;  // Of the picture that is there or on the way.
+    std::optional<Sight> ordered_;  // View of the picture that is drawn or ordered.
     QImage image_;
     render::FrameReport report_;
-    std::optional<Sight> pictured_;  // Of the image; none: it shows a former B, or there is none.
+    std::optional<Sight> pictured_;  // View of the image; unset: it shows an earlier B, or there is none.
     QString failure_;
     long long picturesDrawn_ = 0;
     RenderThread::Task task_;
