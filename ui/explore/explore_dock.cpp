@@ -24,7 +24,7 @@ namespace vitrine::ui {
 namespace {
 
 constexpr int mostNumber = 1'000'000;
-// What a chooser's entries say in their data beside the ids of presets, which are paths.
+// Ids of chooser entries that are no presets. The id of a preset is its path.
 constexpr QLatin1String onShowId("on show");
 constexpr QLatin1String keepId("keep");
 constexpr QLatin1String keptId("kept");
@@ -38,7 +38,7 @@ QLabel* heading(const QString& words, QWidget* parent)
     return label;
 }
 
-/// Asks for its entries each time before it opens.
+/// Combo box that is filled each time before it opens.
 class Chooser final : public QComboBox {
 public:
     Chooser(std::function<void()> fill, QWidget* parent) : QComboBox(parent), fill_(std::move(fill)) {}
@@ -100,7 +100,7 @@ void ExploreDock::addPad(QVBoxLayout& all)
     grid->addWidget(makeChooser(2), 2, 0);
     grid->addWidget(makeChooser(3), 2, 1);
     all.addLayout(grid);
-    // From corner to corner, then the pad between them.
+    // Tab order: from corner to corner, then the pad between them.
     for (std::size_t i = 1; i < PadCorners::count; ++i) setTabOrder(choosers_.at(i - 1), choosers_.at(i));
     setTabOrder(choosers_.back(), pad_);
     connect(corners_, &PadCorners::changed, this, [this] {
@@ -122,7 +122,7 @@ void ExploreDock::fillChooser(std::size_t corner)
     QString id = there.id;
     if (there.source != PadCorners::Source::preset)
         id = QString(there.source == PadCorners::Source::kept ? keptId : onShowId);
-    if (chooser.findData(id) < 0) chooser.addItem(there.name, id);  // Deleted since.
+    if (chooser.findData(id) < 0) chooser.addItem(there.name, id);  // The preset was deleted since.
     chooser.setCurrentIndex(chooser.findData(id));
 }
 

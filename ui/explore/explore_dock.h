@@ -24,23 +24,23 @@ class VariationGrid;
 class Variations;
 class Workbench;
 
-/// Looks between four settings, and nine variations of the look on show, of the exhibit whose parameters are shown.
-/// While it cannot be seen, nothing is read and nothing drawn.
+/// Dock that blends four settings, and shows nine variations, of the exhibit whose parameters are shown. While hidden,
+/// it reads and draws nothing.
 class ExploreDock final : public QWidget {
     Q_OBJECT
 
 public:
-    /// All must outlive it.
+    /// All must outlive the dock.
     ExploreDock(Workbench&, PresetShelf&, const ParameterPanel&, QWidget* parent = nullptr);
 
-    /// Another exhibit's parameters may be shown.
+    /// Updates the dock. Call when another exhibit's parameters may be shown.
     void follow();
 
     [[nodiscard]] PadCorners& corners() const { return *corners_; }
     [[nodiscard]] MorphPad& pad() const { return *pad_; }
     [[nodiscard]] Variations& variations() const { return *variations_; }
     [[nodiscard]] VariationGrid& grid() const { return *grid_; }
-    /// Chooses what stands at a corner.
+    /// Returns the combo box that chooses a corner's settings.
     [[nodiscard]] QComboBox& chooser(std::size_t corner) const { return *choosers_.at(corner); }
 
 protected:
@@ -51,7 +51,7 @@ private:
     void addPad(QVBoxLayout&);
     [[nodiscard]] QComboBox* makeChooser(std::size_t corner);
     void addVariations(QVBoxLayout&);
-    /// What can stand at a corner, with what does.
+    /// Fills the chooser of a corner and selects its present entry.
     void fillChooser(std::size_t corner);
     void choose(std::size_t corner, int entry);
     void beginAnew();
@@ -71,7 +71,7 @@ private:
     QLabel* state_;
     QPushButton* anew_;
     QPushButton* goOn_;
-    std::optional<std::size_t> exhibit_;  // Whose looks are explored; nothing: the next to be seen.
+    std::optional<std::size_t> exhibit_;  // Exhibit that is explored; unset: the one shown next.
 };
 
 }  // namespace vitrine::ui

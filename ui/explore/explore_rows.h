@@ -4,7 +4,7 @@
 
 namespace vitrine::ui {
 
-/// What the sliders of the exploration are over.
+/// Parameters behind the sliders of the exploration.
 struct ExploreRows final : Parameters {
     Real strength = real("strength", 0.4, percent, {0, 1},
                          "How far the variations go from the look that they vary: at 100 % anywhere within the "

@@ -17,12 +17,12 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double margin = 10;        // Room for the handle at the edges.
-constexpr double keyStep = 0.02;     // Of the side, by one arrow press.
-constexpr double reach = 10;         // Pixels about the handle's middle in which a press grabs it.
-constexpr double shareOfSide = 0.3;  // That a corner's picture takes.
+constexpr double margin = 10;        // Pixels for the handle at the edges.
+constexpr double keyStep = 0.02;     // Part of the side for one press of an arrow key.
+constexpr double reach = 10;         // Pixels around the handle's center in which a press grabs it.
+constexpr double shareOfSide = 0.3;  // Part of the side that a corner's picture takes.
 
-/// For a screen reader: what stands at the corners, and how much each counts.
+/// Accessible interface of the pad: says the corners and their weights.
 class AccessiblePad final : public QAccessibleWidget {
 public:
     explicit AccessiblePad(MorphPad* pad) : QAccessibleWidget(pad, QAccessible::Canvas), pad_(pad) {}
@@ -208,7 +208,7 @@ void MorphPad::mousePressEvent(QMouseEvent* event)
     hollowAtPress_ = hollow_;
     dragging_ = true;
     grip_ = event->position();
-    // A press on the handle grabs it, elsewhere it brings the handle there.
+    // A press on the handle grabs it; a press elsewhere moves the handle there.
     if (QLineF(grip_, pixelOf(place_)).length() > reach) {
         const QRectF at = field();
         move({(grip_.x() - at.left()) / at.width(), (grip_.y() - at.top()) / at.height()});
@@ -226,7 +226,7 @@ void MorphPad::mouseMoveEvent(QMouseEvent* event)
     const bool fine = event->modifiers() & Qt::ShiftModifier;
     const double gain = factor(fine ? Gain::fine : Gain::normal);
     QPointF next = place_ + QPointF(by.x() / at.width(), by.y() / at.height()) * gain;
-    // A pointer that left the square and comes back has the handle under it again.
+    // When the pointer returns from outside of the square, the handle follows it again.
     const QPointF under{(grip_.x() - at.left()) / at.width(), (grip_.y() - at.top()) / at.height()};
     if (!fine && QLineF(pixelOf(next), grip_).length() > reach) next = under;
     move(next);

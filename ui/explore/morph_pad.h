@@ -7,29 +7,29 @@
 
 namespace vitrine::ui {
 
-/// A square with four settings at its corners and a handle between them: a press brings the handle there, Shift drags
-/// finer, Esc during a drag takes it back; arrows move it (Shift finer, Ctrl coarser), Home to the first corner.
+/// Square with four settings at its corners and a handle between them. A press moves the handle there, Shift drags
+/// finer, Esc undoes a drag. Arrow keys move the handle (Shift finer, Ctrl coarser), Home moves it to the first corner.
 class MorphPad final : public QWidget {
     Q_OBJECT
 
 public:
-    /// The corners must outlive it.
+    /// The corners must outlive the pad.
     explicit MorphPad(const PadCorners&, QWidget* parent = nullptr);
 
-    /// Where the handle is, 0 to 1 each, (0, 0) in the upper left corner.
+    /// Returns the position of the handle, each coordinate 0 to 1, (0, 0) in the upper left corner.
     [[nodiscard]] QPointF place() const { return place_; }
-    /// Shows the handle there. Hollow where the look on show is not the one of that place.
+    /// Shows the handle at a position. `hollow`: the present values are not those of this position.
     void show(const QPointF& place, bool hollow);
     [[nodiscard]] bool hollow() const { return hollow_; }
-    /// "62 % Old gold, 38 % Chrome": the corners that count, for people.
+    /// Returns the names of the corners with a weight: "62 % Old gold, 38 % Chrome".
     [[nodiscard]] QString valueText() const;
-    /// What stands at a corner, for people.
+    /// Returns the name of a corner's settings.
     [[nodiscard]] static QString nameOf(const PadCorners::Corner&);
 
 signals:
-    /// The visitor moved the handle. Moves of one gesture are one undo step.
+    /// Emitted when the visitor moved the handle. Moves of one gesture are one undo step.
     void moved(const QPointF& place, int gesture);
-    /// Esc during a drag: all is as before this gesture.
+    /// Emitted on Esc during a drag: the gesture must be undone.
     void takenBack(int gesture);
 
 protected:
@@ -43,7 +43,7 @@ protected:
     [[nodiscard]] QSize minimumSizeHint() const override { return {160, 150}; }
 
 private:
-    /// In which the handle moves, pixels.
+    /// Returns the area of the handle in pixels.
     [[nodiscard]] QRectF field() const;
     [[nodiscard]] QPointF pixelOf(const QPointF& place) const;
     void move(const QPointF& place);

@@ -51,7 +51,7 @@ void PadControl::move(const QPointF& place, Gesture gesture)
 
 void PadControl::takeBack(Gesture gesture)
 {
-    if (gesture != gesture_ || !beforeGesture_) return;  // Nothing was moved.
+    if (gesture != gesture_ || !beforeGesture_) return;  // The gesture has moved nothing.
     moving_ = true;
     workbench_.history().change(tr("Move between four settings"), *beforeGesture_, gesture);
     moving_ = false;

@@ -12,14 +12,14 @@ class MorphPad;
 class PadCorners;
 class Workbench;
 
-/// Leads the exhibit whose parameters are shown to where the pad's handle is among its corners, live; one gesture is
-/// one undo step. A corner that is what is on show is that as of when the handle was first moved. Any other change of
-/// the look begins anew: the handle goes to such a corner, or is shown hollow where there is none.
+/// Control that blends the values of the shown exhibit between the pad's corners while the handle moves. One gesture is
+/// one undo step. A corner with the present values keeps those from before the first move. Any other change of values
+/// starts again: the handle moves to such a corner, or is hollow if there is none.
 class PadControl final : public QObject {
     Q_OBJECT
 
 public:
-    /// All must outlive it.
+    /// All must outlive this object.
     PadControl(Workbench&, const PadCorners&, MorphPad&, QObject* parent);
 
     void beginAnew();
@@ -31,8 +31,9 @@ private:
     Workbench& workbench_;
     const PadCorners& corners_;
     MorphPad& pad_;
-    std::optional<ParameterValues> start_;     // Of corners that are what is on show; nothing: what is.
-    std::optional<SceneState> beforeGesture_;  // And whether they had been given by then.
+    std::optional<ParameterValues> start_;  // Values of corners with the present values; unset: not moved yet.
+    // State before the gesture. `startedBefore_`: `start_` was set before it.
+    std::optional<SceneState> beforeGesture_;
     bool startedBefore_ = false;
     Gesture gesture_ = 0;
     bool moving_ = false;

@@ -46,12 +46,12 @@ void PadCorners::takePreset(std::size_t corner, const QString& id)
 {
     const std::optional<ReadSettings> found = shelf_.settingsIn(id);
     if (!found || found->exhibit != workbench_.shown()) {
-        emit changed();  // Whoever chose it shows again what is there.
+        emit changed();  // The chooser shows the corner's present entry again.
         return;
     }
     corners_.at(corner) = {Source::preset, found->name, id, std::nullopt,
                            QPixmap(QString::fromStdString(PresetStore::thumbnailPath(id.toStdString()).string()))};
-    // Files in it may give further rows: read where files are read.
+    // Files that the preset names may add parameters. They are read on the render thread.
     workbench_.viewport().renderThread().post([this, &museum = workbench_.museum(), sceneState = found->sceneState,
                                                exhibit = found->exhibit, corner,
                                                number = ++readings_.at(corner)]() -> std::function<void()> {

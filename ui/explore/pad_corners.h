@@ -18,8 +18,8 @@ namespace vitrine::ui {
 class PresetShelf;
 class Workbench;
 
-/// What stands at the four corners of the pad, row by row: upper left, upper right, lower left, lower right. Each is
-/// what is on show, a preset of the exhibit whose parameters are shown, or a look that was kept there.
+/// Settings at the four corners of the pad, row by row: upper left, upper right, lower left, lower right. Each corner
+/// has the present values, a preset of the shown exhibit, or values that were kept there.
 class PadCorners final : public QObject {
     Q_OBJECT
 
@@ -28,35 +28,35 @@ public:
     enum class Source { onShow, kept, preset };
     struct Corner {
         Source source = Source::onShow;
-        QString name;                           ///< Of a preset; empty: `source` says all.
-        QString id;                             ///< Of a preset: its path.
-        std::optional<ParameterValues> values;  ///< Nothing: what is on show, or a preset that is still being read.
+        QString name;                           ///< Name of the preset; empty for other sources.
+        QString id;                             ///< Path of the preset.
+        std::optional<ParameterValues> values;  ///< Unset for the present values, and while a preset is being read.
         QPixmap picture;                        ///< May be null.
     };
 
-    /// Both must outlive it.
+    /// Both must outlive this object.
     PadCorners(Workbench&, PresetShelf&, QObject* parent);
 
-    /// Begins anew for the exhibit whose parameters are shown: what is on show, and its first presets.
+    /// Resets the corners for the shown exhibit: the present values and its first presets.
     void begin();
     void takeOnShow(std::size_t corner);
-    /// What is on show now stays there, whatever is shown later.
+    /// Keeps the present values at a corner, whatever is changed later.
     void keep(std::size_t corner);
-    /// A preset from `presets`. One that cannot be read is said, and the corner stays as it was.
+    /// Sets a corner to a preset from `presets`. If it cannot be read, shows a message and leaves the corner unchanged.
     void takePreset(std::size_t corner, const QString& id);
 
     [[nodiscard]] const Corner& at(std::size_t corner) const { return corners_.at(corner); }
-    /// The first corner that is what is on show; nothing: none is.
+    /// Returns the first corner with the present values, if any.
     [[nodiscard]] std::optional<std::size_t> onShow() const;
-    /// All have been read.
+    /// Returns whether all presets have been read.
     [[nodiscard]] bool ready() const;
-    /// The presets of the exhibit: name and id.
+    /// Returns the presets of the exhibit: name and id.
     [[nodiscard]] std::vector<std::pair<QString, QString>> presets() const;
 
-    /// How much each corner counts at a place in the square, (0, 0) its upper left corner: 1 together, and on an edge
-    /// nothing but its two ends.
+    /// Returns the bilinear weights of the corners at a position in the square; (0, 0) is the upper left corner. The
+    /// sum is 1.
     [[nodiscard]] static std::array<double, count> weightsAt(const QPointF& place);
-    /// The corner's place in the square.
+    /// Returns the corner's position in the square.
     [[nodiscard]] static QPointF placeOf(std::size_t corner);
 
 signals:
@@ -68,7 +68,7 @@ private:
     Workbench& workbench_;
     PresetShelf& shelf_;
     std::array<Corner, count> corners_;
-    std::array<int, count> readings_{};  // The newest order of each corner.
+    std::array<int, count> readings_{};  // Number of the latest reading of each corner; older ones are dropped.
 };
 
 }  // namespace vitrine::ui

@@ -11,7 +11,8 @@
 namespace vitrine::ui {
 namespace {
 
-/// Draws one variation: its picture, a frame where it is on show, another where the keys are.
+/// Delegate that draws one variation: its picture, a frame if it equals the present values, another for the keyboard
+/// focus.
 class CellDelegate final : public QStyledItemDelegate {
 public:
     CellDelegate(const Variations& variations, VariationGrid& grid)

@@ -6,19 +6,19 @@ namespace vitrine::ui {
 
 class Variations;
 
-/// The pictures of nine variations, three by three: arrows go from one to another, Enter or a click picks one.
+/// Grid with the pictures of nine variations, three by three. Arrow keys move the focus; Enter or a click picks one.
 class VariationGrid final : public QTableWidget {
     Q_OBJECT
 
 public:
     static constexpr int side = 3;
 
-    /// Must outlive it.
+    /// The variations must outlive the grid.
     explicit VariationGrid(const Variations&, QWidget* parent = nullptr);
 
-    /// The one that the keys are at, 0 to 8.
+    /// Returns the focused variation, 0 to 8.
     [[nodiscard]] int current() const { return currentRow() * side + currentColumn(); }
-    /// Shows them as they are now.
+    /// Shows the present pictures.
     void refresh();
 
 signals:

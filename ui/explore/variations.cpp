@@ -14,8 +14,8 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int widest = 256;     // Pixels of a small picture.
-constexpr int mostSamples = 4;  // Of each of its pixels.
+constexpr int widest = 256;     // Width of a small picture in pixels.
+constexpr int mostSamples = 4;  // Most samples per pixel.
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Variations::Variations(Workbench& workbench, const ParameterPanel& panel, QObjec
     connect(&workbench.history(), &History::changed, this, &Variations::changed);
     connect(&workbench.history(), &History::replaced, this, &Variations::changed);
     connect(&panel, &ParameterPanel::locksChanged, this, &Variations::changed);
-    // Before the first picture of the viewport there is none to see as it does.
+    // Requests copy the viewport's, so they wait for its first picture.
     connect(&workbench.viewport(), &Viewport::drawn, this, [this] {
         if (waiting_) order();
     });
@@ -90,7 +90,7 @@ void Variations::order()
     if (!wanted || waiting_) return;
     struct Work {
         std::vector<SceneState> looks;
-        int next;  // Its number among the nine.
+        int next;  // Index among the nine.
         FrameRequest request;
         QSize screen;
     };

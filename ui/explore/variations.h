@@ -15,57 +15,57 @@ namespace vitrine::ui {
 class ParameterPanel;
 class Workbench;
 
-/// Nine variations of the values that the panel shows, and their pictures, which are drawn one after the other on the
-/// render thread while the visitor goes on: seen as the viewport sees, and only while someone looks.
+/// Nine random variations of the shown exhibit's values, with pictures. Pictures are drawn one after the other on the
+/// render thread, with the viewport's camera, and only while the grid is visible.
 class Variations final : public QObject {
     Q_OBJECT
 
 public:
     static constexpr int count = 9;
 
-    /// Both must outlive it.
+    /// Both must outlive this object.
     Variations(Workbench&, const ParameterPanel&, QObject* parent);
 
-    /// Off: nothing is drawn. On again, it goes on with those that are missing.
+    /// Sets whether the pictures are visible. Off: nothing is drawn. On: missing pictures are drawn.
     void setSeen(bool);
 
-    /// Variation i, from 0, is that of seed 9 (n - 1) + i + 1: the first nine are those that "Vary at random" begins
-    /// with.
+    /// Sets the number n of the set, from 1. Variation i, from 0, has the seed 9 (n - 1) + i + 1. The first nine are
+    /// the first ones of "Vary at random".
     void setNumber(int number) { number_ = number; }
     [[nodiscard]] int number() const { return number_; }
-    /// How far they go, 0 to 1, as `variation` says.
+    /// Sets how far variations differ, 0 to 1 (see `variation`).
     void setStrength(double strength) { strength_ = strength; }
     [[nodiscard]] double strength() const { return strength_; }
     [[nodiscard]] std::uint64_t seedOf(int variation) const;
 
-    /// Varies what is on show, and draws the nine.
+    /// Makes nine variations of the present values, and draws them.
     void drawAnew();
-    /// There are none any more: another exhibit is on show.
+    /// Removes the variations, because another exhibit is shown.
     void clear();
-    /// There are nine, drawn or on the way.
+    /// Returns whether there are variations; their pictures may be missing.
     [[nodiscard]] bool made() const { return base_.has_value(); }
 
-    /// Of variation i, while `made`.
+    /// Returns the values of variation i. Call only while `made`.
     [[nodiscard]] const ParameterValues& values(int i) const { return *made_.at(static_cast<std::size_t>(i)); }
-    /// Null until it is drawn.
+    /// Returns the picture of variation i; null until it is drawn.
     [[nodiscard]] const QImage& image(int i) const { return images_.at(static_cast<std::size_t>(i)); }
-    /// How many are finished.
+    /// Returns the number of finished pictures.
     [[nodiscard]] int finished() const { return finished_; }
-    /// Why drawing ended; empty: it did not fail.
+    /// Returns why drawing failed; empty if it did not.
     [[nodiscard]] const QString& failure() const { return failure_; }
 
-    /// The one that is the look on show; nothing: none is.
+    /// Returns the variation that equals the present values, if any.
     [[nodiscard]] std::optional<int> onShow() const;
-    /// They vary an older look than the one on show, or under other locks.
+    /// Returns whether the variations are of other values than the present ones, or were made with other locks.
     [[nodiscard]] bool stale() const;
 
-    /// It becomes the look; one undo step.
+    /// Applies variation i, as one undo step.
     void pick(int i);
-    /// The same, and the next nine are drawn around it.
+    /// Applies variation i, and draws the next nine around it.
     void goOnFrom(int i);
 
 signals:
-    /// The pictures, or what they are of.
+    /// Emitted when pictures or variations changed.
     void changed();
 
 private:
@@ -77,10 +77,10 @@ private:
     int number_ = 1;
     double strength_ = 0.4;
     bool seen_ = false;
-    bool waiting_ = false;                 // For the first picture of the viewport.
-    std::size_t exhibit_ = 0;              // Whose values they vary.
-    std::optional<ParameterValues> base_;  // Which they vary.
-    QStringList locked_;                   // Of all exhibits, when they were made.
+    bool waiting_ = false;                 // Waits for the first picture of the viewport.
+    std::size_t exhibit_ = 0;              // Exhibit whose values are varied.
+    std::optional<ParameterValues> base_;  // Values that are varied.
+    QStringList locked_;                   // Locked parameters of all exhibits when the variations were made.
     std::array<std::optional<ParameterValues>, count> made_;
     std::array<QImage, count> images_;
     int finished_ = 0;
