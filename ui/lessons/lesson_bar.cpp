@@ -17,7 +17,7 @@
 namespace vitrine::ui {
 namespace {
 
-/// Only what changed, so that a text which somebody selects or hears is not begun anew.
+/// Changes the text only if it differs, so that selecting or reading it aloud is not interrupted.
 void setWords(QLabel& label, const QString& words)
 {
     if (label.text() != words) label.setText(words);
@@ -102,7 +102,7 @@ void LessonBar::refresh()
     tell();
 }
 
-/// The page, unless it was told before: its number may change all the time.
+/// Announces the page to screen readers, once: the number on it may change all the time.
 void LessonBar::tell()
 {
     QStringList page;

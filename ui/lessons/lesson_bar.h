@@ -12,18 +12,18 @@ namespace vitrine::ui {
 
 class LessonDesk;
 
-/// A strip above the picture while a lesson is open: which step of how many, what to see, the number to read, and
-/// buttons to go back, on, and out. A screen reader is told every step when it comes.
+/// Strip above the picture while a lesson is open: number and text of the step, the value to read, and buttons for
+/// back, next and leave. Each step is announced to screen readers.
 class LessonBar final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
-    /// The desk must outlive it.
+    /// The desk must outlive the bar.
     explicit LessonBar(LessonDesk&);
 
-    /// Shows the page where the desk stands.
+    /// Shows the present page of the lesson.
     void refresh();
-    /// Out of sight whatever is open: nothing but the picture is shown.
+    /// While on, the bar stays hidden: used for the bare picture.
     void setBanned(bool);
 
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Notification; }
@@ -41,7 +41,7 @@ private:
     QLabel* text_;
     QLabel* number_;
     bool banned_ = false;
-    QString told_;  ///< The page that a screen reader was told last.
+    QString told_;  ///< Page that was announced last.
 };
 
 }  // namespace vitrine::ui

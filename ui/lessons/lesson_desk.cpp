@@ -28,7 +28,7 @@ QString words(const std::string& s)
     return QString::fromStdString(s);
 }
 
-/// Paragraphs, **bold** and what `withLabels` marked.
+/// Converts a lesson's text to rich text: paragraphs, **bold**, and links marked by `withLinks`.
 QString richText(const std::string& text)
 {
     QString rich = words(text).toHtmlEscaped();
@@ -43,7 +43,7 @@ QString richText(const std::string& text)
     return rich.replace(QStringLiteral("\n\n"), QStringLiteral("<br/>"));
 }
 
-/// Each "[row:x]" becomes a link "\1x\2Label\3", in characters that escaping leaves alone.
+/// Replaces each "[row:x]" by a link "\1x\2Label\3", whose control characters are not changed by escaping.
 std::string withLinks(const std::string& text, const std::string& exhibit, const NamedValues& tables)
 {
     std::string linked;
@@ -143,7 +143,7 @@ void LessonDesk::load(const QString& path)
     const std::size_t exhibit = *museum.find(lesson.exhibit);
     auto next = std::make_shared<Opened>(
         Opened{std::move(lesson), exhibit, window_.history().sceneState(), std::move(tables), window_.chosen()});
-    if (place_.opened) {  // Out of one lesson into another: what comes back is what was open before both.
+    if (place_.opened) {  // A lesson opened from another one: leaving it restores the state from before both.
         next->before = place_.opened->before;
         next->chosenBefore = place_.opened->chosenBefore;
     }
@@ -182,7 +182,7 @@ void LessonDesk::leave()
 SceneState LessonDesk::stateAt(const Place& place, bool& movesCamera) const
 {
     movesCamera = true;
-    if (!place.opened) return place_.opened->before;  // Only an open lesson is left.
+    if (!place.opened) return place_.opened->before;  // Without a place, the lesson is being left: there is one open.
     const Opened& opened = *place.opened;
     SceneState state = opened.before;
     state.camera = window_.history().sceneState().camera;
@@ -235,11 +235,11 @@ void LessonDesk::noteFrame(const render::FrameReport& report, const QSize& pixel
 {
     const LessonNumber* number = asked(place_.page);
     if (!number || number->of == LessonNumber::Of::row) return;
-    // A picture of the settings before may arrive after the change, and a partial one counts only a part of the work.
+    // The report may belong to a picture of earlier settings, or to an unfinished one with incomplete counters.
     const Viewport& viewport = window_.viewport();
     const long long sceneState = viewport.drawnSceneState();
     if (report.unfinished || sceneState != viewport.sceneStateNumber()) return;
-    // While something moves, pictures are smaller, and their numbers tell nothing.
+    // Pictures in motion have a lower resolution, and their numbers are not comparable.
     if (pixels != (QSizeF(viewport.size()) * viewport.devicePixelRatioF()).toSize()) return;
     const QLocale plain = numberLocale();
     if (number->of == LessonNumber::Of::milliseconds) {

@@ -23,50 +23,50 @@ namespace vitrine::ui {
 class LessonBar;
 class Workbench;
 
-/// The lesson that is open: applies its steps to the settings on show, each as one undo step, and brings back what was
-/// open before when it is left. Undo and redo lead through the lesson, too.
+/// The open lesson: applies its steps to the present settings, each as one undo step. Leaving it restores the settings
+/// from before. Undo and redo also change the step.
 class LessonDesk final : public QObject {
     Q_OBJECT
 
 public:
-    /// The window must outlive it.
+    /// The window must outlive this object.
     LessonDesk(Workbench&, QObject* parent);
 
-    /// The strip over the picture; in a layout from then on.
+    /// Returns the bar above the picture. Put it into a layout, which then owns it.
     [[nodiscard]] LessonBar& bar() const { return *bar_; }
-    /// In the order of the menu; null is a separator.
+    /// Returns the commands in the order of the menu; null is a separator.
     [[nodiscard]] const QList<QAction*>& actions() const { return actions_; }
     [[nodiscard]] QAction& nextAction() const { return *next_; }
     [[nodiscard]] QAction& backAction() const { return *back_; }
     [[nodiscard]] QAction& leaveAction() const { return *leave_; }
 
-    /// Opens a lesson; what is wrong with the file is said in the message strip, and nothing changes.
+    /// Opens a lesson file. An error in it is reported in the message strip, and nothing changes.
     void open(const QString& path);
-    /// The lesson that comes with this exhibit.
+    /// Opens the lesson that comes with this exhibit.
     void start(std::size_t exhibit);
     void next();
     void back();
-    /// Closes the lesson and shows what was on show before it was opened.
+    /// Closes the lesson and restores the settings from before it was opened.
     void leave();
 
-    /// Null: none is open.
+    /// Returns the open lesson; null if there is none.
     [[nodiscard]] const Lesson* lesson() const { return place_.opened ? &place_.opened->lesson : nullptr; }
-    /// 0: the introduction; else the number of the step.
+    /// Returns the page: 0 is the introduction, others are numbers of steps.
     [[nodiscard]] std::size_t page() const { return place_.page; }
-    /// The text of the page as rich text, its rows as links: "row:samples".
+    /// Returns the page's text as rich text. Parameters in it are links: "row:samples".
     [[nodiscard]] QString pageText() const;
-    /// The number that the step asks the reader to look up, and what it was in the step before; empty: none. An
-    /// ellipsis takes its place until the settings on show are drawn at full resolution.
+    /// Returns the number that the step asks to read, with its value in the step before; empty if there is none. An
+    /// ellipsis stands for the value until the present settings are drawn at full resolution.
     [[nodiscard]] QString numberText() const;
 
 signals:
-    /// Somebody wants to see this row of the lesson's exhibit; "hall.exposure" is one of the hall.
+    /// Asks to show this parameter of the lesson's exhibit; "hall.exposure" is one of the hall.
     void rowAsked(const QString& row);
-    /// The visitor chose a file, and it was read.
+    /// Emitted when a file that the visitor chose was opened.
     void opened(const QString& path);
 
 private:
-    /// A lesson, and what was on show when it was opened.
+    /// Open lesson, with the state from before it was opened.
     struct Opened {
         Lesson lesson;
         std::size_t exhibit = 0;
@@ -98,12 +98,12 @@ private:
     QAction* next_ = nullptr;
     QAction* back_ = nullptr;
     QAction* leave_ = nullptr;
-    /// A number as it was read, and the scene state that it was read of (`Viewport::sceneStateNumber`).
+    /// Value as it was read, with the number of its scene state (`Viewport::sceneStateNumber`).
     struct ReadNumber {
         QString text;
         long long sceneState = 0;
     };
-    std::map<std::size_t, ReadNumber> numbers_;  ///< Read last, by page of the lesson that is open.
+    std::map<std::size_t, ReadNumber> numbers_;  ///< Latest value of each page of the open lesson.
 };
 
 }  // namespace vitrine::ui

@@ -24,7 +24,7 @@ QString pageFolder()
     return QString::fromStdString(render::asset("pages").string());
 }
 
-/// Of the pages' headings, figures and links, in the colors of the window.
+/// Returns the style sheet of the pages, in the colors of the window.
 QString pageStyle()
 {
     return QStringLiteral("h1 { font-size: x-large; margin-bottom: 4px; } h2 { font-size: large; margin-top: 16px; }"
@@ -33,7 +33,7 @@ QString pageStyle()
         .arg(theme().accent.name(), theme().dim.name());
 }
 
-/// Table of all parameters as HTML, in the language in use: label, help, and initial value with range.
+/// Returns a table of all parameters as HTML, in the present language: label, help, and initial value with range.
 QString parameterTable(const Parameters& table)
 {
     QString html =
@@ -51,7 +51,7 @@ QString parameterTable(const Parameters& table)
     return html + QStringLiteral("</table>");
 }
 
-/// Returns the page's text with the table of parameters behind it.
+/// Returns the page's text followed by the table of parameters.
 QString withTable(const QString& page, const Parameters& table)
 {
     const qsizetype end = page.lastIndexOf(QStringLiteral("</body>"));
@@ -132,7 +132,8 @@ void PageDialog::follow(const QUrl& link)
     else if (link.scheme().startsWith(QLatin1String("http")))
         QDesktopServices::openUrl(link);
     else if (link.isRelative() && link.path().endsWith(QLatin1String(".html")))
-        showPage(QFileInfo(link.path()).baseName());  // In the language in use, even from a page that is not.
+        // Links lead to pages in the present language, even from a page in another one.
+        showPage(QFileInfo(link.path()).baseName());
     else
         browser_->setSource(browser_->source().resolved(link));
 }
