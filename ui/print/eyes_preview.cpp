@@ -15,12 +15,12 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double eyesApart = 65;  // Millimeters, the usual mean.
+constexpr double eyesApart = 65;  // Millimeters between the eyes, the usual mean.
 constexpr double steepest = 70 * degree;
-constexpr double perPixel = 0.15 * degree;  // 200 pixels are about a zone.
+constexpr double perPixel = 0.15 * degree;  // Rotation per pixel of a drag: 200 pixels are about a viewing zone.
 constexpr int caption = 24;
 constexpr int coarseSide = 200;
-constexpr int quietTime = 120;  // Milliseconds until the fine pictures.
+constexpr int quietTime = 120;  // Milliseconds after a drag until fine pictures are made.
 
 }  // namespace
 

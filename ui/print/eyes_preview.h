@@ -12,28 +12,28 @@
 
 namespace vitrine::ui {
 
-/// The card as the left and the right eye see it, 65 mm apart at the viewing distance. Dragging to the side
-/// turns it, dragging up and down tilts it; the arrows do the same by degrees, Home looks straight on.
+/// Preview of the card for the left and the right eye, 65 mm apart at the viewing distance. Dragging sideways turns it,
+/// dragging up and down tilts it. Arrow keys do the same by degrees, Home looks straight on.
 class EyesPreview final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
     explicit EyesPreview(QWidget* parent = nullptr);
 
-    /// Null: nothing to show. `distance` in millimeters, infinity for eyes far away, which see the same.
+    /// Sets the print to show; null: none. `distance` in millimeters; infinity: both eyes see the same.
     void setPreview(std::shared_ptr<const printing::PrintPreview>, double distance);
-    /// From where the card is looked at, between the eyes, in radians; to the right, and from above.
+    /// Sets the direction of view from between the eyes, in radians: to the right, and from above.
     void look(double angle, double angleAlong);
     [[nodiscard]] double angle() const { return angle_; }
     [[nodiscard]] double angleAlong() const { return angleAlong_; }
-    /// What the left (0) and the right (1) eye see; null until it is made.
+    /// Returns the picture of the left (0) or right (1) eye; null until it is made.
     [[nodiscard]] const QImage& seen(std::size_t eye) const { return images_.at(eye); }
-    /// Of the last pictures made.
+    /// Returns the angle of the last pictures.
     [[nodiscard]] double shownAngle() const { return shownAngle_; }
 
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
     [[nodiscard]] QString spokenText() const override;
-    /// From where it is looked at, in degrees to the right.
+    /// Returns the direction of view in degrees to the right.
     [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
     void setSpokenNumber(double degrees) override;
 
@@ -51,12 +51,12 @@ protected:
 private:
     void fetch(bool coarse);
     [[nodiscard]] QRectF half(int eye) const;
-    /// "2.0° right, 0.0°, from 40 cm".
+    /// Returns the text of the direction of view: "2.0° right, 0.0°, from 40 cm".
     [[nodiscard]] QString standpoint() const;
 
     std::shared_ptr<const printing::PrintPreview> preview_;
     NewestJob job_;
-    QTimer settle_;  ///< From the coarse pictures of a drag to fine ones.
+    QTimer settle_;  ///< Delays the fine pictures during a drag.
     std::array<QImage, 2> images_;
     double distance_ = 400;
     double angle_ = 0, angleAlong_ = 0, shownAngle_ = 0;

@@ -7,8 +7,8 @@
 
 namespace vitrine::ui {
 
-/// Works beside the window, on one thread of its own. Of everything asked for while it is busy, only the
-/// newest is done: a dragged slider sends whole requests and none of them piles up.
+/// Background job with a thread of its own. While it is busy, only the newest request is kept, so that requests of a
+/// dragged slider do not pile up.
 class NewestJob final : public QObject {
     Q_OBJECT
 
@@ -16,17 +16,17 @@ public:
     using Outcome = std::function<void()>;
 
     explicit NewestJob(QObject* parent);
-    /// Waits for what is being done; its outcome is dropped.
+    /// Waits for the present work and drops its outcome.
     ~NewestJob() override;
 
-    /// `work` runs on the other thread and must own what it uses; what it returns, if anything, runs on this one.
+    /// Runs `work` on the other thread; it must own everything it uses. Its result, if any, is called on this thread.
     void ask(std::function<Outcome()> work);
-    /// Drops what waits, and the outcome of what is being done.
+    /// Drops the waiting request and the outcome of the present work.
     void forget();
     [[nodiscard]] bool busy() const { return running_; }
 
 signals:
-    /// The work threw; `why` is for people.
+    /// Emitted when the work threw; `why` is a sentence for people.
     void failed(const QString& why);
 
 private:
@@ -36,7 +36,7 @@ private:
     QThreadPool pool_;
     std::function<Outcome()> next_;
     bool running_ = false;
-    int turn_ = 0;  ///< Grows when outcomes are forgotten.
+    int turn_ = 0;  ///< Grows when outcomes are dropped.
 };
 
 }  // namespace vitrine::ui

@@ -44,13 +44,13 @@ QString placesPath()
     return QString::fromStdString((stateFolder() / "print.ini").string());
 }
 
-/// Cause of the problems of an export: they leave with the next one.
+/// Returns the cause of problems of an export. They are removed by the next one.
 QString printExportCause()
 {
     return QStringLiteral("export");
 }
 
-/// Cause of the problems of reading or rendering views.
+/// Returns the cause of problems of reading or rendering views.
 QString printViewsCause()
 {
     return QStringLiteral("views");
@@ -82,7 +82,7 @@ PrintDialog::PrintDialog(ShownViews* shown, QWidget* parent)
 
 PrintDialog::~PrintDialog()
 {
-    if (!remembered_) remember();  // The window took it along.
+    if (!remembered_) remember();  // The dialog is destroyed with the window, without having been closed.
 }
 
 QWidget* PrintDialog::buildLeft(bool canShow)
@@ -148,7 +148,7 @@ void PrintDialog::build(bool canShow)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addLayout(sides, 1);
-    resize(1200, 680);  // With a title bar it fits 1280 x 720.
+    resize(1200, 680);  // Fits 1280 x 720 with a title bar.
 }
 
 void PrintDialog::buildUndo()
@@ -325,7 +325,7 @@ void PrintDialog::lookAgain()
         std::shared_ptr<const printing::PrintPreview> preview;
         try {
             if (chart || views) preview = printing::printPreview(values, views);
-        } catch (const Failure&) {  // The plan says why.
+        } catch (const Failure&) {  // The plan gives the reason.
         }
         return [this, preview, distance = printing::viewingDistance(values)] {
             strips_->setPreview(preview);
@@ -337,7 +337,7 @@ void PrintDialog::lookAgain()
 void PrintDialog::countAgain()
 {
     const int turn = ++asked_;
-    // Views that are rendered will be as many as the values say, whatever is there now.
+    // Views still to be rendered follow the values, so the present ones are ignored.
     const std::shared_ptr<const printing::PrintViews> views = chart_ || fromWindow() ? nullptr : loader_.views();
     count_.ask([this, turn, file = std::filesystem::path(path().toStdString()), values = values(), views,
                 chart = chart_]() -> NewestJob::Outcome {
@@ -394,7 +394,7 @@ void PrintDialog::open(const QStringList& paths)
         try {
             loadPrint(paths.front().toStdString());
             return;
-        } catch (const std::exception&) {  // No print: a picture like any other.
+        } catch (const std::exception&) {  // Not a print: opened as a picture.
         }
     }
     if (chart_) setChart(false);
@@ -403,7 +403,7 @@ void PrintDialog::open(const QStringList& paths)
     state.files = paths;
     if (fromWindow()) state.values.set(printing::printTable().origin, printing::ViewOrigin::files);
     if (state == setup_.state())
-        loader_.load(state);  // The files may be others by now.
+        loader_.load(state);  // The files may have changed on disk.
     else
         setup_.change(tr("Choose views"), state);
 }

@@ -24,26 +24,26 @@ class SheetBar;
 class SourceBar;
 class StripPreview;
 
-/// Sets up a lenticular print or a calibration chart, shows the raster and what both eyes will see of it, says
-/// what a printer wants to know, and writes it. Blocks nothing; what was set comes back the next time.
+/// Dialog for a lenticular print or a calibration chart: previews the raster and the picture for both eyes, lists the
+/// numbers that a printer asks for, and writes the print. Does not block. Settings are restored the next time.
 class PrintDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// `shown` renders views of what the window shows; taken over, and null where there is no such window.
+    /// `shown` renders views of the window's picture; the dialog owns it. Null if there is no such window.
     PrintDialog(ShownViews* shown, QWidget* parent);
     ~PrintDialog() override;
 
     [[nodiscard]] const ParameterValues& values() const { return setup_.values(); }
     void setValues(const ParameterValues&);
     [[nodiscard]] const QStringList& files() const { return setup_.state().files; }
-    /// Views, or a print or its JSON whose settings come back: what a drop on the dialog does.
+    /// Opens views, or loads the settings of a print or its JSON. Used for drops on the dialog.
     void open(const QStringList& paths);
     void setChart(bool);
-    /// Of the print, or of the chart: each keeps its own.
+    /// Sets the path of the print or of the chart, whichever is shown.
     void setPath(const QString&);
     [[nodiscard]] QString path() const;
-    /// Whether the numbers and pictures are those of the values.
+    /// Returns whether numbers and previews are up to date.
     [[nodiscard]] bool settled() const;
     [[nodiscard]] bool exporting() const { return exporting_; }
 
@@ -53,11 +53,11 @@ public slots:
     void loadSettings(const QString& path);
     void saveSettings(const QString& path);
     void done(int) override;
-    /// Cancels what runs; closes the dialog where nothing does.
+    /// Cancels the running export, or closes the dialog if there is none.
     void reject() override;
 
 signals:
-    /// The export is over; what was saved was asked for.
+    /// Emitted when an export has ended. `saved`: the file was written.
     void exportEnded(bool saved);
 
 protected:
@@ -65,7 +65,7 @@ protected:
     void dropEvent(QDropEvent*) override;
 
 private:
-    /// Takes the settings of a print, or of a file of settings. Throws Failure.
+    /// Loads the settings of a print, or of a settings file. Throws Failure.
     void loadPrint(const std::string& path);
     void build(bool canShow);
     [[nodiscard]] QWidget* buildLeft(bool canShow);
@@ -77,7 +77,7 @@ private:
     void remember();
     void recall();
 
-    /// Does `work`; says why where it throws. Returns whether it did not.
+    /// Runs `work`, and shows a message if it throws. Returns whether it succeeded.
     bool trySaying(const std::function<void()>& work);
     void say(MessageStrip::Mood, const QString&, const QString& file = {});
     void showState(bool views);
@@ -98,8 +98,8 @@ private:
     bool chart_ = false;
     bool exporting_ = false;
     bool remembered_ = false;
-    int asked_ = 0, shown_ = 0;  ///< Refreshes asked for and shown.
-    NewestJob preview_, count_;  ///< Previews; numbers, which take longer with many views.
+    int asked_ = 0, shown_ = 0;  ///< Numbers of the last refresh requested and shown.
+    NewestJob preview_, count_;  ///< Two jobs: previews, and numbers, which take longer with many views.
     ProgressJob write_;
 
     MessageStrip* messages_;

@@ -12,14 +12,14 @@
 namespace vitrine::ui {
 namespace {
 
-/// The name in that folder, or with a number, not taken yet.
+/// Returns the path of this name in the folder, with a number if it is taken.
 QString freePath(const QString& folder, const QString& name)
 {
     const QString path = QDir(folder).filePath(name);
     return QFileInfo::exists(path) ? nextFreePath(path) : path;
 }
 
-/// What a print of this name may be written to besides the file itself.
+/// Returns the files that may be written beside a print of this name.
 QStringList besidePrint(const QString& path)
 {
     const QFileInfo file(path);

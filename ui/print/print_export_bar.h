@@ -4,19 +4,19 @@
 
 namespace vitrine::ui {
 
-/// An export bar for prints, whose settings can be loaded and saved. A print and a chart have names of their own, so
-/// that neither takes the other's place.
+/// Export bar for prints, with buttons that load and save settings. A print and a chart have different file names, so
+/// that neither replaces the other.
 class PrintExportBar final : public ExportBar {
     Q_OBJECT
 
 public:
     explicit PrintExportBar(QWidget* parent);
 
-    /// Names in this folder that are not taken yet, for a print and for a chart.
+    /// Sets file names in this folder that are not taken yet, for a print and for a chart.
     void suggest(const QString& folder);
-    /// Shows the name of the print, or of the chart.
+    /// Shows the file name of the print or of the chart.
     void setChart(bool);
-    /// Asks before the print, its settings or the first of several files is replaced, then `exportAsked`.
+    /// Asks before replacing the print, its settings or the first of several files. Then emits `exportAsked`.
     void askForPrint();
     void showPossible(bool exporting, bool possible);
 
@@ -27,7 +27,7 @@ signals:
 private:
     void askSettings(bool save);
 
-    QString otherPath_;  ///< Of the chart while the print is set up, and the other way round.
+    QString otherPath_;  ///< File of the chart while the print is shown, and the reverse.
     bool chart_ = false;
     QPushButton* load_;
 };

@@ -85,7 +85,7 @@ void CrosstalkBars::paintEvent(QPaintEvent*)
     QColor line = colors.text;
     line.setAlphaF(0.25F);
     painter.fillRect(QRectF(4, height() / 2.0, width() - 8.0, 1),
-                     line);  // Half from others: no view of its own any more.
+                     line);  // Line at one half: a higher bar means more of other views than of its own.
 }
 
 PrintNumbersView::PrintNumbersView(QWidget* parent) : QWidget(parent)
@@ -171,7 +171,7 @@ QLabel* PrintNumbersView::addNumber(const QString& label, const QString& help)
     auto* value = new QLabel(this);
     name->setTextFormat(Qt::PlainText);
     value->setTextFormat(Qt::PlainText);
-    name->setEnabled(false);  // Dim: the number is what is read.
+    name->setEnabled(false);  // The label is dimmed, so that the number stands out.
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     value->setAccessibleName(label);
     name->setToolTip(help);

@@ -14,7 +14,7 @@ class QPushButton;
 
 namespace vitrine::ui {
 
-/// A bar for every view: how much of what it shows at its own angle comes from other views.
+/// Bar chart of crosstalk: for each view, the share of other views at its own angle.
 class CrosstalkBars final : public QWidget, public Spoken {
     Q_OBJECT
 
@@ -32,21 +32,21 @@ private:
     std::vector<double> own_;
 };
 
-/// The numbers that a printer asks for, what will disappoint, and why a print cannot be made.
+/// Numbers that a printer asks for, warnings, and reasons why a print cannot be made.
 class PrintNumbersView final : public QWidget {
     Q_OBJECT
 
 public:
     explicit PrintNumbersView(QWidget* parent = nullptr);
 
-    /// The scene's depth is known for rendered views only.
+    /// Shows a plan. The scene's depth is known for rendered views only.
     void showPlan(const printing::PrintPlan&, const std::optional<printing::SceneDepth>&);
-    /// "Pixels per lens" and so on, as on the screen.
+    /// Returns the text shown beside a label such as "Pixels per lens".
     [[nodiscard]] QString shown(const QString& label) const;
     [[nodiscard]] QString messages() const;
 
 signals:
-    /// The scene is too deep: at which strength of the rig the print holds it.
+    /// Emitted when the scene is too deep for the print. `strength`: the strength of the rig that fits.
     void fitAsked(double strength);
 
 private:

@@ -18,7 +18,7 @@ std::filesystem::path rememberedSettings()
     return configFolder() / "print.json";
 }
 
-/// The sheet's name is no part of a print's settings: its numbers are.
+/// The sheet's name is stored separately, because a print's settings hold the sheet's numbers only.
 QSettings rememberedNames()
 {
     return {iniPath(QString::fromStdString((stateFolder() / "print.ini").string())), QSettings::IniFormat};
@@ -34,12 +34,12 @@ PrintSetup::PrintSetup(bool canShow, QObject* parent) : QObject(parent), canShow
     history_.restart({{state_.values}, {}});
     connect(&history_, &History::changed, this, &PrintSetup::follow);
     connect(&history_, &History::replaced, this, &PrintSetup::follow);
-    connect(&stack(), &QUndoStack::indexChanged, this, &PrintSetup::follow);  // Files or a sheet alone.
+    connect(&stack(), &QUndoStack::indexChanged, this, &PrintSetup::follow);  // Also changes of files or sheet alone.
 }
 
 PrintSetup::~PrintSetup()
 {
-    stack().disconnect(this);  // It says that it is empty when it goes.
+    stack().disconnect(this);  // A stack that is destroyed emits signals.
 }
 
 PrintState PrintSetup::possible(PrintState state) const

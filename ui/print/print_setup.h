@@ -10,63 +10,64 @@
 
 namespace vitrine::ui {
 
-/// Everything that is set about a print.
+/// All settings of a print.
 struct PrintState {
     ParameterValues values = printing::printTable().initial();
-    QStringList files{};  ///< Where the views come from.
-    std::string sheet{};  ///< Chosen or saved last: of sheets that are alike, the one that is meant.
+    QStringList files{};  ///< Files from which the views are read.
+    std::string sheet{};  ///< Name of the sheet chosen or saved last, which decides between sheets with equal numbers.
 
     bool operator==(const PrintState&) const = default;
 };
 
-/// What is set in the print dialog, with undo; it comes back the next time.
+/// Settings of the print dialog, with undo. They are restored the next time.
 class PrintSetup final : public QObject {
     Q_OBJECT
 
 public:
-    /// `canShow`: there is a picture in the window to render views from. Without one, views come from files.
+    /// `canShow`: views can be rendered from the window's picture. Otherwise views come from files.
     PrintSetup(bool canShow, QObject* parent);
     ~PrintSetup() override;
 
     [[nodiscard]] const PrintState& state() const { return state_; }
     [[nodiscard]] const ParameterValues& values() const { return state_.values; }
-    /// Sets `after`; `text` names the step for people. Edits with the same number, other than 0, are one step. What is
-    /// set already is no step.
+    /// Sets `after` as one undo step; `text` is its label. Edits with the same gesture number, other than 0, are one
+    /// step. Equal settings make no step.
     void change(const QString& text, PrintState after, Gesture = 0);
-    /// The same, for the values only.
+    /// The same for the values only.
     void change(const QString& text, const ParameterValues&, Gesture = 0);
-    /// The values, for a panel.
+    /// Returns the history of the values, for a parameter panel.
     [[nodiscard]] History& history() { return history_; }
     [[nodiscard]] QUndoStack& stack() { return history_.stack(); }
 
-    /// Everything that is set, as a print's own JSON has it.
+    /// Returns all settings as a text, in the format of a print's own JSON.
     [[nodiscard]] std::string text() const;
-    /// Sets what such a text says and returns what had to be changed, for people. Throws Failure naming file and key.
+    /// Applies the settings of such a text. Returns sentences on corrected values. Throws Failure naming file and key.
     QStringList load(const std::string& text, const std::string& fileName);
 
-    /// Brings back what `remember` wrote, with nothing to undo; without it, what is set at first. `changed` follows in
-    /// any case. Throws Failure where it cannot be read; then what is set at first stays.
+    /// Restores the settings that `remember` wrote, and clears the undo stack. Without such settings, the initial ones
+    /// are set. `changed` is emitted in any case. Throws Failure if the settings cannot be read; the initial ones are
+    /// then set.
     QStringList recall();
-    /// Throws Failure when it cannot be written.
+    /// Saves the settings for `recall`. Throws Failure if they cannot be written.
     void remember() const;
 
 signals:
-    /// `views`: those that were got so far are not the ones that are now asked for.
+    /// Emitted after a change. `views`: other views are needed than those read or rendered so far.
     void changed(bool views);
 
 private:
-    /// Says what is another than what was said last.
+    /// Emits `changed` if the settings differ from `state_`.
     void follow();
     [[nodiscard]] PrintState possible(PrintState) const;
 
     History history_{SceneState{{printing::printTable().initial()}, {}}};
     QStringList files_;
     std::string sheet_;
-    PrintState state_;  ///< What was said last.
+    PrintState state_;  ///< Settings at the last `changed`.
     bool canShow_;
 };
 
-/// The file names as the print's functions take them.
+/// Converts file names for the print functions.
 [[nodiscard]] std::vector<std::string> textsOf(const QStringList&);
 
 }  // namespace vitrine::ui

@@ -18,8 +18,8 @@
 namespace vitrine::ui {
 namespace {
 
-/// "60 LPI, 3D, 30°" for "60-3d": what it is sold as, what for, and the angle in which all views are seen. Sheets of
-/// one's own keep their names.
+/// Returns the displayed name of a sheet: "60 LPI, 3D, 30°" for "60-3d", which gives pitch, purpose and the viewing
+/// angle of all views. The visitor's own sheets keep their names.
 QString shownName(const printing::Sheet& sheet)
 {
     const auto& known = printing::knownSheets();
@@ -118,7 +118,7 @@ void SheetBar::showSheets()
     std::string current;
     try {
         current = sheets_.nameOf(printing::sheetOf(setup_.values()), setup_.state().sheet);
-    } catch (const Failure&) {  // A sheet that cannot be has no name; the plan says why.
+    } catch (const Failure&) {  // An impossible sheet has no name; the plan gives the reason.
     }
     const QSignalBlocker quiet(list_);
     list_->clear();

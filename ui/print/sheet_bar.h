@@ -13,15 +13,15 @@ namespace vitrine::ui {
 
 class PrintSetup;
 
-/// The list of lens sheets: choose one, save the numbers below as one of your own, delete one of your own.
+/// List of lens sheets: chooses one, saves the present numbers as a new one, deletes one of the visitor's own.
 class SheetBar final : public QWidget {
     Q_OBJECT
 
 public:
-    /// Changes the sheet of `setup`, which must outlive it, and shows which one that has.
+    /// Shows and changes the sheet of `setup`, which must outlive the bar.
     SheetBar(PrintSetup& setup, QWidget* parent);
 
-    /// Of the list; empty where the numbers are those of none.
+    /// Returns the name of the chosen sheet; empty if the numbers match none.
     [[nodiscard]] QString current() const;
 
 public slots:
@@ -30,7 +30,7 @@ public slots:
     void remove(const QString& name);
 
 signals:
-    /// The list could not be read or written, or a sheet cannot be; `why` is for people.
+    /// Emitted when the list could not be read or written, or a sheet is impossible. `why` is a sentence for people.
     void failed(const QString& why);
 
 private:
@@ -41,7 +41,7 @@ private:
 
     PrintSetup& setup_;
     printing::SheetList sheets_;
-    std::size_t count_ = 0;  ///< Entries of the list that are sheets.
+    std::size_t count_ = 0;  ///< Number of list entries that are sheets.
     QComboBox* list_;
     QToolButton *save_, *remove_;
 };

@@ -14,7 +14,7 @@ namespace vitrine::ui {
 
 class Workbench;
 
-/// Renders the views of a print from what the window shows, step by step on the render thread.
+/// Renders the views of a print from the window's scene state, step by step on the render thread.
 class ShownViews final : public QObject {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ public:
     ShownViews(Workbench&, QObject* parent);
     ~ShownViews() override;
 
-    /// From where the visitor stands now; stops what was being rendered.
+    /// Renders with the visitor's present camera. Stops a rendering that is running.
     void start(const ParameterValues&, bool draft);
     void stop();
     [[nodiscard]] bool running() const { return views_ != nullptr; }
@@ -35,23 +35,23 @@ signals:
     void failed(const QString& why);
 
 private:
-    /// What the render thread works on.
+    /// Data that the render thread works on.
     struct Work {
-        std::vector<printing::ViewShot> pictures;  ///< The quick one for depth, then the views.
+        std::vector<printing::ViewShot> pictures;  ///< First a quick picture for the depth, then the views.
         std::size_t next = 0;
         std::shared_ptr<printing::PrintViews> views;
         PictureJob job;
         QElapsedTimer told;
     };
-    /// One sample of a tile of a picture; returns whether there is more to do. On the render thread: only what is told
-    /// touches the window.
+    /// Renders one sample of a tile. Returns whether more is to be done. Runs on the render thread; functions given to
+    /// `Tell` run in the window's.
     static bool step(Renderers&, Work&, const RenderThread::Tell&, ShownViews& told);
     void note(double part);
     void end(const QString& failure);
 
     Workbench& window_;
     std::optional<ParameterValues> values_;
-    SceneState sceneState_;  ///< Of the quick picture.
+    SceneState sceneState_;  ///< State of the quick picture.
     std::shared_ptr<printing::PrintViews> views_;
     printing::SceneDepth depth_;
     RenderThread::Task task_;

@@ -14,19 +14,19 @@ namespace vitrine::ui {
 class PlaceBar;
 class PrintSetup;
 
-/// Where the views of a print come from, and what came of it.
+/// Bar with the source of a print's views, and the result of reading or rendering them.
 class SourceBar final : public QWidget {
     Q_OBJECT
 
 public:
-    /// `canShow`: there is a picture in the window to render views from. The setup must outlive it.
+    /// `canShow`: views can be rendered from the window's picture. The setup must outlive the bar.
     SourceBar(bool canShow, PrintSetup&, QWidget* parent);
 
     void showOrigin(printing::ViewOrigin);
-    /// "16 views" or why there are none.
+    /// Shows "16 views", or why there are none.
     void say(const QString&);
     [[nodiscard]] QString said() const;
-    /// Fields for turn and shift of single pictures.
+    /// Returns the fields for turn and shift of single pictures.
     [[nodiscard]] PlaceBar& places() const { return *places_; }
 
 signals:

@@ -15,7 +15,7 @@ namespace vitrine::ui {
 namespace {
 
 constexpr double leastZoom = 0.25, mostZoom = 48;
-constexpr double leastLensOnScreen = 6;  // Pixels: closer lines would be a gray veil.
+constexpr double leastLensOnScreen = 6;  // Pixels per lens; lines that are closer would merge to gray.
 
 }  // namespace
 
@@ -154,7 +154,7 @@ void StripPreview::paintLenses(QPainter& painter) const
     const QRectF paper = QRectF(toScreen(0, 0), toScreen(static_cast<double>(preview_->width()),
                                                          static_cast<double>(preview_->height()))) &
                          QRectF(rect());
-    // A dark line beside a light one: seen on any picture.
+    // A dark line beside a light one is visible on any picture.
     const QColor dark(0, 0, 0, 150);
     const QColor light(255, 255, 255, 150);
     const auto draw = [&](const QPointF& from, const QPointF& to, const QPointF& aside) {
@@ -177,7 +177,7 @@ void StripPreview::paintLenses(QPainter& painter) const
         most = std::max(most, lensAt(corner));
     }
     for (double cusp = std::ceil(least); cusp <= most; ++cusp) {
-        // Where it crosses the two edges that lenses run between.
+        // Intersections with the two edges between which the lenses run.
         if (std::abs(grid.perX) >= std::abs(grid.perY)) {
             const auto at = [&](double y) {
                 return (cusp - grid.at0 - grid.perY * ((y - height() / 2.0) / zoom_ + middle_.y())) / grid.perX;
@@ -205,7 +205,7 @@ void StripPreview::zoomAbout(const QPointF& place, double factor)
 {
     const double zoom = std::clamp(zoom_ * factor, leastZoom, mostZoom);
     const QPointF off(place.x() - width() / 2.0, place.y() - height() / 2.0);
-    middle_ += off / zoom_ - off / zoom;  // What lies under the pointer stays there.
+    middle_ += off / zoom_ - off / zoom;  // The point under the pointer stays in place.
     setZoom(zoom);
 }
 

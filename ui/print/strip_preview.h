@@ -9,24 +9,24 @@
 
 namespace vitrine::ui {
 
-/// The printed raster, large enough to see its strips, with the lenses' edges drawn over it. The wheel zooms
-/// about the pointer, dragging moves; + and -, the arrows and Home do the same from the keyboard.
+/// Preview of the printed raster, enlarged so that its strips are visible, with the edges of the lenses over it. The
+/// wheel zooms about the pointer, dragging moves. The keys +, -, arrows and Home do the same.
 class StripPreview final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
     explicit StripPreview(QWidget* parent = nullptr);
 
-    /// Null: nothing to show. The place that is looked at stays while the print's size does.
+    /// Sets the print to show; null: none. The view stays if the print's size does.
     void setPreview(std::shared_ptr<const printing::PrintPreview>);
     [[nodiscard]] double zoom() const { return zoom_; }  ///< Screen pixels per printed pixel.
     void setZoom(double);
-    /// Of what is on the screen; null until it is made.
+    /// Returns the visible part of the raster; null until it is made.
     [[nodiscard]] const QImage& image() const { return image_; }
 
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
     [[nodiscard]] QString spokenText() const override;
-    /// The zoom.
+    /// Returns the zoom.
     [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
     void setSpokenNumber(double zoom) override { setZoom(zoom); }
 
@@ -43,7 +43,7 @@ protected:
 
 private:
     void zoomAbout(const QPointF& place, double factor);
-    /// "1 dot : 2 px".
+    /// Returns the text of the scale: "1 dot : 2 px".
     [[nodiscard]] QString scaleText() const;
     void moveBy(const QPointF& screen);
     void clampView();
@@ -54,14 +54,14 @@ private:
     std::shared_ptr<const printing::PrintPreview> preview_;
     NewestJob job_;
     QImage image_;
-    QRectF imageRegion_;  ///< Of the raster, in its pixels.
-    QPointF middle_;      ///< The raster's place in the middle of the widget.
+    QRectF imageRegion_;  ///< Region of the raster that `image_` shows, in its pixels.
+    QPointF middle_;      ///< Position in the raster at the center of the widget, in pixels.
     double zoom_ = 2;
     QPointF grabbed_;
     bool dragging_ = false;
 };
 
-/// The picture as Qt draws it.
+/// Converts the picture to Qt's format.
 [[nodiscard]] QImage imageOf(const printing::CodedPicture&);
 
 }  // namespace vitrine::ui

@@ -10,7 +10,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int renderAfter = 400;  // Milliseconds.
+constexpr int renderAfter = 400;  // Milliseconds without a change.
 
 }  // namespace
 

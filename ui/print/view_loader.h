@@ -14,39 +14,39 @@ namespace vitrine::ui {
 
 class ShownViews;
 
-/// Gets the views of a print: reads pictures, or renders what the window shows, small at first and in full for the
-/// print.
+/// Loads the views of a print: reads pictures, or renders them from the window's picture. Rendered views are small
+/// drafts at first, and full-size for the print.
 class ViewLoader final : public QObject {
     Q_OBJECT
 
 public:
-    /// `shown` renders views of what the window shows; taken over, and null where there is no such window.
+    /// `shown` renders views of the window's picture; this object owns it. Null if there is no such window.
     ViewLoader(ShownViews* shown, QObject* parent);
 
-    /// Gets the views that this asks for, in place of those before.
+    /// Loads the views of these settings, which replace the present ones.
     void load(const PrintState&);
-    /// Views are rendered as soon as a print of them can be made.
+    /// Sets whether a print of the views can be made. Views are rendered only then.
     void setPossible(bool);
-    /// Renders the views of the last `load` as large as the print takes them; `readyForPrint` follows, or `failed`.
+    /// Renders the views of the last `load` at the size of the print. Emits `readyForPrint` or `failed`.
     void renderInFull();
     void stop();
 
-    /// Null until there are any.
+    /// Returns the views; null until there are any.
     [[nodiscard]] const std::shared_ptr<const printing::PrintViews>& views() const { return views_; }
-    /// Of rendered views.
+    /// Returns the depth of rendered views.
     [[nodiscard]] const std::optional<printing::SceneDepth>& depth() const { return depth_; }
-    /// The views are those of the print, and not small ones to look at.
+    /// Returns whether the views have the size of the print, and are no drafts.
     [[nodiscard]] bool inFull() const { return views_ && !draft_; }
     [[nodiscard]] bool reading() const { return read_.running(); }
     [[nodiscard]] bool busy() const;
 
 signals:
-    /// "16 views", how far it is, or why there are none.
+    /// Emitted with a status: "16 views", the progress, or why there are none.
     void said(const QString&);
-    /// Other views, or none.
+    /// Emitted when the views were replaced or removed.
     void changed();
     void readyForPrint();
-    /// Of rendering in full: `part` is 0 to 1; `secondsLeft` is negative while unknown.
+    /// Emitted while rendering for the print. `part` is 0 to 1; `secondsLeft` is negative while unknown.
     void progressed(double part, double secondsLeft);
     void failed(const QString& why);
 
@@ -59,14 +59,14 @@ private:
     PrintState state_;
     std::shared_ptr<const printing::PrintViews> views_;
     std::optional<printing::SceneDepth> depth_;
-    bool draft_ = false;   ///< The views are small ones, to look at.
-    bool full_ = false;    ///< What is being rendered is for the print.
+    bool draft_ = false;   ///< The views are small drafts.
+    bool full_ = false;    ///< The rendering that runs is for the print.
     bool wanted_ = false;  ///< To be rendered as soon as the print is possible.
     bool possible_ = false;
 
     ShownViews* shown_;
     ProgressJob read_;
-    QTimer soon_;  ///< Not at every step of a slider.
+    QTimer soon_;  ///< Delays loading while a slider moves.
 };
 
 }  // namespace vitrine::ui
