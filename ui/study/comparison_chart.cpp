@@ -12,7 +12,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr float faintness = 0.35F;  // Of what a front dominates.
+constexpr float faintness = 0.35F;  // Opacity of dominated points.
 
 struct Look {
     const char *onDark, *onLight;
@@ -20,7 +20,7 @@ struct Look {
     Qt::PenStyle line;
 };
 
-/// Told apart by mark and line as well as by color, and by lightness within each half.
+/// Curves differ by mark and line as well as by color, and colors differ in lightness within each half of the list.
 constexpr std::array<Look, 8> looks{{{"#d9a05b", "#9a5f14", QCPScatterStyle::ssDisc, Qt::SolidLine},
                                      {"#7fb2e5", "#1f5f99", QCPScatterStyle::ssSquare, Qt::DashLine},
                                      {"#a4c98c", "#3f6b28", QCPScatterStyle::ssTriangle, Qt::DotLine},

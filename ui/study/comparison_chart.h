@@ -5,15 +5,15 @@
 
 namespace vitrine::ui {
 
-/// The fronts of several studies over each other, each with a mark, a kind of line and a color of its own, and a
-/// legend. What their fronts dominate is faint.
+/// Chart with the Pareto fronts of several studies, each with its own mark, line and color, and a legend. Dominated
+/// points are faint.
 class ComparisonChart final : public LogChart {
     Q_OBJECT
 
 public:
     explicit ComparisonChart(QWidget* parent = nullptr);
 
-    /// Those left out are in the legend, which says so.
+    /// Shows a comparison. Studies that are left out are listed in the legend.
     void setComparison(StudyComparison);
     [[nodiscard]] const StudyComparison& comparison() const { return comparison_; }
 
@@ -24,9 +24,9 @@ private:
     StudyComparison comparison_;
 };
 
-/// Title of the axis of costs: "milliseconds of a picture", "field evaluations per pixel".
+/// Returns the title of the cost axis: "milliseconds of a picture", "field evaluations per pixel".
 [[nodiscard]] QString comparedCostTitle(const std::string& cost);
-/// Why times are not among the costs; empty where they are.
+/// Returns why times are not among the costs; empty if they are.
 [[nodiscard]] QString timesDifferText(TimesDiffer);
 
 }  // namespace vitrine::ui

@@ -13,17 +13,17 @@ namespace vitrine::ui {
 
 class ComparisonChart;
 
-/// Several kept studies: their fronts over each other, and a table of how each stands to the first. Deletes itself when
-/// closed.
+/// Dialog that compares kept studies: their fronts in one chart, and a table with each one's difference from the first.
+/// Deletes itself when closed.
 class ComparisonDialog final : public QDialog {
     Q_OBJECT
 
 public:
-    /// Of two or more.
+    /// Requires two or more studies.
     explicit ComparisonDialog(std::vector<KeptStudy>, QWidget* parent = nullptr);
 
     [[nodiscard]] ComparisonChart& chart() const { return *chart_; }
-    /// All that is shown, as a file: .csv, .json, or the chart as .png or .svg.
+    /// Returns the content of a file with all that is shown: .csv, .json, or the chart as .png or .svg.
     [[nodiscard]] QByteArray exported(const QString& suffix);
 
 signals:
@@ -43,7 +43,7 @@ private:
     QTableWidget* table_;
 };
 
-/// The texts of the table's line for a difference, in the order of its columns.
+/// Returns the cells of the table's line for a difference, in the order of the columns.
 [[nodiscard]] QStringList differenceTexts(const StudyComparison&, const StudyDifference&);
 [[nodiscard]] QStringList differenceColumns(const StudyComparison&);
 

@@ -33,14 +33,14 @@ namespace vitrine::ui {
 namespace {
 
 constexpr int pathRole = Qt::UserRole;
-constexpr int mostCompared = 8;  // As many marks and colors as can be told apart.
+constexpr int mostCompared = 8;  // Limited by the number of marks and colors that can be told apart.
 
 QString words(const std::string& s)
 {
     return QString::fromStdString(s);
 }
 
-/// "2026-11-25 01:43".
+/// Formats a time as "2026-11-25 01:43".
 QString dayAndMinute(const std::string& measured)
 {
     return words(measured).left(16).replace(QLatin1Char('T'), QLatin1Char(' '));
@@ -73,7 +73,7 @@ KeptStudies::KeptStudies(Subjects subjects, History& history, StudyStore store, 
 
 KeptStudies::~KeptStudies()
 {
-    pictures_.waitForDone();  // What was kept, is.
+    pictures_.waitForDone();  // All kept pictures are written.
 }
 
 void KeptStudies::addButtons()
@@ -196,11 +196,11 @@ bool KeptStudies::eventFilter(QObject* object, QEvent* event)
     if (object == list_ && (asks || event->type() == QEvent::KeyPress)) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (asks && key == Qt::Key_Space) {
-            event->accept();  // It ticks, and does not stop the clock.
+            event->accept();  // Space ticks an entry; the window's shortcut would pause the clock.
             return true;
         }
         if (key == Qt::Key_F2 || key == Qt::Key_Delete) {
-            event->accept();  // Not those of the window, which are of presets.
+            event->accept();  // The window's shortcuts for these keys apply to presets.
             if (!asks) key == Qt::Key_F2 ? rename() : remove();
             return true;
         }
@@ -330,8 +330,8 @@ void KeptStudies::remove()
     const QString path = selected();
     if (path.isEmpty()) return;
     trySafely([&] {
-        pictures_.waitForDone();  // They go along.
-        // Fails here, before there is a step to undo, when the file may not be deleted.
+        pictures_.waitForDone();  // Pictures are removed together with the study.
+        // An undeletable file throws here, before there is an undo step.
         const QString title = list_->currentItem()->text();
         auto removed = std::make_shared<RemovedStudy>(store_.remove(path.toStdString()));
         auto first = std::make_shared<bool>(true);

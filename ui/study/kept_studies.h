@@ -17,29 +17,28 @@ namespace vitrine::ui {
 
 class History;
 
-/// The studies that were kept, the newest first: to show again, to tick and compare, to rename, delete, export and open
-/// from files.
+/// List of kept studies, the newest first: shows, compares, renames, deletes and exports them, and opens files.
 class KeptStudies final : public QWidget {
     Q_OBJECT
 
 public:
-    /// Subjects and history must outlive it.
+    /// Subjects and history must outlive the list.
     KeptStudies(Subjects, History&, StudyStore, QWidget* parent = nullptr);
 
     ~KeptStudies() override;
 
-    /// Keeps what `studyJson` made, and its pictures. Says `failed` where it cannot.
+    /// Saves the result of `studyJson`, and its pictures. Emits `failed` if that is impossible.
     void keep(render::Json study, bool complete, ContactSheet pictures);
-    /// Keeps a copy of a study's file, and asks to show it.
+    /// Saves a copy of a study's file, and asks to show it.
     void openFile(const QString& path);
-    /// What the list calls a study.
+    /// Returns the title of a study in the list.
     [[nodiscard]] QString titleOf(const KeptStudy&) const;
-    [[nodiscard]] int count() const;  ///< On the disk when it was last looked at.
+    [[nodiscard]] int count() const;  ///< Studies on the disk at the last refresh.
 
 signals:
-    /// `json`: the file's text.
+    /// `json`: text of the study's file.
     void showAsked(const KeptStudy&, const std::string& json);
-    /// Of the study that was asked for last; not sent where none were kept.
+    /// Emitted with the pictures of the study shown last. Not emitted if it has none.
     void picturesRead(const ContactSheet&);
     void failed(const QString& why);
 
@@ -62,7 +61,7 @@ private:
     void copy();
     void noteTicks();
     [[nodiscard]] QString selected() const;
-    /// Those that are ticked, in the order of the list; where none is, the selected one.
+    /// Returns the ticked studies in the order of the list; without ticks, the selected one.
     [[nodiscard]] QStringList chosen() const;
     [[nodiscard]] std::vector<KeptStudy> chosenStudies() const;
     [[nodiscard]] QByteArray exported(const QString& suffix) const;
@@ -70,8 +69,8 @@ private:
     Subjects subjects_;
     History& history_;
     StudyStore store_;
-    QThreadPool pictures_;  ///< One thread that writes and reads pictures, in the order of asking.
-    int shown_ = 0;         ///< Grows with every study that is asked for.
+    QThreadPool pictures_;  ///< One thread that writes and reads pictures, in the order of requests.
+    int shown_ = 0;         ///< Grows with every study that is shown.
     QListWidget* list_;
     QPushButton* compare_;
 };

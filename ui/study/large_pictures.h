@@ -11,16 +11,16 @@ class QToolButton;
 
 namespace vitrine::ui {
 
-/// The pictures of a study in a window of their own, as large as the screen if wanted.
+/// Window with a study's pictures, which can fill the screen.
 class LargePictures final : public QDialog {
     Q_OBJECT
 
 public:
     explicit LargePictures(QWidget* parent = nullptr);
 
-    /// `caption`: which setting, with its numbers; `scale`: what the heat map goes to.
+    /// Shows pictures. `caption`: the setting with its numbers; `scale`: range of the heat map.
     void setPictures(PictureTriple, const QString& caption, const QString& scale);
-    /// The views of the study, and which of them is shown.
+    /// Sets the views of the study and the one that is shown.
     void setViews(const QStringList&, int shown);
     [[nodiscard]] PicturePanes& panes() const { return *panes_; }
 

@@ -12,9 +12,9 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double smallType = 0.85;  // Of labels within the chart, beside its type.
+constexpr double smallType = 0.85;  // Size of labels within the chart, relative to its font.
 
-/// The text in lines that are no wider than so many pixels, as far as its words allow.
+/// Breaks the text into lines no wider than `width` pixels, between words.
 QString inLines(const QString& text, const QFontMetrics& metrics, int width)
 {
     QStringList lines;
@@ -41,13 +41,13 @@ LogChart::LogChart(QWidget* parent) : SpokenPlot(parent)
         axis->setTicker(QSharedPointer<QCPAxisTicker>(new RoomyTicker(*axis)));
     }
     setAutoAddPlottableToLegend(false);
-    // Above the curves: it covers none of them.
+    // The legend is above the axes, so that it covers no curve.
     auto* top = new QCPLayoutGrid;
     plotLayout()->insertRow(0);
     plotLayout()->addElement(0, 0, top);
     plotLayout()->setRowStretchFactor(0, 0.001);
     top->addElement(0, 0, legend);
-    // Takes the room that the legend does not need; an empty legend would allow the axes none.
+    // This element takes the space that the legend leaves. An empty legend would leave the axes no space.
     top->addElement(0, 1, new QCPLayoutElement);
     top->setColumnStretchFactor(0, 0.001);
     legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
@@ -72,7 +72,7 @@ void LogChart::applyType()
     legend->setFont(labelFont());
 }
 
-/// Titles end within the chart: what is longer is cut, with an ellipsis.
+/// Shortens titles to the length of the chart, with an ellipsis.
 void LogChart::fitTitles()
 {
     const QRect inner = axisRect()->rect();
@@ -90,7 +90,7 @@ void LogChart::fitLegend()
     if (legend->itemCount() == 0) return;
     const int width = viewport().width();
     const QFontMetrics metrics(legend->font());
-    // A chart of a few lines has no room for it beside its axes.
+    // A chart of a few lines' height has no space for a legend.
     legend->setVisible(viewport().height() >= 12 * metrics.height());
     const int beside = legend->iconSize().width() + 24;
     int widest = 1;
@@ -162,7 +162,7 @@ void LogChart::scaleAxes(const std::vector<ChartSpan>& points)
     if (!(highY > 0)) lowY = highY = 1e-3;
     const double marginX = std::max(std::pow(highX / lowX, 0.09), 1.06);
     const double marginY = std::max(std::pow(highY / lowY, 0.14), 1.15);
-    floor_ = lowY / (marginY * marginY);  // Room between it and the lowest error.
+    floor_ = lowY / (marginY * marginY);  // Leaves space between the line of exact settings and the lowest error.
     xAxis->setRange(lowX / marginX, highX * marginX * std::pow(highX / lowX, 0.05));
     yAxis->setRange(anyExact_ ? floor_ / std::pow(marginY, 1.5) : lowY / marginY, highY * marginY);
 }
@@ -173,7 +173,7 @@ bool LogChart::begin(const std::vector<ChartSpan>& points)
     clearPlottables();
     clearItems();
     scaleAxes(points);
-    // Without a point there is no scale to show.
+    // Without points there are no axes.
     const bool empty = std::none_of(points.begin(), points.end(), [](const ChartSpan& p) { return p.cost > 0; });
     for (QCPAxis* axis : {xAxis, yAxis}) axis->setVisible(!empty);
     legend->setVisible(false);
@@ -210,7 +210,7 @@ void LogChart::addTimes(const std::vector<ChartSpan>& points, const QColor& colo
     times->setLineStyle(QCPGraph::lsNone);
     QCPErrorBars* bars = addBars(times, color);
     bars->setErrorType(QCPErrorBars::etKeyError);
-    // A graph sorts its points by cost, and bars are told theirs by the order.
+    // A graph sorts its points by cost, and error bars belong to points by index.
     std::vector<ChartSpan> sorted = points;
     std::sort(sorted.begin(), sorted.end(), [](const ChartSpan& a, const ChartSpan& b) { return a.cost < b.cost; });
     for (const ChartSpan& p : sorted) {
@@ -245,7 +245,7 @@ std::optional<QRectF> LogChart::markExact()
     label->setFont(labelFont());
     label->position->setCoords(xAxis->range().lower, floor_);
     const QSizeF size(metrics.horizontalAdvance(label->text()) + 12, metrics.height() + 3);
-    // Below the line; above it where that would be below the axis.
+    // Below the line, or above it if there is no space.
     const bool below = at.y() + size.height() < axisRect()->rect().bottom();
     label->setPositionAlignment(Qt::AlignLeft | (below ? Qt::AlignTop : Qt::AlignBottom));
     label->setPadding(below ? QMargins(6, 3, 6, 0) : QMargins(6, 0, 6, 3));
@@ -256,7 +256,7 @@ QImage LogChart::picture(QSize size, double scale)
 {
     layOutFor(size);
     const QImage image = toPixmap(size.width(), size.height(), scale).toImage();
-    if (parentWidget() != nullptr) layOutFor(this->size());  // As it is on the screen.
+    if (parentWidget() != nullptr) layOutFor(this->size());  // Restores the layout of the screen.
     return image;
 }
 
@@ -270,7 +270,7 @@ QByteArray LogChart::svg(QSize size)
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(0, 0), size));
     generator.setTitle(errorTitle_);
-    generator.setResolution(logicalDpiX());  // Type as large as it was laid out.
+    generator.setResolution(logicalDpiX());  // Text gets the size for which it was laid out.
     QCPPainter painter;
     painter.begin(&generator);
     painter.setMode(QCPPainter::pmVectorized);
@@ -278,7 +278,7 @@ QByteArray LogChart::svg(QSize size)
     toPainter(&painter, size.width(), size.height());
     painter.end();
     if (parentWidget() != nullptr) layOutFor(this->size());
-    // A name that browsers know, too.
+    // Replaces Qt's font family by one that browsers know.
     return bytes.replace("font-family=\"Sans Serif\"", "font-family=\"sans-serif\"");
 }
 
@@ -288,7 +288,7 @@ void LogChart::resizeEvent(QResizeEvent* event)
     layOutFor(size());
 }
 
-/// Which labels have room is known once the axes are laid out for that size.
+/// Lays out the chart for a size. Which labels fit is known only after the axes are laid out.
 void LogChart::layOutFor(QSize size)
 {
     setViewport(QRect(QPoint(0, 0), size));
@@ -306,7 +306,7 @@ void LogChart::arrange()
 {
     build();
     fitLegend();
-    // Margins follow from the labels of ticks, and ticks from the length that margins leave: twice settles both.
+    // Margins depend on tick labels, and ticks on the axis length that the margins leave. Two passes settle both.
     for (int i = 0; i < 2; ++i) {
         replot(QCustomPlot::rpQueuedRefresh);
         fitTitles();

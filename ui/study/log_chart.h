@@ -7,31 +7,31 @@
 
 namespace vitrine::ui {
 
-/// Size of charts that are exported, pixels; pictures have twice as many.
+/// Size of exported charts in pixels. Bitmaps have twice as many.
 inline constexpr QSize exportedChart(960, 600);
 
-/// Where one setting is in a chart; 0 where a cost is not known.
+/// Position of one setting in a chart. A cost of 0 is unknown.
 struct ChartSpan {
     double cost = 0, costLow = 0, costHigh = 0;
-    double error = 0, errorLow = 0, errorHigh = 0;  ///< Over the views.
-    std::optional<double> modelError = {};          ///< Against everything exact, where it is shown as well.
+    double error = 0, errorLow = 0, errorHigh = 0;  ///< Mean and range of the error over the views.
+    std::optional<double> modelError = {};          ///< Error against the exact reference, if it is shown as well.
 };
 
-/// Error over cost, both logarithmic. An error of 0 stands on a line of its own at the foot, "exact".
+/// Chart of error over cost, both logarithmic. Errors of 0 are on a line of their own at the bottom, "exact".
 class LogChart : public SpokenPlot {
     Q_OBJECT
 
 public:
     explicit LogChart(QWidget* parent = nullptr);
 
-    /// Titles are shown as far as there is room.
+    /// Sets the titles of the axes, which are shortened if there is no space.
     void setTitles(const QString& cost, const QString& error);
-    /// The sentence in place of an empty chart; empty: that no point is measured yet.
+    /// Sets the sentence shown in place of an empty chart. Empty: the default, that no point is measured yet.
     void setEmptyText(const QString& text) { emptyText_ = text; }
     [[nodiscard]] const QString& costTitle() const { return costTitle_; }
     [[nodiscard]] const QString& errorTitle() const { return errorTitle_; }
     [[nodiscard]] const QString& emptyText() const { return emptyText_; }
-    /// Colors of the theme in use.
+    /// Applies the colors of the present theme.
     void applyColors();
 
     [[nodiscard]] QImage picture(QSize size, double scale);
@@ -41,26 +41,27 @@ protected:
     void resizeEvent(QResizeEvent*) override;
     void changeEvent(QEvent*) override;
 
-    /// Adds what is to be seen to the chart, after `begin`, under the colors and axes that there are by then.
+    /// Adds the content to the chart. Calls `begin` first, and uses the present colors and axes.
     virtual void build() = 0;
-    /// Draws it anew within the layout that there is.
+    /// Draws the content again in the present layout.
     void rebuild();
-    /// Draws it anew and lays it out: for other points or titles.
+    /// Draws the content again and lays out the chart: for new points or titles.
     void arrange();
-    /// Clears the chart and scales its axes to these. Returns false where there is nothing to show, after saying so.
+    /// Clears the chart and scales its axes to the points. Returns false if there is nothing to show; the chart then
+    /// says so.
     bool begin(const std::vector<ChartSpan>&);
     [[nodiscard]] double shownError(double error) const { return error > 0 ? error : floor_; }
-    /// The errors of the points over the views, as bars around the graph's points.
+    /// Adds an error bar for the range of a point's error over the views.
     void addErrorBar(QCPErrorBars*, const ChartSpan&) const;
     [[nodiscard]] QCPErrorBars* addBars(QCPGraph*, const QColor&);
-    /// Bars of the costs, where they are times.
+    /// Adds bars for the range of the costs, if they are times.
     void addTimes(const std::vector<ChartSpan>&, const QColor&);
     [[nodiscard]] QFont labelFont() const;
-    /// Adds a graph to the legend, with as much of its name as there is room for.
+    /// Adds a graph to the legend; its name is shortened if there is no space.
     static void nameInLegend(QCPGraph&, const QString&);
-    /// What the line of exact settings is called; empty: "exact".
+    /// Sets the label of the line of exact settings; empty: "exact".
     void setExactText(const QString& text) { exactText_ = text; }
-    /// The line of those whose error is 0, where there are any. Returns where its name stands, in pixels.
+    /// Adds the line of settings with error 0, if there are any. Returns the rectangle of its label, in pixels.
     std::optional<QRectF> markExact();
 
 private:
@@ -71,7 +72,7 @@ private:
     void fitLegend();
 
     QString costTitle_, errorTitle_, emptyText_, exactText_;
-    double floor_ = 1e-6;  // Where an error of 0 stands.
+    double floor_ = 1e-6;  // Position of errors that are 0.
     bool anyExact_ = false;
 };
 

@@ -16,10 +16,10 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double gap = 8;  // Between panes, pixels of the screen.
+constexpr double gap = 8;  // Pixels between panes.
 constexpr double largestScale = 64;
-constexpr double zoomStep = 1.25;  // Of zoom: a notch of the wheel, or a key.
-constexpr double lineWidth = 6;    // Around the line of the wipe.
+constexpr double zoomStep = 1.25;  // Zoom factor of one step of the wheel or one press of a key.
+constexpr double lineWidth = 6;    // Pixels around the wipe line that grab it.
 
 QString valuesText(const render::Image& picture, QPoint at)
 {
@@ -74,7 +74,7 @@ QSizeF PicturePanes::pictureSize() const
 std::vector<QRectF> PicturePanes::panes() const
 {
     const int count = wiped_ ? 2 : 3;
-    // In the columns that show a picture of this shape largest.
+    // Number of columns that shows a picture of this shape largest.
     int best = 1;
     double largest = 0;
     const auto paneSize = [&](int columns) {
@@ -156,7 +156,7 @@ void PicturePanes::moveBy(const QPointF& pixels)
 void PicturePanes::settle()
 {
     fits_ = false;
-    // Some of the picture stays in sight.
+    // Part of the picture stays visible.
     middle_ = {std::clamp(middle_.x(), 0.0, pictureSize().width()),
                std::clamp(middle_.y(), 0.0, pictureSize().height())};
     update();
@@ -194,7 +194,7 @@ void PicturePanes::paintPane(QPainter& painter, const QRectF& pane, const QImage
     painter.save();
     painter.setClipRect(pane, Qt::IntersectClip);
     painter.fillRect(pane, theme().base);
-    // Beyond 100 % nothing is made up between pixels.
+    // Beyond 100 % pixels are not interpolated.
     painter.setRenderHint(QPainter::SmoothPixmapTransform, scale_ * devicePixelRatioF() < 1);
     if (!image.isNull()) {
         painter.drawImage(placeIn(pane), image);

@@ -10,46 +10,47 @@
 
 namespace vitrine::ui {
 
-/// A setting's picture, its reference, and how far they differ per pixel; of one size.
+/// Picture of a setting, its reference, and their difference per pixel; all of one size.
 struct PictureTriple {
     render::Image picture, reference;  ///< Linear light; empty: nothing to show.
     render::Image errors;              ///< One channel; empty: no pixel differs.
-    double full = 1;                   ///< The error that the heat map shows brightest.
+    double full = 1;                   ///< Error that the heat map shows brightest.
 };
 
-/// The three side by side, or picture and reference behind a wipe, zoomed and moved together: the wheel zooms at the
-/// pointer, dragging moves, + - 0 1 and arrows do the same; beyond 100 % every pixel is a square.
+/// Panes of picture, reference and difference side by side, or the first two with a wipe. All are zoomed and moved
+/// together: the wheel zooms at the pointer, dragging moves, and the keys + - 0 1 and arrows do the same. Beyond 100 %
+/// every pixel is a square.
 class PicturePanes final : public QWidget {
     Q_OBJECT
 
 public:
     explicit PicturePanes(QWidget* parent = nullptr);
 
-    /// The zoom stays where the pictures are as large as those before.
+    /// Shows pictures. The zoom stays if they have the size of those before.
     void setPictures(PictureTriple);
     void setWiped(bool);
     [[nodiscard]] bool wiped() const { return wiped_; }
     [[nodiscard]] double wipe() const { return wipe_; }
     void setWipe(double share);  ///< 0: all reference, 1: all setting.
 
-    /// Pixels of the screen for one of the picture.
+    /// Returns the zoom in screen pixels per picture pixel.
     [[nodiscard]] double scale() const { return scale_; }
-    /// The pixel of the picture in the middle of every pane.
+    /// Returns the position in the picture at the center of every pane, in pixels.
     [[nodiscard]] QPointF middle() const { return middle_; }
-    void zoomBy(double factor);  ///< About the middle.
-    void fit();                  ///< All of it, as large as there is room; stays so when the window grows.
+    void zoomBy(double factor);  ///< Zooms about the center.
+    void fit();                  ///< Shows all of the picture, as large as possible, also after a resize.
     void setActualSize();
 
-    /// The pixel below the pointer in any pane, else the one in the middle; nothing outside of the picture.
+    /// Returns the pixel under the pointer in any pane, or else the central one; nullopt outside of the picture.
     [[nodiscard]] std::optional<QPoint> pixel() const;
-    /// Its values in both, and the error.
+    /// Returns the pixel's values in both pictures, and the error.
     [[nodiscard]] QString reading() const;
-    /// The places of the panes: picture (or both behind the wipe), reference, difference.
+    /// Returns the rectangles of the panes: picture (or both with the wipe), reference, difference.
     [[nodiscard]] std::vector<QRectF> panes() const;
 
 signals:
-    void viewChanged();   ///< Zoom or place.
-    void pixelChanged();  ///< What `reading` says may be another.
+    void viewChanged();   ///< The zoom or position changed.
+    void pixelChanged();  ///< The result of `reading` may have changed.
 
 protected:
     void paintEvent(QPaintEvent*) override;
@@ -87,7 +88,7 @@ private:
     bool fits_ = true;
     QPointF middle_;
     std::optional<QPointF> pointer_;
-    std::optional<QPointF> dragged_;  // Where the drag is.
+    std::optional<QPointF> dragged_;  // Last pointer position of a drag.
     bool dragsWipe_ = false;
 };
 

@@ -14,13 +14,13 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double fingerWidth = 18;  // Pixels around a point that count as on it.
-constexpr double pointRadius = 4;   // Of what no text may cover.
-constexpr int besideLabel = 7;      // Between a text and the middle of its point, pixels.
-constexpr int aboveLabel = 5;       // The same above and below.
-constexpr double sameError = 1e-9;  // Relative: errors that are equal but for rounding.
+constexpr double fingerWidth = 18;  // Pixels around a point within which the pointer hits it.
+constexpr double pointRadius = 4;   // Pixels of a point that no label may cover.
+constexpr int besideLabel = 7;      // Pixels between a label and the center of its point, horizontally.
+constexpr int aboveLabel = 5;       // The same vertically.
+constexpr double sameError = 1e-9;  // Relative difference below which errors count as equal.
 
-/// Whether any of the line is within the rectangle.
+/// Returns whether any part of the line is in the rectangle.
 bool crosses(const QLineF& line, const QRectF& place)
 {
     if (place.contains(line.p1()) || place.contains(line.p2())) return true;
@@ -127,7 +127,7 @@ QCPGraph* StudyChart::addErrors(const QColor& color, bool lined, double size,
     return graph;
 }
 
-/// A text beside a point, and the pixels that it takes.
+/// Label of a point, and its rectangle in pixels.
 struct StudyChart::Label {
     std::size_t point;
     QCPItemText* item;
@@ -139,7 +139,7 @@ void StudyChart::addMarks()
     const bool crowded = points_.size() > 24;
     std::vector<Label> labels;
     if (const std::optional<QRectF> exact = markExact()) labels.push_back({points_.size(), nullptr, *exact});
-    // Marked points first: where two would write over each other, the later one is silent.
+    // Marked points come first: a label that would cover an earlier one is left out.
     std::vector<std::size_t> order(points_.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return isMarked(i); });
@@ -194,7 +194,7 @@ bool StudyChart::sharesLabel(std::size_t i, std::vector<Label>& labels) const
         place.setRight(place.right() + more);
     std::vector<Label> others = labels;
     others.erase(others.begin() + (same - labels.begin()));
-    if (!isFree(place, same->point, others)) return true;  // Where both are, one is named.
+    if (!isFree(place, same->point, others)) return true;  // If both names do not fit, only one is shown.
     same->item->setText(text);
     same->place = place;
     return true;
@@ -234,7 +234,7 @@ void StudyChart::addLabel(std::size_t i, std::vector<Label>& labels)
         return std::any_of(lines.begin(), lines.end(), [&](const QLineF& line) { return crosses(line, words); });
     };
     const std::array<std::pair<bool, bool>, 4> sides{{{true, true}, {true, false}, {false, true}, {false, false}}};
-    // Where no curve goes through it, if there is such a place.
+    // Prefers a position that no curve crosses.
     for (const bool mayBeCrossed : {false, true}) {
         for (const auto& [above, right] : sides) {
             const QRectF place(QPointF(right ? at.x() : at.x() - size.width(), above ? at.y() - size.height() : at.y()),
@@ -353,7 +353,7 @@ void StudyChart::mouseMoveEvent(QMouseEvent* event)
     if (now == hovered_) return;
     hovered_ = now;
     setCursor(now >= 0 ? Qt::PointingHandCursor : Qt::ArrowCursor);
-    // The last one stays on show beside the chart, so that the pointer can go there; only another one takes its place.
+    // The last point stays shown, so that the pointer can move to its pictures. Only another point replaces it.
     if (now >= 0) emit hovered(now);
 }
 
@@ -403,7 +403,7 @@ void setCost(ChartPoint& point, const StudyCosts& costs, std::size_t i)
     point.knee = costs.knee == i;
 }
 
-/// Of several parameters, a setting is told by their names, of one by its value alone.
+/// Returns the label of a setting: the value for one parameter, names and values for two, nothing for more.
 QString pointWords(const std::vector<SettingPart>& parts, std::size_t parameters)
 {
     if (parameters > 2) return {};

@@ -10,22 +10,23 @@
 
 namespace vitrine::ui {
 
-/// What one point of the chart says.
+/// Point of the chart: one setting.
 struct ChartPoint : ChartSpan {
-    QString text;  ///< "64".
+    QString text;  ///< Label, such as "64".
     bool dominated = false, onFront = false, knee = false, present = false;
 };
 
-/// A study as a chart shows it over one axis of costs.
+/// Content of a chart: a study over one cost axis.
 struct ChartedStudy {
     QString costTitle, errorTitle;
-    QString emptyText;  ///< Why there is no point, as long as there is none.
+    QString emptyText;  ///< Reason why there is no point yet.
     std::vector<ChartPoint> points;
-    std::size_t parameters = 1;  ///< Number of parameters that it varies.
-    QString law;                 ///< What halving the error costs on this axis, as a sentence; empty: nothing to say.
+    std::size_t parameters = 1;  ///< Number of parameters that the study varies.
+    QString law;                 ///< Sentence on the cost of halving the error on this axis; empty: none.
 };
 
-/// Error over cost: the front drawn through, what it dominates grayed, knee and present setting marked.
+/// Chart of error over cost: a line through the Pareto front, faint dominated points, marks on the knee and the present
+/// setting.
 class StudyChart final : public LogChart {
     Q_OBJECT
 
@@ -35,16 +36,17 @@ public:
     void showStudy(ChartedStudy);
     void setPoints(std::vector<ChartPoint>);
     [[nodiscard]] const std::vector<ChartPoint>& points() const { return points_; }
-    /// Where a point is, in pixels of the chart as it was last laid out.
+    /// Returns the position of a point in pixels, in the last layout.
     [[nodiscard]] QPointF placeOf(std::size_t point) const;
-    /// The point under the pointer, within a finger's width.
+    /// Returns the point under the pointer, within a tolerance.
     [[nodiscard]] std::optional<std::size_t> pointAt(const QPointF&) const;
     void emphasize(std::optional<std::size_t> point);
 
 signals:
-    void chosen(int point);   ///< By Enter, or a press of the left button on it.
-    void hovered(int point);  ///< By the pointer, or the arrows. Stays until another one is, or until a press beside
-                              ///< all of them: -1.
+    void chosen(int point);  ///< Emitted on Enter, or when a point is clicked with the left button.
+    /// Emitted when the pointer or the arrow keys move to a point; -1 after a click beside all points. The point stays
+    /// current until the next one.
+    void hovered(int point);
 
 protected:
     void mouseMoveEvent(QMouseEvent*) override;
@@ -55,22 +57,23 @@ protected:
 private:
     void build() override;
     void say();
-    /// Those for which `holds` is true.
+    /// Returns the points for which `holds` is true, sorted by cost.
     [[nodiscard]] std::vector<const ChartPoint*> byCost(const std::function<bool(const ChartPoint&)>& holds) const;
     QCPGraph* addErrors(const QColor&, bool lined, double size, const std::function<bool(const ChartPoint&)>& holds);
-    /// The second line: what is left against everything exact, where that is another error than the first line's.
+    /// Adds the second line: errors against the exact reference, if they differ from those of the first line.
     void addModelErrors(QCPGraph& front);
     [[nodiscard]] bool hasModelErrors() const;
     struct Label;
     void addMarks();
     [[nodiscard]] bool isMarked(std::size_t point) const;
     void addRings(std::size_t point);
-    /// Adds the point's text to the label of one in the same place; false where there is none.
+    /// Adds the point's text to the label of a point at the same position. Returns false if there is none.
     bool sharesLabel(std::size_t point, std::vector<Label>&) const;
-    /// Above or below the point, to its right or left, where it covers no other text and no point; else nowhere.
+    /// Adds a label above or below the point, to its right or left, where it covers no other label and no point. Adds
+    /// none if there is no such position.
     void addLabel(std::size_t point, std::vector<Label>&);
     [[nodiscard]] bool isFree(const QRectF&, std::size_t point, const std::vector<Label>&) const;
-    /// The lines of the fronts, in pixels.
+    /// Returns the line segments of the fronts, in pixels.
     [[nodiscard]] std::vector<QLineF> curves() const;
 
     std::vector<ChartPoint> points_;
@@ -79,11 +82,11 @@ private:
     int hovered_ = -1;
 };
 
-/// A study as far as it is measured.
+/// Returns the chart of a study, as far as it is measured.
 [[nodiscard]] ChartedStudy charted(Subjects, const StudyRequest&, const StudyResult&, CostAxis);
-/// The same of a study that was kept.
+/// Returns the chart of a kept study.
 [[nodiscard]] ChartedStudy charted(const KeptStudy&, CostAxis);
-/// A setting in words: "Shell count 64", "as at present".
+/// Returns the name of a setting: "Shell count 64", "as at present".
 [[nodiscard]] QString settingWords(const std::vector<SettingPart>&);
 
 }  // namespace vitrine::ui

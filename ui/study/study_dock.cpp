@@ -30,9 +30,9 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int shortTile = 96;        ///< So that no step holds up the next picture for long.
-constexpr qint64 refreshTime = 200;  ///< Milliseconds between two looks of the chart while measuring.
-constexpr int leastToKeep = 3;       ///< Settings that a study has measured when it is stopped.
+constexpr int shortTile = 96;        ///< Pixels, so that no step delays the next picture of the viewport for long.
+constexpr qint64 refreshTime = 200;  ///< Milliseconds between two updates of the chart while measuring.
+constexpr int leastToKeep = 3;       ///< Number of measured settings from which a stopped study is kept.
 
 QLineEdit* numberField(const QString& name, const QString& start, QWidget* parent)
 {
@@ -76,7 +76,7 @@ void StudyDock::setTexts()
     go_->setAccessibleName(tr("Measure, or stop measuring"));
     growWidth(*progress_, 120);
     progress_->setTextVisible(false);
-    // What comes and goes while it measures must not move the picture above.
+    // Widgets that are shown only while measuring must not move the picture above.
     QSizePolicy keepsItsPlace = progress_->sizePolicy();
     keepsItsPlace.setRetainSizeWhenHidden(true);
     progress_->setSizePolicy(keepsItsPlace);
@@ -293,7 +293,7 @@ void StudyDock::start(StudyRequest request)
 void StudyDock::take(News news)
 {
     const bool done = news.progress >= 1;
-    // The former result stays until this one has a point.
+    // The earlier result stays until the new one has a point.
     const bool isNew =
         !showsRunning_ && (done || std::any_of(news.result.points.begin(), news.result.points.end(), isDrawn));
     showsRunning_ = showsRunning_ || isNew;
@@ -352,7 +352,7 @@ void StudyDock::showIdle()
 
 void StudyDock::suggestTime()
 {
-    // A limit that the present setting misses by half is one to look for; what was typed stays.
+    // Suggests half of the present time as the limit, unless a limit was typed.
     if (milliseconds_->isModified() || !result().present) return;
     const StudyPoint& present = result().points[*result().present];
     if (present.time) milliseconds_->setText(QLocale::c().toString(present.time->median / 2, 'g', 3));

@@ -25,34 +25,35 @@ class KeptStudies;
 class StudyChart;
 class StudyView;
 
-/// What accuracy costs: measures a parameter of the chosen exhibit, or all of them together, on the render thread,
-/// shows every point as it is measured, and applies the one that is clicked or searched for. What was measured is kept.
+/// Dock for studies of accuracy and cost. Measures one parameter of the chosen exhibit, or all of them together, on the
+/// render thread. Shows points as they are measured, and applies a point that is clicked or searched for. Results are
+/// kept.
 class StudyDock final : public QWidget {
     Q_OBJECT
 
 public:
-    /// Museum, renderers and history must outlive it; the thread must, or `stop` is called before it ends.
+    /// Museum, renderers and history must outlive the dock. So must the thread, unless `stop` is called before it ends.
     StudyDock(const Museum&, Renderers&, History&, RenderThread&, StudyStore = StudyStore::standard(),
               QWidget* parent = nullptr);
     ~StudyDock() override;
 
-    /// Whose parameters are offered; what is shown stays until the next study.
+    /// Offers the parameters of this exhibit. The shown study stays until the next one.
     void setSubject(std::size_t exhibit);
-    /// Measures one parameter at once: a row of the exhibit's table.
+    /// Measures one parameter at once; `row` is its index in the exhibit's table.
     void ask(std::size_t exhibit, std::size_t row);
-    /// Ends the study that runs; what it measured stays to be seen, and is kept where that is three settings or more.
+    /// Stops the running study. Its results stay visible, and are kept if three or more settings were measured.
     void stop();
     [[nodiscard]] bool running() const { return isRunning_; }
-    /// Of the study that runs as soon as it has a point, until then of the one before.
+    /// Returns the result of the running study once it has a point, before that of the one before.
     [[nodiscard]] const StudyResult& result() const;
-    /// Everything shown that was measured, as a file: .csv, .json (with `machine` beside it), or the chart as .png or
-    /// .svg.
+    /// Returns the content of a file with all measured data shown: .csv, .json (including `machine`), or the chart as
+    /// .png or .svg.
     [[nodiscard]] QByteArray exported(const QString& suffix) const;
     [[nodiscard]] StudyChart& chart() const;
     [[nodiscard]] StudyView& view() const { return *shown_; }
     [[nodiscard]] KeptStudies& kept() const { return *kept_; }
 
-    /// Side of the pictures that it measures with, and how often each is timed.
+    /// Sets the size of the measured pictures in pixels, and how often each is timed.
     void setEffort(glm::ivec2 size, int runs);
 
 signals:
@@ -68,14 +69,14 @@ private:
     void measure();
     void find(bool byError);
     void start(StudyRequest);
-    /// What the study that runs has so far.
+    /// Intermediate result of the running study.
     struct News {
         StudyResult result;
         double progress = 0;
         std::string doing;
         render::Json machine = {};
     };
-    /// On the render thread: one step, and now and then what has come of it.
+    /// Performs one step of the study on the render thread, and passes on intermediate results.
     struct Work;
     static bool step(Work&, const RenderThread::Tell&, const std::function<void(std::shared_ptr<News>)>& take);
     void take(News);
@@ -92,9 +93,9 @@ private:
     RenderThread& thread_;
     RenderThread::Task task_;
     bool isRunning_ = false;
-    StudyRequest running_;  ///< Of the study that runs.
+    StudyRequest running_;  ///< Request of the running study.
     bool showsRunning_ = false;
-    std::shared_ptr<const Parameters> table_;  ///< Whose rows can be chosen; null: none yet.
+    std::shared_ptr<const Parameters> table_;  ///< Table whose parameters can be chosen; null: none yet.
     std::size_t subject_ = 0;
     glm::ivec2 size_{320, 180};
     int runs_ = 5;

@@ -14,13 +14,13 @@ namespace vitrine::ui {
 
 class StudyChart;
 
-/// What was measured, as a file that ends in "csv" or "json", which has `machine` in it; or the chart, in "svg" or
-/// "png".
+/// Returns the content of a file with a study: the data as "csv" or "json" (including `machine`), or the chart as "svg"
+/// or "png".
 [[nodiscard]] QByteArray studyFile(const QString& suffix, Subjects, const StudyRequest&, const StudyResult&,
                                    const render::Json& machine, StudyChart&);
 
-/// Asks for a file name and writes what `contentOf` makes for its ending. Returns why it could not be saved, for
-/// people; empty otherwise, and where the visitor thought better of it.
+/// Asks for a file name and writes the result of `contentOf` for its suffix. Returns a sentence why saving failed;
+/// empty after success or if the visitor canceled.
 [[nodiscard]] QString askAndSaveStudy(QWidget* parent,
                                       const std::function<QByteArray(const QString& suffix)>& contentOf);
 

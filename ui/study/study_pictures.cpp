@@ -34,10 +34,9 @@ QString noPixelDiffers()
 namespace {
 
 constexpr double wipeStep = 0.05;
-constexpr double scaleHeight =
-    20;  ///< Pixels below the heat map: its colors from 0 to the largest error, with numbers.
+constexpr double scaleHeight = 20;  ///< Pixels below the heat map for its color scale, from 0 to the largest error.
 
-/// The heat map's colors from 0 to full, left to right.
+/// Returns the heat map's colors from 0 to full, left to right.
 const QImage& heatRamp()
 {
     static const QImage ramp = [] {
@@ -90,7 +89,7 @@ QRectF StudyPictures::placeOf(int index) const
 {
     constexpr double gap = 8;
     const QSizeF picture = picture_.isNull() ? QSizeF(16, 9) : QSizeF(picture_.size());
-    // Side by side or one above the other, whichever shows them larger.
+    // Side by side or one above the other, whichever is larger.
     const QSizeF beside = picture.scaled(QSizeF((width() - gap) / 2, height() - scaleHeight), Qt::KeepAspectRatio);
     const QSizeF above = picture.scaled(QSizeF(width(), (height() - gap - scaleHeight) / 2), Qt::KeepAspectRatio);
     if (beside.width() >= above.width()) return {QPointF(index * (beside.width() + gap), 0), beside};

@@ -10,20 +10,20 @@ class QPainter;
 
 namespace vitrine::ui {
 
-/// What stands in place of a heat map of two pictures that are equal.
+/// Returns the text in place of the heat map of two equal pictures.
 [[nodiscard]] QString noPixelDiffers();
 
-/// sRGB codes of a picture of linear light, for the screen.
+/// Converts a picture of linear light to sRGB for the screen.
 [[nodiscard]] QImage screenImage(const render::Image&);
 
-/// A setting's picture against its reference, with a wipe that follows the pointer, and where they differ beside it.
+/// Picture of a setting and its reference with a wipe that follows the pointer, and the heat map of their difference.
 class StudyPictures final : public QWidget, public Spoken {
     Q_OBJECT
 
 public:
     explicit StudyPictures(QWidget* parent = nullptr);
 
-    /// A null heat map: no pixel differs, which is said in its place. `full` is the error that the heat map shows
+    /// Shows pictures. A null heat map stands for equal pictures. `full` is the error that the heat map shows
     /// brightest.
     void show(const QImage& picture, const QImage& reference, const QImage& heat, const QString& full = {});
     [[nodiscard]] double wipe() const { return wipe_; }
@@ -31,12 +31,12 @@ public:
 
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Slider; }
     [[nodiscard]] QString spokenText() const override;
-    /// Where the line is, in percent.
+    /// Returns the position of the wipe in percent.
     [[nodiscard]] std::optional<SpokenNumber> spokenNumber() const override;
     void setSpokenNumber(double percent) override { setWipe(percent / 100); }
 
 signals:
-    void enlargeAsked();  ///< By a double click, or Enter.
+    void enlargeAsked();  ///< Emitted on a double click or Enter.
 
 protected:
     void paintEvent(QPaintEvent*) override;

@@ -36,7 +36,7 @@ QString timesText(double median, double low, double high)
     return StudyView::tr(", %1 ms (%2 to %3)").arg(shortNumber(median), shortNumber(low), shortNumber(high));
 }
 
-/// Empty where there is no such count.
+/// Formats a counter; empty if there is no such counter.
 template <typename Count> QString workText(const std::map<std::string, Count>& counters, const std::string& name)
 {
     const auto found = counters.find(name);
@@ -169,7 +169,7 @@ void StudyView::showMeasured(const StudyRequest& request, StudyResult result, co
     }
     machine_ = machine;
     result_ = std::move(result);
-    if (kept_) return;  // The visitor looks at another one meanwhile.
+    if (kept_) return;  // A kept study is shown at the moment.
     refresh();
 }
 
@@ -380,7 +380,7 @@ void StudyView::showPoint(int wanted)
     chart_->emphasize(wanted >= 0 ? std::optional(static_cast<std::size_t>(wanted)) : std::nullopt);
     if (kept_) return showKeptPoint(wanted);
     const std::optional<std::size_t> present = presentPoint();
-    // Without a pointer on one: what the picture on show is, or where it pays most.
+    // Without a hovered point: the present setting, or else the knee.
     const std::optional<std::size_t> fallback = present ? present : costsAlong(costAxis(), request_, result_).knee;
     const int point = wanted >= 0 ? wanted : fallback ? static_cast<int>(*fallback) : -1;
     const auto view = static_cast<std::size_t>(std::max(view_->currentIndex(), 0));
@@ -406,7 +406,7 @@ void StudyView::showPictures(render::Image picture, render::Image reference, ren
                         .value_or(render::differenceMap(shown_.reference, shown_.picture));
     const bool differ =
         std::any_of(shown_.errors.pixels.begin(), shown_.errors.pixels.end(), [](float error) { return error > 0; });
-    if (!differ) shown_.errors = {};  // A black heat map would say nothing.
+    if (!differ) shown_.errors = {};  // A black heat map shows nothing, so it is left out.
     shown_.full = differ ? render::fullScale(metric, shown_.errors) : 1;
     shownScale_ = differ ? tr("The heat map goes from 0 to %1 (%2).").arg(shortNumber(shown_.full), said(title(metric)))
                          : noPixelDiffers();

@@ -21,45 +21,45 @@ class StudyChart;
 class StudyPictures;
 struct ChartedStudy;
 
-/// A study as it is seen: chart, pictures, and what it came to in words. One that was measured here, or one that was
-/// kept, perhaps without its pictures. A click on a point applies it.
+/// View of one study, measured here or kept: chart, pictures, and a summary. A kept study may have no pictures. A click
+/// on a point applies it.
 class StudyView final : public QWidget {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both must outlive the view.
     StudyView(const Museum&, History&, QWidget* parent = nullptr);
 
-    /// The study that runs, or ran: shown from its first point on. `isNew`: another one than is on show.
+    /// Shows the running or last study, from its first point on. `isNew`: it replaces the study that is shown.
     void showMeasured(const StudyRequest&, StudyResult, const render::Json& machine, bool isNew);
-    /// The study that runs was stopped: no point follows.
+    /// The running study was stopped: no further point comes.
     void noteStopped();
-    /// `json`: of its file; `title`: for people.
+    /// Shows a kept study. `json`: text of its file; `title`: name for people.
     void showKept(KeptStudy, std::string json, const QString& title);
-    /// Of the kept study on show, once they have been read.
+    /// Sets the pictures of the kept study once they have been read.
     void showKeptPictures(const ContactSheet&);
-    /// The look or the tables changed.
+    /// Updates the view after values or parameter tables changed.
     void refresh();
-    /// In place of what a study came to.
+    /// Shows a text in place of the summary.
     void say(const QString&);
-    /// Shows this point's values, as one step to undo. Says `refused` where it cannot.
+    /// Applies the values of a point, as one undo step. Emits `refused` if that is impossible.
     void apply(std::size_t point);
-    /// The same of what was measured here last, whatever is on show.
+    /// Applies a point of the study measured last here, even if another one is shown.
     void applyMeasured(std::size_t point);
 
     [[nodiscard]] bool empty() const { return !kept_ && result_.points.empty(); }
-    [[nodiscard]] const StudyResult& result() const { return result_; }  ///< Of what was measured here last.
+    [[nodiscard]] const StudyResult& result() const { return result_; }  ///< Result of the study measured last here.
     [[nodiscard]] const StudyRequest& request() const { return request_; }
     [[nodiscard]] bool showsKept() const { return kept_.has_value(); }
     [[nodiscard]] StudyChart& chart() const { return *chart_; }
-    /// What the chart has on its axis of costs. Until the user chooses one, it follows from the clock of each study
-    /// before its first point is shown; nothing else changes it.
+    /// Returns the quantity on the cost axis. Until the user chooses one, it depends on how exact each study's clock
+    /// is.
     [[nodiscard]] CostAxis costAxis() const;
-    /// The user's choice, which stays for all studies from then on.
+    /// Sets the user's choice, which applies to all later studies.
     void chooseCostAxis(CostAxis);
-    /// The study that was measured here last, as its file has it.
+    /// Returns the study measured last here, in the format of its file.
     [[nodiscard]] render::Json json() const;
-    /// What is shown, as a file that ends in csv, json, png or svg.
+    /// Returns the content of a file with all that is shown; `suffix` is csv, json, png or svg.
     [[nodiscard]] QByteArray exported(const QString& suffix) const;
 
 signals:
@@ -83,10 +83,10 @@ private:
     void decideCostAxis(bool clockTrusted);
     void showChart(ChartedStudy, std::optional<std::size_t> present);
     void hidePictures();
-    [[nodiscard]] QString whyNotApplied() const;  ///< Of the kept one; empty where it can be.
+    [[nodiscard]] QString whyNotApplied() const;  ///< Reason why the kept study cannot be applied; empty if it can.
     [[nodiscard]] QString captionOf(const StudyPoint&) const;
     [[nodiscard]] QString captionOf(const KeptStudy&, std::size_t point) const;
-    /// The row of an axis of what is shown, in the table that its exhibit has now: a file may have given it others.
+    /// Returns the index of an axis's parameter in its exhibit's present table, which a file may have changed.
     [[nodiscard]] std::optional<std::size_t> rowNow(const StudyAxis&) const;
     [[nodiscard]] std::optional<std::size_t> presentPoint() const;
     [[nodiscard]] std::optional<std::size_t> presentKeptPoint() const;
@@ -103,20 +103,20 @@ private:
     KeptRows keptRows_;
     ContactSheet keptPictures_;
     int shownPoint_ = -1;
-    PictureTriple shown_;  ///< In the pictures.
+    PictureTriple shown_;  ///< Content of `pictures_`.
     QString shownScale_;
 
-    bool costChosen_ = false;  ///< By the user.
+    bool costChosen_ = false;  ///< The user has chosen the cost axis.
     bool stopped_ = false;     ///< The measured study ended early.
 
     QComboBox* cost_;
-    QWidget* right_;  ///< Pictures and what they are; hidden while there is nothing to say.
+    QWidget* right_;  ///< Pictures and their caption; hidden while there are none.
     QComboBox* view_;
     QLabel* words_;
     QLabel* caption_;
     StudyChart* chart_;
     StudyPictures* pictures_;
-    LargePictures* large_ = nullptr;  ///< Once it was asked for.
+    LargePictures* large_ = nullptr;  ///< Null until it is opened.
 };
 
 }  // namespace vitrine::ui

@@ -18,20 +18,20 @@ namespace vitrine::ui {
 
 class Workbench;
 
-/// Measures the table that the visited exhibit has (`MeasuresTable`) on the render thread, and saves it as CSV. Deletes
-/// itself when that is done, canceled or failed.
+/// Measures the table of the visited exhibit (`MeasuresTable`) on the render thread, and saves it as CSV. Deletes
+/// itself when it is done, canceled or failed.
 class TableExport final : public QObject {
     Q_OBJECT
 
 public:
-    /// Asks for a file name and begins; says so where the visited exhibit has no table. Returns at once.
+    /// Asks for a file name and starts. Shows a message if the visited exhibit has no table. Returns at once.
     static void ask(Workbench&, QWidget* window);
 
-    /// Begins. All must outlive it.
+    /// Starts measuring. All must outlive this object.
     TableExport(Workbench&, const MeasuresTable&, QString path, QWidget* window);
     ~TableExport() override;
 
-    /// No file is written.
+    /// Cancels without writing a file.
     void cancel();
 
 private:

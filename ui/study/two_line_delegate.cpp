@@ -27,7 +27,7 @@ void TwoLineDelegate::paint(QPainter* painter, const QStyleOptionViewItem& given
     initStyleOption(&option, index);
     const QString text = option.text;
     option.text.clear();
-    // The tick, and the ground, are the style's; marked as in the other lists.
+    // The style draws tick and background; the selection is marked as in the other lists.
     const Theme& colors = theme();
     const bool selected = option.state & QStyle::State_Selected;
     option.state &= ~(QStyle::State_Selected | QStyle::State_HasFocus);

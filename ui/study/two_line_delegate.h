@@ -4,12 +4,12 @@
 
 namespace vitrine::ui {
 
-/// Draws a line of a list that may be ticked: its text, and a quiet second line below.
+/// Delegate of lists with ticks: draws the text and a faint second line below.
 class TwoLineDelegate final : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
-    static constexpr int secondLine = Qt::UserRole + 1;  ///< Role of the quiet line.
+    static constexpr int secondLine = Qt::UserRole + 1;  ///< Role of the faint line.
 
     using QStyledItemDelegate::QStyledItemDelegate;
     void paint(QPainter*, const QStyleOptionViewItem&, const QModelIndex&) const override;
