@@ -5,7 +5,7 @@
 
 namespace vitrine::ui {
 
-/// What this is: version, what it is made with, license.
+/// Dialog with the program's version, libraries and license.
 class AboutDialog final : public QDialog {
     Q_OBJECT
 
@@ -13,7 +13,7 @@ public:
     explicit AboutDialog(QWidget* window);
 };
 
-/// A showcase with something round in it, at all the sizes that desktops ask for.
+/// Returns the program's icon, a showcase with a round object in it, in all sizes that desktops use.
 [[nodiscard]] QIcon programIcon();
 
 }  // namespace vitrine::ui

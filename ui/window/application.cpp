@@ -22,7 +22,7 @@ bool Application::notify(QObject* receiver, QEvent* event)
 void Application::tell(const QString& message)
 {
     std::fprintf(stderr, "vitrine: %s\n", qPrintable(message));
-    if (telling_) return;  // Showing a message failed, too: it stands on stderr.
+    if (telling_) return;  // Showing a message failed, too; it was printed to stderr.
     telling_ = true;
     try {
         emit caught(message);

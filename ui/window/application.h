@@ -4,8 +4,8 @@
 
 namespace vitrine::ui {
 
-/// An application that goes on when the handler of an event or a timer throws: what was thrown is told, and the event
-/// counts as handled. Everything that runs in the window's event loop passes here.
+/// Application that survives exceptions in handlers of events and timers. The exception is reported, and the event
+/// counts as handled. All code in the window's event loop runs below `notify`.
 class Application final : public QApplication {
     Q_OBJECT
 
@@ -15,7 +15,7 @@ public:
     bool notify(QObject*, QEvent*) override;
 
 signals:
-    /// One or two full sentences.
+    /// Emitted with one or two full sentences on the exception.
     void caught(const QString& message);
 
 private:

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int renewedAfter = 200;  // Milliseconds.
 
-/// The time is a row of a table of its own: typing, steps and dragging are those of any number.
+/// Table with the time, so that it is typed, stepped and dragged like any number.
 struct ClockRows final : Parameters {
     Real time = real("time", 0, second, Range{0, Viewport::latestTime}.soft(0, 60),
                      "The exhibits' clock. Set it to see what moves at that moment.");
@@ -44,7 +44,7 @@ ClockBar::ClockBar(Viewport& viewport, QAction& pause, QWidget* parent)
     connect(button_, &QToolButton::clicked, &pause_, &QAction::trigger);
     connect(&pause_, &QAction::changed, this, [this] {
         showState();
-        timer_.start();  // Whether something moves is known a moment later.
+        timer_.start();  // Whether anything moves is known a moment later.
     });
     connect(&viewport_, &Viewport::drawn, this, &ClockBar::showState);
     connect(&viewport_, &Viewport::looked, this, &ClockBar::showState);

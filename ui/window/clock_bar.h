@@ -11,13 +11,13 @@ namespace vitrine::ui {
 class NumberField;
 class Viewport;
 
-/// The exhibits' clock: a button that stops and starts it, and its time in seconds, which is typed, dragged and stepped
-/// like any number of a panel. The time is renewed a few times a second while it passes, and not at all while it rests.
+/// Bar of the exhibits' clock: a button that stops and starts it, and the time in seconds, which is typed, dragged and
+/// stepped like any number. The time is updated a few times a second while it passes.
 class ClockBar final : public QWidget {
     Q_OBJECT
 
 public:
-    /// `pause` is checked while the clock rests. Both must outlive it.
+    /// `pause` is checked while the clock is stopped. Both must outlive the bar.
     ClockBar(Viewport&, QAction& pause, QWidget* parent = nullptr);
 
 private:

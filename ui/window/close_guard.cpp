@@ -11,7 +11,7 @@
 namespace vitrine::ui {
 namespace {
 
-/// The files that are being made.
+/// Returns the files that would be missing if the window closed now.
 QStringList unfinished(const QWidget& window)
 {
     QStringList files;
@@ -98,7 +98,7 @@ void CloseGuard::ask()
 
 void CloseGuard::closeWhenDone()
 {
-    // What fails says so in the window, which stays for that.
+    // After a failure the window stays open and shows the message.
     for (const PictureExport* work : window_.findChildren<PictureExport*>())
         connect(work, &PictureExport::finished, this, &CloseGuard::closeIfDone, Qt::QueuedConnection);
     for (const PrintDialog* dialog : window_.findChildren<PrintDialog*>())

@@ -10,18 +10,19 @@ class QMessageBox;
 
 namespace vitrine::ui {
 
-/// Keeps the window from closing over files that are still being written.
+/// Prevents the window from closing while files are being written.
 class CloseGuard final : public QObject {
     Q_OBJECT
 
 public:
     explicit CloseGuard(QWidget& window);
 
-    /// Files whose changes are not in them, and what saves them where that takes no further question.
+    /// Sets two functions: `names` returns the files with unsaved changes; `save` saves them and returns whether no
+    /// further question was needed.
     void setUnsaved(std::function<QStringList()> names, std::function<bool()> save);
 
-    /// Whether the window may close now. Where it may not, the visitor is asked; it is closed later if that is the
-    /// answer.
+    /// Returns whether the window may close now. Otherwise the visitor is asked, and the window is closed later if the
+    /// answer says so.
     [[nodiscard]] bool mayClose();
 
 private:
@@ -31,8 +32,8 @@ private:
     void closeIfDone();
 
     QWidget& window_;
-    bool givenUp_ = false;  // What is being written.
-    bool kept_ = false;     // What is not saved: it comes back next time.
+    bool givenUp_ = false;  // Files being written may be lost.
+    bool kept_ = false;     // Unsaved changes stay in the session, which is restored next time.
     std::function<QStringList()> unsaved_;
     std::function<bool()> save_;
     QPointer<QMessageBox> question_;

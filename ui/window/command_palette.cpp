@@ -135,7 +135,7 @@ void addPad(QTreeWidget& tree)
     addLine(tree, ShortcutSheet::tr("In dialogs and menus"), ShortcutSheet::tr("The cross moves, A presses, B closes"));
 }
 
-/// What keys, mouse and gamepad do that is no command of a menu.
+/// Adds what keys, mouse and gamepad do beside the menus' commands.
 void addUsual(QTreeWidget& tree)
 {
     addHeading(tree, ShortcutSheet::tr("In the museum"));

@@ -9,7 +9,7 @@ class QListWidget;
 
 namespace vitrine::ui {
 
-/// Every command of the window by name: type a few letters, Enter.
+/// Command palette: finds every command of the window by a few letters of its name; Enter runs it.
 class CommandPalette final : public QDialog {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ private:
     QListWidget* list_;
 };
 
-/// All shortcuts on one page.
+/// Sheet with all shortcuts on one page.
 class ShortcutSheet final : public QDialog {
     Q_OBJECT
 

@@ -14,7 +14,7 @@ namespace vitrine::ui {
 void copyPicture(Workbench& window)
 {
     const QImage& picture = window.viewport().shown();
-    if (picture.isNull()) return;  // Before the first one.
+    if (picture.isNull()) return;  // There is no picture yet.
     QGuiApplication::clipboard()->setImage(picture);
     window.say(
         MessageStrip::Mood::notice,
@@ -27,7 +27,7 @@ QString commandLineOf(Workbench& window)
     QString line =
         QString::fromStdString(renderCommand(window.museum(), window.history().sceneState(), viewport.presentRequest(),
                                              viewport.schedule().samples(), "picture.png"));
-    // The plaques are part of the picture.
+    // The plaques in the picture depend on the language.
     const QString asked = QStringLiteral("vitrine --language %1 ").arg(spokenLanguage());
     if (spokenLanguage() != QLatin1String("en")) line.replace(0, static_cast<qsizetype>(sizeof "vitrine"), asked);
     return line;

@@ -6,11 +6,11 @@ namespace vitrine::ui {
 
 class Workbench;
 
-/// Puts what the picture shows on the clipboard.
+/// Copies the shown picture to the clipboard.
 void copyPicture(Workbench&);
-/// Puts a line on the clipboard that draws the finished picture from a terminal.
+/// Copies a command line to the clipboard that draws the finished picture.
 void copyCommandLine(Workbench&);
-/// That line.
+/// Returns this command line.
 [[nodiscard]] QString commandLineOf(Workbench&);
 
 }  // namespace vitrine::ui

@@ -6,7 +6,7 @@ class QDockWidget;
 
 namespace vitrine::ui {
 
-/// A quiet title bar for a dock: its name, and buttons to float and close. Dragging it moves the dock.
+/// Title bar of a dock: its name, and buttons that float and close it. Dragging it moves the dock.
 class DockTitle final : public QWidget {
     Q_OBJECT
 

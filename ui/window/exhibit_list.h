@@ -8,8 +8,8 @@
 
 namespace vitrine::ui {
 
-/// List of the hall and all exhibits by place: picture, number, title. Places that wait are gray; exhibits without a
-/// place follow as the depot.
+/// List of the hall and all exhibits in the order of their places: picture, number, title. Empty places are gray.
+/// Exhibits without a place follow as the depot.
 class ExhibitList final : public QListWidget {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ public:
     void fill(const Museum&);
     void setThumbnail(std::size_t exhibit, const QPixmap&);
     [[nodiscard]] bool hasThumbnail(std::size_t exhibit) const;
-    /// Marks it as chosen; emits nothing.
+    /// Selects the exhibit without emitting a signal.
     void choose(std::size_t exhibit);
 
 signals:

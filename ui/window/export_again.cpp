@@ -16,7 +16,7 @@ void ExportAgain::note(const ExportWish& wish)
 void ExportAgain::run()
 {
     if (!last_) return;
-    // Also beside one that is still being written.
+    // The path must also differ from that of an export in progress.
     QString path = nextFreePath(QString::fromStdString(last_->path.string()));
     const auto promised = [&] {
         for (const PictureExport* other : parent()->findChildren<PictureExport*>())

@@ -8,24 +8,24 @@
 
 namespace vitrine::ui {
 
-/// The window's last export of a picture, once more with what is seen now: the same size, samples and format, under the
+/// Repeats the window's last export of a picture with the present view: the same size, samples and format, under the
 /// next free name in the same folder.
 class ExportAgain final : public QObject {
     Q_OBJECT
 
 public:
-    /// `parent` is the window itself: whose children exports are. It must outlive this.
+    /// `parent` is the window, which is the parent of all exports. The workbench must outlive this object.
     ExportAgain(Workbench&, QObject& parent);
 
-    /// One was begun by the visitor.
+    /// Remembers an export that the visitor began.
     void note(const ExportWish&);
-    /// Whether there was one yet.
+    /// Returns whether there was an export yet.
     [[nodiscard]] bool possible() const { return last_.has_value(); }
-    /// Begins it and says when it is done. Does nothing where there was none yet.
+    /// Begins the export and reports its end. Does nothing if there was none yet.
     void run();
 
 signals:
-    /// One was begun by the visitor.
+    /// Emitted when an export was remembered.
     void noted();
 
 private:

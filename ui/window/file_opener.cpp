@@ -27,7 +27,7 @@ const QStringList pictures{QStringLiteral("hdr"),  QStringLiteral("exr"),  QStri
 const QStringList recordings{QStringLiteral("mp4"), QStringLiteral("webm"), QStringLiteral("gif"),
                              QStringLiteral("apng")};
 
-/// Whether the file is a lenticular print or describes one.
+/// Returns whether the file is a lenticular print or describes one.
 bool isPrint(const QString& path)
 {
     try {
@@ -38,7 +38,7 @@ bool isPrint(const QString& path)
     }
 }
 
-/// Which files that the look names and needs for what it shows cannot be read, and why.
+/// Returns a sentence for each unreadable file that the scene state needs.
 std::vector<std::string> unreadableFiles(const Museum& museum, const SceneState& sceneState)
 {
     FrameRequest request;
@@ -59,7 +59,7 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
     if (!row) return sayNoPlace(path);
     SceneState next = window_.history().sceneState();
     next.hall().setRow(*row, QFileInfo(path).absoluteFilePath().toStdString());
-    // Reading a large file takes seconds.
+    // On the render thread, because reading a large file takes seconds.
     window_.viewport().renderThread().post(
         [this, &museum = window_.museum(), next, row = *row, parameter, path]() -> std::function<void()> {
             for (const std::string& why : unreadableFiles(museum, next))
@@ -68,7 +68,7 @@ void FileOpener::setHallFile(const char* parameter, const QString& path)
                         window_.setProblems(openingOf(path), {tr("%1 Nothing was changed.").arg(said(why))});
                     };
             return [this, parameter, path, file = next.hall().row(row)] {
-                // Another file may have taken the place meanwhile.
+                // Another file may have taken the parameter in the meantime.
                 const auto free = rowFor(parameter);
                 if (!free) return sayNoPlace(path);
                 SceneState changed = window_.history().sceneState();
@@ -115,7 +115,7 @@ bool FileOpener::openDocument(const QString& path)
         try {
             if (!tree->isDocument(render::readFile(file, most))) continue;
         } catch (const Failure&) {
-            return false;  // Who reads it next says why it cannot be read.
+            return false;  // The next reader reports why the file cannot be read.
         }
         SceneState next = window_.history().sceneState();
         ParameterValues& values = next.values[each.index];

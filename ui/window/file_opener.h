@@ -12,36 +12,35 @@ namespace vitrine::ui {
 class PresetShelf;
 class Workbench;
 
-/// Puts files that come to the window where they belong: presets and pictures with one inside, scenes, models,
-/// panoramas, prints.
+/// Opens files of all kinds that the window knows: presets and pictures with one inside, scenes, models, panoramas,
+/// prints.
 class FileOpener final : public QObject {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both must outlive this object.
     FileOpener(Workbench&, PresetShelf&, QObject* parent);
 
-    /// A file of any of these kinds. What is wrong with it is said in the message strip, and everything stays as it
-    /// was.
+    /// Opens a file. An error is reported in the message strip, and nothing changes.
     void open(const QString& path);
-    /// What it reads: "*.json", "*.glb", ...
+    /// Returns the patterns of files that it opens: "*.json", "*.glb", ...
     [[nodiscard]] static QStringList openable();
 
 signals:
-    /// A lenticular print, or the settings of one.
+    /// Emitted for a lenticular print, or settings of one.
     void printFound(const QString& path);
-    /// A lesson.
+    /// Emitted for a lesson.
     void lessonFound(const QString& path);
-    /// This exhibit shows it now.
+    /// Emitted when this exhibit shows an opened document.
     void documentOpened(std::size_t exhibit);
 
 private:
-    /// Where it is one for the tree of an exhibit.
+    /// Opens the file if it is a document of an exhibit's tree. Returns whether it is one.
     [[nodiscard]] bool openDocument(const QString& path);
     void openPicture(const QString& path);
     void setHallFile(const char* parameter, const QString& path);
-    /// Of the hall's rows that one of that name; where there are several groups with one, that of the first group whose
-    /// row names no file. Nothing: all are taken.
+    /// Returns the index of the hall's parameter of this name. If several groups have one, it is that of the first
+    /// group whose file is not set. nullopt: all are set.
     [[nodiscard]] std::optional<std::size_t> rowFor(std::string_view parameter) const;
     void sayNoPlace(const QString& path);
 

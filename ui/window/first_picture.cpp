@@ -15,7 +15,7 @@ void reportFirstPicture(Viewport& viewport, QWidget& window)
     const auto shown = std::make_shared<bool>(false);
     QObject::connect(&viewport, &Viewport::drawn, &window,
                      [drawn](const render::FrameReport&, const QSize& pixels) { *drawn = pixels; });
-    // What was drawn is seen when the window's buffers have been swapped.
+    // A picture is visible once the window's buffers have been swapped.
     QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, &window, [drawn, shown, &viewport, &window] {
         if (drawn->isEmpty()) return;
         if (!*shown)

@@ -6,9 +6,9 @@ namespace vitrine::ui {
 
 class Viewport;
 
-/// Where VITRINE_FIRST_PICTURE is set, closes the window as soon as it shows all that is in view, and says on standard
-/// output when that was, and when its first picture was on the screen: "first picture at 12.345678 s, 640x360" and
-/// "all at 12.456789 s", by render::wallSeconds. For tests/bench/window_start.cpp.
+/// If VITRINE_FIRST_PICTURE is set, closes the window once it shows all that is in view. Prints the times of the first
+/// and the complete picture: "first picture at 12.345678 s, 640x360" and "all at 12.456789 s" (render::wallSeconds).
+/// Used by tests/bench/window_start.cpp.
 void reportFirstPicture(Viewport&, QWidget& window);
 
 }  // namespace vitrine::ui

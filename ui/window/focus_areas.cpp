@@ -26,11 +26,11 @@ bool takesFocus(const QWidget& widget)
     return (widget.focusPolicy() & Qt::TabFocus) && widget.isVisible() && widget.isEnabled() && !widget.focusProxy();
 }
 
-/// Where the focus goes in this part: where it was last, else the first stop of the Tab key; null: nowhere.
+/// Returns the widget that gets the focus in an area: the one that had it last, or else the first Tab stop. Null: none.
 QWidget* stopIn(QWidget& area)
 {
     if (takesFocus(area)) return &area;
-    if (const auto* dock = qobject_cast<QDockWidget*>(&area))  // Its title bar comes after what it holds.
+    if (const auto* dock = qobject_cast<QDockWidget*>(&area))  // The title bar comes after the dock's content.
         if (QWidget* stop = dock->widget() ? stopIn(*dock->widget()) : nullptr) return stop;
     QWidget* last = area.focusWidget();
     if (last && area.isAncestorOf(last) && takesFocus(*last)) return last;
@@ -39,7 +39,7 @@ QWidget* stopIn(QWidget& area)
     return nullptr;
 }
 
-/// In the order in which one reads them: from left to right, and from top to bottom.
+/// Returns the docks in reading order: from left to right, and from top to bottom.
 QList<QWidget*> docksInOrder(const MainWindow& window)
 {
     QList<QWidget*> docks;
@@ -52,7 +52,7 @@ QList<QWidget*> docksInOrder(const MainWindow& window)
     return docks;
 }
 
-/// The panel that has the focus; null: none.
+/// Returns the dock that has the focus; null: none.
 QDockWidget* dockWithFocus(const MainWindow& window)
 {
     const QWidget* now = QApplication::focusWidget();
@@ -75,7 +75,7 @@ QMenu* panelMenu(MainWindow& window)
     };
     const auto addSide = [&](const QString& text, Qt::DockWidgetArea side) {
         add(text, [&window, side](QDockWidget& dock) {
-            // Taking it from its place takes the focus from what is in it.
+            // Moving the dock takes the focus from its content.
             const QPointer<QWidget> focus = QApplication::focusWidget();
             dock.setFloating(false);
             window.addDockWidget(side, &dock);
@@ -95,7 +95,7 @@ QMenu* panelMenu(MainWindow& window)
     addSize(MainWindow::tr("&Narrower"), Qt::Horizontal, -growth);
     addSize(MainWindow::tr("&Taller"), Qt::Vertical, growth);
     addSize(MainWindow::tr("L&ower"), Qt::Vertical, -growth);
-    // Without a panel there is nothing to move.
+    // The entries need a dock with the focus.
     QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, &window] {
         for (QAction* each : menu->actions()) each->setEnabled(dockWithFocus(window) != nullptr);
     });
@@ -117,7 +117,7 @@ void focusNextArea(MainWindow& window, int step)
     const qsizetype count = areas.size();
     const qsizetype from = at == areas.end() ? (step > 0 ? -1 : 0) : at - areas.begin();
     QWidget* area = areas[(from + step + count) % count];
-    area->window()->activateWindow();  // A panel may float.
+    area->window()->activateWindow();  // The dock may be floating.
     stopIn(*area)->setFocus(Qt::TabFocusReason);
 }
 

@@ -14,7 +14,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr double displayFrame = 1000.0 / 60;  // Milliseconds.
+constexpr double displayFrame = 1000.0 / 60;  // Milliseconds of a frame at 60 Hz.
 
 }  // namespace
 

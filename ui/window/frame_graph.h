@@ -8,8 +8,8 @@
 
 namespace vitrine::ui {
 
-/// Milliseconds of the last frames as bars, the newest on the right; the highest bar is as high as the graph, at least
-/// 16.7 ms, with a line there. How long the shortest, the median and the longest took stands in the tooltip.
+/// Bar graph of the last frames' milliseconds, the newest on the right. It is as high as the highest bar, at least 16.7
+/// ms, where it has a line. The tooltip gives the shortest, median and longest time.
 class FrameGraph final : public QWidget, public Spoken {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
     explicit FrameGraph(QWidget* parent = nullptr);
 
     void add(double milliseconds);
-    /// For people: "60 frames: 12.0 to 80.5 ms, half of them up to 14.1 ms".
+    /// Returns a summary: "60 frames: 12.0 to 80.5 ms, half of them up to 14.1 ms".
     [[nodiscard]] QString summary() const;
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
 

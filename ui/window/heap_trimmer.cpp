@@ -6,7 +6,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int restBeforeTrimming = 5000;  // Milliseconds.
+constexpr int restBeforeTrimming = 5000;  // Milliseconds after the last picture.
 
 }  // namespace
 

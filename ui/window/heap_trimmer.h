@@ -7,13 +7,13 @@ namespace vitrine::ui {
 
 class Viewport;
 
-/// Gives the heap's free pages back to the system some seconds after the last picture, on the render thread: pictures,
-/// files and programs that were let go leave holes, which a rest of any length kept before.
+/// Returns free heap pages to the system some seconds after the last picture, on the render thread. Released pictures,
+/// files and programs leave such pages, which the allocator would keep.
 class HeapTrimmer final : public QObject {
     Q_OBJECT
 
 public:
-    /// The viewport must outlive it.
+    /// The viewport must outlive this object.
     HeapTrimmer(Viewport&, QObject* parent);
 
 private:

@@ -14,21 +14,21 @@ namespace vitrine::ui {
 
 class LedgerView;
 
-/// The ledger with what it says above the list: why something is drawn, or why nothing is; and the switch that runs
-/// everything regardless.
+/// Dock with the frame report. Above the list are the reason of the last drawing, and the switch that runs every pass.
 class LedgerDock final : public QWidget {
     Q_OBJECT
 
 public:
-    /// `reason` is asked half a second after the last frame.
+    /// `reason` is called half a second after the last frame.
     explicit LedgerDock(std::function<QString()> reason, QWidget* parent = nullptr);
 
     void note(const render::FrameReport&);
-    /// The frame of the settings B; null while it is not drawn: `why` then says so, empty where there is no B.
+    /// Sets the frame report of the settings B. Null while B is not drawn: `why` then gives the reason, empty if there
+    /// is no B.
     void noteOther(const render::FrameReport*, const QString& why);
     [[nodiscard]] LedgerView& view() const { return *view_; }
     [[nodiscard]] QString reasonText() const;
-    /// Steps and milliseconds of the frame, and of B's.
+    /// Text with the number of passes and the milliseconds of the frame, and of B's.
     [[nodiscard]] QString sumsText() const { return sumsText_; }
     [[nodiscard]] QCheckBox& runEverything() const { return *everything_; }
 
@@ -40,7 +40,7 @@ private:
 
     std::function<QString()> askReason_;
     QString reasonText_, sumsText_;
-    QString other_;  // What is said of B; empty: there is none.
+    QString other_;  // Text on B; empty: there is no B.
     QLabel* reason_;
     QLabel* sums_;
     QCheckBox* everything_;

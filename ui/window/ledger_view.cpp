@@ -121,7 +121,7 @@ void LedgerView::addOther(std::vector<Line>& all) const
         return side.state == PassSide::State::skipped ? tr("skipped") : millisecondsText(side.milliseconds);
     };
     for (const PassCost& cost : passCosts(report_, *other_)) {
-        // The first line of a step that has none yet.
+        // First line of this pass without a value for B.
         const auto found = std::find_if(all.begin(), all.end(),
                                         [&](const Line& l) { return l.name == cost.name && l.other.isEmpty(); });
         if (cost.a.state == PassSide::State::absent || found == all.end())
@@ -172,7 +172,7 @@ void LedgerView::renew()
         for (int column = 0; column < columnCount(); ++column)
             item->setForeground(column, line.ran ? theme().text : theme().dim);
     }
-    // Words in place of a number are read whole.
+    // Columns with a text in place of a number are widened to it.
     for (const int column : {work, time, saved, other})
         if (!isColumnHidden(column) && sizeHintForColumn(column) > columnWidth(column)) resizeColumnToContents(column);
 }

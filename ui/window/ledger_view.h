@@ -13,19 +13,20 @@
 
 namespace vitrine::ui {
 
-/// The ledger of the last frame: what ran and what it cost, what was skipped, why, and what it cost when it last ran.
+/// Frame report of the last frame: passes that ran with their cost, and skipped ones with the reason and their last
+/// cost.
 class LedgerView final : public QTreeWidget {
     Q_OBJECT
 
 public:
     explicit LedgerView(QWidget* parent = nullptr);
     [[nodiscard]] const render::StepCosts& costs() const { return costs_; }
-    /// What stands for the part of a step's name before the slash: "Torus to Mug: cone" for "sdf_morph/cone".
+    /// Sets the titles that replace the part of a pass's name before the slash: "Torus to Mug: cone" for
+    /// "sdf_morph/cone".
     void setTitles(const QHash<QString, QString>&);
-    /// Shown twice a second at most, and only while visible.
+    /// Sets the report. Shown at most twice a second, and only while visible.
     void note(const render::FrameReport&);
-    /// The frame of other settings that these are compared with, in a column of its own, with the counters of both;
-    /// nothing: there is none.
+    /// Sets the report of the settings B, with a column of its own, and the counters of both; nullopt: none.
     void noteOther(std::optional<render::FrameReport>);
 
 protected:
@@ -39,10 +40,10 @@ private:
     };
     void renew();
     [[nodiscard]] std::vector<Line> lines() const;
-    /// What the other frame's steps took beside these, what only it ran, and the counters of both.
+    /// Adds the times of B's passes, passes that only B ran, and the counters of both.
     void addOther(std::vector<Line>&) const;
     [[nodiscard]] QString stepText(const QString& name) const;
-    /// What the step's other variants took when they were last drawn.
+    /// Returns the last times of the other variants of a pass.
     [[nodiscard]] std::vector<std::pair<std::string, double>> otherVariants(const render::StepReport& ran) const;
 
     QHash<QString, QString> titles_;

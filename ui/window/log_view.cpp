@@ -13,7 +13,7 @@ void handle(QtMsgType type, const QMessageLogContext& context, const QString& te
 {
     if (before) before(type, context, text);
     if (type == QtDebugMsg || !open) return;
-    // From any thread, and never in the middle of what is going on.
+    // Messages may come from any thread, and at any point of other work.
     QMetaObject::invokeMethod(
         open.data(),
         [text] {

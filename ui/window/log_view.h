@@ -4,7 +4,7 @@
 
 namespace vitrine::ui {
 
-/// Everything that was said, with the time; warnings of Qt and the driver too.
+/// Log of all messages with their times, including warnings of Qt and the driver.
 class LogView final : public QPlainTextEdit {
     Q_OBJECT
 

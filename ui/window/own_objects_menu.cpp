@@ -13,7 +13,7 @@
 namespace vitrine::ui {
 namespace {
 
-/// The initial values of a group of rows, whose file is then gone with the rest, as one step.
+/// Resets all parameters of a group, which removes its object, as one undo step.
 void removeGroup(History& history, const ParameterInfo& of, const QString& words)
 {
     SceneState changed = history.sceneState();

@@ -6,7 +6,7 @@ namespace vitrine::ui {
 
 class MainWindow;
 
-/// "Your objects": those of the visitor's own that the hall names, each to be visited or removed.
+/// Returns the menu "Your objects" with the visitor's own objects in the hall, which can be visited or removed.
 [[nodiscard]] QMenu* ownObjectsMenu(MainWindow&);
 
 }  // namespace vitrine::ui

@@ -42,7 +42,7 @@ void ParameterTabs::choose(std::size_t subject)
             tabs_->setTabData(tab, static_cast<qulonglong>(i));
             tabs_->setTabToolTip(tab, said(subjects_[i]->summary()));
         }
-        tabs_->updateGeometry();  // A tab bar that is not shown yet does not tell its layout that it has grown.
+        tabs_->updateGeometry();  // A hidden tab bar does not tell its layout that its size hint changed.
     }
     show();
 }

@@ -12,22 +12,22 @@ namespace vitrine::ui {
 class History;
 class ParameterPanel;
 
-/// The parameters of the chosen exhibit, and in a second tab those of the hall around it.
+/// Parameters of the chosen exhibit, and in a second tab those of the hall.
 class ParameterTabs final : public QWidget {
     Q_OBJECT
 
 public:
-    /// Both must outlive it.
+    /// Both must outlive the tabs.
     ParameterTabs(Subjects, History&, QWidget* parent = nullptr);
 
-    /// Shows the parameters of this subject and, beside them, of the hall.
+    /// Shows the parameters of this subject and, in the second tab, of the hall.
     void choose(std::size_t subject);
-    /// Whose parameters the panel shows.
+    /// Returns the subject whose parameters the panel shows.
     [[nodiscard]] std::size_t shown() const;
     [[nodiscard]] ParameterPanel& panel() const { return *panel_; }
 
 signals:
-    /// The visitor went to the other tab.
+    /// Emitted when the visitor changed the tab.
     void turned();
 
 private:

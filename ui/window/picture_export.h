@@ -17,47 +17,48 @@ namespace vitrine::ui {
 
 class Workbench;
 
-/// What to export.
+/// Request to export a picture.
 struct ExportWish {
     std::filesystem::path path;
     render::PictureFormat format = render::PictureFormat::png8;
     glm::ivec2 size{1280, 720};
     int samples = 16;
-    bool transparent = false;  ///< Only the chosen exhibit, cut out of the hall.
-    bool asShown = false;      ///< The viewport's finished picture as it is; size, samples and the rest do not count.
-    bool replaces = false;     ///< The file is there already and good; this one is only finer.
+    bool transparent = false;  ///< Draws only the chosen exhibit, on a transparent background.
+    bool asShown = false;      ///< Exports the viewport's finished picture. Size, samples and transparency are ignored.
+    bool replaces = false;     ///< The file exists already and is valid; this picture is only finer.
 };
 
-/// Export of one picture: draws what is shown when it is made, step by step on the render thread, then writes it with
-/// the scene state inside.
+/// Export of one picture: draws the present scene state step by step on the render thread, then writes the file, which
+/// contains the scene state as a preset.
 class PictureExport final : public QObject {
     Q_OBJECT
 
 public:
-    /// The window must outlive it.
+    /// The window must outlive this object.
     PictureExport(Workbench&, ExportWish, QObject* parent);
     ~PictureExport() override;
 
     void start();
-    /// Leaves no file, and deletes itself. Returns false when the file is being written already: `finished` follows.
+    /// Cancels the export without leaving a file, and deletes this object. Returns false if the file is being written
+    /// already: `finished` follows.
     bool cancel();
-    /// Until it is finished, failed or canceled.
+    /// Returns whether the export is not yet finished, failed or canceled.
     [[nodiscard]] bool running() const { return running_; }
     [[nodiscard]] const std::filesystem::path& path() const { return wish_.path; }
-    /// Whether the file is there already, less fine.
+    /// Returns whether the file exists already, less fine.
     [[nodiscard]] bool replaces() const { return wish_.replaces; }
-    /// The preset that the file carries.
+    /// Returns the text of the preset inside the file.
     [[nodiscard]] const std::string& preset() const { return preset_; }
 
 signals:
     /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
     void progressed(double part, double secondsLeft);
-    /// The file is written and checked; or why it is not: then the old file, if any, is as it was.
+    /// Emitted when the file is written and checked, or with the reason why not; an old file then stays unchanged.
     void finished(const QString& path);
     void failed(const QString& why);
 
 private:
-    /// Whoever takes the first step from `drawing` decides.
+    /// State shared by both threads. The first one to leave `drawing` decides between writing and canceling.
     enum class Stage : std::uint8_t { drawing, writing, canceled };
 
     [[nodiscard]] PictureRequest request() const;
@@ -77,7 +78,7 @@ private:
     bool running_ = false;
 };
 
-/// "<Pictures>/<exhibit>-<date>-<time>.png", neither taken yet nor by an export that is this window's child.
+/// Returns "<Pictures>/<exhibit>-<date>-<time>.png". The path is neither in use nor that of an export of this window.
 [[nodiscard]] std::filesystem::path freeScreenshotPath(const QObject& window, const QString& exhibit);
 
 }  // namespace vitrine::ui

@@ -8,12 +8,13 @@ namespace vitrine::ui {
 
 class FileOpener;
 
-/// The files that were opened last, the newest first, kept with the window's layout; as many as the preferences say.
+/// Returns the files opened last, the newest first; as many as the preferences allow. They are stored with the window's
+/// layout.
 [[nodiscard]] QStringList recentFiles();
 void addRecentFile(const QString& path);
-/// Forgets all but the newest so many.
+/// Removes all but the newest `most` files.
 void keepRecentFiles(int most);
-/// Lists them anew whenever it opens, and clears the list.
+/// Returns a menu of recent files, filled whenever it opens, with an entry that clears the list.
 [[nodiscard]] QMenu* recentMenu(QWidget* parent, FileOpener&);
 
 }  // namespace vitrine::ui

@@ -34,15 +34,16 @@ int runWindow(int& argc, char** argv, const std::vector<std::string>& files)
                      "\"vitrine --help\" lists what works without one.\n");
         return noDisplay;
     }
-    // One family of contexts, so that undocking or reparenting the viewport keeps its objects.
+    // OpenGL objects of the viewport survive undocking and reparenting.
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QSurfaceFormat::setDefaultFormat(viewportFormat());
     Application app(argc, argv);
-    std::setlocale(LC_NUMERIC, "C");  // QApplication took the user's; numbers in shaders and files have points.
+    // QApplication sets the user's locale; numbers in shaders and files have decimal points.
+    std::setlocale(LC_NUMERIC, "C");
     QApplication::setApplicationName(QStringLiteral("vitrine"));
     QApplication::setApplicationDisplayName(QStringLiteral("Vitrine"));
     QApplication::setDesktopFileName(QStringLiteral("org.vitrine.Vitrine"));
-    // Before the museum, whose plaques are set in the window's language.
+    // Before the museum is built, because its plaques are in the window's language.
     speak(languageAsked() ? spokenLanguage() : languageOfWindow());
     if (const QString why = whyNoOpenGl(); !why.isEmpty()) {
         std::fprintf(stderr, "vitrine: %s\n", qPrintable(why));

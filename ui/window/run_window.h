@@ -5,16 +5,16 @@
 
 namespace vitrine::ui {
 
-/// Whether there is a display to open a window on (DISPLAY or WAYLAND_DISPLAY, or a platform named in
-/// QT_QPA_PLATFORM). Asked before QApplication, which would abort.
+/// Returns whether there is a display for a window (DISPLAY or WAYLAND_DISPLAY, or a platform named in
+/// QT_QPA_PLATFORM). Call before QApplication, which would abort.
 [[nodiscard]] bool hasDisplay();
 
-/// `runWindow` returns this after one sentence on standard error when `hasDisplay` is false: `app` then
-/// decides what to do without one.
+/// Exit code of `runWindow` if `hasDisplay` is false, after one sentence on standard error. `app` then decides what to
+/// do.
 inline constexpr int noDisplay = 64;
 
-/// Opens the workbench with `files` put where they belong and runs it until it is closed. Returns the exit code: 3
-/// without OpenGL 4.5, with one sentence on standard error. Throws Failure when the museum cannot be built.
+/// Opens the window with `files` and runs it until it is closed. Returns the exit code: 3 without OpenGL 4.5, with one
+/// sentence on standard error. Throws Failure if the museum cannot be built.
 [[nodiscard]] int runWindow(int& argc, char** argv, const std::vector<std::string>& files = {});
 
 }  // namespace vitrine::ui

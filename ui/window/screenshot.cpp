@@ -17,13 +17,13 @@
 namespace vitrine::ui {
 namespace {
 
-/// Cause of the problems of writing screenshots.
+/// Returns the cause of problems of writing screenshots.
 QString screenshotCause()
 {
     return QStringLiteral("screenshot");
 }
 
-/// A picture of the screen as linear light; `writePicture` gives each pixel its code back.
+/// Converts a picture of the screen to linear light. `writePicture` restores each pixel's code exactly.
 render::Image linearPicture(const QImage& shown)
 {
     std::array<float, 256> light{};
@@ -46,7 +46,7 @@ void saySaved(Workbench& window, const QString& path)
                QObject::tr("%1 screenshots saved, the last one to %2."), path, path);
 }
 
-/// Writes what is on the screen beside the window, then lets `refined` replace it.
+/// Writes the picture on the screen on another thread. `refined` then replaces it.
 void writeAtOnce(Workbench& window, QObject& parent, PictureExport& refined)
 {
     auto* job = new ProgressJob(&parent);

@@ -131,7 +131,8 @@ void ScreenshotDialog::layOut()
     folder_->setAutoDefault(false);
     folder_->setToolTip(tr("Show the file in its folder"));
     folder_->hide();
-    stop_->setAutoDefault(false);  // It has the focus while the export runs: a second Enter must not cancel it.
+    // The button gets the focus while the export runs: a second Enter must not cancel it.
+    stop_->setAutoDefault(false);
 
     auto* form = new QFormLayout(this);
     form->setContentsMargins(16, 16, 16, 16);
@@ -163,7 +164,7 @@ void ScreenshotDialog::browse()
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& chosen) {
         path_->setText(chosen);
-        replaced_ = chosen;  // The dialog has asked.
+        replaced_ = chosen;  // The file dialog has already asked about replacing it.
     });
     dialog->open();
 }

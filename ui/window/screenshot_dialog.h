@@ -15,7 +15,7 @@ class QSpinBox;
 
 namespace vitrine::ui {
 
-/// Asks for size, samples, format and place of a picture and shows how it is made. Blocks nothing.
+/// Dialog for the export of a picture: asks for size, samples, format and file, and shows the progress. Does not block.
 class ScreenshotDialog final : public QDialog {
     Q_OBJECT
 
@@ -25,11 +25,11 @@ public:
     [[nodiscard]] QString path() const;
 
 signals:
-    /// An export began, as this describes it.
+    /// Emitted when an export began, with its request.
     void begun(const vitrine::ui::ExportWish& wish);
 
 public slots:
-    /// Cancels what runs; closes the dialog where nothing does.
+    /// Cancels the running export, or closes the dialog if there is none.
     void reject() override;
 
 private:
@@ -48,10 +48,10 @@ private:
     QComboBox* format_;
     QCheckBox* transparent_;
     QLineEdit* path_;
-    QString replaced_;  // The visitor agreed that this file may be replaced.
+    QString replaced_;  // File that the visitor agreed to replace.
     QProgressBar* progress_;
     QLabel* left_;
-    QString saved_;  // The last file that was written.
+    QString saved_;  // The last written file.
     QPushButton *folder_, *go_, *stop_;
     QPointer<PictureExport> running_;
 };

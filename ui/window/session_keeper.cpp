@@ -24,7 +24,7 @@
 namespace vitrine::ui {
 namespace {
 
-constexpr int oldestUnwritten = 2000;  // Milliseconds.
+constexpr int oldestUnwritten = 2000;  // Milliseconds from a change to its writing.
 constexpr int settledAfter = 60000;
 constexpr int mostTimesRestored = 3;
 constexpr int layoutVersion = 1;
@@ -96,7 +96,7 @@ void SessionKeeper::write()
 void SessionKeeper::writeJournalLater()
 {
     if (writing_.valid()) writing_.get();
-    // Without a thread of its own, a slow disk would halt who walks.
+    // On a thread, because a slow disk would block walking.
     writing_ = std::async(std::launch::async, [this, text = journalText()] {
         std::string why;
         try {
@@ -104,7 +104,7 @@ void SessionKeeper::writeJournalLater()
         } catch (const std::exception& failure) {
             why = failure.what();
         }
-        // One message for all attempts, removed after the first that succeeds.
+        // One message for all attempts; it is removed after the first success.
         QMetaObject::invokeMethod(
             this,
             [this, why] {
@@ -180,7 +180,7 @@ bool SessionKeeper::restoreCrash()
                 (message += QStringLiteral("\n    ")) += changesText(*notes);
                 writeJournal();
             } else if (writeJournal()) {
-                journal_.discard(session);  // Before that, it is all there is.
+                journal_.discard(session);  // Discarded only now, because before it was the only copy.
             }
             window_.say(MessageStrip::Mood::notice, message);
             return true;
@@ -235,7 +235,7 @@ void SessionKeeper::close()
         setTimesRestored(0);
         journal_.cleanExit();
     } catch (const std::exception& failure) {
-        // The window is closing: the journal stays and brings everything back.
+        // The window is closing: the journal stays and restores everything next time.
         writeJournal();
         qWarning("%s", failure.what());
     }

@@ -15,29 +15,28 @@ namespace vitrine::ui {
 
 class MainWindow;
 
-/// Brings back the last session, also after a crash: values and camera as an exhibition, the window's
-/// layout, folded groups, the chosen exhibit. Writes journal and layout two seconds after a change, however many
-/// follow it: what a crash loses is never older. The journal is written by a thread of its own, because a disk may take
-/// its time.
+/// Restores the last session, also after a crash: values and camera as an exhibition, the window's layout, folded
+/// groups, the chosen exhibit. Journal and layout are written two seconds after the first unwritten change, so a crash
+/// loses no more than that. A thread writes the journal, because disks may be slow.
 ///
-/// The journal of a crash is kept until this session has written its own. One that was brought back three times
-/// without anything being changed or a minute going by is put aside: it may be what crashes. A session that cannot be
-/// read, or not all of it, is put aside, too, before it would be written over.
+/// The journal of a crash is kept until this session has written its own. A journal that was restored three times
+/// without any change or a minute passing is put aside, because it may cause the crash. A session that cannot be read
+/// completely is also put aside before it would be overwritten.
 class SessionKeeper final : public QObject {
     Q_OBJECT
 
 public:
     explicit SessionKeeper(MainWindow&);
 
-    /// Returns whether there was a session to bring back.
+    /// Restores the last session. Returns whether there was one.
     bool restore();
-    /// The window closes as it should.
+    /// Saves the session when the window closes normally.
     void close();
-    /// What stands where changed.
+    /// Call when docks or other parts of the layout changed.
     void noteLayout();
-    /// From now on changes of values and layout count: not those of the window's making.
+    /// Begins to watch values and layout: earlier changes are made by the window itself.
     void watch();
-    /// The bare picture is no layout: docks are left as they were saved before.
+    /// Saves the layout. In the bare-picture mode the docks' saved layout is kept.
     void saveLayout() const;
 
 protected:
@@ -50,12 +49,13 @@ private:
     void write();
     bool writeJournal();
     void writeJournalLater();
-    /// Keeps session.json under another name that is free. Returns where; empty where that failed.
+    /// Renames session.json to a free name. Returns the new path; empty if that failed.
     [[nodiscard]] QString putSessionAside() const;
-    /// What reading a session changed or did not know, for the message; empty: nothing.
+    /// Returns a message on what was corrected or unknown while reading a session; empty: nothing.
     [[nodiscard]] static QString changesText(const std::vector<std::string>& notes);
     bool restoreCrash();
-    /// Nothing where it cannot be read, which is said; else what reading changed or did not know.
+    /// Restores a scene state. Returns notes on what was corrected or unknown. If it cannot be read, shows a message
+    /// and returns nullopt.
     [[nodiscard]] std::optional<std::vector<std::string>> restoreSceneState(const std::string& text,
                                                                             const std::string& fileName);
     void restoreLayout();
@@ -65,12 +65,12 @@ private:
     MainWindow& window_;
     std::filesystem::path folder_;
     RecoveryJournal journal_;
-    QTimer due_;                  // From the first change that is not written on.
-    QTimer settled_;              // Runs out when a restored session did not crash again.
-    bool changed_ = false;        // The look, since the start.
-    bool layoutChanged_ = false;  // Since it was written.
+    QTimer due_;                  // Started by the first unwritten change.
+    QTimer settled_;              // Runs out if a restored session has not crashed again.
+    bool changed_ = false;        // Values changed since the start.
+    bool layoutChanged_ = false;  // The layout changed since it was written.
     bool closed_ = false;
-    std::future<void> writing_;  // The journal.
+    std::future<void> writing_;  // Writing of the journal.
 };
 
 }  // namespace vitrine::ui

@@ -14,17 +14,17 @@ namespace vitrine::ui {
 
 class FrameGraph;
 
-/// Left to right: what is drawn and why, resolution, times of the last frames, that of the last one by which clock,
-/// passes run and skipped. Renewed twice a second at most, and not at all while nothing is drawn.
+/// Status line, left to right: the reason of the last drawing, resolution, times of the last frames, time of the last
+/// one and its clock, passes run and skipped. Updated at most twice a second, and only after a drawing.
 class StatusLine final : public QWidget {
     Q_OBJECT
 
 public:
     explicit StatusLine(QWidget* parent = nullptr);
 
-    /// All of one picture; `reason`: DrawSchedule::reason after it was drawn.
+    /// Sets the data of one picture. `reason`: DrawSchedule::reason after it was drawn.
     void note(const render::FrameReport&, const QSize& pixels, const QString& reason);
-    /// Help about what is under the pointer, in place of the reason; empty: the reason again.
+    /// Shows help on the object under the pointer in place of the reason; empty: the reason again.
     void showHelp(const QString&);
     [[nodiscard]] QString text() const;
 

@@ -12,21 +12,21 @@ namespace vitrine::ui {
 
 class Workbench;
 
-/// Where a value names a file that gives its exhibit rows, reads the file on the render thread and exchanges the table
-/// in the history. Until then, and where the file cannot be read, the values keep the table that they have.
+/// Reader of files that add parameters: reads files named by values on the render thread, and exchanges the tables in
+/// the history. Until then, or if a file cannot be read, the values keep their tables.
 class TableReader final : public QObject {
     Q_OBJECT
 
 public:
     explicit TableReader(Workbench&, QObject* parent = nullptr);
 
-    /// Reads whatever the look on show names, unless that was read before.
+    /// Reads the files that the present scene state names, unless they were read before.
     void read();
-    /// The same, whatever was read before: a file may be another one.
+    /// Reads the files again, because they may have changed.
     void readAgain();
 
 private:
-    /// An exhibit's files and the table that its values have.
+    /// Files of an exhibit, and the table of its values.
     struct Named {
         std::vector<std::string> files;
         std::shared_ptr<const Parameters> table;
@@ -37,8 +37,8 @@ private:
     void take(const TabledSceneState&);
 
     Workbench& window_;
-    std::vector<Named> asked_;  ///< What was read last, or is being read.
-    bool taking_ = false;       ///< The history changes because of what was read.
+    std::vector<Named> asked_;  ///< Files and tables that were read last, or are being read.
+    bool taking_ = false;       ///< The present change of the history comes from this reader.
 };
 
 }  // namespace vitrine::ui

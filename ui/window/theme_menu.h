@@ -7,7 +7,7 @@ namespace vitrine::ui {
 
 class Preferences;
 
-/// "Theme": as the desktop, light, dark, high contrast; the preferences must outlive it.
+/// Returns the menu "Theme": as the desktop, light, dark, high contrast. The preferences must outlive it.
 [[nodiscard]] QMenu* themeMenu(QWidget* parent, Preferences&);
 
 }  // namespace vitrine::ui

@@ -48,12 +48,12 @@ namespace {
 
 using Keys = QList<QKeySequence>;
 
-/// Words for people with the English ones that they are a translation of.
+/// Translated text with its English original.
 struct Words : QString {
     QByteArray english;
 };
 
-/// An id that is the same in every language: of "Export &picture…", "export-picture".
+/// Makes an id that is the same in every language: "export-picture" from "Export &picture…".
 QString idOf(const QByteArray& english)
 {
     QString id;
@@ -69,7 +69,7 @@ QString idOf(const QByteArray& english)
 
 }  // namespace
 
-/// Makes actions and puts them into the menu that was begun last.
+/// Maker of actions, which are added to the menu begun last.
 class WindowActions::Maker {
 public:
     Maker(MainWindow& window, QList<QAction*>& all) : window_(window), all_(all) {}
@@ -77,12 +77,12 @@ public:
     void menu(const QString& title)
     {
         menu_ = window_.menuBar()->addMenu(title);
-        menu_->setToolTipsVisible(true);  // They say why an entry is gray.
+        menu_->setToolTipsVisible(true);  // Tooltips say why an entry is disabled.
     }
     void separator() { menu_->addSeparator(); }
     void submenu(QMenu* menu) { menu_->addMenu(menu); }
-    /// Its id, by which the visitor's own shortcuts are kept, is made of the English words; who changes those keeps the
-    /// id by naming the action.
+    /// Adds an action. Its id, under which the visitor's own shortcuts are stored, is made from the English text. When
+    /// you change that text, give the action its old id by name.
     QAction* add(const Words& text, const Keys& keys, const QString& tip, std::function<void()> work)
     {
         return add(idOf(text.english), text, keys, tip, std::move(work));
@@ -112,7 +112,7 @@ public:
         window_.addAction(action);
         all_ << action;
     }
-    /// Only while the picture has the focus: plain letters and Tab.
+    /// Restricts an action's shortcut to the picture having the focus: for plain letters and Tab.
     void inViewport(QAction* action)
     {
         window_.removeAction(action);
@@ -133,7 +133,7 @@ Words tr(const char* text)
     return {MainWindow::tr(text), text};
 }
 
-/// Lets the visitor choose a file to open.
+/// Lets the visitor choose a file, and opens it.
 void chooseFile(MainWindow& window)
 {
     auto* dialog = new QFileDialog(&window, tr("Open"));
@@ -361,7 +361,7 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
                         tr("Stops and starts the exhibits' clock."),
                         [&window](bool on) { window.viewport().setPaused(on); });
     make.inViewport(pause);
-#ifndef NDEBUG  // Other builds carry their shaders inside.
+#ifndef NDEBUG  // Release builds have embedded shaders.
     make.add(tr("&Reload shaders"), {QKeySequence(Qt::Key_F5), QKeySequence(Qt::CTRL | Qt::Key_R)},
              tr("Builds changed shaders again; one that fails keeps its last good picture."),
              [&window] { window.viewport().reloadShaders(); });

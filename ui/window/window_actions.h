@@ -16,7 +16,7 @@ class LessonDesk;
 class MainWindow;
 class PresetShelf;
 
-/// Every command of the window, each with its shortcut; the menus, the palette and the sheet are made of these.
+/// All commands of the window, with their shortcuts. Menus, command palette and shortcut sheet are made from them.
 struct WindowActions {
     explicit WindowActions(MainWindow&);
 
@@ -29,15 +29,15 @@ struct WindowActions {
     QList<QAction*> presetMenu;
 
 private:
-    /// An action that is enabled only while there is something for it to do.
+    /// Action that is enabled only while it has something to do.
     struct Conditional {
         QAction* action;
         std::function<bool()> possible;
-        QString tip, why;  ///< Its tooltip while it is enabled, and while it is not.
+        QString tip, why;  ///< Tooltips while it is enabled and disabled.
     };
 
     void enableOnly(QAction*, std::function<bool()> possible, const QString& why);
-    /// Enables the conditional actions by what is there now.
+    /// Enables or disables the conditional actions.
     void refresh() const;
     void watch(MainWindow&) const;
 
@@ -55,7 +55,8 @@ private:
     void addHelpMenu(Maker&, MainWindow&);
 
     std::vector<Conditional> conditional_;
-    QObject watching_;  ///< Ends first: what the window's parts say while they go is not heard.
+    /// Declared last, so that it is destroyed first: later signals of the window's parts are not received.
+    QObject watching_;
 };
 
 }  // namespace vitrine::ui

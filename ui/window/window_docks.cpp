@@ -56,7 +56,7 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
 
 void WindowDocks::followSmallerType()
 {
-    // Larger type makes panels wider by itself; they keep that width when it becomes smaller again.
+    // A larger font makes docks wider. They would keep that width when the font becomes smaller again.
     const int before = std::exchange(typeHeight_, window_.fontMetrics().height());
     if (before <= typeHeight_) return;
     QTimer::singleShot(0, this, [this, part = static_cast<double>(typeHeight_) / before] {
@@ -77,7 +77,7 @@ QDockWidget* WindowDocks::add(const QString& title, const char* name, QWidget* c
     auto* dock = new QDockWidget(title, &window_);
     dock->setObjectName(QLatin1String(name));
     dock->setAccessibleName(title);
-    dock->setTitleBarWidget(new DockTitle(dock));  // First: Tab goes on from it into the panel.
+    dock->setTitleBarWidget(new DockTitle(dock));  // Set first, so that Tab goes on from it into the dock.
     dock->setWidget(content);
     tabAsLaidOut(*content);
     window_.addDockWidget(area, dock);
@@ -108,7 +108,7 @@ void WindowDocks::addTree()
         treeDock_->show();
         treeDock_->raise();
     });
-    // A layout that comes back may have it where there is no tree.
+    // A restored layout may show the dock although there is no tree.
     connect(treeDock_, &QDockWidget::visibilityChanged, this, [this, editor](bool visible) {
         if (visible && !editor->source()) treeDock_->hide();
     });
@@ -128,7 +128,7 @@ void WindowDocks::addStudy()
 {
     study_ = new StudyDock(workbench_.museum(), workbench_.renderers(), workbench_.history(),
                            workbench_.viewport().renderThread());
-    auto* room = new QScrollArea;  // So that a small window need not grow for the chart.
+    auto* room = new QScrollArea;  // A small window need not grow for the chart.
     room->setWidget(study_);
     room->setWidgetResizable(true);
     room->setFrameShape(QFrame::NoFrame);
@@ -162,14 +162,14 @@ void WindowDocks::addLedgerAndLog()
     charts->hide();
     ledger->hide();
     log->hide();
-    // Steps are timed one by one, which costs time, only while someone looks.
+    // Passes are timed only while the report is visible, because that is slower.
     connect(ledger, &QDockWidget::visibilityChanged, &viewport, &Viewport::setStepsTimed);
 }
 
 void WindowDocks::addExplore(PresetShelf& shelf)
 {
     explore_ = new ExploreDock(workbench_, shelf, parameters_->panel());
-    auto* room = new QScrollArea;  // So that a small window need not grow for it.
+    auto* room = new QScrollArea;  // A small window need not grow for it.
     room->setWidget(explore_);
     room->setWidgetResizable(true);
     room->setFrameShape(QFrame::NoFrame);
@@ -186,10 +186,10 @@ void WindowDocks::addExplore(PresetShelf& shelf)
 
 void WindowDocks::nameStacks()
 {
-    // The tab bars of stacked docks are Qt's own, made when needed.
+    // Qt makes the tab bars of stacked docks when needed.
     for (QTabBar* bar : window_.findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
         bar->setAccessibleName(tr("Stacked panels"));
-        bar->setFocusPolicy(bar->count() > 1 ? Qt::TabFocus : Qt::NoFocus);  // Qt gives it to empty ones, too.
+        bar->setFocusPolicy(bar->count() > 1 ? Qt::TabFocus : Qt::NoFocus);  // Qt lets empty ones take the focus, too.
     }
 }
 
@@ -216,7 +216,7 @@ void WindowDocks::showStudy()
 {
     studyDock_->show();
     studyDock_->raise();
-    // So high that the chart has its axes, and not more than half of the window.
+    // High enough for the chart with its axes, but not above half of the window.
     if (studyDock_->height() < 300)
         window_.resizeDocks({studyDock_}, {std::clamp(window_.height() * 45 / 100, 320, 420)}, Qt::Vertical);
 }

@@ -23,15 +23,15 @@ class TreeDock;
 class TreeFile;
 class Workbench;
 
-/// The panels around the picture: what is in them, where they start, how they go out of sight and come back.
+/// Docks around the picture: makes, places, hides and shows them.
 class WindowDocks final : public QObject {
     Q_OBJECT
 
 public:
-    /// Builds them into this window, which must outlive them, as must the workbench.
+    /// Adds the docks to the window. The window and the workbench must outlive this object.
     WindowDocks(QMainWindow&, Workbench&);
 
-    /// The panel to explore looks with; the shelf must outlive it.
+    /// Adds the dock of the exploration; the shelf must outlive it.
     void addExplore(PresetShelf&);
 
     [[nodiscard]] const QList<QDockWidget*>& all() const { return docks_; }
@@ -46,15 +46,15 @@ public:
     [[nodiscard]] LogView& log() const { return *log_; }
     [[nodiscard]] ExploreDock& explore() const { return *explore_; }
 
-    /// Hides those that are open.
+    /// Hides all visible docks.
     void hideAll();
-    /// Shows those again that `hideAll` hid.
+    /// Shows the docks that `hideAll` hid.
     void showAgain();
-    /// Shows this exhibit's tree; there is no panel for it where the exhibit has none.
+    /// Shows this exhibit's tree, or hides the dock if the exhibit has none.
     void setTreeSubject(std::size_t exhibit);
-    /// Opens the parameters, in front where they are stacked with others.
+    /// Shows the parameters, in front if they are stacked with other docks.
     void showParameters();
-    /// The same of the study, large enough for its chart.
+    /// Shows the study in the same way, large enough for its chart.
     void showStudy();
 
 private:
@@ -69,7 +69,7 @@ private:
     QMainWindow& window_;
     Workbench& workbench_;
     QList<QDockWidget*> docks_, hidden_;
-    int typeHeight_ = 0;  // Of the window's type, pixels.
+    int typeHeight_ = 0;  // Font height of the window in pixels.
     QDockWidget* parametersDock_ = nullptr;
     QDockWidget* studyDock_ = nullptr;
     ExhibitList* exhibits_ = nullptr;
@@ -79,7 +79,7 @@ private:
     QDockWidget* treeDock_ = nullptr;
     TreeDock* tree_ = nullptr;
     TreeFile* treeFile_ = nullptr;
-    bool treeWanted_ = true;  // The visitor did not close it.
+    bool treeWanted_ = true;  // The visitor has not closed the tree's dock.
     ChartsDock* charts_ = nullptr;
     LedgerDock* ledger_ = nullptr;
     LogView* log_ = nullptr;

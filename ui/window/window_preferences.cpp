@@ -27,7 +27,7 @@ void WindowPreferences::follow(const WindowActions& actions)
             [this](const QString& why) { window_.say(MessageStrip::Mood::problem, why); });
     connect(&appearance_, &Appearance::applied, this, &WindowPreferences::applyMotion);
     connect(pause_, &QAction::toggled, this, [this] { held_ = false; });
-    // Who presses a button wants to see what it does.
+    // A visitor who presses a button wants to see its effect.
     connect(&window_.viewport(), &Viewport::pressed, this, [this] {
         if (held_) holdClock(false);
     });

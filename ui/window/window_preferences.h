@@ -14,16 +14,16 @@ namespace vitrine::ui {
 class MainWindow;
 struct WindowActions;
 
-/// What the visitor and his desktop prefer, and what the window makes of it.
+/// Applies the preferences of the visitor and the desktop to the window.
 class WindowPreferences final : public QObject {
     Q_OBJECT
 
 public:
-    /// The window must outlive it.
+    /// The window must outlive this object.
     explicit WindowPreferences(MainWindow&);
 
     [[nodiscard]] Preferences& values() { return preferences_; }
-    /// Once its parts are there: the window follows from now on.
+    /// Applies the preferences and follows their changes. Call once the window's parts exist.
     void follow(const WindowActions&);
     /// Opens the dialog, or brings it to the front.
     void openDialog();
@@ -40,7 +40,7 @@ private:
     std::unique_ptr<KeyBindings> keys_;
     QAction* pause_ = nullptr;
     bool reduced_ = false;
-    bool held_ = false;  // The clock stands because of reduced motion, and nobody has touched it since.
+    bool held_ = false;  // The clock was stopped because of reduced motion, and not changed since.
 };
 
 }  // namespace vitrine::ui
