@@ -23,12 +23,11 @@ inline constexpr int freePlinthPlace = 1000;
 struct Place {
     int number = 0;  ///< From 1; `freePlinthPlace` is the free plinth for the user's object.
     glm::dmat4 worldFromPlace{1};
-    std::optional<glm::dmat4> worldFromPlaque;  ///< +z points out of the plate, +y up along its text.
-    std::optional<glm::dmat4> worldFromButton;  ///< +y points out of the button.
-    std::vector<render::MeshInstance> cloth;    ///< Drawn while the place is empty.
-    std::vector<render::MeshInstance> stand;    ///< Drawn while the place is occupied.
-    std::vector<render::MeshInstance>
-        hanging;  ///< Drawn while the place is occupied, rotated about the y axis of its node.
+    std::optional<glm::dmat4> worldFromPlaque;            ///< +z points out of the plate, +y up along its text.
+    std::optional<glm::dmat4> worldFromButton;            ///< +y points out of the button.
+    std::vector<render::MeshInstance> cloth;              ///< Drawn while the place is empty.
+    std::vector<render::MeshInstance> stand;              ///< Drawn while the place is occupied.
+    std::vector<render::MeshInstance> hanging;            ///< As `stand`, rotated about the y axis of its node.
     std::vector<StandingShape> clothShapes, standShapes;  ///< Shapes of cloth and stand, world space.
 };
 

@@ -31,8 +31,7 @@ struct ExhibitSlot {
 /// Moving parts at the place of an exhibit, at one time.
 struct ExhibitPose {
     double rotation = 0;  ///< Rotation of the hanging parts about their vertical axis, radians.
-    double sincePress =
-        std::numeric_limits<double>::infinity();  ///< Seconds since the button was pressed; infinity: never.
+    double sincePress = std::numeric_limits<double>::infinity();  ///< Seconds since the press; infinity: never.
 };
 
 /// An object of the user, as far as it could be read, and its plinth.

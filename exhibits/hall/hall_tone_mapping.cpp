@@ -38,9 +38,8 @@ void planToneMapping(const SceneLighting& lighting, const FrameRequest& request,
         render::Pass tone =
             fullscreen("tone", "lib/tonemap.frag", source, target, "the screen shows less than the eye sees");
         tone.phase = render::PassPhase::resolve;
-        tone.blocks[BLOCK_LIGHT] =
-            render::std140Bytes(lighting.light);  // Needed for the exposure only, so without shadow map and probe.
-        tone.bound = {1, 1, {}};                  // The displayed value is between 0 and 1, whatever the light.
+        tone.blocks[BLOCK_LIGHT] = render::std140Bytes(lighting.light);  // For the exposure, without maps.
+        tone.bound = {1, 1, {}};  // The displayed value is between 0 and 1, whatever the light.
         // Every pixel is written, so the previous content is not needed.
         tone.colors[0].load = render::Load::clear;
         plan.add(std::move(tone));

@@ -15,9 +15,8 @@ struct Sun {
     double strength = 0;     ///< Irradiance on a plane that faces the sun, in the hall's units.
     double temperature = 0;  ///< Color temperature, kelvin.
 
-    [[nodiscard]] glm::dvec3 towards() const;  ///< Returns a unit vector, world space.
-    [[nodiscard]] glm::dvec3
-    irradiance() const;  ///< Returns the irradiance on a plane that faces the sun, linear Rec. 709.
+    [[nodiscard]] glm::dvec3 towards() const;     ///< Returns a unit vector, world space.
+    [[nodiscard]] glm::dvec3 irradiance() const;  ///< Returns irradiance on a plane facing the sun, linear Rec. 709.
 };
 
 [[nodiscard]] Sun sunOf(const HallTable&, const ParameterValues&);

@@ -24,9 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double mostTexels = 40e6;  ///< Limit for all views together: 160 MB, and a third more for mip levels.
-constexpr int mostAcross =
-    16384;                      ///< Limit for the pixels of a raster; every OpenGL 4.5 supports textures of this size.
-constexpr int mostRows = 4096;  ///< Limit for rows; a raster with its smaller levels has twice as many.
+constexpr int mostAcross = 16384;    ///< Limit for pixels of a raster, which every OpenGL 4.5 supports.
+constexpr int mostRows = 4096;       ///< Limit for rows; a raster with its smaller levels has twice as many.
 
 /// Returns the means of blocks of `factor` x `factor` pixels.
 render::Image shrunk(const render::Image& image, int factor)

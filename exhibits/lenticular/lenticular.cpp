@@ -55,10 +55,8 @@ struct PreparedCard final : PreparedPart {
         CardPicture picture;
         bool lying = false;  ///< Whether its lenses are horizontal.
     };
-    std::array<Face, 2>
-        faces{};  ///< Indexed by CardFace; without a texture if the face is not in the card or cannot be shown.
-    std::vector<std::pair<std::string, std::string>>
-        doubts;             ///< Steps and sentences about descriptions that were not used.
+    std::array<Face, 2> faces{};  ///< Indexed by CardFace; no texture: it is not in the card, or cannot be shown.
+    std::vector<std::pair<std::string, std::string>> doubts;  ///< Steps, and why their descriptions are not used.
     std::string sheetNote;  ///< How the sheet differs from the parameters, if they are impossible.
 
     [[nodiscard]] const Face& face(CardFace f) const { return faces[static_cast<std::size_t>(f)]; }
