@@ -16,7 +16,7 @@
 namespace vitrine {
 namespace {
 
-/// Towards the work's sun, in its own world.
+/// Returns the direction towards the work's sun, in the work's world.
 glm::dvec3 towardsSunOf(const NoiseTable& t, const PlanContext& context)
 {
     if (context.values[t.sunBy] == NoiseSun::hall)
@@ -26,7 +26,7 @@ glm::dvec3 towardsSunOf(const NoiseTable& t, const PlanContext& context)
     return {std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up)};
 }
 
-/// Noise in a volume that repeats, made once.
+/// Plans a pass that bakes noise into a volume, which repeats; kept once made.
 render::ResourceId planVolume(const char* name, render::Format format, int size, render::Pass pass,
                               render::FramePlan& plan)
 {
@@ -86,7 +86,7 @@ WorkShader shaderOf(NoiseWork work)
     return {"noise/clouds", "noise/clouds.frag"};
 }
 
-/// What the shader does not have to ask at every step.
+/// Adds the defines that save the shader decisions at every step.
 void addPermutation(const NoiseTable& t, const ParameterValues& values, render::Pass& pass)
 {
     const auto define = [&](std::string text) { pass.shader.defines.push_back(std::move(text)); };
@@ -160,7 +160,7 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
         if (other != work) plan.skip(shaderOf(other).name, "another work is on show");
     const bool clouds = work == NoiseWork::clouds;
     const bool field = work == NoiseWork::field || work == NoiseWork::fractal;
-    // Rows that do not act keep no volume.
+    // Parameters without effect keep no volume.
     const bool baked = values[t.look] == NoiseLook::ours && (clouds ? values[t.cloudNoise] == NoiseLookup::baked
                                                                     : field && values[t.march] == NoiseMarch::bounded &&
                                                                           values[t.fieldNoise] == NoiseLookup::baked);

@@ -5,9 +5,9 @@
 
 namespace vitrine {
 
-/// Four works made of noise behind a deep frame: a field, a sum of octaves, a sea and a sky of clouds. Read the table,
-/// then noise_scene.h (what moves, and how far) and the shaders of the works; the noise itself is
-/// shaders/lib/noise.glsl and its neighbors.
+/// Four works made of noise behind a deep frame: a field, a sum of octaves, a sea and a sky of clouds. Start reading
+/// with the parameters, then noise_scene.h (motion and its periods) and the shaders of the works. The noise itself is
+/// in shaders/lib/noise.glsl and its neighbors.
 class Noise final : public Exhibit, public HasButton, public HasSurroundings, public HasCharts {
 public:
     using Table = NoiseTable;
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] int place() const override { return 6; }
     [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
-    /// The opening.
+    /// Returns the opening of the frame.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] bool surrounds(const ParameterValues&) const override { return true; }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;

@@ -14,9 +14,9 @@ namespace vitrine {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double extent = 64;  ///< Cells: samples lie within so many.
+constexpr double extent = 64;  ///< Cells; samples are within a cube of this size.
 
-/// The same points for the same number and set.
+/// Returns a sample point, always the same for the same index and set.
 glm::dvec3 samplePoint(int i, std::uint32_t set)
 {
     const glm::uvec3 bits = glsl::pcg3d({static_cast<std::uint32_t>(i), set, 5U});
@@ -31,7 +31,7 @@ glm::dvec3 sampleDirection(int i)
     return {side * std::cos(2 * pi * p.y), up, side * std::sin(2 * pi * p.y)};
 }
 
-/// Cooley and Tukey 1965; the length is a power of 2.
+/// Fourier transform: Cooley and Tukey 1965. The length is a power of 2.
 void transform(std::vector<std::complex<double>>& values)
 {
     const std::size_t count = values.size();
@@ -67,7 +67,7 @@ glsl::NoiseSum sumOnShow(const NoiseTable& t, const ParameterValues& values)
             static_cast<glm::uint>(values[t.seed])};
 }
 
-/// Heights of the waves over four standard deviations; a cell is the length of the highest.
+/// Returns heights of the waves over four standard deviations; a cell is the length of the highest wave.
 NoiseSample seaSample(const NoiseTable& t, const ParameterValues& values)
 {
     std::vector<SeaWave> waves =
@@ -89,7 +89,7 @@ NoiseSample seaSample(const NoiseTable& t, const ParameterValues& values)
     };
 }
 
-/// Of the source's value noise, which every work of it is made of.
+/// Returns the reference's value noise, from which all its works are made.
 NoiseSample sourceSample(NoiseWork work)
 {
     const bool octaves = work != NoiseWork::field;
@@ -179,7 +179,7 @@ ChartCurve noiseIsotropy(const std::string& name, const NoiseSample& noise)
         }
         curve.x.push_back(180.0 * k / directions);
         curve.y.push_back(squares);
-        if (k < directions) sum += squares / directions;  // 180 degrees is 0 degrees again.
+        if (k < directions) sum += squares / directions;  // 180 degrees is the same direction as 0.
     }
     for (double& y : curve.y) y = sum > 0 ? y / sum : 1;
     return curve;

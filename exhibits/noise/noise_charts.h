@@ -11,21 +11,21 @@
 
 namespace vitrine {
 
-/// Noise at a point, in cells.
+/// Noise at a point; coordinates are in cells.
 using NoiseSample = std::function<double(const glm::dvec3&)>;
 
-/// How often each value occurs, as a density over [-1, 1].
+/// Returns the distribution of the values, as a density over [-1, 1].
 [[nodiscard]] ChartCurve noiseHistogram(const std::string& name, const NoiseSample&);
 
-/// Share of the variance over frequency, in waves per cell, from 1/16 to 4: along lines in many directions, by a
-/// Fourier transform under Hann's window.
+/// Returns the share of the variance over frequency, from 1/16 to 4 waves per cell. The noise is sampled along lines in
+/// many directions and Fourier transformed with a Hann window.
 [[nodiscard]] ChartCurve noiseSpectrum(const std::string& name, const NoiseSample&);
 
-/// Mean square change over a quarter of a cell in the plane y = const, by direction from 0 to 180 degrees, over its
-/// mean: 1 everywhere where no direction is preferred.
+/// Returns the mean square change over a quarter of a cell in the plane y = const, relative to its mean, by direction
+/// from 0 to 180 degrees. It is 1 everywhere if no direction is preferred.
 [[nodiscard]] ChartCurve noiseIsotropy(const std::string& name, const NoiseSample&);
 
-/// The three of what is on show, beside those of the value noise that the source has in its place.
+/// Returns these three charts for the work that is shown, with the value noise that the reference uses for comparison.
 [[nodiscard]] std::vector<Chart> noiseCharts(const NoiseTable&, const ParameterValues&);
 
 }  // namespace vitrine

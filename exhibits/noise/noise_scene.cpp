@@ -13,10 +13,10 @@
 namespace vitrine {
 namespace {
 
-constexpr double metersOfCloudsPerMeter = 40;  ///< So that a step aside is a view from elsewhere.
+constexpr double metersOfCloudsPerMeter = 40;  ///< A step aside changes the view of the clouds visibly.
 constexpr std::size_t mostTallWaves = 28;
 
-/// In [0, period), also of what is negative.
+/// Returns x modulo the period, in [0, period), also for negative x.
 double wrapped(double x, double period)
 {
     const double rest = std::fmod(x, period);
@@ -29,7 +29,7 @@ glm::dmat3 octaveTurn(double angle)
     return glm::dmat3(glm::rotate(glm::dmat4(1), angle, glm::dvec3(0.48, 0.6, 0.64)));
 }
 
-/// Where the work's origin lies in the lattice of an octave.
+/// Sets the position of the work's origin in the lattice of an octave.
 void setOrigin(NoiseBlock& block, std::size_t octave, const glm::dvec3& point)
 {
     const glm::dvec3 base = glm::floor(point);
@@ -42,7 +42,7 @@ void setOrigin(NoiseBlock& block, std::size_t octave, const glm::dvec3& point)
     block.places[octave] = glm::vec4(glm::min(glm::vec3(point - base), glm::vec3(0x1.fffffep-1F)), 0);
 }
 
-/// Where in the one noise of all octaves each begins: the first at its origin, which tests know.
+/// Returns the offset of an octave in the one noise of all octaves. The first has none, as tests expect.
 glm::ivec4 octaveShift(int octave)
 {
     if (octave == 0) return glm::ivec4(0);
@@ -103,7 +103,7 @@ void setSea(const NoiseTable& t, const ParameterValues& values, double seconds, 
 void setClouds(const NoiseTable& t, const ParameterValues& values, double seconds, NoiseBlock& block)
 {
     const double angle = values[t.windDirection];
-    // What moves with the wind was up-wind before.
+    // A pattern that moves with the wind was up-wind before.
     const glm::dvec3 way = -seconds * values[t.windSpeed] * glm::dvec3(std::sin(angle), 0, -std::cos(angle));
     const auto within = [](const glm::dvec3& shift, double repeat) {
         return glm::vec3(wrapped(shift.x, repeat), wrapped(shift.y, repeat), wrapped(shift.z, repeat));

@@ -10,14 +10,14 @@ namespace vitrine {
 
 #include "shaders/noise/noise_block.glsl"
 
-/// Where the work on show lies behind the frame.
+/// Returns the position of the shown work behind the frame.
 [[nodiscard]] Portal noisePortal(const NoiseTable&, const ParameterValues&);
 
-/// Seconds that the work has run at `time` of the exhibit's clock.
+/// Returns the seconds for which the work has run at `time` of the exhibit's clock.
 [[nodiscard]] double noiseTime(const NoiseTable&, const ParameterValues&, double time);
 
-/// The work at that moment. All that moves is wrapped here, at float64, within its own period. `sample` is the number
-/// of the supersample.
+/// Returns the work after `seconds`. Everything that moves is wrapped within its own period here, at float64. `sample`
+/// is the number of the supersample.
 [[nodiscard]] NoiseBlock noiseBlock(const NoiseTable&, const ParameterValues&, double seconds,
                                     const glm::dvec3& towardsSun, int sample);
 

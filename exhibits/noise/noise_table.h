@@ -14,7 +14,7 @@ enum class NoiseNormal : int { differences, derivative };
 enum class NoiseSun : int { own, hall };
 enum class NoiseLookup : int { evaluated, baked };
 
-/// Everything that can be set about the works behind the noise frame. Lengths in meters of the work's own world.
+/// All parameters of the works behind the noise frame. Lengths are in meters of the work's own world.
 struct NoiseTable final : Parameters {
     Group show = group("On show");
     Choice<NoiseWork> work =

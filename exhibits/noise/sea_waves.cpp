@@ -11,14 +11,14 @@ namespace {
 
 constexpr double gravity = 9.81;  // m/s^2
 
-/// Variance of the height per radian a second, m^2 s.
+/// Returns the variance of the height per angular frequency (radians per second), m^2 s.
 double heightSpectrum(double frequency, double windSpeed)
 {
-    const double ratio = gravity / (1.026 * windSpeed * frequency);  // Their wind is measured at 19.5 m.
+    const double ratio = gravity / (1.026 * windSpeed * frequency);  // The formula's wind is measured at 19.5 m.
     return 0.0081 * gravity * gravity / std::pow(frequency, 5) * std::exp(-0.74 * std::pow(ratio, 4));
 }
 
-/// In [0, 1), by number and seed.
+/// Returns a random number in [0, 1) by index and seed.
 double evenNumber(int i, std::uint32_t seed, std::uint32_t which)
 {
     return glsl::unitFromBits(glsl::pcg3d({static_cast<std::uint32_t>(i), seed, which}).x);
@@ -37,7 +37,8 @@ std::vector<SeaWave> seaWaves(double windSpeed, double windDirection, int count,
         SeaWave wave;
         wave.frequency = edge(i) * std::pow(edge(i + 1) / edge(i), evenNumber(i, seed, 1));
         wave.amplitude = std::sqrt(2 * heightSpectrum(wave.frequency, windSpeed) * (edge(i + 1) - edge(i)));
-        // A sum of even numbers is nearly a bell; its width goes from 20 degrees at the peak to 55 in the ripples.
+        // A sum of uniform numbers is nearly normal. Its width increases from 20 degrees at the peak to 55 in the
+        // ripples.
         double bell = -2;
         for (std::uint32_t k = 0; k < 4; ++k) bell += evenNumber(i, seed, 2 + k);
         const double width = std::clamp(0.35 + 0.25 * std::log(wave.frequency / peak), 0.3, 0.96);
