@@ -15,10 +15,10 @@
 namespace vitrine {
 namespace {
 
-constexpr double ownSpeed = 0.55;             ///< Meters a second of one that drifts away.
-constexpr double secondsBetweenPlaces = 0.1;  ///< Seconds between places on its way.
-constexpr double beginsToTurn = 1;            ///< Meters before another one.
-constexpr double renewsAfter = 0.5;           ///< Meters that it goes before those near it are looked for again.
+constexpr double ownSpeed = 0.55;             ///< Meters per second of a lantern that drifts away.
+constexpr double secondsBetweenPlaces = 0.1;  ///< Time step along its path, seconds.
+constexpr double beginsToTurn = 1;            ///< Meters from another lantern at which it begins to turn.
+constexpr double renewsAfter = 0.5;           ///< Meters of travel after which nearby lanterns are searched again.
 
 /// A lantern on the water, in the frame of reference that drifts with the lattice.
 struct Floating {
@@ -26,22 +26,22 @@ struct Floating {
     double turn = 0;
     double light = 0;
     double hue = 0;
-    glm::ivec2 number{0};  ///< Of its cell.
+    glm::ivec2 number{0};  ///< Number of its cell.
 };
 
-/// The water that it goes through: who else is there, and how near one may come.
+/// Water along its path: the other lanterns, and the distance to keep from them.
 struct Waterway {
     glsl::Lake lake;
-    glm::dvec2 corner{0};         ///< Of the cell number (0, 0).
-    glm::dvec2 driftVelocity{0};  ///< Of the lattice.
-    double tube = 0;              ///< How far a leaning tube reaches.
+    glm::dvec2 corner{0};         ///< Corner of cell (0, 0).
+    glm::dvec2 driftVelocity{0};  ///< Velocity of the lattice.
+    double tube = 0;              ///< Radius within which a leaning tube stays.
     double lean = 0;
-    double farther = 0;  ///< Meters by which others are looked for beyond what may matter.
+    double farther = 0;  ///< Extension of the search range, meters.
     std::optional<glm::ivec2> freed = {};
-    std::map<std::pair<int, int>, std::optional<Floating>> known = {};  ///< By number, y first.
+    std::map<std::pair<int, int>, std::optional<Floating>> known = {};  ///< Lanterns by cell number, y first.
     mutable ReleaseWork work = {};
 
-    /// Half of what a lantern with this turn takes up along a unit direction.
+    /// Returns half the extent of a lantern with this turn along a unit direction.
     [[nodiscard]] double halfExtent(double turn, const glm::dvec2& u) const
     {
         const double c = std::cos(turn), s = std::sin(turn);
@@ -49,11 +49,11 @@ struct Waterway {
         return std::max(base + lake.lake.baseHalfHeight * lean + 0.02, tube);
     }
 
-    /// Beyond this distance another one is more than `beginsToTurn` away.
+    /// Returns the distance between centers beyond which the gap exceeds `beginsToTurn`.
     [[nodiscard]] double sight() const { return 2 * lake.lake.reach + beginsToTurn; }
 
-    /// Room between a lantern there and another one, and the direction away from that; below 0 they may touch. Of one
-    /// that is too far away to matter, less.
+    /// Returns the gap between a lantern and another one, and the direction away from the other; below 0 they may
+    /// touch. For distant ones it returns a lower bound.
     [[nodiscard]] double gap(const glm::dvec2& place, double turn, const Floating& other, glm::dvec2& away) const
     {
         ++work.gaps;
@@ -64,7 +64,7 @@ struct Waterway {
         return distance - halfExtent(turn, away) - halfExtent(other.turn, away);
     }
 
-    /// The lantern with this number; none where its cell is empty.
+    /// Returns the lantern in a cell; none if the cell is empty.
     [[nodiscard]] const std::optional<Floating>& numbered(const glm::ivec2& number)
     {
         const auto [found, isNew] = known.try_emplace({number.y, number.x});
@@ -72,13 +72,13 @@ struct Waterway {
         ++work.lanterns;
         const auto lantern = lake.lanternOfCell(number - lake.lake.firstCell);
         if (lantern.light < 0 || number == freed) return found->second;
-        // Not as far as it has drifted, which float32 would round anew at each moment.
+        // Drift is excluded, since float32 would round it differently at each time.
         const glm::dvec2 middle = corner + lake.lake.cell * glm::dvec2(number.x + 0.5, -number.y - 0.5);
         found->second = {middle + lake.offMiddle(number), lantern.turn, lantern.light, lantern.hue, number};
         return found->second;
     }
 
-    /// All whose middle is within a distance, by rows, of the lattice as it is at a moment.
+    /// Returns all lanterns whose center is within a distance, row by row, for the lattice at a time.
     [[nodiscard]] std::vector<Floating> within(const glm::dvec2& place, double distance, double seconds)
     {
         const glm::dvec2 at = glm::dvec2(place.x - corner.x, corner.y - place.y) / lake.lake.cell;
@@ -118,7 +118,7 @@ Waterway waterwayOf(const PaperLanternsTable& t, const ParameterValues& values, 
     return way;
 }
 
-/// Which one goes: a new one where there is room about the place, else the one that is nearest to it.
+/// Returns the lantern to release: a new one if there is room around the place, else the nearest one.
 Floating setFree(Waterway& way, const glm::dvec2& wanted, double at)
 {
     constexpr double room = 0.25, farthest = 4;
@@ -144,7 +144,7 @@ Floating setFree(Waterway& way, const glm::dvec2& wanted, double at)
     return free;
 }
 
-/// The velocity with which it goes on: `wanted`, but none towards what is near, and along that instead.
+/// Returns the velocity: `wanted`, without the part towards nearby lanterns, which is turned along them instead.
 glm::dvec2 steered(const Waterway& way, const std::vector<Floating>& near, const glm::dvec2& place, double turn,
                    const glm::dvec2& wanted)
 {
@@ -161,7 +161,7 @@ glm::dvec2 steered(const Waterway& way, const std::vector<Floating>& near, const
     return velocity;
 }
 
-/// Out of what it would touch.
+/// Moves the place away from lanterns that it would touch.
 glm::dvec2 keptClear(const Waterway& way, const std::vector<Floating>& near, const glm::dvec2& from,
                      const glm::dvec2& to, double turn)
 {
@@ -175,7 +175,7 @@ glm::dvec2 keptClear(const Waterway& way, const std::vector<Floating>& near, con
             }
         if (!moved) return place;
     }
-    // Between two that leave no room it stays where it is.
+    // Between two lanterns without room the lantern stays in place.
     const double least = leastGap(way, near, place, turn);
     return least >= -1e-3 || least >= leastGap(way, near, from, turn) ? place : from;
 }
@@ -185,7 +185,7 @@ double heightOver(double since)
     return 0.5 * since * since / (since + 3);
 }
 
-/// Those near the lantern on its way.
+/// Cache of the lanterns near the released one.
 class Company {
 public:
     explicit Company(Waterway& way) : way_(way) {}
@@ -194,7 +194,7 @@ public:
     {
         const glm::ivec2 first = firstCellAt(seconds * way_.driftVelocity, way_.lake.lake.cell);
         if (first_ != first || glm::distance(place, middle_) > renewsAfter) {
-            // A step goes less far than `beginsToTurn`: what it may touch there is among these, too.
+            // A step is shorter than `beginsToTurn`, so the list includes all lanterns that it may touch on the way.
             near_ = way_.within(place, way_.sight() + renewsAfter + way_.farther, seconds);
             middle_ = place;
             first_ = first;
@@ -206,10 +206,10 @@ private:
     Waterway& way_;
     std::vector<Floating> near_;
     glm::dvec2 middle_{0};
-    std::optional<glm::ivec2> first_;  ///< Of the lattice's cells then.
+    std::optional<glm::ivec2> first_;  ///< First cell of the lattice for which the list was made.
 };
 
-/// Where it is by then, in the frame that drifts with the lattice.
+/// Returns the place after the time since the press, in the frame that drifts with the lattice.
 glm::dvec2 placeAfter(Waterway& way, const Floating& free, bool rises, const glm::dvec2& wind, const LakePress& press)
 {
     glm::dvec2 place = free.place;
@@ -225,7 +225,7 @@ glm::dvec2 placeAfter(Waterway& way, const Floating& free, bool rises, const glm
         const std::vector<Floating>& near = company.at(place, press.at + time);
         const glm::dvec2 velocity = steered(way, near, place, free.turn, wanted);
         const glm::dvec2 next = keptClear(way, near, place, place + step * velocity, free.turn);
-        // Between others that leave no room it has come to rest.
+        // Between other lanterns without room it has stopped.
         if (!rises && step == secondsBetweenPlaces && next == place) break;
         place = next;
     }
@@ -260,7 +260,7 @@ ReleaseWork setReleased(const PaperLanternsTable& t, const ParameterValues& valu
         height = height * wet + heightOver(since);
         tilt = tilt * wet + (1 - wet) * 0.06 * glm::dvec2(std::sin(1.1 * since), std::cos(0.9 * since));
     }
-    // A new one is kindled at first; burnt down at last.
+    // A new lantern is lit at first; at the end it burns down.
     const double light = free.light > 0 ? free.light : 0.75 * std::min(1.0, 0.25 + since);
     block.released = glm::vec4(place.x, height, place.y, light * std::min(1.0, (releasedFor - since) / 8));
     block.releasedPose = glm::vec4(glm::vec2(tilt), free.turn, free.hue);

@@ -4,16 +4,18 @@
 
 namespace vitrine {
 
-/// What finding the way of a lantern that was set free took.
+/// Cost of finding the path of a released lantern.
 struct ReleaseWork {
-    int gaps = 0;      ///< How often the room between two lanterns was reckoned.
+    int gaps = 0;      ///< Evaluations of the gap between two lanterns.
     int lanterns = 0;  ///< Cells of the lattice that were read.
 };
 
-/// Puts the lantern that the button has set free into a block that has all else. It begins on the
-/// water before the frame: a new one where there is room, else the nearest of the lattice, whose cell stays empty from
-/// then on. It drifts with all others, goes its own way among them, and steers clear of each: the same at the same
-/// moment, however one got there. Only others that it may meet are looked at; `farther` is by how many meters more.
+/// Adds the lantern that the button has released to a block that is complete otherwise. It starts on the water in front
+/// of the frame: as a new lantern if there is room. Otherwise it is the nearest one of the lattice, whose cell is empty
+/// from then on.
+///
+/// It drifts with all others, moves among them and avoids each. Its place depends on the time only, not on earlier
+/// calls. Only lanterns that it may meet are examined; `farther` extends that range, in meters.
 ReleaseWork setReleased(const PaperLanternsTable&, const ParameterValues&, double seconds, const LakePress&, LakeBlock&,
                         double farther = 0);
 

@@ -13,13 +13,13 @@
 namespace vitrine {
 namespace {
 
-constexpr double candleIntensity = 5.5;  ///< Paper about it is as bright as white paper in the film's light.
+constexpr double candleIntensity = 5.5;  ///< Paper around it is then as bright as white paper in display light.
 constexpr int mostRipplesOfLake = LAKE_WAVES - LAKE_TALL_WAVES;
 
-/// By how much straight ahead is turned from -z to +x.
+/// Angle of straight ahead from -z towards +x.
 constexpr double latticeTurn = std::numbers::pi / 4;
 
-/// In [0, period), also of what is negative.
+/// Returns x modulo the period, in [0, period), also for negative x.
 double inPeriod(double x, double period)
 {
     const double rest = std::fmod(x, period);
@@ -56,7 +56,7 @@ void setWaves(const PaperLanternsTable& t, const ParameterValues& values, double
     const double height = values[t.waveHeight];
     std::vector<LakeWave> tall = sourceWaves(values[t.waveSpeed] == LakeSpeed::dispersion);
     const bool onWater = values[t.ride] == LakeRide::water;
-    // The disk with as much area as the base.
+    // Radius of the disk with the same area as the base.
     const double radius = 2 * static_cast<double>(block.baseHalfWidth) / std::sqrt(std::numbers::pi);
     for (std::size_t i = 0; i < tall.size(); ++i) {
         LakeWave wave = tall[i];
@@ -90,7 +90,7 @@ void setWaves(const PaperLanternsTable& t, const ParameterValues& values, double
     block.hiddenSlopes = static_cast<float>(0.5 * slopes * (mostRipplesOfLake - ripples) / mostRipplesOfLake + 2e-5);
 }
 
-/// How far a lantern reaches, and how wide a cell has to be.
+/// Sets the bounds of a lantern, and the width of a cell that it needs.
 void setBounds(const PaperLanternsTable& t, const ParameterValues& values, LakeBlock& block)
 {
     float height = 0;
@@ -102,7 +102,7 @@ void setBounds(const PaperLanternsTable& t, const ParameterValues& values, LakeB
     block.reach = std::max(base + block.baseHalfHeight * lean + 0.02F, tubeReach(block));
     block.low = -height - base * lean - block.baseHalfHeight - 0.02F;
     block.high = height + tall + (block.paperRadius + wires) * lean + 0.02F;
-    // Around a lantern that was set free on an empty lake, cells are as wide as at first: `spacing` does not act there.
+    // Around a lantern released on an empty lake, cells have their initial width, since `spacing` has no effect there.
     const double spacing = anyAfloat(t, values) ? values[t.spacing] : t.initial()[t.spacing];
     block.cell = std::max(static_cast<float>(spacing), 2 * block.reach + 0.1F);
     block.jitter = static_cast<float>(values[t.irregularity]) * (0.5F * block.cell - block.reach - 0.04F);
@@ -136,14 +136,14 @@ void setLight(const PaperLanternsTable& t, const ParameterValues& values, const 
     const double scatter = paper[t.paperThickness];
     block.paperScatter = static_cast<float>(scatter);
     for (int i = 0; i < 3; ++i) {
-        // So much that paper of any thickness reflects this color (Kubelka and Munk).
+        // Absorption that makes thick paper reflect this color (Kubelka and Munk).
         const double thick = std::clamp(paper[t.paperColor].value[i], 0.01, 0.999);
         block.paperAbsorb[i] = static_cast<float>(scatter * (1 - thick) * (1 - thick) / (2 * thick));
     }
     const double up = values[t.moonElevation], right = values[t.moonAzimuth] + latticeTurn;
     block.towardsMoon = glm::vec3(std::sin(right) * std::cos(up), std::sin(up), -std::cos(right) * std::cos(up));
     block.moonTanRadius = static_cast<float>(std::tan(0.5 * values[t.moonSize]));
-    // Below the horizon it sends no light; near it, less and warmer.
+    // The moon sends no light from below the horizon, and less and warmer light near it.
     const double risen = std::clamp((up + 0.03) / 0.06, 0.0, 1.0);
     const glm::dvec3 through = glm::exp(-glm::dvec3(0.05, 0.11, 0.2) / (std::max(std::sin(up), 0.0) + 0.12));
     block.moonLight = glm::vec3(0.25 * values[t.moon] * risen * glm::dvec3(0.86, 0.93, 1.0) * through);
@@ -191,14 +191,14 @@ glm::dvec2 windOf(const PaperLanternsTable& t, const ParameterValues& values)
 glm::dvec2 latticeCorner(const PaperLanternsTable& t, const ParameterValues& values, double cell)
 {
     const double side = std::ceil(std::sqrt(static_cast<double>(values[t.lanterns])) - 1e-9);
-    // A few begin where the eye rests; many behind it already, so that nobody sees where they come from.
+    // A small lattice begins in the middle of the view. A large one begins behind the eye, so its edge is invisible.
     return -std::min(24.0, side * cell / std::sqrt(2.0) - 9.5) * straightAhead();
 }
 
 glm::ivec2 firstCellAt(const glm::dvec2& drifted, double cell)
 {
     const glm::dvec2 gone = glm::floor(glm::dvec2(drifted.x, -drifted.y) / cell);
-    // Modulo 2^24: numbers, not places.
+    // Modulo 2^24, since these are numbers and not positions.
     return -glm::ivec2(static_cast<int>(std::fmod(gone.x, 16777216.0)),
                        static_cast<int>(std::fmod(gone.y, 16777216.0)));
 }
@@ -225,7 +225,7 @@ Portal lakePortal(const PaperLanternsTable& t, const ParameterValues& values)
 LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, double seconds, const LakePress& press)
 {
     LakeBlock block;
-    // What the source's light and the views of parts do not let one choose.
+    // Values of parameters without effect in the reference's light and in the views of parts.
     const ParameterValues fixed = t.initial();
     block.seed = static_cast<std::uint32_t>(values[t.seed]);
     block.turn = static_cast<float>(values[t.turned]);

@@ -13,54 +13,54 @@ namespace vitrine {
 
 #include "shaders/paper_lanterns/lake_block.glsl"
 
-/// How long a lantern that was set free is to be seen, seconds.
+/// Seconds for which a released lantern is visible.
 inline constexpr double releasedFor = 60;
 
-/// Where the lake lies behind the frame: y up, the frame's middle over the origin, +x and -z half to the right and half
-/// to the left of straight ahead. So the lanes between the cells of the lattice, which begins behind the visitor with a
-/// corner, run out of the picture.
+/// Returns the position of the lake behind the frame: y is up, and the center of the frame is above the origin. +x and
+/// -z are 45 degrees to the right and left of straight ahead. So the lanes between the cells of the lattice, whose
+/// corner is behind the user, lead out of the picture.
 [[nodiscard]] Portal lakePortal(const PaperLanternsTable&, const ParameterValues&);
 
-/// In the plane (x, z), unit: straight ahead through the frame, and where the wind blows to.
+/// Return unit vectors in the plane (x, z): straight ahead through the frame, and where the wind blows to.
 [[nodiscard]] glm::dvec2 straightAhead();
 [[nodiscard]] glm::dvec2 windOf(const PaperLanternsTable&, const ParameterValues&);
 
-/// Where the cell number (0, 0) begins before anything has drifted, in the plane (x, z), for cells of this width.
+/// Returns the corner of cell (0, 0) before any drift, in the plane (x, z), for cells of this width.
 [[nodiscard]] glm::dvec2 latticeCorner(const PaperLanternsTable&, const ParameterValues&, double cell);
 
-/// The number of the cell in the corner of the lattice, when all has drifted by that in the plane (x, z): who drifts
+/// Returns the number of the cell in the corner of the lattice after a drift in the plane (x, z). A lantern that drifts
 /// keeps its number.
 [[nodiscard]] glm::ivec2 firstCellAt(const glm::dvec2& drifted, double cell);
 
-/// Sine of the angle by which the water makes lanterns lean at most.
+/// Returns the sine of the largest angle by which the water tilts lanterns.
 [[nodiscard]] float mostLean(const LakeBlock&);
 
-/// How far the tube of a lantern is from its axis at most, leaning as far as the water may make it.
+/// Returns the largest distance of a lantern's tube from its axis, at the largest tilt.
 [[nodiscard]] float tubeReach(const LakeBlock&);
 
-/// Seconds that the lake has moved at `time` of the exhibit's clock.
+/// Returns the seconds for which the lake has moved at `time` of the exhibit's clock.
 [[nodiscard]] double lakeTime(const PaperLanternsTable&, const ParameterValues&, double time);
 
-/// When the button was pressed that sets a lantern free.
+/// Time of the press of the button that releases a lantern.
 struct LakePress {
-    double since = std::numeric_limits<double>::infinity();  ///< Seconds that have passed; infinity: never.
-    double at = 0;                                           ///< Seconds that the lake had moved then.
+    double since = std::numeric_limits<double>::infinity();  ///< Seconds since the press; infinity: never.
+    double at = 0;                                           ///< Seconds for which the lake had moved at the press.
 };
 
-/// The press so many seconds ago. It makes time run: what `animate` became afterwards does not change where it began.
+/// Returns the press `since` seconds ago. A press starts time, so later changes of `animate` do not affect its start.
 [[nodiscard]] LakePress lakePress(const PaperLanternsTable&, const ParameterValues&, double time, double since);
 
-/// The lake at that moment. All that moves is wrapped here, at float64, within its own period.
+/// Returns the lake after `seconds`. Everything that moves is wrapped within its own period here, at float64.
 [[nodiscard]] LakeBlock lakeBlock(const PaperLanternsTable&, const ParameterValues&, double seconds,
                                   const LakePress& = {});
 
-/// Whether any lantern is afloat with these values.
+/// Returns whether any lantern is afloat with these values.
 [[nodiscard]] bool anyAfloat(const PaperLanternsTable&, const ParameterValues&);
 
-/// Whether the mist is so thick that the lanterns' light in it is seen.
+/// Returns whether the mist is so thick that the lanterns' light in it is visible.
 [[nodiscard]] bool lightsTheAir(const PaperLanternsTable&, const ParameterValues&);
 
-/// The same block in another precision: of C++ at float64 and float32 (paper_lanterns_cpu.h).
+/// Copies a block into another precision: C++ at float64 and float32 (paper_lanterns_cpu.h).
 template <typename To> void copyLake(To& to, const LakeBlock& from)
 {
 #define COPY_LAKE_FIELD(type, name) to.name = std::remove_cvref_t<decltype(to.name)>(from.name);

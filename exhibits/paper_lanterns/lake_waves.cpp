@@ -10,7 +10,7 @@ namespace {
 
 constexpr double lakeGravity = 9.81;  // m/s^2
 
-/// In [0, 1), by number and seed.
+/// Returns a random number in [0, 1) by index and seed.
 double rippleNumber(int i, std::uint32_t seed, std::uint32_t which)
 {
     return glsl::unitFromBits(glsl::pcg3d({static_cast<std::uint32_t>(i), seed, which}).x);
@@ -31,7 +31,7 @@ std::vector<LakeWave> sourceWaves(bool dispersion)
         wave.vector = k * direction;
         wave.amplitude = amplitude;
         wave.frequency = dispersion ? std::sqrt(lakeGravity * glm::length(wave.vector)) : 2.5;
-        wave.phase = std::numbers::pi;  // Its surface is at -1 less the sum.
+        wave.phase = std::numbers::pi;  // The reference's surface is at -1 minus the sum.
         waves.push_back(wave);
     }
     return waves;
@@ -49,15 +49,15 @@ std::vector<LakeWave> windRipples(double slope, double windDirection, int count,
     for (int i = 0; i < count; ++i) {
         const double share = (i + rippleNumber(i, seed, 1)) / count;
         const double k = 2 * std::numbers::pi / (longest * std::pow(shortest / longest, share));
-        // A sum of even numbers is nearly a bell, here of 40 degrees.
+        // A sum of uniform numbers is nearly normal, here 40 degrees wide.
         double bell = -2;
         for (std::uint32_t j = 0; j < 4; ++j) bell += rippleNumber(i, seed, 2 + j);
         const double angle = windDirection + 0.7 * std::sqrt(3.0) * bell;
         LakeWave wave;
-        // Phases grow: against the vector is with the wind.
+        // Phases increase, so a vector against the wind means travel with the wind.
         wave.vector = -k * glm::dvec2(std::sin(angle), -std::cos(angle));
         wave.amplitude = slope * std::sqrt(2.0 / count) / k;
-        wave.frequency = std::sqrt(lakeGravity * k + 7.3e-5 * k * k * k);  // Water's surface tension over its density.
+        wave.frequency = std::sqrt(lakeGravity * k + 7.3e-5 * k * k * k);  // Water: surface tension over density.
         wave.phase = 2 * std::numbers::pi * rippleNumber(i, seed, 9);
         waves.push_back(wave);
     }

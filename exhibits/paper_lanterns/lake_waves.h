@@ -7,28 +7,28 @@
 
 namespace vitrine {
 
-/// One of the waves that the lake is summed of.
+/// One wave of the lake.
 struct LakeWave {
     glm::dvec2 vector{0};  ///< In the plane (x, z), radians per meter.
     double amplitude = 0;  ///< Meters.
-    double frequency = 0;  ///< Radians per second: the phase grows by it, so the wave runs against its vector.
+    double frequency = 0;  ///< Radians per second. The phase increases by it, so the wave travels against its vector.
     double phase = 0;      ///< At time 0, radians.
 };
 
-/// The five of the source: 11.2 to 2.9 m long, 9 to 1.2 cm high, together 20.75 cm at most, all of one frequency, 2.5
-/// radians a second; with `dispersion`, each as gravity makes it on deep water, the root of g k.
+/// Returns the five waves of the reference: 11.2 to 2.9 m long, 9 to 1.2 cm high, together 20.75 cm at most, all with a
+/// frequency of 2.5 radians per second. With `dispersion`, each has the frequency of gravity waves on deep water, the
+/// square root of g k.
 [[nodiscard]] std::vector<LakeWave> sourceWaves(bool dispersion);
 
-/// The wave that the source's lanterns ride, which is none of these: 15.7 m long, 15 cm high, 0.2 s late.
+/// Returns the wave that the reference's lanterns ride, which is none of these: 15.7 m long, 15 cm high, 0.2 s late.
 [[nodiscard]] LakeWave sourceRideWave();
 
-/// Small waves of a wind, `count` of them in even ratios from 2.2 m to 10 cm, each with the same share of the mean
-/// square slope `slope`^2 (both axes together), around `windDirection` (radians from -z towards +x).
+/// Returns `count` small wind waves, with lengths in equal ratios from 2.2 m to 10 cm. Each has the same share of the
+/// mean square slope `slope`^2 (both axes together). They travel around `windDirection` (radians from -z towards +x).
 [[nodiscard]] std::vector<LakeWave> windRipples(double slope, double windDirection, int count, std::uint32_t seed);
 
-/// By how much less a disk of this radius follows a wave of `k` radians per meter: mean height over it, and slope of
-/// the plane that is nearest to the wave over it. 1 for a small disk; in closed form, 2 J1(x)/x and 8 J2(x)/x^2, x = k
-/// radius.
+/// Response of a floating disk to a wave of `k` radians per meter, relative to a small disk: mean height over the disk,
+/// and slope of the best-fitting plane. In closed form 2 J1(x)/x and 8 J2(x)/x^2, with x = k radius.
 struct RideShare {
     double height = 1, slope = 1;
 };

@@ -19,11 +19,12 @@ namespace {
 constexpr const char* lakePass = "paper_lanterns/lake";
 constexpr const char* floatPass = "paper_lanterns/float";
 
-constexpr float leastMoonOnWater = 0.001F;  ///< Over what is bright: three levels of a display in the darks.
+constexpr float leastMoonOnWater = 0.001F;  ///< Smallest radiance of moonlight on water that counts, relative to white:
+                                            ///< three display levels in dark areas.
 
 struct PreparedSky final : PreparedPart {
     std::shared_ptr<const render::Texture> picture;
-    std::vector<std::string> notes;  ///< What its file says and is not shown: full sentences.
+    std::vector<std::string> notes;  ///< Features of the file that are not shown: full sentences.
 };
 
 std::shared_ptr<const render::Texture> panoramaOf(const PreparedPart* prepared)
@@ -31,16 +32,16 @@ std::shared_ptr<const render::Texture> panoramaOf(const PreparedPart* prepared)
     return prepared ? static_cast<const PreparedSky*>(prepared)->picture : nullptr;
 }
 
-/// A part of the lake, and why it is left out; empty: it is drawn.
+/// Part of the lake, and the reason why it is left out; empty: it is drawn.
 struct LakePart {
     std::string whyNot;
 
-    /// It is drawn while no factor is 0.
+    /// The part is drawn unless a factor is 0.
     explicit LakePart(std::initializer_list<render::Factor> factors) : whyNot(render::whyZero(factors)) {}
     explicit operator bool() const { return whyNot.empty(); }
 };
 
-/// What of the lake any setting calls for.
+/// Parts of the lake that the settings need.
 struct Called {
     bool afloat = false, panorama = false, source = false;
     int bounces = 0, show = 0;
@@ -61,7 +62,8 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
     const render::Factor anyMist{values[t.fog], "the air is clear"};
     const render::Factor anyMoon{values[t.moon], "the strength of the moon is 0"};
     const render::Factor risen{std::max(block.moonLight.x, block.moonLight.z), "the moon has set"};
-    // What the water sends of it, over which lanterns may throw shadows; less than that is lost in the mirror image.
+    // Radiance of moonlight from the water, on which lanterns may cast shadows. Below a limit it is invisible against
+    // the reflection.
     const glm::vec3 sent(values[t.waterColor].value * glm::dvec3(block.moonLight));
     const float onWater = 0.3F * std::max({sent.x, sent.y, sent.z}) * block.towardsMoon.y;
     return {.afloat = afloat,
@@ -88,7 +90,7 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
                 LakePart({inPicture, render::required(bounces > 0, "no ray is followed that the water mirrors")})};
 }
 
-/// Every lantern of the lattice, written down once for all rays; kept while nothing moves.
+/// Plans an image of every lantern of the lattice, computed once for all rays and kept while nothing moves.
 render::ResourceId planFloat(const ParameterValues& values, const LakeBlock& block, const render::Bytes& bytes,
                              render::FramePlan& plan)
 {
@@ -112,7 +114,7 @@ render::ResourceId planFloat(const ParameterValues& values, const LakeBlock& blo
     return afloat;
 }
 
-/// What is left out, and why.
+/// Lists the parts that are left out, with the reasons.
 void tellWhatIsLeftOut(const Called& called, render::FramePlan& plan)
 {
     if (!called.lanterns) plan.skip(floatPass, called.lanterns.whyNot, render::Work::compute);
@@ -131,7 +133,7 @@ void addDefines(const Called& called, LakeRepetition repetition, render::Pass& p
 {
     const auto define = [&](std::string text) { pass.shader.defines.push_back(std::move(text)); };
     define("SHOW " + std::to_string(called.show));
-    // The eye's ray, those that water mirrors, and those to the moon.
+    // Rays of the eye, of reflections by the water, and towards the moon.
     const int toMoon = (called.moon && called.lanterns ? 1 : 0) + (called.moonOnWater ? 1 : 0);
     define("LEGS " + std::to_string(1 + called.bounces + toMoon));
     define("BOUNCES " + std::to_string(called.bounces));
@@ -205,7 +207,7 @@ std::vector<StudyView> PaperLanterns::studyViews(const ParameterValues& values) 
     render::Camera aside = bestView(values), near = aside, high = aside;
     aside.eye += glm::dvec3(0.9, -0.2, 0.1);
     near.eye += 0.85 * (near.target - near.eye);
-    // In exhibit space the water is at -height: just over it, between the lanterns.
+    // The water is at -height in exhibit space; this camera is just above it, between the lanterns.
     const render::Camera low{{0.4, 0.35 - height, -1.0}, {0.0, 0.3 - height, -4.0}, 0.9};
     high.target.y -= 0.9;
     return {{"best view", bestView(values), 0, still},
@@ -221,7 +223,7 @@ std::vector<render::LocalLight> PaperLanterns::localLights(const ExhibitState& s
     const Table& t = table_;
     if (values[t.show] != LakeShow::picture || !values[t.candles] || values[t.hallGlow] <= 0 || !anyAfloat(t, values))
         return {};
-    // For the light of the opening: a ball before the mouth of the frame, so that the wall beside it is lit, too.
+    // A sphere in front of the frame's mouth replaces the light of the opening, so the wall beside it is lit, too.
     const double strength = 0.35 * values[t.hallGlow] * values[t.candleStrength] * values[t.crowding];
     render::LocalLight light;
     light.position = {0, -0.25, 0.12};

@@ -5,9 +5,9 @@
 
 namespace vitrine {
 
-/// A lake at night behind a deep frame, with paper lanterns up to the horizon. Read the table, then lake_scene.h (where
-/// and when everything is) and shaders/paper_lanterns: water.glsl and lantern.glsl say what there is, walk.glsl how a
-/// ray finds it, surfaces.glsl and paper.glsl how it is lit.
+/// A lake at night behind a deep frame, with paper lanterns up to the horizon. Start reading with the parameters, then
+/// lake_scene.h (positions and motion) and shaders/paper_lanterns: water.glsl and lantern.glsl (geometry), walk.glsl
+/// (ray traversal), surfaces.glsl and paper.glsl (lighting).
 class PaperLanterns final : public Exhibit, public HasButton, public HasSurroundings, public HasLocalLights {
 public:
     using Table = PaperLanternsTable;
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] int place() const override { return 9; }
     [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
-    /// The opening.
+    /// Returns the opening of the frame.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] bool surrounds(const ParameterValues&) const override { return true; }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
@@ -33,7 +33,7 @@ public:
     bool press(ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState&) const override;
-    /// The glow is that of many, which flicker by turns.
+    /// Returns false: the glow is the sum of many lanterns, whose flicker cancels out.
     [[nodiscard]] bool lightsChange(const ExhibitState&) const override { return false; }
     [[nodiscard]] bool castsShadow() const override { return false; }
     void plan(const PlanContext&, render::FramePlan&) const override;

@@ -2,7 +2,7 @@
 
 #include "render/glsl/cpu.h"
 
-/// shaders/paper_lanterns as C++: the lake, its lanterns, and a ray's way among them.
+/// shaders/paper_lanterns as C++: the lake, its lanterns, and the traversal of a ray.
 
 #include "render/glsl/begin_cpu.h"
 
@@ -12,7 +12,7 @@
 
 #include "shaders/paper_lanterns/fibers.glsl"
 
-/// The lanterns around one block. `evaluations` counts how often the field was asked.
+/// Lanterns of one block. `evaluations` counts evaluations of the field.
 struct Lake {
     LakeBlock lake = {};
     int evaluations = 0;
@@ -34,7 +34,7 @@ struct Lake {
 
 #include "shaders/paper_lanterns/walk.glsl"
 
-    /// Points leave solids as they are: tests and counts are of these.
+    /// Points leave solids unchanged; tests and counts are about solids.
     LanternWalk withPoint(LanternWalk walk, LanternRay, Lantern, float)
     {
         return walk;

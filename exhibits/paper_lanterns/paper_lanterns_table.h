@@ -13,8 +13,8 @@ enum class LakeSpeed : int { source, dispersion };
 enum class LakeFlicker : int { together, own };
 enum class LakeRepetition : int { ownCell, twoByTwo, threeByThree, cellWall };
 
-/// Everything that can be set about the lake of lanterns. Lengths in meters of the lake's own world, in which a lantern
-/// is two meters high, as in the source.
+/// All parameters of the lake of lanterns. Lengths are in meters of the lake's own world, in which a lantern is two
+/// meters high, as in the reference.
 struct PaperLanternsTable final : Parameters {
     Group view = group("On show");
     Choice<LakeShow> show =
@@ -164,7 +164,7 @@ struct PaperLanternsTable final : Parameters {
 
     StudiedRows studied{
         *this,
-        // Without lanterns so far away that they are points of light, which cells around a step leave out.
+        // Excludes lanterns so far away that they are points of light, which the methods by cells leave out.
         {{.name = "repetition", .with = {{"lanterns", 16}, {"pointSize", 0.5}}},
          {.name = "bounces", .settles = "Mirrored rays lead upwards and seldom meet the water again."},
          {.name = "waterSteps", .settles = "Rays have found the water in fewer steps."},
