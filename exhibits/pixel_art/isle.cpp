@@ -36,8 +36,8 @@ double hillEdge(double angle)
     return 2.05 + 0.24 * std::sin(3 * angle + 0.5) + 0.12 * std::sin(5 * angle + 2);
 }
 
-constexpr double ground = 0.62;  ///< Height of the meadow.
-constexpr double hill = 1.75;    ///< Of the hill behind it.
+constexpr double ground = 0.62;  ///< Height of the meadow, meters.
+constexpr double hill = 1.75;    ///< Height of the hill behind the meadow, meters.
 const glm::dvec3 hillPlace(2.45, 0, 1.35);
 
 void roundTree(WorldBuilder& b, const glm::dvec3& p, double s, const Paint& paint)
@@ -79,7 +79,7 @@ void land(WorldBuilder& b)
     b.at(glm::dvec3(0)).object().water(shore, 0.0, 60, sea);
 }
 
-/// Floor and pylons of the source's scene, grown old.
+/// Adds floor and pylons of the reference's scene, aged.
 void court(WorldBuilder& b)
 {
     const glm::dvec3 middle(-1.15, ground, -1.15);

@@ -21,7 +21,7 @@ const PixelArtTable& methodRows()
 
 std::size_t methodCount()
 {
-    return methodRows().rows()[methodRows().method.row].choices.size() - 1;  // All but the drawn normals.
+    return methodRows().rows()[methodRows().method.row].choices.size() - 1;  // All methods except the drawn normals.
 }
 
 std::string choiceOf(std::size_t row, int value)
@@ -29,7 +29,7 @@ std::string choiceOf(std::size_t row, int value)
     return std::string(methodRows().rows()[row].choices[static_cast<std::size_t>(value)]);
 }
 
-/// Degrees, in rising order, of all texels where anything is seen.
+/// Returns the angles in degrees, ascending, for all texels that show an object.
 std::vector<double> anglesBetween(const render::Image& truth, const render::Image& found)
 {
     std::vector<double> off;

@@ -10,17 +10,18 @@
 
 namespace vitrine {
 
-/// What normals from depth err by against the drawn ones, degrees and percent of the seen texels, and what passes cost.
+/// Errors of normals from depth relative to the drawn ones (degrees, and percent of the visible texels), and the cost
+/// of passes.
 struct NormalErrors {
     double mean = 0, p99 = 0, beyond5 = 0, beyond20 = 0;
-    std::map<std::string, double> milliseconds;  ///< Of each pass, median; negative where the backend times no steps.
+    std::map<std::string, double> milliseconds;  ///< Median of each pass; negative if the backend times no steps.
 };
 
-/// Draws a picture once to warm up and `runs` times to be timed, by these values.
+/// Draws a picture with these values once to warm up, and `runs` times to measure it.
 [[nodiscard]] NormalErrors measureNormals(render::RenderBackend&, const ParameterValues&, const std::vector<WorldPart>&,
                                           const PaletteTextures*, int runs);
 
-/// Every method on scenes, at sizes and with depth buffers, in perspective.
+/// Comparison of all methods over scenes, sizes and depth buffers, in perspective.
 class MethodTable final : public TableMeasurement {
 public:
     struct Scene {
@@ -32,8 +33,9 @@ public:
         DepthBits bits;
     };
     MethodTable(std::vector<Scene>, std::vector<Picture>, int runs);
-    /// The test scene, thin bars, the isle, and the model of these values where they name one; 240 to 1920 texels wide
-    /// with 32-bit depth, 480 with 24 and 16 bits. Throws Failure where the model cannot be read.
+    /// Returns the table for the test scene, thin bars, the isle, and the model of these values if they name one.
+    /// Widths are 240 to 1920 texels with 32-bit depth, and 480 with 24 and 16 bits. Throws Failure if the model cannot
+    /// be read.
     [[nodiscard]] static MethodTable all(const ParameterValues&);
 
     bool step(render::RenderBackend&) override;

@@ -27,7 +27,7 @@ struct Cell {
     std::size_t begin, end;
 };
 
-/// The axis along which a cell spreads most, and by how much.
+/// Returns the axis along which a cell has the largest spread, and the spread.
 std::pair<int, double> spread(std::span<const glm::vec3> lab, std::span<const std::uint32_t> order, const Cell& cell)
 {
     glm::dvec3 sum(0), squares(0);

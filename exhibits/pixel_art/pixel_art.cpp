@@ -26,9 +26,9 @@ struct PixelArt::Prepared final : PreparedPart {
 
 namespace {
 
-constexpr double screenBehind = 0.545;  ///< The mouth of the frame, meters.
+constexpr double screenBehind = 0.545;  ///< Distance of the screen behind the mouth of the frame, meters.
 
-/// In whole steps, from the beginning on.
+/// Returns the time in whole steps since the beginning.
 double stepTime(const PixelArtTable& t, const ParameterValues& values, double time)
 {
     const double rate = values[t.frameRate];
@@ -37,7 +37,7 @@ double stepTime(const PixelArtTable& t, const ParameterValues& values, double ti
     return std::isfinite(step) ? step : 0;
 }
 
-/// The same within the round.
+/// Returns the time within the round, which repeats.
 double withinRound(double step)
 {
     const double rest = std::fmod(step, worldRound);
@@ -54,10 +54,10 @@ std::vector<WorldPart> partsOf(PixelWorld world, double time)
     return testParts(time);
 }
 
-/// As shaders/pixel_art/screen.frag has it.
+/// The same size as in shaders/pixel_art/screen.frag.
 constexpr glm::dvec2 screenHalf{1.12, 0.63};
 
-/// How far the eye stands to the right of and above straight before the screen, radians.
+/// Returns the angles of the eye to the right of and above the screen's axis, radians.
 glm::dvec2 asideOf(const glm::dmat4& worldFromExhibit, const glm::dvec3& eye)
 {
     const glm::dvec3 p(glm::affineInverse(worldFromExhibit) * glm::dvec4(eye, 1));
@@ -200,7 +200,7 @@ void PixelArt::plan(const PlanContext& context, render::FramePlan& plan) const
     PixelShot shot{table_, values, pixelCamera(table_, values, asideOf(context.worldFromExhibit, plan.view.eye)), time};
     if (prepared && prepared->posed.model) {
         const PosedModel& posed = prepared->posed;
-        shot.time = 0;  // Of patterns, which a model has none of: what stands still is not drawn again.
+        shot.time = 0;  // Time drives only patterns, which a model does not have, so a static model is not drawn again.
         shot.parts = modelParts(*posed.model, posed.framed, values[table_.turn] ? time : 0);
         for (const std::string& warning : posed.warnings) plan.warn("pixel_art/model", warning);
         if (!posed.pose.still.empty()) plan.skip("pixel_art/pose", posed.pose.still, render::Work::simulation);

@@ -8,8 +8,8 @@
 namespace vitrine {
 
 /// A screen in its frame that shows a small world in large pixels: normals found from depth alone, lines of one pixel,
-/// a palette. Read the table, then pixel_passes.h (what is drawn in which order), small_world.h, palette.h and
-/// shaders/pixel_art/normals.glsl.
+/// a palette. Start reading with the parameters, then pixel_passes.h (passes and their order), small_world.h, palette.h
+/// and shaders/pixel_art/normals.glsl.
 class PixelArt final : public Exhibit,
                        public HasButton,
                        public HasSurroundings,
@@ -30,7 +30,7 @@ public:
     [[nodiscard]] int place() const override { return 7; }
     [[nodiscard]] bool isComplete() const override { return true; }
     [[nodiscard]] const Table& parameters() const override { return table_; }
-    /// The opening.
+    /// Returns the opening of the frame.
     [[nodiscard]] render::Box bounds(const ParameterValues&) const override;
     [[nodiscard]] bool surrounds(const ParameterValues&) const override { return true; }
     [[nodiscard]] render::Camera bestView(const ParameterValues&) const override;
@@ -38,9 +38,9 @@ public:
     bool press(ParameterValues&) const override;
     [[nodiscard]] std::vector<StudyView> studyViews(const ParameterValues&) const override;
     [[nodiscard]] std::shared_ptr<const PreparedPart> prepare(const PrepareContext&) const override;
-    /// The divider, where it is seen on the screen in the hall.
+    /// Returns the divider where it is visible on the screen in the hall.
     [[nodiscard]] std::vector<DraggedLine> draggedLines(const ExhibitState&, const glm::dvec3& eye) const override;
-    /// A whole texel of the small picture.
+    /// Returns the value for the nearest whole texel of the small picture.
     [[nodiscard]] double valueUnder(const ExhibitState&, std::size_t row, const render::Ray&) const override;
     [[nodiscard]] std::string_view tableTitle() const override { return "Methods of normals from depth"; }
     [[nodiscard]] std::unique_ptr<TableMeasurement> measureTable(const ParameterValues&) const override;

@@ -17,7 +17,7 @@ enum class EdgeLook : int { ours, source };
 enum class PaletteName : int { none, isle, gameBoy, nes, c64, ega, spectrum, msx, pico8, oneBit, goldenHour };
 enum class Dither : int { none, ordered, blueNoise, errorDiffusion };
 
-/// Everything that can be set about the pixel art. Lengths in meters of the small world.
+/// All parameters of the pixel art. Lengths are in meters of the small world.
 struct PixelArtTable final : Parameters {
     Group show = group("On show");
     Choice<PixelWorld> world = choice("world", PixelWorld::isle, {"isle", "test scene", "thin bars"},

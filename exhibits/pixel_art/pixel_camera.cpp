@@ -11,7 +11,7 @@
 namespace vitrine {
 namespace {
 
-/// Reversed depth, near 1, `farPlane` 0.
+/// Returns a projection with reversed depth: 1 at the near plane, 0 at `farPlane`.
 glm::dmat4 finitePerspective(glm::dvec2 tanHalf, double nearPlane, double farPlane)
 {
     glm::dmat4 m(0);

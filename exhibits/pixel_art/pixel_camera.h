@@ -10,10 +10,10 @@ namespace vitrine {
 
 #include "shaders/pixel_art/pixel_block.glsl"
 
-/// Texels of the small picture.
+/// Returns the size of the small picture in texels.
 [[nodiscard]] glm::ivec2 sizeOf(PixelResolution);
 
-/// Where the small world is seen from, and through what.
+/// Position and lens of the camera in the small world.
 struct PixelCamera {
     glm::dvec3 target{0};
     double azimuth = 0, elevation = 0;  ///< Radians; 0 looks along -z, 90 degrees of elevation straight down.
@@ -23,17 +23,18 @@ struct PixelCamera {
     glm::ivec2 size{240, 135};  ///< Texels.
 };
 
-/// Of the table, turned by where the visitor stands (`aside`: radians to the right and up of straight before the
-/// screen). With `snap`, whole steps of turning.
+/// Returns the camera by the parameters, rotated by the position of the user (`aside`: radians to the right of and
+/// above the screen's axis). With `snap` it rotates in whole steps.
 [[nodiscard]] PixelCamera pixelCamera(const PixelArtTable&, const ParameterValues&, glm::dvec2 aside);
 
-/// What the passes of one small picture share.
+/// State that the passes of one small picture share.
 struct PixelEye {
-    render::View view;  ///< Of the world passes: finite far plane, reversed depth.
-    PixelBlock block;   ///< Lens and matrices; light, depth and divider are filled by who has them.
+    render::View view;  ///< View of the world passes: finite far plane, reversed depth.
+    PixelBlock block;   ///< Lens and matrices. Callers fill in light, depth and divider.
 };
 
-/// With `snap`, the target's place across the picture is a whole number of texels, and `remainder` what is left.
+/// Returns view and block. With `snap`, the target's position across the picture is a whole number of texels, and the
+/// rest is in `remainder`.
 [[nodiscard]] PixelEye pixelView(const PixelCamera&, bool snap);
 
 }  // namespace vitrine

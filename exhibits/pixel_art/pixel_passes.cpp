@@ -24,7 +24,7 @@ namespace {
 using render::Attachment;
 
 constexpr int shadowSize = 1024;
-constexpr double shadowHalf = 9;  ///< Meters around the middle that throw shadows.
+constexpr double shadowHalf = 9;  ///< Meters from the center within which objects cast shadows.
 constexpr const char* shadowImage = "pixel_art.shadow";
 constexpr const char* colorImage = "pixel_art.color";
 constexpr const char* storedDepthImage = "pixel_art.stored_depth";
@@ -43,7 +43,7 @@ glm::dvec3 towardsSun(const PixelArtTable& t, const ParameterValues& values)
     return {std::sin(a) * std::cos(e), std::sin(e), std::cos(a) * std::cos(e)};
 }
 
-/// The images and keys of one picture, and the passes that fill them.
+/// Images and keys of one picture, and the passes that fill them.
 class Picture {
 public:
     Picture(const PixelShot& shot, render::FramePlan& plan);
@@ -51,14 +51,14 @@ public:
     PixelBlock planned();
 
 private:
-    /// With levels, it is filtered between them; else a shader reads texels.
+    /// Makes an image. With levels it is filtered between them; otherwise shaders read texels.
     render::ResourceId image(const char* name, render::Format format, int levels = 0);
     std::vector<render::Draw> opaqueDraws() const;
-    /// Translucent parts throw a shadow where they are at least half opaque.
+    /// Returns the draws into the shadow map. Translucent parts cast a shadow where they are at least half opaque.
     std::vector<render::Draw> shadowDraws() const;
     std::vector<render::Draw> translucentDraws() const;
     bool emits() const;
-    /// Whether one of these is on show in either half.
+    /// Returns whether one of these views is shown in either half.
     bool anyView(std::initializer_list<PixelView>) const;
     void planShadow();
     void planWorld();
@@ -67,7 +67,7 @@ private:
     void planTranslucent();
     void planLook();
     void planDiffusion();
-    /// A pass over the whole picture, with everything that its shader may read.
+    /// Returns a pass over the whole picture, with everything bound that its shader may read.
     render::Pass over(std::string name, std::string reason, const char* fragment) const;
 
     const PixelShot& shot_;
@@ -78,8 +78,8 @@ private:
     render::View sunView_;
     std::uint64_t worldKey_ = 0, shadowKey_ = 0, key_ = 0;
     std::string depth_;
-    bool shadowed_ = false;  ///< The sun's map is drawn.
-    bool normals_ = true;    ///< Surfaces are found.
+    bool shadowed_ = false;  ///< Whether the sun's shadow map is drawn.
+    bool normals_ = true;    ///< Whether surfaces are found.
 };
 
 Picture::Picture(const PixelShot& shot, render::FramePlan& plan)
@@ -190,7 +190,7 @@ bool Picture::emits() const
 void Picture::planShadow()
 {
     const glm::dvec3 sun = values_[table_.sunLight].value;
-    // Our lines are lighter where the sun reaches them.
+    // Lines of our own style are lighter in the sun.
     const bool lines = values_[table_.highlightStrength] > 0 && values_[table_.edges] == EdgeLook::ours;
     const std::string why = render::whyZero(
         {render::required(anyView({PixelView::finished}), "no view on show has shadows"),

@@ -14,7 +14,7 @@ std::vector<Rgb8> colorsOf(std::initializer_list<std::uint32_t> codes)
     return colors;
 }
 
-/// Ramps whose shades lean to violet and whose lights lean to yellow.
+/// Color ramps with violet shades and yellow lights.
 const std::vector<Rgb8>& isleColors()
 {
     static const std::vector<Rgb8> colors = colorsOf({0x14101f, 0x231a2f, 0x352845, 0x4a3b5c, 0x655676,
@@ -32,7 +32,7 @@ const std::vector<Rgb8>& isleColors()
     return colors;
 }
 
-/// The picture processing unit of the NES, 2C02: 54 colors as its composite output is usually decoded.
+/// Colors of the NES picture processing unit 2C02: 54 colors as its composite output is usually decoded.
 const std::vector<Rgb8>& nesColors()
 {
     static const std::vector<Rgb8> colors = colorsOf(
@@ -59,7 +59,7 @@ std::span<const Rgb8> shippedPalette(PaletteName name)
     static const std::vector<Rgb8> spectrum =
         colorsOf({0x000000, 0x0000d7, 0xd70000, 0xd700d7, 0x00d700, 0x00d7d7, 0xd7d700, 0xd7d7d7, 0x0000ff, 0xff0000,
                   0xff00ff, 0x00ff00, 0x00ffff, 0xffff00, 0xffffff});
-    // The TMS9918 by its data sheet's levels.
+    // Colors of the TMS9918 by the levels in its data sheet.
     static const std::vector<Rgb8> msx =
         colorsOf({0x000000, 0x21c842, 0x5edc78, 0x5455ed, 0x7d76fc, 0xd4524d, 0x42ebf5, 0xfc5554, 0xff7978, 0xd4c154,
                   0xe6ce80, 0x21b03b, 0xc95bba, 0xcccccc, 0xffffff});

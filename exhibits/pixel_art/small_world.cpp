@@ -21,7 +21,7 @@ glm::dmat4 moved(const glm::dvec3& place)
     return glm::translate(glm::dmat4(1), place);
 }
 
-/// Two turns about two axes in a round, as the source's torus has them.
+/// Returns the transform of an object that turns once about two axes in a round, like the reference's torus.
 glm::dmat4 tumbled(double time, const glm::dvec3& place, double scale)
 {
     const double turn = 2 * std::numbers::pi * time / worldRound;
@@ -46,7 +46,8 @@ Shared cubeMesh(const Paint& paint)
     return WorldBuilder("cube").object().box(glm::dvec3(0.375), paint).finished();
 }
 
-/// A cylinder with hexagonal caps, as the source has three of; rounder, so that its facets are no error of a method.
+/// Adds a cylinder with hexagonal caps, like the three of the reference, but rounder. So its facets are no error of a
+/// method.
 void pylon(WorldBuilder& b, const glm::dvec3& place, double half, const Paint& paint)
 {
     b.object().at(place).prism(64, 0.3, 0.3, 2 * half, paint, true);
@@ -108,7 +109,7 @@ std::vector<WorldPart> barParts()
 
 std::vector<WorldPart> modelParts(const render::Model& model, const render::Box& framed, double time)
 {
-    constexpr double across = 5;  // Meters that its largest side takes.
+    constexpr double across = 5;  // Meters of its largest side.
     const glm::dvec3 half = framed.halfSize();
     const double largest = 2 * std::max({half.x, half.y, half.z});
     const double scale = largest > 0 ? across / largest : 1;

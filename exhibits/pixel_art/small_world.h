@@ -10,33 +10,33 @@
 
 namespace vitrine {
 
-/// A mesh of the small world at a moment.
+/// Mesh of the small world at one time.
 struct WorldPart {
     std::shared_ptr<const render::Mesh> mesh;
     glm::dmat4 worldFromModel{1};
     int firstId = 0;                                        ///< Added to the object numbers of its vertices.
-    std::shared_ptr<const render::Material> material = {};  ///< Of a visitor's model; null: its vertices are painted.
+    std::shared_ptr<const render::Material> material = {};  ///< The user's model's; null: vertices are painted.
 };
 
-/// Seconds after which everything that moves in the small world is where it was.
+/// Seconds after which all motion in the small world repeats.
 inline constexpr double worldRound = 4;
 
-/// The isle: a court of checkered tiles with three pylons, a tumbling torus and cubes, of which two bob, among grass,
-/// trees, rocks and water.
+/// Returns the isle: a court of checkered tiles with three pylons, a tumbling torus and cubes, two of which bob, among
+/// grass, trees, rocks and water.
 [[nodiscard]] std::vector<WorldPart> isleParts(double time);
-/// The source's scene: floor, pylons, torus, cubes.
+/// Returns the reference's scene: floor, pylons, torus, cubes.
 [[nodiscard]] std::vector<WorldPart> testParts(double time);
-/// Bars of one and two texels at 240 x 135, upright, lying and slanted, before a wall.
+/// Returns bars of one and two texels at 240 x 135 in front of a wall: upright, horizontal and slanted.
 [[nodiscard]] std::vector<WorldPart> barParts();
-/// A model of a visitor's, turned about the vertical by the time: what is framed (of the model's own space) as large as
-/// the picture comfortably holds, its middle in that of the world.
+/// Returns the user's model, rotated about the vertical by the time. The box `framed` in model space is scaled to fill
+/// the picture comfortably, with its center in the center of the world.
 [[nodiscard]] std::vector<WorldPart> modelParts(const render::Model&, const render::Box& framed, double time);
 [[nodiscard]] inline std::vector<WorldPart> modelParts(const render::Model& model, double time)
 {
     return modelParts(model, model.bounds, time);
 }
 
-/// Of all parts.
+/// Returns the bounds of all parts.
 [[nodiscard]] render::Box boundsOf(const std::vector<WorldPart>&);
 
 }  // namespace vitrine

@@ -9,9 +9,9 @@
 namespace vitrine {
 namespace {
 
-constexpr int framedMoments = 8;  ///< Of an animation, to find out how far it moves.
+constexpr int framedMoments = 8;  ///< Number of poses of an animation that are examined to find its extent.
 
-/// A file, and its model as it stands.
+/// A file, and its model at rest.
 struct VisitorFile {
     render::AnimatedModel animated;
     render::Model rest;

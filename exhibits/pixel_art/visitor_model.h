@@ -12,28 +12,28 @@
 
 namespace vitrine {
 
-/// Which of a model's poses is shown.
+/// Pose of a model that is shown.
 struct ModelPose {
-    int animation = -1;  ///< Index; -1: as the file stands.
-    double seconds = 0;  ///< Into the animation, which begins again when it is over.
-    std::string still;   ///< Why the pose stays as it is while time runs, half a sentence; empty: it does not.
+    int animation = -1;  ///< Index; -1: the pose in the file without animation.
+    double seconds = 0;  ///< Time within the animation, which repeats.
+    std::string still;   ///< Why the pose does not change while time runs, half a sentence; empty if it changes.
 };
 
-/// Of these values; `now` is the exhibit's time in whole steps, seconds, from the beginning on.
+/// Returns the pose for these values. `now` is the exhibit's time in whole steps since the beginning, seconds.
 [[nodiscard]] ModelPose poseOf(const PixelArtTable&, const ParameterValues&,
                                const std::vector<render::AnimatedModel::Animation>&, double now);
 
-/// A visitor's model in a pose. Immutable.
+/// The user's model in a pose. Immutable.
 struct PosedModel {
-    std::shared_ptr<const render::Model> model;  ///< Null: it cannot be read, and `failure` says why.
-    render::Box framed;                          ///< What the picture holds: the model as it stands and as it moves.
+    std::shared_ptr<const render::Model> model;  ///< Null if the file cannot be read; `failure` then says why.
+    render::Box framed;                          ///< Box that the picture shows: the model at rest and in motion.
     ModelPose pose;
-    std::vector<std::string> warnings;  ///< What the file asks for and is not drawn, sentences.
+    std::vector<std::string> warnings;  ///< Features of the file that are not drawn, sentences.
     std::string failure;
-    std::uint64_t id = 0;  ///< Of file and pose.
+    std::uint64_t id = 0;  ///< Hash of file and pose.
 };
 
-/// The file is read once, and a pose is made once for all who show it.
+/// Returns the posed model. The file is read once, and each pose is made once for all callers.
 [[nodiscard]] PosedModel posedModel(const PixelArtTable&, const ParameterValues&, double now, render::AssetStore&);
 
 }  // namespace vitrine

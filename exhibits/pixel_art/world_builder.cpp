@@ -74,7 +74,7 @@ WorldBuilder& WorldBuilder::box(const glm::dvec3& half, const Paint& paint)
         for (const double side : {-1.0, 1.0}) {
             glm::dvec3 n(0), u(0), v(0);
             n[axis] = side * half[axis];
-            // v is up on the four sides.
+            // v points up on the four sides.
             const int up = axis == 1 ? 2 : 1;
             const int along = 3 - axis - up;
             v[up] = half[up];

@@ -11,40 +11,40 @@
 
 namespace vitrine {
 
-/// What a piece of the small world is painted with; patterns are those of shaders/pixel_art/patterns.glsl.
+/// Paint of a piece of the small world; patterns are those of shaders/pixel_art/patterns.glsl.
 struct Paint {
     glm::vec3 color{1};  ///< Linear Rec. 709.
     int pattern = 0;
     float glow = 0;
 };
 
-/// Sews solids into one mesh whose tangents hold color and object number, and whose `extra` holds glow and pattern.
+/// Builder of one mesh from solids. Its tangents contain color and object number, its `extra` glow and pattern.
 class WorldBuilder {
 public:
     explicit WorldBuilder(std::string name) { mesh_->name = std::move(name); }
 
-    /// What follows is another object: lines are drawn between objects.
+    /// Begins another object: lines are drawn between objects.
     WorldBuilder& object();
-    /// Where what follows stands.
+    /// Sets the place of the pieces that follow.
     WorldBuilder& at(const glm::dmat4& modelFromPart);
     WorldBuilder& at(const glm::dvec3& place, double turn = 0);
 
-    /// From -half to half; uv in meters on every face.
+    /// Adds a box from -half to half; uv is in meters on every face.
     WorldBuilder& box(const glm::dvec3& half, const Paint&);
-    /// Around +y from 0 to `height`, radii at foot and top, flat or smooth sides, closed.
+    /// Adds a closed prism around +y from 0 to `height`, with radii at foot and top, and flat or smooth sides.
     WorldBuilder& prism(int sides, double foot, double top, double height, const Paint&, bool smooth = false);
-    /// Smooth, radii along the axes.
+    /// Adds a smooth ellipsoid with radii along the axes.
     WorldBuilder& ball(const glm::dvec3& radii, const Paint&, int rings = 8);
-    /// Around +y, smooth.
+    /// Adds a smooth torus around +y.
     WorldBuilder& torus(double ring, double tube, const Paint&, int around = 28, int across = 14);
-    /// A roof over x, z: the ridge along z.
+    /// Adds a roof over x, z with its ridge along z.
     WorldBuilder& gable(const glm::dvec3& half, const Paint& roof, const Paint& wall);
-    /// An outline of `outline(angle)` meters, extruded from `low` to `high`; the side leans in by `lean`.
+    /// Adds an outline of `outline(angle)` meters, extruded from `low` to `high`; the side leans in by `lean`.
     WorldBuilder& slab(const std::function<double(double)>& outline, double low, double high, double lean,
                        const Paint& top, const Paint& side, int sides = 48);
-    /// Water around that outline, at `height`: u is the distance from the shore, v the angle over a turn.
+    /// Adds water around that outline at `height`: u is the distance from the shore, v the angle in turns.
     WorldBuilder& water(const std::function<double(double)>& outline, double height, double reach, const Paint&);
-    /// A rectangle of tiles facing up, uv counts tiles.
+    /// Adds a rectangle of tiles that faces up; uv counts tiles.
     WorldBuilder& tiles(const glm::dvec2& half, double tile, const Paint&);
 
     [[nodiscard]] std::shared_ptr<const render::Mesh> finished();
