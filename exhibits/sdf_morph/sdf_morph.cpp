@@ -21,7 +21,7 @@ glsl::TorusMug torusMug(const SdfMorphTable& table, const ParameterValues& value
     return mug;
 }
 
-/// Its numbers as the shaders read them.
+/// Returns the shape as the shaders read it.
 TorusMugShape blockOf(const glsl::TorusMugShape& shape)
 {
     TorusMugShape block;
@@ -41,7 +41,7 @@ render::Box boxOf(const glsl::TorusMugBox& box)
 double morphAt(double morph, double speed, double time)
 {
     if (time == 0 || !std::isfinite(time)) return morph;
-    // Phase on a triangle wave of period 2 that starts at `morph`; the remainder is exact at any time.
+    // The phase is on a triangle wave of period 2 that starts at `morph`; the remainder is exact at any time.
     const double phase = std::fmod(morph + std::fmod(2 * speed * time, 2.0), 2.0);
     const double positive = phase < 0 ? phase + 2 : phase;
     return positive <= 1 ? positive : 2 - positive;
@@ -103,7 +103,7 @@ std::vector<StudyView> SdfMorph::studyViews(const ParameterValues& values) const
     const auto from = [&](glm::dvec3 direction, double distance) {
         return render::Camera{best.target + glm::normalize(direction) * (size * distance), best.target, best.fovY};
     };
-    // Rays that graze the lip and the inside of the wall take the most steps; a torus edge-on hides its hole.
+    // Rays that graze the lip and the inside of the wall take the most steps. A torus seen edge-on hides its hole.
     return {{"best view", best, 0, still},
             {"into the mug, along its wall", from({0.25, 0.62, 0.45}, 0.75), 0, mug},
             {"the torus, nearly edge-on", from({1.0, 0.06, 0.10}, 0.8), 0, torus},

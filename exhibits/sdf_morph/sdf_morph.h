@@ -5,10 +5,9 @@
 
 namespace vitrine {
 
-/// A torus that melts into a mug and back: a signed distance field, marched inside its bounding mesh among
-/// rasterized geometry. This folder is the exemplar of an exhibit; it is written to be read in this order:
-/// the table (what can be set), this file, sdf_morph.cpp (what the numbers mean), then the kit's sdf_exhibit.h and
-/// sdf_passes.cpp (what is drawn).
+/// A torus that melts into a mug and back: a signed distance field, marched inside its bounding box among rasterized
+/// geometry. This folder is the example of an exhibit. Read it in this order: the parameters, this file, sdf_morph.cpp
+/// (meaning of the numbers), then the kit's sdf_exhibit.h and sdf_passes.cpp (passes).
 class SdfMorph final : public SdfExhibit, public HasButton, public StandsOnFloor {
 public:
     using Table = SdfMorphTable;
@@ -41,8 +40,9 @@ private:
     Table table_;
 };
 
-/// The morph at `time` of an object that starts at `morph` and melts `speed` times a second to the mug and
-/// back: a triangle wave, since the melt itself is eased. Exactly `morph` at time 0; any finite time.
+/// Returns the morph at `time` of an object that starts at `morph` and melts `speed` times a second to the mug and
+/// back. It is a triangle wave, since the melt itself is eased. Exactly `morph` at time 0 and for infinite or NaN
+/// times.
 [[nodiscard]] double morphAt(double morph, double speed, double time);
 
 }  // namespace vitrine

@@ -5,7 +5,7 @@
 
 namespace vitrine {
 
-/// The melting torus-mug. Lengths in meters, in its own space.
+/// Parameters of the melting torus-mug. Lengths are in meters, in its own space.
 struct TorusMugRows : virtual Parameters {
     Group shape = group("Shape");
     Real morph =
@@ -31,9 +31,9 @@ struct TorusMugRows : virtual Parameters {
                       "How many times a second it melts to the mug and back.", when(animate));
 };
 
-/// Everything that can be set about it.
+/// All parameters of the exhibit.
 struct SdfMorphTable final : TorusMugRows, SdfMaterialRows, SdfRows {
-    // Bare metal shows no shadow of its own, and a small sun hardly any half-shadow.
+    // Bare metal shows no shadow of its own, and a small sun hardly any penumbra.
     StudiedRows studied{
         *this,
         {{.name = "shadowMethod", .with = {{"metalness", 0}}, .views = {"best view", "into the mug, along its wall"}},
