@@ -13,7 +13,7 @@
 namespace vitrine::app {
 namespace {
 
-/// A shipped preset by its name, or the file as given.
+/// Returns the file of a shipped preset with this name, or else the path as given.
 std::string presetFile(const std::string& given, const std::string& subject)
 {
     namespace fs = std::filesystem;
@@ -73,7 +73,7 @@ std::string applyPreset(const Museum& museum, const std::string& given, Requeste
         job.taken = exhibition.picture;
         return {};
     }
-    // In the hall, a preset of any exhibit may be shown; elsewhere it must be the subject's.
+    // The hall shows presets of any exhibit. Another subject takes only its own.
     const std::string expected =
         job.subject == hallIndex ? header.exhibit : std::string(museum.subject(job.subject).name());
     const auto owner = museum.find(expected);

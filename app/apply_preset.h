@@ -6,15 +6,14 @@
 
 namespace vitrine::app {
 
-/// The text of a preset: the file itself, or what a picture, a recording or the description of a print carries. Throws
-/// Failure naming the file.
+/// Returns the text of a preset: the content of a preset file, or the preset inside a picture, a recording or the
+/// description of a print. Throws Failure naming the file.
 [[nodiscard]] std::string presetTextOf(const std::string& file);
 
-/// Reads a preset of the subject, an exhibition, or what a picture or recording carries into the scene state, and how
-/// that picture was taken.
-/// Throws Failure naming file, line and key; the scene state is then unchanged.
-/// A shipped preset of the subject may be given by its name: "old-gold".
-/// Returns a sentence where the picture is of something else, so that only its settings were taken; else nothing.
+/// Applies a preset, an exhibition, or the preset inside a picture or recording to the requested picture, together with
+/// the record of how that picture was taken. `given` is a path, or the name of a shipped preset of the subject:
+/// "old-gold". Returns a sentence if the picture shows another subject, so that only its settings were taken; empty
+/// otherwise. Throws Failure naming file, line and key; the scene state is then unchanged.
 std::string applyPreset(const Museum&, const std::string& given, RequestedPicture&);
 
 }  // namespace vitrine::app

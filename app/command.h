@@ -10,14 +10,14 @@ class App;
 
 namespace vitrine::app {
 
-/// What `main` runs once the command line is read; its result is the exit code.
+/// Function that `main` runs after reading the command line. Returns the exit code.
 using Action = std::function<int()>;
 
-/// Opens the window with these files; the exit code.
+/// Opens the window with these files. Returns the exit code.
 int openWindow(int& argc, char** argv, const std::vector<std::string>& files);
-/// Takes the arguments of `main`, of which Qt has its own.
+/// Adds the command `open`. Takes the arguments of `main`, because Qt reads its own options from them.
 void addOpenCommand(CLI::App&, Action& chosen, int& argc, char** argv);
-/// Each adds its sub-commands to the parser; the one that was given sets `chosen`.
+/// Each function adds its command to the parser. When that command is given, parsing sets `chosen`.
 void addListCommand(CLI::App&, Action& chosen);
 void addRenderCommand(CLI::App&, Action& chosen);
 void addTourCommand(CLI::App&, Action& chosen);
@@ -36,7 +36,7 @@ void addProofCommand(CLI::App&, Action& chosen);
 void addServeCommand(CLI::App&, Action& chosen);
 void addSceneCommand(CLI::App&, Action& chosen);
 void addSpriteCommand(CLI::App&, Action& chosen);
-/// To `scene`.
+/// Adds the command `mesh` to the command `scene`.
 void addSceneMeshCommand(CLI::App&, Action& chosen);
 
 }  // namespace vitrine::app

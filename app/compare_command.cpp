@@ -35,7 +35,7 @@ std::string numberText(double x)
     return std::isfinite(x) ? render::shortestNumber(x) : "infinite";
 }
 
-/// Reads a picture with all its channels; what was left out or cannot be obeyed goes to standard error.
+/// Reads a picture with all its channels. Warnings about ignored parts of the file are printed to standard error.
 render::Image pictureOf(const std::string& file, Metric metric)
 {
     std::vector<std::string> warnings;
@@ -71,7 +71,7 @@ int compare(const CompareOptions& options)
         const render::Image errors = *render::errorMap(metric, a, b, options.pixelsPerDegree);
         render::writePicture(options.heatMap, render::heatMap(errors, render::fullScale(metric, errors)), *format);
     }
-    // The metric that was asked for comes first, so that a script finds it in the first line.
+    // The requested metric is printed first, so that scripts find it in the first line.
     std::printf("%-8s %s\n", std::string(toString(metric)).c_str(), numberText(*value).c_str());
     for (const Metric other : render::allMetrics) {
         if (other == metric) continue;

@@ -6,15 +6,15 @@
 
 namespace vitrine::app {
 
-/// Text for HTML, outside of tags and in attributes.
+/// Escapes text for HTML content and attributes.
 [[nodiscard]] std::string escaped(const std::string& text);
-/// Text in place of the word, which stands in it once.
+/// Replaces `word`, which occurs once in the text.
 [[nodiscard]] std::string with(std::string text, const std::string& word, const std::string& replacement);
-/// So many significant digits; a dash where the number is not finite.
+/// Formats a number with this many significant digits; a dash if it is not finite.
 [[nodiscard]] std::string pageNumber(double x, int digits = 4);
-/// JSON for a script element, which nothing in it ends.
+/// Serializes JSON for a script element. Nothing in it can end the element.
 [[nodiscard]] std::string scriptJson(const render::Json&);
-/// A page of the program from its first line to where its content begins: language, title, the style that all have.
+/// Returns the beginning of an HTML page, up to its content: language, title, and the common style.
 [[nodiscard]] std::string pageHead(const std::string& title);
 
 }  // namespace vitrine::app

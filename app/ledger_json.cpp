@@ -7,13 +7,13 @@ namespace {
 
 using render::Json;
 
-/// Null where nothing is promised.
+/// Returns null if there is no bound.
 Json boundJson(const render::ContributionBound& bound)
 {
     return bound.isKnown() ? Json{{"share", bound.relative}, {"radiance", bound.absolute}} : Json(nullptr);
 }
 
-/// Of a pass or of the step that it became.
+/// Returns the JSON of a pass or of its report.
 template <typename Step> Json stepJson(const Step& step)
 {
     Json json{

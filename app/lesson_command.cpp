@@ -16,7 +16,7 @@
 namespace vitrine::app {
 namespace {
 
-/// The subjects of the museum, without its building.
+/// Subjects of the museum, without the building itself.
 struct Tables {
     const HallTable hall;
     const std::vector<std::unique_ptr<Exhibit>> exhibits = allExhibits();
@@ -29,8 +29,8 @@ struct Tables {
     }
 };
 
-/// Checks one file. Returns 0 when it is good, the code of a failed check when its content is not, and that of a failed
-/// read when it cannot be read at all.
+/// Checks one file. Returns 0 if it is valid, the exit code of a failed check if it is not, and that of a failed read
+/// if it cannot be read.
 int checkLesson(const std::string& file, const NamedValues& tables)
 {
     Blame blame = Blame::file;
@@ -56,7 +56,7 @@ int checkLessons(const std::vector<std::string>& files)
     return worst;
 }
 
-/// Of every exhibit that has one: its name, how many steps, its title.
+/// Prints the lesson of each exhibit that has one: exhibit, number of steps, title.
 int listLessons()
 {
     const Tables tables;

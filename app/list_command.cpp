@@ -34,7 +34,7 @@ int manual(const std::string& name)
     throw Failure(Blame::usage, "list --manual: there is no exhibit \"" + name + "\"; `vitrine list` names them.");
 }
 
-/// The tables alone: no asset is read, so this answers at once.
+/// Returns the initial parameter tables. Reads no assets, so it is fast.
 Json initialTables()
 {
     const HallTable hall;
@@ -46,7 +46,7 @@ Json initialTables()
     return all;
 }
 
-/// The tables after these assignments: files may give further rows.
+/// Returns the parameter tables after these assignments, because files may add parameters.
 Json tablesWith(const std::vector<std::string>& sets)
 {
     const Museum museum{allExhibits()};

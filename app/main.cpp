@@ -28,7 +28,7 @@ constexpr const char* about = "Vitrine: a workbench for real-time rendering tech
 
 int parseAndRun(int argc, char** argv);
 
-/// The program's own command line in place of the one that it was started with.
+/// Runs a command line of the program in place of the process's own.
 int runWords(const std::vector<std::string>& words)
 {
     std::vector<std::string> all{"vitrine"};
@@ -46,7 +46,7 @@ CLI::Option* addLanguage(CLI::App& command, std::string& language)
     return vitrine::app::addChoice(command, "--language", language, codes, "");
 }
 
-/// Lets every command take --language, too, whose help the program's own tells.
+/// Adds --language to every command. Only the program's own help describes it.
 void takeLanguageEverywhere(CLI::App& command, std::string& language)
 {
     for (CLI::App* below : command.get_subcommands([](CLI::App*) { return true; })) {
@@ -98,13 +98,13 @@ int parseAndRun(int argc, char** argv)
         throw;
     }
     speak();
-    // The window keeps its own: it has a journal, and starts other programs.
+    // The window installs no handler: it has a journal, and starts other programs.
     if (!parser.get_subcommands().empty() && !parser.got_subcommand("open")) vitrine::app::endOnStopSignals();
     return chosen();
 }
 
-/// Ends the program where an exception has no handler, as on a thread or while another one is told. Memory may be what
-/// is missing: nothing here allocates.
+/// Ends the program if an exception has no handler, for example on a thread. Allocates nothing, because the cause may
+/// be a lack of memory.
 [[noreturn]] void endWithoutHandler()
 {
     if (!std::current_exception()) std::abort();
@@ -126,7 +126,7 @@ int parseAndRun(int argc, char** argv)
 int main(int argc, char** argv)
 {
     std::set_terminate(endWithoutHandler);
-    // A full disk or a size limit is an error of the write that meets it, not the end of the program.
+    // A full disk or a file size limit must fail the write, and not end the program.
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     std::setlocale(LC_NUMERIC, "C");

@@ -21,7 +21,7 @@ bool isBounded(const NumberRange& range)
 
 NumberRange rangeOf(const ParameterInfo& row, Unit unit)
 {
-    // Ends are round numbers in one of the units, and the way to another one is not exact.
+    // Converting to another unit is not exact. The ends are round numbers in one of the units, so they are rounded.
     const auto end = [unit](double stored) {
         return unit == Unit::none ? stored : std::round(shown(stored, unit) * 1e9) / 1e9;
     };
@@ -61,7 +61,7 @@ void refuseDecimalComma(const std::string& option, const std::string& typed)
 
 std::optional<double> plainOrWithUnit(const std::string& typed, Unit unit)
 {
-    // Plain ones go no way through another unit: they keep their bits.
+    // Plain numbers are not converted, so that they keep all bits.
     if (const std::optional<double> plain = render::parseNumber(typed)) return plain;
     const std::optional<double> stored = evaluate(typed, unit);
     return stored ? std::optional(shown(*stored, unit)) : std::nullopt;
@@ -71,7 +71,7 @@ double readNumber(const std::string& option, const std::string& typed, const Num
 {
     const std::optional<double> number = plainOrWithUnit(typed, range.unit);
     if (!number) refuseDecimalComma(option, typed);
-    // NaN fails every comparison, hence these.
+    // NaN fails every comparison, so the conditions are written positively.
     const bool good = number && *number >= range.low && *number <= range.high && std::isfinite(*number) &&
                       (!range.whole || *number == std::floor(*number));
     if (!good) throw Failure(Blame::usage, option + " \"" + typed + "\": give " + rangeText(range) + '.');

@@ -12,47 +12,48 @@
 
 namespace vitrine::app {
 
-/// Numbers that an option takes, both ends included. Plain numbers are typed, and kept, in `unit`.
+/// Range of an option's number, both ends included. Plain numbers are typed and stored in `unit`.
 struct NumberRange {
     double low = -std::numeric_limits<double>::max(), high = std::numeric_limits<double>::max();
     Unit unit = Unit::none;
     bool whole = false;
 };
 
-/// Range of a row, in a unit in which its values may be shown: a row in meters in `Unit::millimeter`.
+/// Returns the range of a parameter in a unit in which its values may be shown, such as `Unit::millimeter` for a
+/// parameter in meters.
 [[nodiscard]] NumberRange rangeOf(const ParameterInfo&, Unit = Unit::none);
 
-/// The same of a table's row by its handle.
+/// The same for a parameter of a table, given by its handle.
 template <typename Row>
 [[nodiscard]] NumberRange rangeOf(const Parameters& table, const Row& row, Unit unit = Unit::none)
 {
     return rangeOf(table.rows()[row.row], unit);
 }
 
-/// "a number from 1 to 175 deg": after "give ".
+/// Returns the text that follows "give ": "a number from 1 to 175 deg".
 [[nodiscard]] std::string rangeText(const NumberRange&);
 
-/// Reads a finite number in the range: plain, an expression, or with a unit of its own ("40deg", "3cm"). Throws Failure
-/// (Blame::usage) that begins with the option.
+/// Reads a finite number in the range: plain, an expression, or with a unit ("40deg", "3cm"). Throws Failure
+/// (Blame::usage) whose sentence begins with the option.
 [[nodiscard]] double readNumber(const std::string& option, const std::string& typed, const NumberRange&);
 
-/// The same without a range; nothing where it is none.
+/// The same without a range; nullopt if the text is no number.
 [[nodiscard]] std::optional<double> plainOrWithUnit(const std::string& typed, Unit);
 
-/// The same text with a decimal point, where it is a number with a decimal comma ("0,5"); nothing for all else.
+/// Returns the text with a decimal point if it is a number with a decimal comma ("0,5"); nullopt otherwise.
 [[nodiscard]] std::optional<std::string> withDecimalPoint(const std::string& typed);
-/// Refuses a number with a decimal comma. Throws Failure (Blame::usage) that begins with `option`.
+/// Refuses a number with a decimal comma. Throws Failure (Blame::usage) whose sentence begins with `option`.
 void refuseDecimalComma(const std::string& option, const std::string& typed);
 
-/// A unit behind its number: " mm", "°".
+/// Returns a unit as it follows a number: " mm", "°".
 [[nodiscard]] std::string behindNumber(std::string_view symbol);
 
-/// How an option's range stands in help texts: "NUMBER", "1..64".
+/// Returns an option's range for help texts: "NUMBER", "1..64".
 [[nodiscard]] std::string typeName(const NumberRange&);
-/// How an option's present value stands there.
+/// Returns an option's present value for help texts.
 [[nodiscard]] std::string presentText(double);
 
-/// The number that an option keeps: itself, or what an optional holds.
+/// Type of an option's number: the type itself, or the type that an optional contains.
 template <typename T> struct KeptNumber {
     using Type = T;
 };
@@ -60,7 +61,8 @@ template <typename T> struct KeptNumber<std::optional<T>> {
     using Type = T;
 };
 
-/// Adds an option for one number, the only kind that commands have: it is finite and in its range, or refused.
+/// Adds an option for one number. All numbers of commands use it: values that are not finite or out of range are
+/// refused.
 template <typename Number>
 CLI::Option* addNumber(CLI::App& command, const std::string& name, Number& value, NumberRange range,
                        const std::string& help)

@@ -25,8 +25,8 @@ void requireFolderFor(const fs::path& folder, const std::string& mark, const std
 
 namespace {
 
-/// Moves what lies in one folder and is not in the other over there, but for pictures, which are the program's.
-/// Returns whether all of it could be moved.
+/// Moves files of one folder that are missing in the other to it. Pictures are the program's and are moved only if
+/// `picturesToo`. Returns whether all moves succeeded.
 bool keepForeign(const fs::path& from, const fs::path& to, bool picturesToo)
 {
     std::error_code error;
@@ -43,10 +43,10 @@ bool keepForeign(const fs::path& from, const fs::path& to, bool picturesToo)
     return moved;
 }
 
-/// A folder in one that is not whole yet.
+/// Subfolder that marks a folder as incomplete.
 constexpr const char* unfinishedMark = ".unfinished";
 
-/// Brings what somebody else put into the old content over to the new one, and removes the rest of the old.
+/// Moves foreign files of the old content to the new one, and removes the rest of the old.
 void dissolve(const fs::path& old, const fs::path& target)
 {
     std::error_code error;
@@ -55,8 +55,8 @@ void dissolve(const fs::path& old, const fs::path& target)
         fs::remove_all(old, error);
 }
 
-/// Clears what killed processes left beside the target: unfinished folders go. A whole one is the content that the
-/// target is to have, where it has none, and else its old content.
+/// Cleans up what killed processes left beside the target. Incomplete folders are removed. A complete folder becomes
+/// the target if there is none; otherwise it is the target's old content.
 void clearBeside(const fs::path& target)
 {
     const fs::path parent = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -78,7 +78,7 @@ void clearBeside(const fs::path& target)
     }
 }
 
-/// Puts each folder in the other's place, in one step. False where the file system cannot.
+/// Exchanges two folders in one step. Returns false if the file system does not support it.
 bool exchanged(const fs::path& a, const fs::path& b)
 {
     return ::renameat2(AT_FDCWD, a.c_str(), AT_FDCWD, b.c_str(), RENAME_EXCHANGE) == 0;

@@ -79,7 +79,7 @@ glm::dmat4 exhibitTransform(const PictureOptions& options, const PictureRecord* 
     return m;
 }
 
-/// Which channels the file carries, and in what light its samples are averaged.
+/// Sets the channels of the file, and whether samples are averaged in linear light.
 void setChannels(const PictureOptions& options, const PictureRecord* taken, PictureRequest& request)
 {
     bool beyondColor = false;
@@ -103,12 +103,12 @@ std::vector<std::string> namesOf(const Museum& museum)
     return names;
 }
 
-/// "exhibit.name=value".
+/// Assignment "exhibit.name=value".
 struct Assignment {
     std::size_t owner = 0;
     std::string name, text;
 };
-/// `option` takes it; `such` is an example.
+/// Parses an assignment. `option` is the option that takes it, `such` an example for the message.
 Assignment assignmentOf(const Museum& museum, std::size_t subject, const std::string& assignment,
                         const std::string& option = "--set", const char* such = "morph=0.3")
 {
@@ -261,8 +261,8 @@ void addPictureOptions(CLI::App& command, PictureOptions& o)
 
 namespace {
 
-/// Brings the tables up to the files that the values name: a row of a file's has to be there before it can be set.
-/// Throws Failure (Blame::file) where one cannot be read.
+/// Reads the files that values name, which may add parameters, and updates the tables. Throws Failure (Blame::file) if
+/// one cannot be read.
 void readTables(const Museum& museum, SceneState& sceneState, std::vector<std::string>& notes)
 {
     TabledSceneState read = museum.readTables(sceneState);
@@ -271,7 +271,7 @@ void readTables(const Museum& museum, SceneState& sceneState, std::vector<std::s
     notes.insert(notes.end(), read.notes.begin(), read.notes.end());
 }
 
-/// Where the named row is in its table.
+/// Returns the index of the named parameter in its table.
 std::size_t rowNamed(const Museum& museum, const SceneState& sceneState, const Assignment& assignment,
                      const std::string& option)
 {
@@ -288,7 +288,7 @@ std::size_t rowNamed(const Museum& museum, const SceneState& sceneState, const A
     return *row;
 }
 
-/// A value as `typed` was given: plain numbers in SI, others in the unit in which the row is shown.
+/// Formats a value like `typed`: plain numbers in SI units, others in the parameter's displayed unit.
 std::string valueAsTyped(const ParameterInfo& row, const Value& value, const std::string& typed)
 {
     const auto* number = std::get_if<double>(&value);
@@ -298,7 +298,7 @@ std::string valueAsTyped(const ParameterInfo& row, const Value& value, const std
            behindNumber(isPlain ? info(row.unit).storedSymbol : info(row.unit).symbol);
 }
 
-/// Sets what was asked for, as `applySet`.
+/// Makes the assignment, as described for `applySet`.
 void assign(const Museum& museum, SceneState& sceneState, const Assignment& assignment, std::vector<std::string>& notes)
 {
     const auto& [owner, name, text] = assignment;
@@ -310,7 +310,7 @@ void assign(const Museum& museum, SceneState& sceneState, const Assignment& assi
     if (!value || !nearestLegal(info, *value))
         throw Failure(Blame::usage,
                       "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info, text) + '.');
-    values.setMotion(row, std::nullopt);  // Who says what it is wants no preset to move it.
+    values.setMotion(row, std::nullopt);  // An explicit value ends an animation of the preset.
     if (!values.chooseFile(row, *value) && info.kind != Kind::direction)
         notes.push_back(
             "--set " + name + ": " + text + " was brought to " + valueAsTyped(info, values.row(row), text) +
@@ -367,12 +367,12 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
 
 namespace {
 
-/// Camera that the preset was seen from, in the space of the picture, or else the best view of the subject.
+/// Returns the camera of the preset, in the space of the picture, or else the best view of the subject.
 render::Camera chosenCamera(const Museum& museum, const RequestedPicture& job, bool alone)
 {
     if (job.taken && job.taken->camera && job.taken->alone == alone) return *job.taken->camera;
     const render::Camera& camera = job.sceneState.camera;
-    // Presets speak of the hall; alone, the exhibit's own space is the world.
+    // Cameras of presets are in the hall's space. If the exhibit is alone, its own space is the world.
     if (job.cameraFromPreset)
         return alone ? camera.transformed(glm::inverse(museum.worldFromExhibit(job.subject))) : camera;
     if (job.subject == hallIndex) return camera;
@@ -380,7 +380,7 @@ render::Camera chosenCamera(const Museum& museum, const RequestedPicture& job, b
     return alone ? museum.subject(job.subject).bestView(values) : museum.bestView(job.subject, values);
 }
 
-/// Samples per pixel, where no option says it. `supersamples` is what the preset made of the hall's.
+/// Returns the samples per pixel if no option gives them. `supersamples` is the hall's value in the preset.
 int chosenSamples(const RequestedPicture& job, int supersamples)
 {
     const HallTable names;
@@ -439,7 +439,7 @@ RequestedPicture requestedPicture(const Museum& museum, const PictureOptions& op
     frame.transparent = options.transparent || (taken && taken->transparent);
     if (frame.transparent && !alone && !isHall) frame.cutOut = *subject;
     frame.runEverything = options.everything;
-    frame.needsFiles = true;  // What was named and is not in the picture would be a lie.
+    frame.needsFiles = true;  // A missing file must fail: a picture without a named object would be wrong.
     frame.exhibitTransform = exhibitTransform(options, taken);
     if (alone)
         frame.alone = *subject;

@@ -14,90 +14,90 @@ class App;
 
 namespace vitrine::app {
 
-/// Size of a picture if neither an option nor the picture that --preset names says it.
+/// Size of a picture if neither an option nor the picture of --preset gives it.
 inline constexpr const char* usualPictureSize = "640x360";
 
-/// Options of `render` and its relatives about the picture, as typed. Options not given are as in the picture that
-/// `preset` names, where it names one.
+/// Options of `render` and similar commands about the picture, as typed. If `preset` names a picture, its settings
+/// replace options that are not given.
 struct PictureOptions {
-    std::string subject;  ///< An exhibit's name, or "hall".
+    std::string subject;  ///< Name of an exhibit, or "hall".
     std::string out;
-    std::string size;  ///< Empty: as the picture that `preset` names was taken, or `usualPictureSize`.
+    std::string size;  ///< Empty: that of the picture that `preset` names, or `usualPictureSize`.
     std::string preset;
-    bool settingsOnly = false;         ///< Of a picture that `preset` names, not how it was taken.
-    std::vector<std::string> sets;     ///< "name=value" or "exhibit.name=value".
-    std::vector<std::string> motions;  ///< "name=sine:0.1:0.9:period=4", by the same names.
+    /// Takes only the settings of a picture that `preset` names, and not its camera and size.
+    bool settingsOnly = false;
+    std::vector<std::string> sets;     ///< Assignments "name=value" or "exhibit.name=value".
+    std::vector<std::string> motions;  ///< Animations "name=sine:0.1:0.9:period=4", with the same names.
     std::optional<double> time;
     std::optional<std::uint32_t> seed;
     std::string eye, target, scale, rotate;
-    double fovDegrees = 0;  ///< 0: the view's own.
+    double fovDegrees = 0;  ///< 0: that of the view.
     bool alone = false;
     bool transparent = false;
     bool everything = false;
-    int samples = 0;       ///< 0: as the hall's supersamples were set, or 4.
-    std::string channels;  ///< Empty: as the picture that `preset` names was taken, or color alone.
+    int samples = 0;       ///< 0: the hall's supersamples if they were set, or 4.
+    std::string channels;  ///< Empty: those of the picture that `preset` names, or color only.
     std::string environment, model;
 };
 
-/// Adds the options that describe a picture to a sub-command.
+/// Adds all options that describe a picture to a command.
 void addPictureOptions(CLI::App&, PictureOptions&);
-/// Those of them that say what is shown and from where, not how large and into what file; all under one heading.
+/// Adds the options about the scene and the view, but not those about size and file. All have one heading.
 void addSceneOptions(CLI::App&, PictureOptions&, const std::string& heading = "Options");
 
-/// Those that say when, with what seed and from where: time, seed, eye, target, fov.
+/// Adds the options time, seed, eye, target and fov.
 void addCameraOptions(CLI::App&, PictureOptions&, const std::string& heading = "Options");
 
-/// What the options say of the camera, in place of what it was. Throws Failure (Blame::usage) naming the option.
+/// Applies the options about the camera. Throws Failure (Blame::usage) naming the option.
 void setCamera(const PictureOptions&, render::Camera&);
 
-/// Values, camera and request that the options ask for. Throws Failure naming the option and what to give.
+/// Values, camera and request that the options describe.
 struct RequestedPicture {
     std::size_t subject = 0;
     SceneState sceneState;
     PictureRequest request;
     bool cameraFromPreset = false;
-    std::optional<PictureRecord> taken;  ///< How the picture that the preset came from was taken, if of this subject.
-    std::vector<std::string> notes;      ///< What was brought to the nearest legal value, for standard error.
+    std::optional<PictureRecord> taken;  ///< Record of how the preset's picture was taken, if it shows this subject.
+    std::vector<std::string> notes;      ///< Sentences on corrected values, for standard error.
 };
 [[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&);
-/// The same from this look in place of the initial one; the camera, where there is one, in place of the best view of
-/// the subject.
+/// The same with another scene state than the initial one. `camera`, if set, replaces the best view of the subject.
 [[nodiscard]] RequestedPicture requestedPicture(const Museum&, const PictureOptions&, SceneState,
                                                 const std::optional<render::Camera>&);
 
-/// Sets several, each a "name=value", whatever their order: files that give rows come first.
+/// Makes several assignments "name=value". Files that add parameters are set first, whatever the order.
 void applySets(const Museum&, SceneState&, std::size_t subject, const std::vector<std::string>& assignments,
                std::vector<std::string>& notes);
 
-/// Sets one "name=value"; `subject` is what an undotted name belongs to. Plain numbers are in SI units, as
-/// `list --json` and presets have them; "30deg" and "12mm" name their own.
+/// Makes one assignment "name=value". A name without a dot belongs to `subject`. Plain numbers are in SI units, as in
+/// `list --json` and presets; "30deg" and "12mm" give their own unit.
 void applySet(const Museum&, SceneState&, std::size_t subject, const std::string& assignment,
               std::vector<std::string>& notes);
 
-/// A row and whose it is.
+/// Parameter index and the subject that it belongs to.
 struct NamedRow {
     std::size_t owner, row;
 };
-/// The row "name", of the subject, or "exhibit.name". Throws Failure (Blame::usage) naming `option`.
+/// Finds the parameter "name" of the subject, or "exhibit.name". Throws Failure (Blame::usage) naming `option`.
 [[nodiscard]] NamedRow namedRow(const Museum&, const SceneState&, std::size_t subject, const std::string& name,
                                 const std::string& option);
 
-/// Lets one row move, "name=motion" as `typedMotion` reads it. Throws Failure (Blame::usage) naming the option.
+/// Animates one parameter: "name=motion", in the notation of `typedMotion`. Throws Failure (Blame::usage) naming the
+/// option.
 void applyMotion(const Museum&, SceneState&, std::size_t subject, const std::string& assignment);
 
-/// The value that someone typed on the command line, where a number is in SI units unless it names its own; nothing
-/// when the text means none.
+/// Parses a value of the command line. A number without a unit is in SI units. Returns nullopt if the text is invalid.
 [[nodiscard]] std::optional<Value> optionValue(const ParameterInfo&, const std::string& text);
-/// "a number from 0 to 1", "one of none, hard": after "give ". Numbers are in the unit in which `typed` was given: SI
-/// for a plain one, else that in which the row is shown.
+/// Returns the text that follows "give ": "a number from 0 to 1", "one of none, hard". Numbers are in SI units if
+/// `typed` is a plain number, else in the parameter's displayed unit.
 [[nodiscard]] std::string whatItTakes(const ParameterInfo&, const std::string& typed = {});
 
-/// What a picture's file name ends in says how it is written. Throws Failure (Blame::usage) naming the option.
+/// Returns the format that belongs to the file's suffix. Throws Failure (Blame::usage) naming the option.
 [[nodiscard]] render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit);
 
-/// "1.5,2,0" to three finite numbers, plain ones in `unit`. Throws Failure (Blame::usage) naming the option.
+/// Parses "1.5,2,0" as three finite numbers; plain ones are in `unit`. Throws Failure (Blame::usage) naming the option.
 [[nodiscard]] glm::dvec3 parseTriple(const std::string& option, const std::string& text, Unit unit = Unit::none);
-/// "640x360" to two positive numbers. `what` is what they are of, and `such` an example.
+/// Parses "640x360" as two positive numbers. `what` describes them and `such` is an example, for the message.
 [[nodiscard]] glm::ivec2 parseSize(const std::string& option, const std::string& text,
                                    const std::string& what = "width x height in whole pixels",
                                    const std::string& such = "640x360");

@@ -17,7 +17,7 @@
 namespace vitrine::app {
 namespace {
 
-/// ", tags: night, water"; empty where there are none.
+/// Returns ", tags: night, water"; empty if there are none.
 std::string tagsText(const PresetTags& tags)
 {
     std::string text;
@@ -25,8 +25,8 @@ std::string tagsText(const PresetTags& tags)
     return text;
 }
 
-/// Checks one file; prints what it is and what reading it changes. Returns 0 when it can be loaded, the code
-/// of a failed check when its content is bad, and that of a failed read when it cannot be read at all.
+/// Checks one file; prints its content and the corrections of reading it. Returns 0 if it can be loaded, the exit code
+/// of a failed check if it is invalid, and that of a failed read if it cannot be read.
 int check(const std::string& file, const NamedValues& tables)
 {
     Blame blame = Blame::file;

@@ -10,7 +10,7 @@
 namespace vitrine::app {
 namespace {
 
-/// ", 2:05 left" after so many seconds; empty where that is not known yet.
+/// Returns the remaining time, ", 2:05 left", after `seconds` of work; empty if it is not known yet.
 std::string timeLeft(double part, double seconds)
 {
     if (!(part > 0)) return {};

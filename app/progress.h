@@ -7,8 +7,8 @@
 
 namespace vitrine::app {
 
-/// One line on standard error for work that takes more than a second: "vitrine: rendering views 40 %". On a
-/// terminal it is rewritten in place and wiped at the end; in a log it is a new line at every tenth.
+/// Progress line on standard error, for work that takes more than a second: "vitrine: rendering views 40 %". On a
+/// terminal it is updated in place and erased at the end. In a log there is a new line at every tenth.
 class ProgressLine {
 public:
     explicit ProgressLine(std::string what);
@@ -16,9 +16,9 @@ public:
     ProgressLine(const ProgressLine&) = delete;
     ProgressLine& operator=(const ProgressLine&) = delete;
 
-    /// `part` is 0 to 1. Returns false when the work is to stop.
+    /// Shows the progress; `part` is 0 to 1. Returns false if the work is to stop.
     bool show(double part);
-    /// With the time that is left after it: "40 %, 2:05 left".
+    /// Adds the remaining time: "40 %, 2:05 left".
     void estimate() { estimates_ = true; }
 
 private:
@@ -26,7 +26,7 @@ private:
     std::chrono::steady_clock::time_point begun_, shown_;
     bool estimates_ = false;
     bool terminal_ = false;
-    int last_ = -1;  ///< What the line says, in percent; -1: there is none.
+    int last_ = -1;  ///< Percentage on display; -1: none yet.
 };
 
 }  // namespace vitrine::app

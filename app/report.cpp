@@ -16,7 +16,7 @@ using render::Json;
 
 constexpr int timedRuns = 5;
 
-/// The picture's frame once more, one sample, no larger than a tile.
+/// Returns the request of the picture's frame with one sample, limited to the size of a tile.
 FrameRequest frameOf(const RequestedPicture& job, const render::RenderBackend& backend)
 {
     FrameRequest frame = job.request.frame;
@@ -25,7 +25,7 @@ FrameRequest frameOf(const RequestedPicture& job, const render::RenderBackend& b
     return frame;
 }
 
-/// Sum of a counting channel: exact while below 2^53.
+/// Returns the sum of a counting channel; exact below 2^53.
 std::int64_t total(const render::Image& counts)
 {
     double sum = 0;
@@ -33,7 +33,7 @@ std::int64_t total(const render::Image& counts)
     return std::llround(sum);
 }
 
-/// Sorted.
+/// Returns the times of several frames in milliseconds, sorted.
 std::vector<double> timesOf(const Museum& museum, render::gl::Renderer& renderer, const Prepared& prepared,
                             const FrameRequest& frame)
 {
@@ -68,7 +68,7 @@ std::string reportText(const Museum& museum, render::gl::Renderer& renderer, con
         stepMilliseconds[step.name] = step.milliseconds;
     renderer.timeSteps(false);
 
-    // What was skipped, run all the same: once for the programs and what is kept, once for the time.
+    // Runs the skipped passes, too: first to build programs and cached data, then to measure.
     FrameRequest everything = frame;
     everything.runEverything = true;
     const Prepared preparedAll = museum.prepare(job.sceneState, everything);

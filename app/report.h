@@ -10,8 +10,8 @@
 
 namespace vitrine::app {
 
-/// The frame report of a picture as JSON text: what ran in its first frame and why, what was skipped and why, counters,
-/// and the time of a frame over several runs with everything kept already in place.
+/// Returns the frame report of a picture as JSON text: passes of its first frame with their reasons, skipped ones with
+/// theirs, counters, and the time of a frame over several runs with everything cached.
 [[nodiscard]] std::string reportText(const Museum&, render::gl::Renderer&, const render::gl::ContextInfo&,
                                      const RequestedPicture&, const PictureMaker&);
 

@@ -10,7 +10,7 @@
 namespace vitrine::app {
 namespace {
 
-/// Writes all of it, as far as standard error takes it; allocates nothing.
+/// Writes as much of the text as standard error accepts. Allocates nothing.
 void put(std::string_view text) noexcept
 {
     while (!text.empty()) {

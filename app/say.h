@@ -4,14 +4,14 @@
 
 namespace vitrine::app {
 
-/// Prints "vitrine: ..." to standard error, the sentence in the language of the locale; in English where there is no
-/// memory left to translate it.
+/// Prints "vitrine: ..." to standard error, translated to the locale's language. In English if there is no memory for
+/// translating.
 void say(std::string_view sentence) noexcept;
 
-/// The same in English; allocates nothing.
+/// Prints the same in English. Allocates nothing.
 void sayInEnglish(std::string_view sentence) noexcept;
 
-/// The error message when memory cannot be allocated.
+/// Error message for a failed allocation.
 inline constexpr std::string_view noMemory =
     "There was not enough memory for this; ask for a smaller size, or fewer samples or views.";
 

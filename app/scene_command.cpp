@@ -28,14 +28,15 @@ Json findingsJson(const std::vector<scenes::Finding>& findings)
     return all;
 }
 
-/// "file:line:column: key: sentence", as editors read it, the sentence in the language of the locale.
+/// Prints a finding in the form that editors read: "file:line:column: key: sentence". The sentence is in the locale's
+/// language.
 void printFinding(scenes::Finding finding)
 {
     finding.sentence = ui::saidInLocale(finding.sentence);
     std::printf("%s\n", finding.text().c_str());
 }
 
-/// Reads one file and says what was found; 0, or the exit code of a failed check, or that of a failed read.
+/// Checks one file and prints the findings. Returns 0, or the exit code of a failed check or a failed read.
 int checkScene(const std::string& file, Json* report)
 {
     const scenes::ReadScene read = scenes::readSceneFile(file);

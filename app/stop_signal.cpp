@@ -16,12 +16,12 @@
 namespace vitrine::app {
 namespace {
 
-std::mutex stopMutex;  ///< Guards the two below.
-int orderly = 0;       ///< How many StopSignals live.
-int stopEvent = -1;    ///< The descriptor that wakes who waits.
+std::mutex stopMutex;  ///< Guards the two following variables.
+int orderly = 0;       ///< Number of StopSignals that exist.
+int stopEvent = -1;    ///< Descriptor that wakes waiting threads.
 std::atomic<bool> stopAsked = false;
 
-/// Lets the work stop by itself; false where nothing does so, or it was asked already.
+/// Requests an orderly stop. Returns false if there is no StopSignal, or the stop was requested before.
 bool askToStop()
 {
     const std::lock_guard lock(stopMutex);
@@ -52,7 +52,7 @@ void endOnStopSignals()
         sigemptyset(&awaited);
         sigaddset(&awaited, SIGINT);
         sigaddset(&awaited, SIGTERM);
-        // A shell that starts the program in the background ignores SIGINT for it; whoever sends one means it.
+        // Shells start background programs with SIGINT ignored. If it is sent all the same, it must work.
         ::signal(SIGINT, SIG_DFL);
         ::pthread_sigmask(SIG_BLOCK, &awaited, nullptr);
         std::thread([awaited] { waitForStop(awaited); }).detach();

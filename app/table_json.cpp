@@ -10,7 +10,7 @@ namespace {
 
 using render::Json;
 
-/// {"test": "all", "parts": [...]}, or {"test": "among", "row": "sunBy", "values": ["angles"]}.
+/// Returns {"test": "all", "parts": [...]}, or {"test": "among", "row": "sunBy", "values": ["angles"]}.
 Json conditionJson(const Condition& condition, const Parameters& table)
 {
     Json json{{"test", std::string(toString(condition.test))}};
@@ -26,7 +26,7 @@ Json conditionJson(const Condition& condition, const Parameters& table)
     return json;
 }
 
-/// Numbers are in SI, and `unit` is the SI unit that they are in.
+/// Returns a parameter. Numbers are in SI units, and `unit` names that unit.
 Json rowJson(const ParameterInfo& row, const Parameters& table)
 {
     Json choices = Json::array();
@@ -52,7 +52,7 @@ Json rowJson(const ParameterInfo& row, const Parameters& table)
                 {"actsWhen", when}};
 }
 
-/// What it offers to be compared with, and the rows in which that is another one.
+/// Returns the comparisons that the subject offers, with the parameters that they change.
 Json comparisonsJson(const Subject& subject, const Parameters& table)
 {
     Json all = Json::array();

@@ -8,12 +8,11 @@
 
 namespace vitrine::app {
 
-/// What `list --json` says of an exhibit or the hall: name, title, summary and every row of its table, and what it
-/// offers to be compared with (`subject` may be null: nothing). Numbers are in SI, and a row's `unit` is the SI unit
-/// that they are in.
+/// Returns the entry of an exhibit or the hall in `list --json`: name, title, summary, all parameters, and the
+/// comparisons that `subject` offers (null: none). Numbers are in SI units, and a parameter's `unit` names that unit.
 [[nodiscard]] render::Json exhibitJson(std::string_view name, std::string_view title, std::string_view summary,
                                        const Parameters&, const Subject* subject);
-/// That of every subject, with the rows that it has in this look.
+/// Returns the entries of all subjects, with their parameters in this scene state.
 [[nodiscard]] render::Json exhibitsJson(const Museum&, const SceneState&);
 
 }  // namespace vitrine::app

@@ -9,7 +9,7 @@
 namespace vitrine::app {
 namespace {
 
-/// The command that was typed, down to the last sub-command.
+/// Returns the innermost command that was typed.
 const CLI::App& typedCommand(const CLI::App& parser)
 {
     const CLI::App* command = &parser;
@@ -17,7 +17,7 @@ const CLI::App& typedCommand(const CLI::App& parser)
     return *command;
 }
 
-/// "vitrine scene mesh".
+/// Returns the command's full name: "vitrine scene mesh".
 std::string commandName(const CLI::App& command)
 {
     const CLI::App* above = command.get_parent();
@@ -66,7 +66,7 @@ std::string missing(const CLI::App& command)
     return '`' + name + "` needs a command; `" + name + " --help` lists what it has.";
 }
 
-/// Two options of which one was typed without or beside the other.
+/// Returns a sentence on two options that exclude or require each other, if that is the error.
 std::string together(const CLI::App& command)
 {
     for (const CLI::Option* option : command.get_options()) {
@@ -81,7 +81,7 @@ std::string together(const CLI::App& command)
     return {};
 }
 
-/// The option that a message of the parser begins with, or names behind `before`.
+/// Returns the option with which the parser's message begins, or that follows `before`.
 const CLI::Option* namedIn(const CLI::App& command, const std::string& message, const std::string& before = {})
 {
     for (const CLI::Option* option : command.get_options())
@@ -97,7 +97,7 @@ const CLI::Option* namedIn(const CLI::App& command, const std::string& message, 
 std::string usageError(const CLI::App& parser, const CLI::ParseError& error)
 {
     const CLI::App& command = typedCommand(parser);
-    // A mistyped option is often also missing under its right name: the unknown word is named first, as typed.
+    // A misspelled option often also causes a missing one. The unknown word is reported first, as typed.
     for (const CLI::App* app = &parser;; app = app->get_subcommands().front()) {
         for (const std::string& word : app->remaining())
             if (word != "--") return unexpected(*app, word);

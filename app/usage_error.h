@@ -9,8 +9,8 @@ class ParseError;
 
 namespace vitrine::app {
 
-/// Sentence on what was typed wrongly, with the command and, where one is near, the option or command that was meant.
-/// `parser` is the one that threw the error, with what it has read.
+/// Returns a sentence on a usage error, with the command and, if there is a similar one, the option or command that was
+/// probably meant. `parser` is the parser that threw the error.
 [[nodiscard]] std::string usageError(const CLI::App& parser, const CLI::ParseError&);
 
 }  // namespace vitrine::app

@@ -24,18 +24,18 @@
 namespace vitrine::app {
 namespace {
 
-/// In place of a file: the initial values of everything.
+/// Name in place of a file: the initial values of all subjects.
 constexpr const char* initialSettings = "initial";
 
 struct SettingsOptions {
     std::array<std::string, 2> files;
-    std::string with;  ///< In place of the second file: a comparison that the exhibit offers.
+    std::string with;  ///< Comparison offered by the exhibit, in place of the second file.
     PictureOptions picture;
     int runs = 5;
     std::string gain = "8";  ///< One of `comparisonGains`.
 };
 
-/// The file's own name, which two files in different folders may share: then the whole path.
+/// Returns the file names of A and B, or the whole paths if the names are equal.
 std::array<std::string, 2> namesOf(const std::array<std::string, 2>& files)
 {
     std::array<std::string, 2> names;
@@ -43,8 +43,8 @@ std::array<std::string, 2> namesOf(const std::array<std::string, 2>& files)
     return names[0] == names[1] ? files : names;
 }
 
-/// Where both are looked at from: as asked for, else the camera of the first file that has one, else the best view of
-/// the exhibit that was named, or of the first in which the two differ.
+/// Returns the camera of both pictures: as the options say, else that of the first file that has one, else the best
+/// view of the named exhibit, or of the first one in which A and B differ.
 render::Camera sharedCamera(const Museum& museum, const std::array<RequestedPicture, 2>& jobs,
                             const PictureOptions& options)
 {
@@ -72,7 +72,7 @@ RequestedPicture requestedSide(const Museum& museum, const PictureOptions& pictu
     return job;
 }
 
-/// Whose presets are meant, and what: an exhibit's name in place of A means its initial values.
+/// Reads the subject and both files from the options. An exhibit's name in place of A stands for its initial values.
 void readSubject(const Museum& museum, const CLI::App& command, SettingsOptions& options)
 {
     if (options.with.empty() == options.files[1].empty())
@@ -85,7 +85,7 @@ void readSubject(const Museum& museum, const CLI::App& command, SettingsOptions&
     options.files[0] = initialSettings;
 }
 
-/// The exhibit that was named, or the first in which the settings differ from the initial ones.
+/// Returns the named exhibit, or the first one that differs from the initial values.
 std::size_t subjectOf(const Museum& museum, const RequestedPicture& job)
 {
     if (job.subject != hallIndex) return job.subject;
@@ -94,7 +94,7 @@ std::size_t subjectOf(const Museum& museum, const RequestedPicture& job)
     throw Failure(Blame::usage, "--with: these settings change no exhibit; say with --exhibit which one is compared.");
 }
 
-/// Puts the offered comparison of the exhibit that A is about in place of B, and its title in place of B's file.
+/// Replaces B by the comparison that the exhibit of A offers, and B's file name by its title.
 void compareWith(const Museum& museum, SettingsOptions& options, std::array<RequestedPicture, 2>& jobs)
 {
     const std::size_t subject = subjectOf(museum, jobs[0]);

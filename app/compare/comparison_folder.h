@@ -9,26 +9,26 @@
 
 namespace vitrine::app {
 
-/// What a comparison is written as besides what it found.
+/// Texts and settings of a written comparison, beside its results.
 struct ComparisonText {
-    std::array<std::string, 2> names;    ///< What A and B are, for people.
-    std::array<std::string, 2> presets;  ///< The text that brings each back: goes into its picture.
-    double gain = 8;                     ///< That the page starts with, one of `comparisonGains`.
+    std::array<std::string, 2> names;    ///< Names of A and B for people.
+    std::array<std::string, 2> presets;  ///< Preset texts of A and B, which are written into their pictures.
+    double gain = 8;                     ///< Initial factor of the page; one of `comparisonGains`.
     render::Json machine;
 };
 
-/// What differences are multiplied by; each has pictures of its own.
+/// Factors by which differences are multiplied. Each has pictures of its own.
 inline constexpr std::array<int, 7> comparisonGains{1, 2, 4, 8, 16, 32, 64};
 
-/// Throws Failure (Blame::usage) when the folder is there and holds anything but a comparison.
+/// Throws Failure (Blame::usage) if the folder exists and contains anything but a comparison.
 void requireComparisonFolder(const std::filesystem::path&);
 
-/// Everything that was found but the pictures.
+/// Returns all results except the pictures.
 [[nodiscard]] render::Json comparisonJson(Subjects, const Comparison&, const ComparisonText&);
 
-/// Writes index.html, comparison.json and the pictures: a.png and b.png with what brings them back inside, and their
-/// differences, flip-G.png and signed-G.png for each gain G. All of it is written beside the folder first, which is
-/// then replaced; files of others stay in it. Throws Failure (Blame::file).
+/// Writes index.html, comparison.json and the pictures: a.png and b.png with their presets inside, and the differences
+/// flip-G.png and signed-G.png for each factor G. All files are written beside the folder first, which is then
+/// replaced; files of others stay in it. Throws Failure (Blame::file).
 void writeComparisonFolder(const std::filesystem::path&, Subjects, const Comparison&, const ComparisonText&);
 
 }  // namespace vitrine::app

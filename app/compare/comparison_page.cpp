@@ -79,7 +79,7 @@ std::string msText(const PassSide& side)
     return side.milliseconds < 0 ? "ran" : pageNumber(side.milliseconds);
 }
 
-/// Of both where they say the same, else each.
+/// Returns the reason once if it is the same for A and B, otherwise each reason.
 std::string whyText(const PassCost& cost)
 {
     if (cost.a.why == cost.b.why || cost.b.why.empty()) return cost.a.why;

@@ -6,8 +6,8 @@
 
 namespace vitrine::app {
 
-/// One page of HTML with both pictures (a wipe, side by side, flicker, differences), the costs pass by pass and the
-/// rows that differ. It needs the folder pictures/ beside it, and no network.
+/// Returns an HTML page with both pictures (wipe, side by side, flicker, differences), the costs pass by pass, and the
+/// differing parameters. It needs the folder pictures/ beside it, and no network.
 [[nodiscard]] std::string comparisonPage(Subjects, const Comparison&, const ComparisonText&);
 
 }  // namespace vitrine::app

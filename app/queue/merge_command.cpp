@@ -16,7 +16,7 @@ void addMergeCommand(CLI::App& parser, Action& chosen, const std::function<int(c
     command->callback([&chosen, out, run] {
         chosen = [out, run] {
             std::vector<std::string> words = Parts::commandFor(*out);
-            words.emplace_back("--from-parts");  // Which looks at all parts before it writes anything.
+            words.emplace_back("--from-parts");  // This option checks all parts before anything is written.
             const int code = run(words);
             if (code == 0) std::printf("The parts in %s.parts are not needed any more.\n", out->c_str());
             return code;

@@ -43,7 +43,7 @@ Json jobOf(const std::vector<std::string>& command, int of)
             {"command", command}};
 }
 
-/// The JSON in a small file; nothing where it cannot be read as such.
+/// Reads a small JSON file; nullopt if that is impossible.
 std::optional<Json> readReport(const fs::path& path)
 {
     try {
@@ -63,7 +63,7 @@ struct Job {
     int parts = 1;
 };
 
-/// Throws Failure (Blame::check) where there is none of this version of the program.
+/// Reads the job of the folder. Throws Failure (Blame::check) if there is none of this version of the program.
 Job jobIn(const fs::path& folder)
 {
     const std::optional<Json> job = readReport(folder / jobFile);
@@ -85,8 +85,8 @@ Job jobIn(const fs::path& folder)
     throw Failure(Blame::usage, folder.string() + ": " + why + "; remove the folder, or give another --out.");
 }
 
-/// Makes the folder with the job in it in one step: of parts that begin at once, on whatever machines, each finds all
-/// of it or nothing. Where the folder is there and not empty, it stays as it is.
+/// Makes the folder with the job in one step. If several parts start at once, on any machines, each finds the whole
+/// folder or none. An existing folder that is not empty is left alone.
 void makeFolder(const fs::path& folder, const std::string& job)
 {
     fs::path made = folder;

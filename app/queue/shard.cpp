@@ -8,7 +8,7 @@
 namespace vitrine::app {
 namespace {
 
-/// A whole number of at most five digits; 0 for anything else.
+/// Parses a whole number of at most five digits; 0 for other texts.
 int countOf(const std::string& text)
 {
     if (text.empty() || text.size() > 5 || text.find_first_not_of("0123456789") != std::string::npos) return 0;

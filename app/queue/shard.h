@@ -10,11 +10,11 @@ class App;
 
 namespace vitrine::app {
 
-/// One share of work that a queue runs in parts: part `part` of `of`, both from 1.
+/// Share of a job that is split into parts: part `part` of `of`, both from 1.
 struct Shard {
     int part = 1, of = 1;
 
-    /// Whether item `number` (from 0) belongs to it: every `of`th one does.
+    /// Returns whether item `number` (from 0) belongs to the part, as every `of`th one does.
     [[nodiscard]] bool makes(std::size_t number) const
     {
         return number % static_cast<std::size_t>(of) == static_cast<std::size_t>(part) - 1;
@@ -23,21 +23,21 @@ struct Shard {
 
 constexpr int mostParts = 10000;
 
-/// Of "2/8". Throws Failure (Blame::usage) saying what to give.
+/// Parses "2/8". Throws Failure (Blame::usage) saying what to give.
 [[nodiscard]] Shard parseShard(const std::string& typed);
 
-/// What a command that can be split into parts was told about it.
+/// Options of a command that can be split into parts.
 struct PartOptions {
-    std::string shard;       ///< "2/8"; empty: all of it.
-    bool fromParts = false;  ///< What the parts made is taken in place of being made: by `merge`.
+    std::string shard;       ///< Text "2/8"; empty: the whole job.
+    bool fromParts = false;  ///< Takes the results of the parts in place of computing them. Used by `merge`.
 };
 void addPartOptions(CLI::App&, PartOptions&);
 
-/// The words of this process's command line behind the program's name. `main` sets them.
+/// Arguments of this process, without the program's name. Set by `main`.
 [[nodiscard]] std::vector<std::string>& commandLine();
-/// The same without --shard: what all parts of a job have in common.
+/// Returns the arguments without --shard, which all parts of a job share.
 [[nodiscard]] std::vector<std::string> commandOfAllParts();
-/// As one types it, words quoted where a shell needs it.
+/// Formats a command line for a shell, with quotes where they are needed.
 [[nodiscard]] std::string shellText(const std::vector<std::string>& words);
 
 }  // namespace vitrine::app

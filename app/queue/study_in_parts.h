@@ -5,10 +5,10 @@
 
 namespace vitrine::app {
 
-/// The measures of a study in OUT.parts.
+/// Measurements of a study in OUT.parts.
 class StudyInParts final : public StudyParts {
 public:
-    /// `parts` must outlive it. `isPart`: it is being made; otherwise all were made.
+    /// `parts` must outlive this object. `isPart`: this process makes one part; otherwise all parts are made.
     StudyInParts(Parts& parts, bool isPart) : parts_(parts), isPart_(isPart) {}
 
     [[nodiscard]] bool isPart() const override { return isPart_; }

@@ -5,7 +5,7 @@
 
 namespace vitrine::app {
 
-/// Bytes as text (RFC 4648, section 4, padded), without line breaks.
+/// Encodes bytes as base64 (RFC 4648, section 4, padded), without line breaks.
 [[nodiscard]] std::string base64(std::string_view bytes);
 
 }  // namespace vitrine::app

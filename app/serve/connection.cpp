@@ -10,7 +10,7 @@
 namespace vitrine::app {
 namespace {
 
-/// How long the last line of a dropped connection may wait to be read.
+/// Time for a dropped client to read its last line.
 constexpr std::chrono::seconds lastLineWaits{2};
 constexpr const char* unreadReason = "More than 1 MiB of answers and events were not read: the connection ends here.";
 
@@ -109,7 +109,7 @@ void Connection::flush()
 void Connection::drop(std::string lastLine)
 {
     if (dropped()) return;
-    // A line that was begun is ended, so that the last one can be told from it.
+    // An unfinished line is finished first, so that the last line stands by itself.
     const std::size_t end = withinLine_ ? unsent_.find('\n', sent_) : std::string::npos;
     unsent_ = end == std::string::npos ? std::string() : unsent_.substr(sent_, end + 1 - sent_);
     sent_ = 0;

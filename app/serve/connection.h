@@ -9,61 +9,61 @@
 
 namespace vitrine::app {
 
-/// What came as one line.
+/// Received line.
 struct ReceivedLine {
     enum class Kind { whole, tooLong, unfinished };
     Kind kind = Kind::whole;
-    std::string text;  ///< Without its end; empty where it was too long.
+    std::string text;  ///< Text without the line's end; empty if it was too long.
 };
 
-/// Lines to and from one client, over a nonblocking socket; nothing here waits. Lines that are too long are left out,
-/// those behind them are read. Who does not read what he is sent is dropped, with the reason as the last line.
+/// Connection to one client: lines over a nonblocking socket. No function waits. Lines that are too long are skipped. A
+/// client that does not read its answers is dropped, with the reason as the last line.
 class Connection {
 public:
-    /// Of a line that comes.
+    /// Largest size of a received line.
     static constexpr std::size_t mostLineBytes = 1U << 20U;
-    /// Of what was sent and not read: more than that, and nothing further may be sent.
+    /// Largest number of bytes sent and not yet read. Beyond it, nothing more is sent.
     static constexpr std::size_t mostUnread = 1U << 20U;
 
     explicit Connection(render::Descriptor socket) : socket_(std::move(socket)) {}
 
     [[nodiscard]] int descriptor() const { return socket_.get(); }
 
-    /// The next line that came, blank ones left out.
+    /// Returns the next received line, if any; blank lines are skipped.
     [[nodiscard]] std::optional<ReceivedLine> takeLine();
-    /// Reads what has come, at most a piece of it.
+    /// Reads available data, at most one block.
     void receive();
-    /// The other end was closed: what it sent before can still be read.
+    /// The other end was closed. Data that it sent before can still be read.
     void hangUp();
 
-    /// Sends a line, which ends with a newline: at once, or when the other end takes it. The first beyond `mostUnread`
-    /// drops the connection instead.
+    /// Sends a line, which must end with a newline, now or as soon as the client reads. If more than `mostUnread` bytes
+    /// are unread, drops the connection instead.
     void send(std::string line);
-    /// Sends what waits, as far as the other end takes it.
+    /// Sends waiting data, as much as the socket accepts.
     void flush();
-    /// Ends the connection: `lastLine` takes the place of what waits.
+    /// Drops the connection: `lastLine` replaces the waiting data.
     void drop(std::string lastLine);
 
     [[nodiscard]] bool hungUp() const { return hungUp_; }
-    /// Nothing further will come.
+    /// Returns whether no more data will arrive.
     [[nodiscard]] bool inputEnded() const { return inputEnded_; }
     [[nodiscard]] bool hasUnsent() const { return sent_ < unsent_.size(); }
-    /// Whether the other end reads, so that it may ask for more.
+    /// Returns whether the client reads its answers, so that it may send more requests.
     [[nodiscard]] bool keepsUp() const { return unsent_.size() - sent_ <= mostUnread; }
     [[nodiscard]] bool dropped() const { return droppedAt_.has_value(); }
-    /// It was dropped, and its last line was sent or will not be.
+    /// Returns whether the connection was dropped, and its last line was sent or will never be.
     [[nodiscard]] bool over() const;
 
 private:
     render::Descriptor socket_;
     std::string input_;
-    std::size_t taken_ = 0;     ///< Of `input_`.
-    std::size_t searched_ = 0;  ///< Of `input_`: no line ends before that.
-    bool leavingOut_ = false;   ///< Up to the end of a line that is too long.
+    std::size_t taken_ = 0;     ///< Number of bytes of `input_` that were taken.
+    std::size_t searched_ = 0;  ///< Position in `input_` before which no line ends.
+    bool leavingOut_ = false;   ///< Skipping the rest of a line that is too long.
     bool inputEnded_ = false, hungUp_ = false;
     std::string unsent_;
-    std::size_t sent_ = 0;     ///< Of `unsent_`.
-    bool withinLine_ = false;  ///< Of what was sent, the last line has not ended.
+    std::size_t sent_ = 0;     ///< Number of bytes of `unsent_` that were sent.
+    bool withinLine_ = false;  ///< The last line sent so far is not complete.
     std::optional<std::chrono::steady_clock::time_point> droppedAt_;
 };
 

@@ -32,8 +32,8 @@ std::string blameName(Blame blame)
     return "file";
 }
 
-/// Looks for the id of a request that was refused as a whole: takes the first member "id" of the outermost object, as
-/// far as the text is JSON, and leaves all else unread.
+/// Parser that finds the id of a refused request: the first member "id" of the outermost object, as far as the text is
+/// JSON. Ignores everything else.
 class IdSeeker final : public nlohmann::json_sax<Json> {
 public:
     [[nodiscard]] const Json& id() const { return id_; }
@@ -72,7 +72,7 @@ private:
     bool isNext_ = false;
 };
 
-/// The id in a line that is no request, for whoever waits for the answer to it; null where there is none.
+/// Returns the id in a line that is no valid request, so that the client can assign the error; null if there is none.
 Json idIn(const std::string& line)
 {
     IdSeeker seeker;
@@ -80,7 +80,7 @@ Json idIn(const std::string& line)
     return seeker.id();
 }
 
-/// Throws RpcFailure when the root is no request.
+/// Converts the root to a request. Throws RpcFailure if it is none.
 RpcRequest requestOf(Json& root)
 {
     if (root.is_array())
@@ -158,8 +158,8 @@ std::string eventLine(const std::string& method, const Json& params)
 std::string withoutDashes(const std::string& message)
 {
     std::string text;
-    bool quoted = false;  // Within `backquotes`.
-    bool option = false;  // Within the name of an option.
+    bool quoted = false;  // Inside of `backquotes`.
+    bool option = false;  // Inside of an option's name.
     for (std::size_t i = 0; i < message.size(); ++i) {
         const char c = message[i];
         if (c == '`') quoted = !quoted;

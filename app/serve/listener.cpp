@@ -36,7 +36,7 @@ sockaddr_un addressOf(const std::string& path)
     return address;
 }
 
-/// Held while the path is looked at and taken, so that of two servers that start at once one sees the other.
+/// Locks the folder while the path is checked and bound, so that two servers that start at once do not collide.
 Descriptor lockedFolder(const std::string& path)
 {
     const std::filesystem::path parent = std::filesystem::path(path).parent_path();
@@ -50,11 +50,11 @@ Descriptor lockedFolder(const std::string& path)
     return lock;
 }
 
-/// Removes what a dead server left. Throws Failure when anything else is there.
+/// Removes the socket of a server that has ended. Throws Failure if anything else is there.
 void removeStale(const std::string& path, const sockaddr_un& address)
 {
     struct stat found {};
-    if (::lstat(path.c_str(), &found) != 0) return;  // Nothing there: or `bind` says what is wrong.
+    if (::lstat(path.c_str(), &found) != 0) return;  // Nothing is there, or `bind` will report the error.
     if (!S_ISSOCK(found.st_mode))
         throw fileFailure(path, "something else than a socket lies there; it was left alone, choose another path.");
     const Descriptor trial(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
@@ -77,7 +77,7 @@ Listener::Listener(std::string path) : path_(std::move(path))
     const Descriptor lock = lockedFolder(path_);
     removeStale(path_, address);
     socket_ = Descriptor(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
-    const mode_t before = ::umask(0177);  // From the first moment on, nobody else's.
+    const mode_t before = ::umask(0177);  // The socket must never be accessible to others.
     const bool bound =
         socket_.open() && ::bind(socket_.get(), reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
     const int error = errno;

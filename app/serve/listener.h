@@ -9,12 +9,12 @@
 
 namespace vitrine::app {
 
-/// A Unix stream socket in the file system that only its owner can connect to: its mode is 0600, and whoever connects
-/// all the same is asked for his user (SO_PEERCRED) and turned away unless it is ours.
+/// Unix stream socket in the file system, for its owner only. Its mode is 0600, and connections of another user
+/// (SO_PEERCRED) are closed.
 class Listener {
 public:
-    /// Listens at `path`. A socket that a dead server left there is replaced. Throws Failure (Blame::usage) when a
-    /// server is alive there or the path is too long, Blame::file when something else lies there or it cannot be made.
+    /// Listens at `path`. Replaces the socket of a server that has ended. Throws Failure: Blame::usage if a server is
+    /// running there or the path is too long, Blame::file if anything else is there or it cannot be made.
     explicit Listener(std::string path);
     /// Removes the socket, unless something else has taken its place.
     ~Listener();
@@ -22,9 +22,9 @@ public:
     Listener& operator=(const Listener&) = delete;
 
     [[nodiscard]] const std::string& path() const { return path_; }
-    /// To poll: readable while somebody waits.
+    /// Returns the descriptor to poll: readable while a client is waiting.
     [[nodiscard]] int descriptor() const { return socket_.get(); }
-    /// Whoever waits, nonblocking; nothing where nobody does. Strangers are closed.
+    /// Accepts a waiting client as a nonblocking socket, if there is one. Connections of other users are closed.
     [[nodiscard]] std::optional<render::Descriptor> accept() const;
 
 private:

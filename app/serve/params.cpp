@@ -28,7 +28,7 @@ std::string keysOf(const CLI::App& options)
     return keys;
 }
 
-/// What is typed for a value; `separator` stands between the elements of a list.
+/// Converts a value to the text that would be typed. `separator` separates the elements of a list.
 std::string typed(const std::string& key, const Json& value, char separator)
 {
     if (value.is_string()) return value.get<std::string>();
@@ -48,7 +48,7 @@ std::string typed(const std::string& key, const Json& value, char separator)
                                       "is, leave it out.");
 }
 
-/// "name=value" for each member of an object, or each element of a list as it is.
+/// Converts an object to a list of "name=value"; a list is taken as it is.
 std::vector<std::string> typedList(const std::string& key, const Json& value)
 {
     std::vector<std::string> texts;

@@ -19,9 +19,9 @@ namespace {
 using render::Json;
 using std::chrono::steady_clock;
 
-/// Between two events about the progress of one request.
+/// Least time between two progress events of a request.
 constexpr std::chrono::milliseconds progressPause{100};
-/// How long a wait may last while a dropped connection is to be forgotten.
+/// Largest time of a wait while a dropped connection has to be removed.
 constexpr int dropWaitMilliseconds = 500;
 
 const std::string tooLong = "A line has more than " + std::to_string(Connection::mostLineBytes) +
@@ -61,7 +61,7 @@ void Server::exchange(bool wait)
     for (Client& client : clients_) {
         const Connection& connection = client.connection;
         anyDropped = anyDropped || connection.dropped();
-        // Who has hung up and has nothing left to read would wake us for ever.
+        // A closed connection with nothing left to read would end every poll at once.
         if (connection.hungUp() && (connection.inputEnded() || !mayAsk(client))) continue;
         int events = connection.hasUnsent() ? POLLOUT : 0;
         if (!connection.inputEnded() && (mayAsk(client) || connection.dropped())) events |= POLLIN;
@@ -85,7 +85,8 @@ void Server::exchange(bool wait)
 
 void Server::acceptAll()
 {
-    for (std::size_t i = 0; i < mostConnections; ++i) {  // Who connects without end keeps nobody waiting.
+    // Limited, so that a flood of connections does not block the others.
+    for (std::size_t i = 0; i < mostConnections; ++i) {
         std::optional<render::Descriptor> socket = listener_.accept();
         if (!socket) return;
         Client client{Connection(std::move(*socket))};
@@ -135,7 +136,7 @@ void Server::takeIn(Client& client)
                 takeRequest(client, parseRequest(std::move(line->text)));
             } catch (const RpcFailure& failure) {
                 connection.send(errorLine(failure.id(), failure));
-            } catch (const std::exception& error) {  // Of memory that ran out.
+            } catch (const std::exception& error) {  // Such as a lack of memory.
                 connection.send(errorLine(nullptr, error));
             }
         }
@@ -144,7 +145,7 @@ void Server::takeIn(Client& client)
 
 void Server::takeRequest(Client& client, RpcRequest request)
 {
-    if (request.method == "cancel") {  // At once: what it is about runs or waits.
+    if (request.method == "cancel") {  // Handled at once, because its request is running or waiting.
         served(client, request);
         return;
     }

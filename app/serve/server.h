@@ -12,66 +12,67 @@
 
 namespace vitrine::app {
 
-/// Serves whoever connects, one request after the other, in turn. Between the steps of a long one it goes on to accept,
-/// read and send, so that it can be canceled: by `cancel` on its own connection, by closing that, or by a signal.
+/// Server that handles the requests of all connections, one after the other, in turn. Between the steps of a long
+/// request it accepts, reads and sends. A request is canceled by `cancel` on its own connection, by closing that, or by
+/// a signal.
 class Server {
 public:
     static constexpr std::size_t mostConnections = 16;
-    /// Of one connection, waiting; what lies beyond is not read yet.
+    /// Most waiting requests of one connection; further ones are not read yet.
     static constexpr std::size_t mostWaiting = 64;
 
-    /// Both must outlive it. While all places are taken, a connection that sent nothing for `mayIdle` gives way to a
-    /// new one.
+    /// Both must outlive the server. If all places are taken, a new connection replaces one that sent nothing for
+    /// `mayIdle` seconds.
     Server(const Listener& listener, Service& service, std::chrono::duration<double> mayIdle)
         : listener_(listener), service_(service), mayIdle_(mayIdle)
     {
     }
-    /// Until `StopSignal::stopped()`.
+    /// Runs until `StopSignal::stopped()`.
     void run();
 
 private:
     struct Client {
         Connection connection;
-        int number = 0;  ///< For the log, from 1.
+        int number = 0;  ///< Number for the log, from 1.
         std::deque<RpcRequest> waiting = {};
         std::size_t waitingBytes = 0;
         bool wantsEvents = false;
-        std::chrono::steady_clock::time_point heard = std::chrono::steady_clock::now();  ///< Its last line came then.
+        std::chrono::steady_clock::time_point heard = std::chrono::steady_clock::now();  ///< Time of its last line.
     };
-    /// What is being served, and for whom.
+    /// Request that is being handled, and its client.
     struct Current {
         Client& client;
         const RpcRequest& request;
         bool canceled = false;
-        std::chrono::steady_clock::time_point told = {};  ///< Of the last event about it.
+        std::chrono::steady_clock::time_point told = {};  ///< Time of its last progress event.
     };
 
-    /// Waits until there is something to do, or looks whether there is; takes in and sends what can be.
+    /// Accepts, receives and sends as much as possible. `wait`: waits until there is something to do.
     void exchange(bool wait);
     void acceptAll();
-    /// Ends the connection that was silent for longest, at least for `mayIdle`; false: there is none.
+    /// Drops the connection that was silent for longest, if it was for `mayIdle`. Returns false if there is none.
     bool endIdle();
     void takeIn(Client&);
     void takeRequest(Client&, RpcRequest);
     void serve(Client&);
     void answer(Client&, const RpcRequest&, const std::string& line);
-    /// What is about connections and not the service's: true when `request` was that.
+    /// Handles requests about the connection itself. Returns whether `request` was one.
     bool served(Client&, const RpcRequest&);
     void cancel(Client&, const RpcRequest&);
     void watch(double part, const std::string& doing);
     void tellProgress(const std::string& event, render::Json params);
     void tellChanges(const Client& by);
-    /// But for the one that is being served.
+    /// Removes ended connections, except for the one that is being served.
     void removeEnded();
-    /// Whether more may be read of what it asks for.
+    /// Returns whether more of the client's requests may be read.
     [[nodiscard]] static bool mayAsk(const Client&);
-    /// Whether its next request is to be served: only who reads its answers gets more.
+    /// Returns whether the client's next request may be served: it must read its answers.
     [[nodiscard]] static bool isNext(const Client&);
 
     const Listener& listener_;
     Service& service_;
     std::chrono::duration<double> mayIdle_;
-    std::list<Client> clients_;  ///< Keep their place.
+    std::list<Client> clients_;  ///< A list, because its elements stay in place.
     Current* current_ = nullptr;
     int lastNumber_ = 0;
 };

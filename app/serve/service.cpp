@@ -207,7 +207,7 @@ Json Service::loadPreset(const Json& params, const Watch&)
     job.subject = subjectNamed(exhibit);
     job.sceneState = sceneState_;
     applyPreset(museum_, preset, job);
-    applySets(museum_, job.sceneState, job.subject, {}, job.notes);  // The rows that its files give.
+    applySets(museum_, job.sceneState, job.subject, {}, job.notes);  // Reads files of the preset that add parameters.
     cameras_.erase(job.subject);
     if (job.cameraFromPreset) cameras_[job.subject] = job.sceneState.camera;
     job.sceneState.camera = sceneState_.camera;
@@ -289,7 +289,7 @@ Json Service::renderPicture(const Json& params, const Watch& watch)
     addPictureOptions(options, picture);
     readParams(options, "render", params);
     const bool inAnswer = picture.out.empty();
-    if (inAnswer) picture.out = "answer.png";  // That kind: nothing is written.
+    if (inAnswer) picture.out = "answer.png";  // Selects the format; no file is written.
     const render::PictureFormat format = pictureFormat("--out", picture.out, sixteenBit);
     const RequestedPicture job = requestedPicture(museum_, picture, sceneState_, cameraOf(picture.subject));
     PictureMaker maker(museum_, renderer_, job.sceneState, job.request);
@@ -314,7 +314,7 @@ Json Service::runStudy(const Json& params, const Watch& watch)
     StudyOptions asked;
     CLI::App options;
     addStudyOptions(options, asked);
-    options.remove_option(options.get_option("--out"));  // The table is the answer.
+    options.remove_option(options.get_option("--out"));  // The answer contains the table.
     readParams(options, "study", params);
     std::vector<std::string> notes;
     StudyRequest request = studyRequest(museum_, asked, sceneState_, notes);

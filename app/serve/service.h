@@ -14,24 +14,24 @@
 
 namespace vitrine::app {
 
-/// What the service knows and does, whoever asks: one look for all, as a window has one.
+/// State and methods of the service. All clients share one scene state.
 class Service {
 public:
-    /// Told between the steps of long work: which part is done, 0 to 1, and what is being done. It stops the work by
+    /// Called between the steps of long work with the part that is done, 0 to 1, and a description. Stops the work by
     /// throwing.
     using Watch = std::function<void(double part, const std::string& doing)>;
 
-    /// All three must outlive it. Starts with the initial look.
+    /// All must outlive this object. Starts with the initial scene state.
     Service(const Museum&, render::gl::Renderer&, const render::gl::ContextInfo&);
 
-    /// The result of a method. Throws RpcFailure for an unknown one, Failure as its command of the command line does,
-    /// and what `watch` throws; the look is then as before.
+    /// Calls a method and returns its result. Throws RpcFailure for an unknown method, Failure like the command of the
+    /// same name, and what `watch` throws; the scene state is then unchanged.
     [[nodiscard]] render::Json answer(const std::string& method, const render::Json& params, const Watch&);
 
-    /// What has changed since the last call, for each exhibit by itself: {"exhibit", "values", "motions"}.
+    /// Returns the changes since the last call, one for each exhibit: {"exhibit", "values", "motions"}.
     [[nodiscard]] std::vector<render::Json> takeChanges() { return std::exchange(changes_, {}); }
 
-    /// The methods, a line each, for the help text.
+    /// Returns a line for each method, for the help text.
     [[nodiscard]] static std::string methodsText();
 
 private:
@@ -55,14 +55,14 @@ private:
 
     [[nodiscard]] std::size_t subjectNamed(const std::string& name) const;
     [[nodiscard]] std::optional<render::Camera> cameraOf(const std::string& name) const;
-    /// Takes the look in place of the present one, and notes what is different.
+    /// Replaces the scene state, and notes the changes.
     void become(SceneState);
 
     const Museum& museum_;
     render::gl::Renderer& renderer_;
     const render::gl::ContextInfo& gl_;
     SceneState sceneState_;
-    std::map<std::size_t, render::Camera> cameras_;  ///< Of the preset that was loaded for a subject.
+    std::map<std::size_t, render::Camera> cameras_;  ///< Cameras of the presets loaded last, by subject.
     std::vector<render::Json> changes_;
 };
 

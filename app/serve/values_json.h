@@ -5,12 +5,12 @@
 
 namespace vitrine::app {
 
-/// Every row's value by its name, as presets write it.
+/// Returns the values of all parameters by name, in the format of presets.
 [[nodiscard]] render::Json valuesJson(const ParameterValues&);
-/// How rows move, by their names.
+/// Returns the animations by parameter name.
 [[nodiscard]] render::Json motionsJson(const ParameterValues&);
-/// {"exhibit", "values", "motions"} of the rows that are not as before; null where all are. A row that moved and rests
-/// now has null for a motion.
+/// Returns {"exhibit", "values", "motions"} of all parameters that changed; null if none did. An animation that ended
+/// is null.
 [[nodiscard]] render::Json changeJson(std::string_view exhibit, const ParameterValues& before,
                                       const ParameterValues& now);
 

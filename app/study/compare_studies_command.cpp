@@ -30,7 +30,7 @@ std::vector<KeptStudy> readAll(const std::vector<std::string>& files)
     for (const std::string& file : files) {
         std::vector<StudyAndJson> found = parseStudies(render::readJson(file, studyLimits));
         for (StudyAndJson& each : found) {
-            // Several that `vitrine study` wrote are told apart by their files.
+            // Files of `vitrine study` have no name inside, so the file name is used.
             if (each.study.name.empty() && found.size() == 1) each.study.name = nameOfStudyFile(file);
             studies.push_back(std::move(each.study));
         }
@@ -72,7 +72,8 @@ std::string costOf(const std::vector<KeptStudy>& studies, const std::string& wan
                   "--cost " + wanted + ": " + why + " one of " + listed(costs) + '.');
 }
 
-/// By this cost, then by time and by the most telling count of work, as far as these are others.
+/// Returns the comparisons by this cost, and then by time and by the most telling count of work, if they differ from
+/// it.
 std::vector<StudyComparison> comparisons(const std::vector<KeptStudy>& studies, const std::string& cost)
 {
     std::vector<std::string> costs{cost};

@@ -5,18 +5,18 @@
 
 namespace vitrine::app {
 
-/// A cost that the reader of a page can choose for its chart.
+/// Cost that the reader of a page can choose for the chart.
 struct PageCost {
-    std::string name;    ///< "ms", or a counter.
-    std::string title;   ///< For people.
-    bool shown = false;  ///< At first; one of them is.
+    std::string name;    ///< Name: "ms", or a counter.
+    std::string title;   ///< Title for people.
+    bool shown = false;  ///< Shown at first; true for one of them.
 };
 
-/// One button for each cost; empty for fewer than two.
+/// Returns a button for each cost; empty for fewer than two.
 [[nodiscard]] std::string costButtons(const std::vector<PageCost>&);
-/// Attributes of an element that is shown while this cost is chosen.
+/// Returns the attributes of an element that is shown while this cost is chosen.
 [[nodiscard]] std::string shownWith(const PageCost&);
-/// A script element that makes the buttons work, for the end of a page; empty for fewer than two costs.
+/// Returns the script element of the buttons, for the end of a page; empty for fewer than two costs.
 [[nodiscard]] std::string costScript(const std::vector<PageCost>&);
 
 }  // namespace vitrine::app

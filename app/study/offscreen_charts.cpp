@@ -17,9 +17,9 @@ void prepareOffscreenCharts()
     if (QApplication::instance()) return;
     qputenv("QT_QPA_PLATFORM", "offscreen");
     qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {
-    });  // What it says of a display concerns nobody here.
+    });  // Messages about the missing display are dropped.
     static QApplication application(count, arguments);
-    std::setlocale(LC_NUMERIC, "C");  // Qt brings the user's.
+    std::setlocale(LC_NUMERIC, "C");  // Qt sets the user's locale.
     ui::applyTheme(application, ui::lightTheme());
 }
 

@@ -7,14 +7,14 @@
 
 namespace vitrine::app {
 
-/// Of charts in the folders of studies, pixels.
+/// Size of charts in the folders of studies, in pixels.
 inline constexpr QSize studyChartSize(960, 540);
-inline constexpr double studyChartScale = 1.5;  ///< Of the PNG, for sharp screens.
+inline constexpr double studyChartScale = 1.5;  ///< Scale of the PNG, for high-resolution screens.
 
-/// Qt then draws charts without a display, in light colors; there may be an application already.
+/// Prepares Qt for drawing charts without a display, in light colors. An application may already exist.
 void prepareOffscreenCharts();
 
-/// Throws Failure (Blame::file) where a chart for this folder could not be drawn.
+/// Throws Failure (Blame::file) if a chart for this folder could not be drawn.
 void requireChart(const QByteArray& png, const std::filesystem::path& folder);
 
 }  // namespace vitrine::app

@@ -27,7 +27,7 @@
 namespace vitrine::app {
 namespace {
 
-/// One line that is written over while the study runs; nothing where nobody watches.
+/// Progress line that is overwritten while the study runs. Prints nothing if `watched` is false.
 class StudyLine {
 public:
     explicit StudyLine(bool watched) : watched_(watched) {}
@@ -57,7 +57,7 @@ void printTable(Subjects subjects, const StudyRequest& request, const StudyResul
     const StudyCosts costs = costsAlong(axis, request, result);
     std::printf("%-44s %12s %14s %12s %10s\n", "setting", std::string(toString(request.metric)).c_str(),
                 costTitle(result.costName).c_str(), "ms, median", "spread");
-    // A curve by its parameter; of a search, the front and the present setting, by cost.
+    // A curve is sorted by its parameter. A search lists the front and the present setting by cost.
     std::vector<std::size_t> shown(result.points.size());
     std::iota(shown.begin(), shown.end(), std::size_t{0});
     if (request.axes.size() > 2) {
@@ -88,7 +88,7 @@ void printTable(Subjects subjects, const StudyRequest& request, const StudyResul
         if (!sentence.empty()) std::printf("%s\n", sentence.c_str());
 }
 
-/// The chosen values as a preset of the exhibit; of the hall's, as an exhibition.
+/// Returns the chosen values as a preset of the exhibit; for the hall, as an exhibition.
 std::string chosenPreset(const Museum& museum, const Study& study)
 {
     const StudyResult& result = study.result();
@@ -111,7 +111,7 @@ StudyRequest requestOf(const Museum& museum, const StudyOptions& options)
     return request;
 }
 
-/// A study that has been measured, and what it was measured with. `parts`: as Study has them.
+/// Measured study with its museum and renderer. `parts` is passed to Study.
 struct MeasuredStudy {
     MeasuredStudy(const StudyOptions& options, StudyParts* parts)
         : study(museum, renderer, requestOf(museum, options), parts)

@@ -50,7 +50,7 @@ std::string differencesTable(const StudyComparison& comparison, const PageCost& 
     return text + "</tbody></table></div>\n";
 }
 
-/// A comparison by one cost, as the page shows it.
+/// Comparison by one cost, with its chart, for the page.
 struct ComparisonSheet {
     StudyComparison comparison;
     PageCost cost;
@@ -74,7 +74,7 @@ std::string comparisonPage(const std::vector<KeptStudy>& studies, const std::vec
     for (const ComparisonSheet& sheet : sheets) costs.push_back(sheet.cost);
     page += "<div class=\"sheet\">" + costButtons(costs);
     for (const ComparisonSheet& sheet : sheets) {
-        // The drawing alone: within HTML there is no place for an XML declaration.
+        // HTML allows no XML declaration, so only the svg element is used.
         const std::size_t start = sheet.svg.find("<svg");
         page += "<div class=\"chart\"" + shownWith(sheet.cost) + ">" +
                 (start == std::string::npos ? std::string() : sheet.svg.substr(start)) + "</div>";

@@ -26,7 +26,7 @@ render::Image colorOf(const render::Image& picture)
     return color;
 }
 
-/// Of a study of few parameters, every point; of a search, those that one may choose.
+/// Returns whether a point is shown: all points for one or two parameters, only those worth choosing for a search.
 bool isShown(const StudyRequest& request, const StudyResult& result, std::size_t point)
 {
     if (request.axes.size() <= 2) return true;
@@ -40,7 +40,7 @@ std::vector<StudyPagePoint> writePictures(const fs::path& folder, Subjects subje
     for (std::size_t v = 0; v < result.references.size(); ++v)
         render::writePicture(folder / ("reference-" + std::to_string(v + 1) + ".png"), colorOf(result.references[v]),
                              render::PictureFormat::png8);
-    // One scale for all heat maps of a view, so that they can be compared.
+    // All heat maps of a view have the same scale, so that they can be compared.
     std::vector<StudyPagePoint> points;
     for (std::size_t v = 0; v < result.references.size(); ++v) {
         std::map<std::size_t, render::Image> maps;
@@ -96,7 +96,7 @@ void writeStudyFolder(const fs::path& folder, Subjects subjects, const Study& st
     std::string svg;
     for (const CostAxis axis : {CostAxis::time, CostAxis::work}) {
         const std::string name = costsAlong(axis, request, result).name;
-        if (axis != costs && name.empty()) continue;  // It would have no point.
+        if (axis != costs && name.empty()) continue;  // The chart would have no points.
         ui::StudyChart chart;
         chart.showStudy(ui::charted(subjects, request, result, axis));
         const std::string words = axis == CostAxis::time ? "milliseconds" : "counted work: " + costTitle(name);

@@ -10,17 +10,17 @@
 
 namespace vitrine::app {
 
-/// Throws Failure (Blame::usage) when the folder is there and holds anything but a study.
+/// Throws Failure (Blame::usage) if the folder exists and contains anything but a study.
 void requireStudyFolder(const std::filesystem::path&);
 
-/// The axis of costs that a study's own chart has: as asked for, else time, if its clock can be trusted or no count of
-/// work tells its settings apart.
+/// Returns the cost axis of a study's chart: the requested one, else time, if its clock is exact enough or no count of
+/// work distinguishes the settings.
 [[nodiscard]] CostAxis chartCosts(const StudyResult&, std::optional<CostAxis> asked);
 
-/// Writes study.json, study.csv, chart.svg, chart.png, pictures, heat maps and index.html, and `presetText` as
-/// preset.json when it is not empty. All of it is written beside the folder first, which is then replaced: it holds
-/// all of the old study or all of the new. `machine` goes into the file as it is. `costs` is the axis of chart.svg and
-/// chart.png; the page shows both. Throws Failure (Blame::file).
+/// Writes study.json, study.csv, chart.svg, chart.png, pictures, heat maps and index.html, and `presetText`, if not
+/// empty, as preset.json. All files are written beside the folder first, which is then replaced, so that it has all of
+/// the old study or all of the new. `machine` is written unchanged. `costs` is the axis of chart.svg and chart.png; the
+/// page shows both axes. Throws Failure (Blame::file).
 void writeStudyFolder(const std::filesystem::path&, Subjects, const Study&, const render::Json& machine,
                       const std::string& presetText, CostAxis costs);
 

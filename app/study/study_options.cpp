@@ -13,7 +13,7 @@
 namespace vitrine::app {
 namespace {
 
-/// The names of what can be studied: "bounces, shadowRays, ...".
+/// Returns the names of parameters that can be studied: "bounces, shadowRays, ...".
 std::string qualityNames(const SceneState& sceneState, std::size_t exhibit)
 {
     std::string names;

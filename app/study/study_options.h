@@ -15,20 +15,20 @@ class App;
 
 namespace vitrine::app {
 
-/// The axis of that name, "ms" or "work"; nothing for an empty one. Throws Failure (Blame::usage) naming both.
+/// Returns the cost axis "ms" or "work"; nullopt for an empty name. Throws Failure (Blame::usage) naming both.
 [[nodiscard]] std::optional<CostAxis> costAxisOption(const std::string& name);
 
-/// The metric of that name. Throws Failure (Blame::usage) naming the option and all metrics.
+/// Returns the metric of this name. Throws Failure (Blame::usage) naming the option and all metrics.
 [[nodiscard]] render::Metric metricOption(const std::string& option, const std::string& name, bool ofStudy = false);
-/// Names of the metrics; of a study's those that fall to 0.
+/// Returns the names of the metrics; `ofStudy`: only those that are 0 for equal pictures.
 [[nodiscard]] std::string metricNames(bool ofStudy = false);
 
-/// What `study` can be told, as typed.
+/// Options of `study`, as typed.
 struct StudyOptions {
     std::string subject;
     std::vector<std::string> parameters;
-    std::string values;  ///< "16,64,256", for one parameter.
-    int points = 0;      ///< 0: as many as `usualPoints` says.
+    std::string values;  ///< Values of the one parameter: "16,64,256".
+    int points = 0;      ///< 0: the number of `usualPoints`.
     int views = 3;
     std::string size = "320x180";
     std::string metric = "rmse";
@@ -40,7 +40,7 @@ struct StudyOptions {
     bool alone = false;
     bool noModelError = false;
     bool asSet = false;
-    std::string cost;  ///< "ms" or "work"; empty: by whether the clock can be trusted.
+    std::string cost;  ///< Cost axis, "ms" or "work"; empty: depends on whether the clock is exact enough.
     std::optional<double> maxError, maxMilliseconds;
     std::string out;
     PartOptions part;
@@ -48,10 +48,10 @@ struct StudyOptions {
 
 void addStudyOptions(CLI::App&, StudyOptions&);
 
-/// The study that the options ask for; `notes` gets what was brought to the nearest legal value. Throws Failure
+/// Returns the study that the options describe. `notes` gets sentences on corrected values. Throws Failure
 /// (Blame::usage) naming the option or parameter and what to give.
 [[nodiscard]] StudyRequest studyRequest(const Museum&, const StudyOptions&, std::vector<std::string>& notes);
-/// The same from this look in place of the initial one.
+/// The same with another scene state than the initial one.
 [[nodiscard]] StudyRequest studyRequest(const Museum&, const StudyOptions&, SceneState,
                                         std::vector<std::string>& notes);
 

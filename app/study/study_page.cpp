@@ -107,13 +107,13 @@ std::vector<PageCost> costsOf(const std::vector<StudyPageChart>& charts)
     return costs;
 }
 
-/// Buttons that choose the axis, where there is a choice, and the chart of each.
+/// Returns the buttons that choose the cost axis, if there is a choice, and a chart for each axis.
 std::string chartsOf(const std::vector<StudyPageChart>& charts, glm::ivec2 size,
                      const std::vector<StudyPagePoint>& points)
 {
     std::string page = "<div class=\"sheet\">" + costButtons(costsOf(charts));
     for (const StudyPageChart& chart : charts) {
-        // The drawing alone: within HTML there is no place for an XML declaration.
+        // HTML allows no XML declaration, so only the svg element is used.
         const std::size_t start = chart.svg.find("<svg");
         page += "<div class=\"chart\"" + shownWith(chart.cost) + ">" +
                 (start == std::string::npos ? std::string() : chart.svg.substr(start)) +

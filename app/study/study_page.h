@@ -11,23 +11,23 @@
 
 namespace vitrine::app {
 
-/// A point as the page shows it.
+/// Point of a study on the page.
 struct StudyPagePoint {
     std::string text;
-    bool hasPictures = false;  ///< pictures/point-N-view-V.png and its -heat.png are there.
+    bool hasPictures = false;  ///< The files pictures/point-N-view-V.png and its -heat.png exist.
 };
 
-/// A chart of the page over one axis of costs.
+/// Chart of the page for one cost axis.
 struct StudyPageChart {
     CostAxis axis = CostAxis::time;
     std::string svg;
-    std::vector<std::optional<glm::dvec2>> places;  ///< Of each point, pixels from the top left; unset: not in it.
+    /// Position of each point in pixels from the top left; unset: not in the chart.
+    std::vector<std::optional<glm::dvec2>> places;
     PageCost cost;
 };
 
-/// One page of HTML that shows chart, pictures, heat maps and numbers together, with a wipe against the reference, and
-/// a button for each axis of costs.
-/// It needs the folder pictures/ beside it, and no network.
+/// Returns an HTML page with chart, pictures, heat maps and numbers, a wipe against the reference, and a button for
+/// each cost axis. It needs the folder pictures/ beside it, and no network.
 [[nodiscard]] std::string studyPage(Subjects, const StudyRequest&, const StudyResult&,
                                     const std::vector<StudyPageChart>&, glm::ivec2 chartSize,
                                     const std::vector<StudyPagePoint>&);
