@@ -15,13 +15,13 @@
 
 namespace vitrine::test {
 
-/// A ball as a scene's file has it: {"balls": [{"name": "red", "radius": 0.5}, ...]}.
+/// Ball in a scene file: {"balls": [{"name": "red", "radius": 0.5}, ...]}.
 struct Ball {
     std::string name;
     double radius = 0;
 };
 
-/// The rows that every scene has, and three for each of its balls.
+/// Table with the parameters of every scene, and two for each of its balls.
 struct BallTable final : Parameters {
     explicit BallTable(std::vector<Ball> described) : scene(std::move(described))
     {
@@ -45,11 +45,11 @@ struct BallTable final : Parameters {
     const std::vector<Ball> scene;
     File file = this->Parameters::file("scene", "Balls, as JSON.", endings("json"), givesRows());
     Real spin = real("spin", 1, none, {0, 10}, "How fast all turn.");
-    std::vector<Real> radii;  ///< By ball.
+    std::vector<Real> radii;  ///< Indices are those of the balls.
     std::vector<Count> rings;
 };
 
-/// An exhibit whose rows are those of the balls that its file describes.
+/// Exhibit with parameters for the balls that its file describes.
 class BallsExhibit : public Exhibit, public TableFromFiles {
 public:
     [[nodiscard]] std::string_view name() const override { return "balls"; }
@@ -73,7 +73,7 @@ public:
         return {nullptr, unreadableFile(none_.rows()[none_.file.row], title(), table.failure)};
     }
 
-    std::function<void()> beforeReading;  ///< On the thread that reads.
+    std::function<void()> beforeReading;  ///< Called on the reading thread before a file is read.
 
 private:
     static render::AssetStore::Made<BallTable> read(const std::string& path)
@@ -95,7 +95,7 @@ inline void writeBalls(const std::filesystem::path& path, const std::vector<Ball
     std::ofstream(path) << scene.dump();
 }
 
-/// Sets a row by its name; returns whether there is one.
+/// Sets a parameter by name. Returns whether it exists.
 inline bool setRow(ParameterValues& values, std::string_view name, const Value& value)
 {
     const std::optional<std::size_t> row = values.table().find(name);

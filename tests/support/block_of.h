@@ -8,7 +8,7 @@
 
 namespace vitrine::test {
 
-/// Takes the fields of a described block out of its bytes, in their order.
+/// Reads the fields of a uniform block from its bytes, in their order.
 class BlockReader {
 public:
     explicit BlockReader(const std::vector<std::byte>& bytes) : bytes_(bytes) {}
@@ -40,10 +40,10 @@ public:
 
 private:
     const std::vector<std::byte>& bytes_;
-    render::Std140Writer at_;  ///< Says where each field lies.
+    render::Std140Writer at_;  ///< Computes the position of each field.
 };
 
-/// What `render::std140Bytes` was made of.
+/// Returns the struct from which `render::std140Bytes` made the bytes.
 template <render::BlockStruct T> T blockOf(const std::vector<std::byte>& bytes)
 {
     T block;

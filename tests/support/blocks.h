@@ -13,7 +13,7 @@
 
 namespace vitrine::test {
 
-/// A cube of a pile: {"blocks": [{"name": "red", "size": 0.2, "at": [0, 0, 0]}, ...]}.
+/// Cube of a pile: {"blocks": [{"name": "red", "size": 0.2, "at": [0, 0, 0]}, ...]}.
 struct Block {
     std::string name;
     double size = 0.2;
@@ -40,7 +40,7 @@ struct BlockTable final : Parameters {
     File document = this->Parameters::document("document", pile, "The blocks as they were edited.");
 };
 
-/// The smallest exhibit that is made of a tree: one root and cubes in it.
+/// Minimal exhibit with a tree: a root and cubes in it.
 class BlocksExhibit final : public Exhibit, public TableFromFiles, public HasTree {
 public:
     [[nodiscard]] std::string_view name() const override { return "blocks"; }

@@ -4,6 +4,6 @@
 
 namespace vitrine::test {
 
-inline constexpr double degree = std::numbers::pi / 180;  ///< In radians.
+inline constexpr double degree = std::numbers::pi / 180;  ///< One degree in radians.
 
 }  // namespace vitrine::test

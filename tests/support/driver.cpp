@@ -16,7 +16,7 @@ namespace vitrine::test {
 namespace {
 
 #ifdef __x86_64__
-/// Only a fault in the driver's own code, in a program whose tests were good so far, is not ours.
+/// Handles a segmentation fault. It counts as a skipped test only if it is in the driver's code and no test has failed.
 void onFault(int number, siginfo_t* /*info*/, void* context)
 {
     const greg_t instruction = static_cast<const ucontext_t*>(context)->uc_mcontext.gregs[REG_RIP];

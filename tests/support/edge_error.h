@@ -12,8 +12,8 @@
 
 namespace vitrine::test {
 
-/// Share of the pixel (±0.5) on the near side of the line at `distance` from its middle, across the direction of
-/// `angle`.
+/// Returns the share of the pixel (±0.5) on the near side of a line. `distance` is from the center to the line, across
+/// the direction of `angle`.
 inline double covered(double angle, double distance)
 {
     const double c = std::max(std::abs(std::cos(angle)), 1e-9);
@@ -24,7 +24,7 @@ inline double covered(double angle, double distance)
                       1.0);
 }
 
-/// RMS error of the share that `n` samples (in ±0.5) find, over edges of all directions in all places.
+/// Returns the RMS error of the share that `n` samples (in ±0.5) estimate, over edges of all directions and positions.
 inline double edgeError(int n, const std::function<glm::dvec2(int)>& sample)
 {
     std::vector<glm::dvec2> positions;

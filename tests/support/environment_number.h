@@ -5,7 +5,7 @@
 
 namespace vitrine::test {
 
-/// The whole number that an environment variable holds; `otherwise` where it is not set.
+/// Returns the whole number in an environment variable; `otherwise` if it is not set.
 inline std::uint64_t environmentNumber(const char* name, std::uint64_t otherwise)
 {
     const char* text = std::getenv(name);

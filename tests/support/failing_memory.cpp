@@ -1,11 +1,11 @@
-// Loaded ahead of a program (LD_PRELOAD), it lets every allocation fail after the first VITRINE_TEST_ALLOCATIONS.
+// Preloaded library (LD_PRELOAD): all allocations after the first VITRINE_TEST_ALLOCATIONS fail.
 
 #include <atomic>
 #include <cerrno>
 #include <cstddef>
 #include <cstdlib>
 
-// glibc's own, under its second names: dlsym would allocate.
+// Second names of glibc's functions, because dlsym would allocate.
 extern "C" {
 void* __libc_malloc(std::size_t);
 void* __libc_calloc(std::size_t, std::size_t);

@@ -8,7 +8,7 @@
 
 namespace vitrine::test {
 
-/// The message of the Failure that `work` throws; fails the test when it throws none, or another one.
+/// Returns the message of the Failure that `work` throws. Fails the test if it throws none, or one of another kind.
 template <typename Work> std::string failureOf(const Work& work, Blame blame = Blame::file)
 {
     try {
@@ -21,7 +21,7 @@ template <typename Work> std::string failureOf(const Work& work, Blame blame = B
     return {};
 }
 
-/// The same where what is asked for is to blame.
+/// The same for a Failure with Blame::usage.
 template <typename Work> std::string refusalOf(const Work& work)
 {
     return failureOf(work, Blame::usage);

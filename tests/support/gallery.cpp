@@ -66,7 +66,7 @@ Shot::Shot()
     sceneState = museum.initialSceneState();
     sdf = *museum.find("sdf_morph");
     useSmallMaps(hall(), 512);
-    // Clear air, so that surfaces are seen as they are.
+    // Without haze, so that colors of surfaces are exact.
     sceneState.values[*museum.find("crepuscular_rays")].set(raysTable().technique, RayTechnique::none);
     seeAlone(request, sdf);
     FrameRequest& frame = request.frame;
@@ -121,7 +121,7 @@ double largestDifference(const render::Image& a, const render::Image& b)
     if (a.pixels.size() != b.pixels.size()) return std::numeric_limits<double>::infinity();
     double largest = 0;
     for (std::size_t i = 0; i < a.pixels.size(); ++i) {
-        if (a.pixels[i] == b.pixels[i]) continue;  // Both infinite where nothing was hit.
+        if (a.pixels[i] == b.pixels[i]) continue;  // Also equal if both are infinite, where nothing was hit.
         const double difference = std::abs(static_cast<double>(a.pixels[i]) - static_cast<double>(b.pixels[i]));
         largest = std::isfinite(difference) ? std::max(largest, difference) : std::numeric_limits<double>::infinity();
     }
@@ -146,13 +146,13 @@ void writePanorama(const std::filesystem::path& file, const std::function<glm::d
     for (int y = 0; y < height; ++y) {
         const double down = pi * (y + 0.5) / height;
         for (int x = 0; x < 2 * height; ++x) {
-            // The middle of the picture is straight ahead, -z; to its right is +x.
+            // The center of the picture is straight ahead, -z; its right is +x.
             const double right = 2 * pi * ((x + 0.5) / (2 * height) - 0.5);
             const glm::dvec3 c =
                 radiance({std::sin(right) * std::sin(down), std::cos(down), -std::cos(right) * std::sin(down)});
             for (int i = 0; i < 3; ++i)
                 rgbe += static_cast<char>(static_cast<unsigned char>(std::clamp(c[i] * 64, 0.0, 255.0)));
-            rgbe += static_cast<char>(130);  // Times 2^(130 - 128) / 256.
+            rgbe += static_cast<char>(130);  // Exponent: factor 2^(130 - 128) / 256.
         }
     }
     writeBytes(file, hdrClaiming(2 * height, height, rgbe));

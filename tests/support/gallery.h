@@ -16,7 +16,7 @@
 
 namespace vitrine::test {
 
-/// One context, one museum and one renderer for all tests of the program: they take a second to open.
+/// Context, museum and renderer, shared by all tests of the program because opening them takes a second.
 struct Gallery {
     render::gl::HeadlessContext context{true};
     render::gl::DebugLog log;
@@ -25,8 +25,8 @@ struct Gallery {
 };
 [[nodiscard]] Gallery& gallery();
 
-/// Skips where the driver asked for (GALLIUM_DRIVER=zink) is not here; fails a test during which the
-/// driver reported an error or a message of high severity.
+/// Base class of tests with OpenGL. Skips if the selected driver (GALLIUM_DRIVER=zink) is missing. Fails a test during
+/// which the driver reported an error or a message of high severity.
 class GlTest : public testing::Test {
 protected:
     void SetUp() override;
@@ -36,12 +36,12 @@ private:
     std::size_t errorsBefore_ = 0;
 };
 
-/// Shadow map and probe small, so that a picture of the hall takes less time.
+/// Sets small sizes of shadow map and probe, so that pictures of the hall take less time.
 void useSmallMaps(ParameterValues& hall, int shadowMapSize);
-/// One exhibit alone on nothing: linear light, depth and normals.
+/// Shows one exhibit alone without a background: linear light, depth and normals.
 void seeAlone(PictureRequest&, std::size_t subject);
 
-/// A finished picture and what it shows where. Pixels from the top left.
+/// Finished picture with its view. Pixels count from the top left.
 struct Picture {
     render::Image image;
     render::View view;
@@ -57,7 +57,7 @@ struct Picture {
         return glm::dot(color(x, y), glm::dvec3(0.2126, 0.7152, 0.0722));
     }
     [[nodiscard]] double alpha(int x, int y) const { return image.at(x, y, 3); }
-    /// Meters along the view axis; infinite where nothing was hit.
+    /// Returns the depth along the view axis in meters; infinite where nothing was hit.
     [[nodiscard]] double depth(int x, int y) const { return image.at(x, y, 4); }
     [[nodiscard]] bool hit(int x, int y) const { return std::isfinite(image.at(x, y, 4)); }
     [[nodiscard]] glm::dvec3 normal(int x, int y) const
@@ -65,7 +65,7 @@ struct Picture {
         return {image.at(x, y, 5), image.at(x, y, 6), image.at(x, y, 7)};
     }
     [[nodiscard]] int hits() const;
-    /// Mean over all pixels of the luminance.
+    /// Returns the mean luminance of all pixels.
     [[nodiscard]] double mean() const;
     /// Calls `visit(x, y)` for every pixel.
     template <typename Visit> void each(const Visit& visit) const
@@ -75,8 +75,8 @@ struct Picture {
     }
 };
 
-/// A picture to take: by default of the torus-mug alone, transparent, linear, with depth and normals, from
-/// its best view, small. Shadow map and probe are small, so that changing the light costs little.
+/// Picture to take. By default the torus-mug alone from its best view: transparent, linear, with depth and normals,
+/// small. Shadow map and probe are small, so that changing the light costs little.
 struct Shot {
     Shot();
 
@@ -86,25 +86,26 @@ struct Shot {
 
     [[nodiscard]] ParameterValues& hall() { return sceneState.hall(); }
     [[nodiscard]] ParameterValues& object() { return sceneState.values[sdf]; }
-    /// In the hall, from the exhibit's best view there.
+    /// Shows the exhibit in the hall, from its best view there.
     Shot& inHall();
     Shot& size(int width, int height);
     Shot& see(const glm::dvec3& eye, const glm::dvec3& target);
-    /// Scale, rotation and shift about the exhibit's own place.
+    /// Sets the exhibit's transform (scale, rotation, shift) about its own place.
     Shot& transform(const glm::dmat4&);
-    /// Where the exhibit stands: world from its own space.
+    /// Returns the transform from the exhibit's own space to the world.
     [[nodiscard]] glm::dmat4 worldFromExhibit() const;
     [[nodiscard]] Picture take() const;
 };
 
-/// Largest difference over all channels of two pictures of one size; infinite when only one is finite somewhere.
+/// Returns the largest difference over all channels of two pictures of equal size; infinite if only one of them is
+/// finite somewhere.
 [[nodiscard]] double largestDifference(const render::Image&, const render::Image&);
-/// Root of the mean squared difference of the colors.
+/// Returns the root of the mean squared difference of the colors.
 [[nodiscard]] double colorDifference(const Picture&, const Picture&);
-/// Writes a small panorama (Radiance HDR) in which direction `d` of the world sends `radiance(d)`, each
-/// component 0 to 3.9 in steps of 1/64.
+/// Writes a small panorama (Radiance HDR) whose radiance in direction `d` of the world is `radiance(d)`. Components are
+/// 0 to 3.9 in steps of 1/64.
 void writePanorama(const std::filesystem::path&, const std::function<glm::dvec3(const glm::dvec3& d)>& radiance);
-/// Empty, or the first pixel and channel among the first `channels` that is NaN or infinite.
+/// Returns the first pixel and channel, among the first `channels`, that is NaN or infinite; empty if there is none.
 [[nodiscard]] std::string notFinite(const render::Image&, int channels);
 
 }  // namespace vitrine::test

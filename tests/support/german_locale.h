@@ -8,7 +8,7 @@
 
 namespace vitrine::test {
 
-/// Sets a German locale, whose decimal mark is a comma, while it lives. Compiles one where none is installed.
+/// Sets a German locale, whose decimal mark is a comma, until it is destroyed. Compiles one if none is installed.
 class GermanLocale {
 public:
     GermanLocale()

@@ -51,7 +51,7 @@ std::string real32(float x)
     return littleEndian32(std::bit_cast<std::uint32_t>(x));
 }
 
-/// A number of an ICC profile: 16 bits before and 16 after the point.
+/// Encodes a number of an ICC profile: 16 bits before and 16 after the binary point.
 std::string fixed16(double x)
 {
     return bigEndian32(static_cast<std::uint32_t>(static_cast<std::int32_t>(x * 65536 + (x < 0 ? -0.5 : 0.5))));

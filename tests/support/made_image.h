@@ -6,7 +6,7 @@
 
 namespace vitrine::test {
 
-/// Three channels; `value` is asked for each.
+/// Makes an image of three channels from the values of a function.
 inline render::Image made(int width, int height, const std::function<float(int x, int y, int c)>& value)
 {
     render::Image image(width, height, 3);

@@ -12,10 +12,10 @@
 
 namespace vitrine::test {
 
-/// The moment of a change that does not come.
+/// Time of a change that never comes.
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
-/// The real museum and its building, read once.
+/// Return the real museum and its building, loaded once.
 inline const Museum& museum()
 {
     static const Museum opened{allExhibits()};
@@ -27,7 +27,7 @@ inline const HallModel& building()
     return model;
 }
 
-/// A frame to plan: a look, and where it is seen from.
+/// Frame to plan: a scene state and a request.
 struct Scene {
     SceneState sceneState = museum().initialSceneState();
     FrameRequest request;
@@ -49,7 +49,7 @@ struct Scene {
     }
 };
 
-/// What a renderer has kept after it drew the plan.
+/// Returns the persistent state of a renderer that drew the plan.
 inline render::PersistentState keptAfter(const render::FramePlan& plan)
 {
     render::PersistentState kept;

@@ -1,4 +1,4 @@
-// Loaded ahead of a program (LD_PRELOAD), it sets the program's clock of the day forward by VITRINE_TEST_CLOCK seconds.
+// Preloaded library (LD_PRELOAD): sets the program's real-time clock forward by VITRINE_TEST_CLOCK seconds.
 
 #include <dlfcn.h>
 #include <sys/time.h>

@@ -7,14 +7,14 @@
 
 namespace vitrine::test {
 
-/// Why a step is not run.
+/// Returns why a pass is not run.
 inline std::string reasonFor(const render::FramePlan& plan, std::string_view name)
 {
     const render::CulledPass* skipped = plan.findSkipped(name);
     return skipped ? skipped->reason : plan.find(name) ? "it ran" : "not in the plan";
 }
 
-/// Whether any pass that will run has a name that starts so.
+/// Returns whether a pass that will run has a name with this beginning.
 inline bool runs(const render::FramePlan& plan, std::string_view start)
 {
     for (const render::Pass& pass : plan.passes())

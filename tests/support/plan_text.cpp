@@ -18,7 +18,7 @@ template <typename T> std::string_view bytesIn(const std::vector<T>& values)
     return {reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)};
 }
 
-/// Computed once for each object; holding it keeps its address its own.
+/// Returns the description of an object, computed once. Keeps the object alive, so that its address is not used again.
 template <typename T, typename F> std::string remembered(const std::shared_ptr<const T>& object, F describe)
 {
     static std::mutex mutex;

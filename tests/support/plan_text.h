@@ -6,8 +6,8 @@
 
 namespace vitrine::test {
 
-/// Everything that a plan says, word for word and byte for byte, one line for each pass, skipped step and image. Meshes
-/// and pictures are told by their content.
+/// Returns the complete content of a plan, one line for each pass, skipped pass and image. Meshes and pictures are
+/// given by their bytes' hash.
 [[nodiscard]] std::string wholeText(const render::FramePlan&);
 
 }  // namespace vitrine::test

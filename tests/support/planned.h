@@ -4,7 +4,7 @@
 
 namespace vitrine::test {
 
-// One picture at once: prepared, then planned or asked about.
+// Prepare a scene state, and plan or query it, in one call.
 
 inline render::FramePlan planned(const Museum& museum, const SceneState& sceneState, const FrameRequest& request,
                                  const render::PersistentState& kept = {})

@@ -8,23 +8,23 @@
 
 namespace vitrine::test {
 
-/// The same numbers on every machine: std distributions differ between libraries, this does not.
+/// Random numbers that are equal on every machine, unlike std distributions, which differ between libraries.
 class Random {
 public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
 
-    /// In [low, high).
+    /// Returns a number in [low, high).
     double number(double low, double high)
     {
         return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
     }
-    /// In [0, count).
+    /// Returns a whole number in [0, count).
     int below(int count) { return static_cast<int>(number(0, count)); }
     glm::dvec3 point(double halfSize)
     {
         return {number(-halfSize, halfSize), number(-halfSize, halfSize), number(-halfSize, halfSize)};
     }
-    /// Unit.
+    /// Returns a unit vector.
     glm::dvec3 direction()
     {
         for (;;) {

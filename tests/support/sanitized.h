@@ -2,8 +2,8 @@
 
 namespace vitrine::test {
 
-/// True in builds with clang's address sanitizer, where a damaged file takes up to a hundred times as long to read. The
-/// fuzzers of the same readers try far more files there than a test can.
+/// True in builds with clang's address sanitizer, where reading a damaged file takes up to a hundred times as long. In
+/// those builds the fuzzers read many more files than a test.
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)
 inline constexpr bool isSanitized = true;

@@ -10,7 +10,7 @@
 
 namespace vitrine::test {
 
-/// "sdf_morph/glass" -> the shipped preset, seen from its own place or the exhibit's best view.
+/// Returns all shipped presets by name ("sdf_morph/glass"), seen from their own camera or the exhibit's best view.
 inline std::map<std::string, Scene> scenesOfPresets()
 {
     namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 
 namespace vitrine::test {
 
-// Tables of one form: a handle of one table names the same row in all of them.
+// Tables of equal structure: a handle of one table is the same parameter in all of them.
 inline const HallTable& hallTable()
 {
     static const HallTable table;

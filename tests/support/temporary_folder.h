@@ -16,7 +16,7 @@
 
 namespace vitrine::test {
 
-/// A new empty folder, removed with everything in it at the end.
+/// New empty folder, removed with its content on destruction.
 class TemporaryFolder {
 public:
     TemporaryFolder()
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
     [[nodiscard]] std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
 
-    /// All files below it, relative, sorted.
+    /// Returns all files below the folder, with relative paths, sorted.
     [[nodiscard]] std::vector<std::string> files() const
     {
         std::vector<std::string> names;
@@ -54,7 +54,7 @@ private:
 inline void writeBytes(const std::filesystem::path& path, std::string_view bytes)
 {
     std::filesystem::create_directories(path.parent_path());
-    std::filesystem::remove(path);  // Some file systems wait for the disk when a file is truncated and rewritten.
+    std::filesystem::remove(path);  // On some file systems, rewriting a truncated file waits for the disk.
     std::ofstream(path, std::ios::binary) << bytes;
 }
 

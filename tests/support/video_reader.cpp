@@ -25,7 +25,7 @@ std::string known(const char* name)
     return name ? name : "";
 }
 
-/// Brings a frame to RGBA by FFmpeg's own filter.
+/// Converts a frame to RGBA with FFmpeg's filter.
 std::vector<std::uint8_t> rgba(const AVFrame* frame)
 {
     AVFilterGraph* graph = avfilter_graph_alloc();
