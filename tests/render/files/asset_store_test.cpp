@@ -25,7 +25,7 @@ using render::AssetStore;
 using test::TemporaryFolder;
 using test::writeBytes;
 
-/// Reads texts and counts how often.
+/// Reader of texts that counts its calls.
 struct Reader {
     AssetStore store;
     int reads = 0;
@@ -90,7 +90,7 @@ TEST(AssetStore, WhatFailedIsTriedAgainWhenSomethingComesToStandBesideIt)
     EXPECT_FALSE(reader.get(folder / "a").value);
     EXPECT_FALSE(reader.get(folder / "a").value);
     EXPECT_EQ(reader.reads, 1);
-    // File systems tell times in steps of a few milliseconds.
+    // File times have a resolution of a few milliseconds.
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
     writeBytes(folder / "a.bin", "what it lacked");
     EXPECT_FALSE(reader.get(folder / "a").value);
@@ -246,7 +246,7 @@ TEST(AssetStore, SlowThingsDoNotHoldUpOthers)
     std::thread slow([&] {
         (void)store.made<std::string>("test.slow", "one", [&] {
             begun.set_value();
-            // Ends when another thing was made meanwhile.
+            // Succeeds if the other asset is made in the meantime.
             const bool made = other.get_future().wait_for(std::chrono::seconds(60)) == std::future_status::ready;
             return text(made ? "yes" : "no");
         });
@@ -294,7 +294,7 @@ TEST(AssetStore, WhoMustNotWaitDoesNotWaitForTheOneWhoMakesIt)
     std::thread slow([&] {
         (void)store.made<std::string>("test.slow", "one", [&] {
             begun.set_value();
-            // Ends when somebody asked meanwhile and was answered.
+            // Succeeds if a query is answered in the meantime.
             const bool answered = asked.get_future().wait_for(std::chrono::seconds(60)) == std::future_status::ready;
             return text(answered ? "yes" : "no");
         });

@@ -19,7 +19,7 @@ using namespace vitrine;
 using render::atomicWrite;
 namespace fs = std::filesystem;
 
-/// Lets call number `failing` (from 0) fail with `error`; -1 lets all succeed. Counts the calls.
+/// File operations whose call number `failing` (from 0) fails with `error`; -1: none fails. Counts the calls.
 class FailingOps : public render::FileOps {
 public:
     FailingOps(int failing, int error) : failing_(failing), error_(error) {}
@@ -41,7 +41,7 @@ public:
     int fsync(int fd) override { return fails() ? -1 : FileOps::fsync(fd); }
     int close(int fd) override
     {
-        FileOps::close(fd);  // As Linux does: the descriptor is gone even when close reports an error.
+        FileOps::close(fd);  // On Linux, the descriptor is closed even if close reports an error.
         return fails() ? -1 : 0;
     }
     int rename(const char* from, const char* to) override { return fails() ? -1 : FileOps::rename(from, to); }
@@ -59,7 +59,7 @@ private:
     int error_;
 };
 
-/// Takes at most three bytes at a time and is interrupted every second time.
+/// File operations that write at most three bytes at a time and are interrupted every second time.
 class SlowOps : public render::FileOps {
 public:
     ssize_t write(int fd, const void* bytes, std::size_t size) override
@@ -82,7 +82,7 @@ private:
     int calls_ = 0;
 };
 
-/// A disk that loses the end of what it was given, or changes it, and reports success.
+/// Disk that loses or changes the end of its data and reports success.
 class LyingOps : public render::FileOps {
 public:
     explicit LyingOps(bool drops) : drops_(drops) {}
@@ -153,7 +153,7 @@ TEST(AtomicWrite, LeavesOldOrNewContentWhicheverStepFails)
             const std::string now = test::bytesOf(folder / "a");
             const bool isNew = now == newText;
             EXPECT_TRUE(isNew || now == oldText) << "step " << step;
-            // Closing a file that was only read loses nothing and may pass in silence.
+            // A failure to close a file that was only read loses nothing and may be ignored.
             EXPECT_TRUE(isNew || !message.empty()) << "step " << step << " failed in silence";
             newStands += isNew;
             EXPECT_EQ(folder.files(), std::vector<std::string>{"a"}) << "step " << step << " left debris";
@@ -175,7 +175,8 @@ TEST(AtomicWrite, OfSeveralFilesReplacesAllOrNoneWhicheverStepFails)
     }
     ASSERT_GT(counting.calls, 30);
     int oldStand = 0;
-    for (int step = 0; step < counting.calls + 3; ++step) {  // Three more: old files keep their permissions.
+    // Three more steps, because old files keep their permissions.
+    for (int step = 0; step < counting.calls + 3; ++step) {
         const test::TemporaryFolder folder;
         test::writeBytes(folder / "a", "old a");
         test::writeBytes(folder / "b", "old b");

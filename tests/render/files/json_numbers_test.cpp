@@ -24,7 +24,7 @@ TEST(JsonNumbers, AreTheShortestThatReadBack)
     EXPECT_EQ(parseNumber("1e999"), std::nullopt);
 }
 
-// A million random bit patterns, through the file format as well: writer, strict reader.
+// A million random bit patterns, also through the file format: writer and strict reader.
 TEST(JsonNumbers, ReadBackBitForBit)
 {
     std::mt19937_64 random(2);

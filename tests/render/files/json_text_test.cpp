@@ -31,7 +31,7 @@ TEST(JsonText, KnowsWhereEveryValueStands)
     for (const char* path : {"a[3]", "b.x", "a.b", "c", "a[", "b[0]"}) EXPECT_FALSE(json.at(path)) << path;
 }
 
-/// Random JSON with random blanks, in the order in which it is written.
+/// Random JSON text with random white space, in the order of writing.
 class RandomText {
 public:
     explicit RandomText(unsigned seed) : random_(seed) { add(0); }
@@ -74,7 +74,7 @@ private:
     std::string text_;
 };
 
-/// The library's own reader, asked for the same place, is the other opinion.
+/// The library's own reader gives the expected places.
 TEST(JsonText, KnowsThePlacesOfRandomTexts)
 {
     for (unsigned seed = 0; seed < 2000; ++seed) {
@@ -152,7 +152,7 @@ TEST(JsonText, RefusesWhatTheStrictReaderRefusesWithItsPlace)
     }
 }
 
-/// Whatever is edited away and back, in any order, the text stays JSON of the same content.
+/// After any sequence of edits that change values and restore them, the text is JSON of the same content.
 TEST(JsonText, RandomEditsLeaveJson)
 {
     std::mt19937 random(3);

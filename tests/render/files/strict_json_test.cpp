@@ -89,7 +89,7 @@ TEST(StrictJson, RefusesWhatIsNotJson)
     EXPECT_FAILURE(parseJson("{'a': 1}", "x.json"), "not valid JSON");
     EXPECT_FAILURE(parseJson("\x9F\x01\x02{}", "x.json"), "this is binary data and not JSON");
     EXPECT_FAILURE(parseJson(std::string("PNG\0\1", 5), "x.json"), "this is binary data and not JSON");
-    EXPECT_FAILURE(parseJson("yes", "x.json"), "not valid JSON");  // Control: text.
+    EXPECT_FAILURE(parseJson("yes", "x.json"), "not valid JSON");  // Control: this is text.
 }
 
 TEST(StrictJson, KeepsItsLimits)

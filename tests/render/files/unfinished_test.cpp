@@ -1,4 +1,4 @@
-// Parts of files whose process was killed.
+// Incomplete files left by killed processes.
 
 #include "render/files/atomic_write.h"
 #include "render/files/unfinished.h"
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Lets another process do `work` and end by SIGKILL, or wait for it where `kill` is false.
+/// Runs `work` in another process, and ends that by SIGKILL; without `kill`, waits for it.
 pid_t inAnotherProcess(const std::function<void()>& work, bool kill)
 {
     const pid_t child = ::fork();
@@ -42,7 +42,7 @@ TEST(Unfinished, PartsOfKilledProcessesGoWithTheNextWriteAndOthersStay)
     for (int wait = 0; wait < 10'000 && folder.files().empty(); ++wait) ::usleep(1000);
     inAnotherProcess(begin, true);
     ASSERT_EQ(folder.files().size(), 2U);
-    // Of a machine that shares the disk: nobody here knows whether its process lives.
+    // A file of another machine that shares the disk: whether its process lives is unknown here.
     test::writeBytes(folder / ".print.tif.part-00000000-999999999-1", "elsewhere");
     test::writeBytes(folder / "print.tif.part-visible", "a user's own");
     atomicWrite(folder / "other.txt", "written");

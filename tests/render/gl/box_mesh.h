@@ -6,7 +6,7 @@
 
 namespace vitrine::test {
 
-/// A box whose faces have outward normals, counter-clockwise seen from outside.
+/// Returns a box whose faces have outward normals and are counter-clockwise seen from outside.
 [[nodiscard]] inline std::shared_ptr<const render::Mesh> boxOf(const render::Box& box)
 {
     auto mesh = std::make_shared<render::Mesh>();

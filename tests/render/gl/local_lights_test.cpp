@@ -1,4 +1,4 @@
-// Local lights on the graphics processor: the block as the driver has it, and their shadows.
+// Local lights on the GPU: the uniform block as the driver has it, and their shadows.
 
 #include "render/glsl/cpu.h"
 #include "render/plan/local_lights.h"
@@ -17,7 +17,7 @@ using LocalLightsOnTheDriver = test::RendererTest;
 constexpr int side = 48;
 constexpr double reach = 3;
 
-/// A floor of `reach` meters around the origin, seen from above: a pixel is a place.
+/// Returns the point of a floor that a pixel shows: `reach` meters around the origin, seen from above.
 glm::dvec3 placeOf(double x, double y)
 {
     return {(x / side * 2 - 1) * reach, 0, (y / side * 2 - 1) * reach};
@@ -34,7 +34,7 @@ Pass floorPass(const Pass& filled, const LocalLighting& lighting, bool shadows)
     return pass;
 }
 
-/// At float64.
+/// Returns the light's entry at float64.
 glsl::LocalLightEntry entryOf(const LocalLight& light)
 {
     glsl::LocalLightEntry entry{

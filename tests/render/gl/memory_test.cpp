@@ -1,5 +1,4 @@
-// What is kept between frames, and for how long. Counts are exact: GL names and bytes of data, not the process's
-// memory.
+// Data kept between frames, and how long. Counts are exact: GL names and bytes of data, not the process's memory.
 
 #include "exhibits/study/study.h"
 #include "render/gl/program_cache.h"
@@ -92,7 +91,7 @@ TEST_F(Memory, OfFramebuffersIsMadeOnceAndNotByTheNextSameFrame)
     }
 }
 
-// A reader of 261 libraries and 131 MB is for what visitors bring along.
+// The reader of foreign pictures takes 261 libraries and 131 MB. It must be loaded for the visitor's own files only.
 TEST_F(Memory, IsNotSpentOnTheReaderOfForeignPicturesForWhatIsShipped)
 {
     const Museum& museum = gallery().museum;

@@ -1,4 +1,4 @@
-// Programs of sources made at run time: found, named in errors, built in the background, kept within bounds.
+// Programs with sources made at run time: found, named in errors, built in the background, limited in number.
 
 #include "render/failure.h"
 #include "render/gl/program_binaries.h"
@@ -20,7 +20,7 @@ namespace {
 using namespace render;
 using gl::ProgramCache;
 
-/// A context that its thread gets only when the test lets it, so that the frames before are certain to come first.
+/// Context that its thread gets only when the test opens the gate, so that earlier frames certainly come first.
 class GatedContext final : public gl::SharedContext {
 public:
     explicit GatedContext(std::shared_ptr<gl::SharedContext> inner) : inner_(std::move(inner)) {}
@@ -45,7 +45,7 @@ protected:
         expectsErrors_ = true;
     }
 
-    /// A program that fills with `value()` as `scene.glsl` defines it.
+    /// Returns a program that fills with `value()`, which `scene` defines.
     [[nodiscard]] static ShaderKey key(const std::string& scene, const std::string& slot = {})
     {
         ShaderKey made{"lib/fullscreen.vert", "filled.frag", "", {}};
@@ -73,7 +73,7 @@ protected:
         report_ = draw(plan);
         return renderer().read("frame").at(0, 0, 0);
     }
-    /// Frames until none is called for any more; every one shows one of the two values.
+    /// Draws frames until no further one is needed. Each must show one of the two values.
     void drawUntilFinished(const ShaderKey& shader, float old, float fresh)
     {
         do {
@@ -90,7 +90,7 @@ protected:
     }
 
     FrameReport report_;
-    Bytes block_;  ///< BLOCK_EXHIBIT of what is drawn.
+    Bytes block_;  ///< Uniform block BLOCK_EXHIBIT of the drawn pass.
     std::vector<BufferUse> buffers_;
 };
 
@@ -163,7 +163,7 @@ TEST_F(GeneratedShaders, KeepTheInputsOfTheLastGoodProgramWhileItDraws)
 {
     const auto gate = std::make_shared<GatedContext>(context().shared());
     renderer().buildInBackground(gate);
-    // Two scenes with numbers of their own: the block of the second one is shorter, and means something else.
+    // Two scenes with different numbers: the second one's block is shorter and has another meaning.
     const auto scene = [](int size, int at) {
         return key(
             "#include \"lib/bindings.glsl\"\nlayout(std140, binding = BLOCK_EXHIBIT) uniform Numbers {\n    vec4 "
@@ -254,7 +254,7 @@ TEST_F(GeneratedShaders, OfALookThatRestsAreDrawnByABetterProgramOnceItIsThere)
     renderer().buildInBackground(gate);
     const auto resting = [&](int value) {
         ShaderKey made = key(returns(1), "scene");
-        ShaderKey better = key(returns(value), "scene");  // Another value tells which one drew.
+        ShaderKey better = key(returns(value), "scene");  // The different value shows which program drew.
         better.about = "with its numbers folded";
         made.better = std::make_shared<const ShaderKey>(better);
         return made;
@@ -277,7 +277,7 @@ TEST_F(GeneratedShaders, OfALookThatRestsAreDrawnByABetterProgramOnceItIsThere)
     EXPECT_FALSE(report_.unfinished);
     EXPECT_FALSE(isBetter());
     EXPECT_EQ(report_.counters.at("programs"), programs) << "and nothing is compiled";
-    // Better programs that do not build are none.
+    // A specialized program that does not build is ignored.
     ShaderKey broken = resting(2);
     broken.better = std::make_shared<const ShaderKey>(key("float value()\n{\n    return oops;\n}\n", "scene"));
     for (int frame = 0; frame < 2000 && renderer().problems().empty(); ++frame) {

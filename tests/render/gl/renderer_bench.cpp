@@ -10,7 +10,7 @@ struct Opened {
 
 Opened& opened()
 {
-    static auto* only = new Opened;  // Never closed: the driver is unloaded before statics are destroyed.
+    static auto* only = new Opened;  // Never destroyed, because the driver is unloaded before statics are destroyed.
     return *only;
 }
 

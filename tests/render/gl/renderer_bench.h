@@ -10,7 +10,7 @@
 
 namespace vitrine::test {
 
-/// A context and a renderer without a museum: plans of a few lines, and their pixels.
+/// Context and renderer without a museum, for small plans and their pixels.
 class RendererTest : public testing::Test {
 protected:
     void SetUp() override;
@@ -19,17 +19,17 @@ protected:
     [[nodiscard]] static render::gl::HeadlessContext& context();
     render::gl::Renderer& renderer() { return *renderer_; }
 
-    /// A plan of a picture of that size.
+    /// Returns a plan of a picture of this size.
     [[nodiscard]] static render::FramePlan planOf(glm::ivec2 size);
-    /// Prunes for the output "frame" and draws.
+    /// Prunes the plan for the output "frame" and draws it.
     render::FrameReport draw(render::FramePlan&);
-    /// One triangle over all of `image`, by a fragment shader of which this is the body of main(); `before` comes
-    /// before main(). It writes `color`.
+    /// Returns a pass that draws one triangle over all of `image`. `body` is the body of main() in the fragment shader,
+    /// which writes `color`; `before` precedes main().
     [[nodiscard]] static render::Pass fill(const std::string& name, const std::string& image, const std::string& body,
                                            const std::string& before = {});
     [[nodiscard]] static render::Pass compute(const std::string& name, const std::string& body,
                                               const std::string& before = {});
-    bool expectsErrors_ = false;  ///< Of the driver: a broken shader is part of the test.
+    bool expectsErrors_ = false;  ///< The driver may report errors, because the test uses a broken shader.
 
 private:
     std::unique_ptr<render::gl::Renderer> renderer_;

@@ -1,4 +1,4 @@
-// Images, buffers and framebuffers of plans as the driver has them.
+// Images, buffers and framebuffers of plans, as the driver has them.
 
 #include "render/gl/object.h"
 #include "tests/render/gl/renderer_bench.h"
@@ -55,7 +55,7 @@ TEST_F(PictureTexture, OfOneChannelIsGray)
 
 TEST_F(CubeMipmaps, AreTheMeansOfFourTexelsOfTheirFace)
 {
-    // A side that is no power of two is halved by the driver: the control, which the means of a ramp fit as well.
+    // The driver halves sides that are no powers of two. This is the control: means of a ramp also fit.
     for (const int side : {8, 12}) {
         FramePlan plan = planOf({6, 4});
         plan.image({.name = "cube", .type = TextureType::cube, .size = {side, side}, .layers = 6, .levels = 4});
@@ -78,7 +78,8 @@ TEST_F(CubeMipmaps, AreTheMeansOfFourTexelsOfTheirFace)
         const Image frame = renderer().read("frame");
         for (int face = 0; face < 6; ++face)
             for (int level = 0; level < 4; ++level) {
-                // The middle of a face, between texels that are means: of a ramp and of its product, its own middle.
+                // Center of a face, between texels that are means: a ramp's mean is the value at its center, and so is
+                // its product's.
                 const int row = frame.height - 1 - level;
                 EXPECT_NEAR(frame.at(face, row, 0), side / 2.0, 0.05) << side << ", level " << level;
                 EXPECT_NEAR(frame.at(face, row, 2), face, 0.01) << side << ", level " << level;
@@ -112,7 +113,7 @@ TEST_F(Framebuffers, AreMadeOnceAndNotInTheNextSameFrame)
     EXPECT_EQ(frame({8, 6}), 3);
     for (int i = 0; i < 3; ++i) EXPECT_EQ(frame({8, 6}), 0);
     EXPECT_EQ(gl::FramebufferName::live() - before, 3);
-    // They go with their textures: another size leaves as many.
+    // Framebuffers are deleted with their textures: another size leaves the same number.
     EXPECT_EQ(frame({16, 6}), 3);
     EXPECT_EQ(gl::FramebufferName::live() - before, 3);
     FramePlan empty = planOf({16, 6});
@@ -147,7 +148,7 @@ TEST_F(OwnPixels, AreTheSameForEveryTileJitterAndSupersample)
         EXPECT_EQ(whole.pixels, tile.pixels);
         EXPECT_EQ(whole.width, 5);
         EXPECT_EQ(whole.height, 3);
-        // Sampled without filtering: each value is that of a texel.
+        // Sampled without filtering: each value is that of one texel.
         const float value = shown.at(0, 0, 0);
         bool found = false;
         for (int y = 0; y < whole.height; ++y)
@@ -269,7 +270,7 @@ TEST_F(HistoryImage, SaysWhereAPointOfTheWorldWas)
 
 class Baking : public test::RendererTest {
 protected:
-    /// Bakes `value` in four parts, a column each, and shows what there is; -1 where nothing can be used yet.
+    /// Bakes `value` in four slices of one column each, and shows the result so far; -1 if nothing can be used yet.
     std::vector<float> frame(float value, bool allParts = false)
     {
         FramePlan plan = planOf({4, 1});
@@ -318,7 +319,7 @@ TEST_F(Baking, ShowsTheLastWholeResultUntilTheNextIsWhole)
 
 // ---- buffers
 
-/// Four instances of a triangle, each over one column of the picture, with a color of its own.
+/// Four instances of a triangle. Each covers one column of the picture with its own color.
 Pass instances(const std::string& name)
 {
     Pass pass;

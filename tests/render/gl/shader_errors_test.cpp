@@ -1,4 +1,4 @@
-// A shader that does not build: what is said, and that nothing is lost.
+// Shaders that do not build: the error message, and the programs that are kept.
 
 #include "render/failure.h"
 #include "render/gl/program.h"
@@ -22,7 +22,7 @@ protected:
         write("good.vert", "void main()\n{\n    gl_Position = vec4(0.0);\n}\n");
         write("lib/half.glsl", "float half_(float x)\n{\n    return 0.5 * x;\n}\n");
     }
-    void TearDown() override {}  // The driver's complaints are what these tests ask for.
+    void TearDown() override {}  // These tests cause errors of the driver.
     void write(const std::string& file, const std::string& text) { test::writeBytes(folder_ / file, text); }
     BuiltProgram build(const std::string& fragment, std::vector<std::string> defines = {})
     {

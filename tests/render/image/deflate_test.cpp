@@ -1,4 +1,4 @@
-// The writer of deflate streams: what zlib reads back.
+// Writer of deflate streams, checked with zlib.
 
 #include "render/image/piece_deflater.h"
 #include "tests/support/random.h"
@@ -18,8 +18,7 @@ namespace {
 
 using Bytes = RawBytes;
 
-/// What zlib makes of pieces that are put one after the other, with a last block behind them; fails the test where it
-/// does not take all.
+/// Unpacks concatenated pieces with zlib, followed by a last block. Fails the test if zlib does not accept all of it.
 Bytes inflated(Bytes stream, std::size_t expected)
 {
     const Bytes last = {0x01, 0x00, 0x00, 0xFF, 0xFF};
@@ -45,7 +44,7 @@ Bytes deflated(const Bytes& data)
     return out;
 }
 
-/// Bytes of many kinds: noise, runs, periods, few symbols, far repetitions, and one after the other of these.
+/// Returns bytes of many kinds: noise, runs, periods, few symbols, distant repetitions, and mixtures of these.
 Bytes someBytes(std::uint64_t seed, std::size_t size)
 {
     test::Random random(seed);
@@ -108,14 +107,14 @@ TEST(PieceDeflater, PiecesOneAfterTheOtherAreOneStreamAndKnowNothingOfEachOther)
     EXPECT_EQ(inflated(stream, all.size()), all);
 }
 
-/// ISA-L hashes the third byte of a stream by the address of the stream's state, in steps of 64 KB, and one step of
-/// 8192 finds another match in these bytes.
+/// ISA-L hashes the third byte of a stream depending on the address of its state, in steps of 64 KB. With these bytes,
+/// one address of 8192 finds another match.
 TEST(PieceDeflater, TheBytesDoNotDependOnWhereItLiesInMemory)
 {
     Bytes data(600, 0);
-    data[0] = 2;  // What a filtered row like the one above begins with.
+    data[0] = 2;  // First byte of a filtered row that equals the one above.
     const Bytes expected = deflated(data);
-    // Every state is a mapping of its own then, and a mapping that takes no memory fills the place that it leaves.
+    // Makes every state a memory mapping of its own. A mapping without memory fills the place of a released one.
     mallopt(M_MMAP_THRESHOLD, 1 << 14);
     constexpr std::size_t placeBytes = (sizeof(isal_zstream) + 0x1100) / 0x1000 * 0x1000;
     std::vector<void*> places;
@@ -135,7 +134,7 @@ TEST(PieceDeflater, WhatIsWholeWithoutItGrowsByLessThanAThousandth)
     Bytes noise(1 << 20);
     for (std::uint8_t& x : noise) x = static_cast<std::uint8_t>(random());
     EXPECT_LT(deflated(noise).size(), noise.size() + noise.size() / 1000);
-    EXPECT_LT(deflated(Bytes(1 << 20, 0)).size(), 6000U);  // A match of 258 takes two bits at least.
+    EXPECT_LT(deflated(Bytes(1 << 20, 0)).size(), 6000U);  // A match of 258 bytes takes at least two bits.
 }
 
 }  // namespace

@@ -51,11 +51,11 @@ TEST(HostileImage, ExrThatClaimsMoreThanItHoldsIsRefusedBeforeMemoryIsTaken)
     (void)readImage(folder / "warm.exr");
     rusage before{};
     ::getrusage(RUSAGE_SELF, &before);
-    // An attribute of 2.1 GB in 22 bytes.
+    // Attribute of 2.1 GB in 22 bytes.
     const std::string start = "\x76\x2f\x31\x01" + test::littleEndian32(2);
     EXPECT_FAILURE(read("a.exr", start + std::string("a\0string\0", 9) + test::littleEndian32(0x7f000000)),
                    "its attribute \"a\" claims 2130706432 bytes, and the file has 0 left");
-    // A table of chunks of 16 GB, for a window of 2^31 - 1 rows, and of 8 GB for tiles of one pixel.
+    // Chunk tables of 16 GB, for a window of 2^31 - 1 rows, and of 8 GB, for tiles of one pixel.
     EXPECT_FAILURE(read("a.exr", test::exrBytes({"Y"}, {0, 0, 3, -1}, {0, 0, 3, 3})), "it has no pixels");
     std::string high = test::exrBytes({"Y"}, {0, 0, 3, 3}, {0, 0, 3, 3});
     const std::size_t window = high.find(std::string("dataWindow\0", 11)) + 11 + 6 + 4;
@@ -70,8 +70,8 @@ TEST(HostileImage, ExrThatClaimsMoreThanItHoldsIsRefusedBeforeMemoryIsTaken)
     EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 64 * 1024) << "KiB";
 }
 
-/// OpenEXR reads as many bytes as an attribute's type has, whatever length is stated: with a wrong one it would read
-/// the rest of the header from the wrong place, and reserve memory for a length that is none.
+/// OpenEXR reads as many bytes as an attribute's type has, whatever its stated length. With a wrong length it would
+/// continue at the wrong place, and allocate a wrong size.
 TEST(HostileImage, ExrAttributeOfAnotherSizeThanItsTypeIsRefused)
 {
     const auto with = [](const std::string& name, const std::string& type, const std::string& value) {
@@ -91,12 +91,12 @@ TEST(HostileImage, ExrAttributeOfAnotherSizeThanItsTypeIsRefused)
     EXPECT_NO_THROW(read("a.exr", with("a", "stringvector", test::littleEndian32(2) + "ab" + test::littleEndian32(0))));
     refused("stringvector", test::littleEndian32(3) + "ab");
     refused("preview", test::littleEndian32(2) + test::littleEndian32(1) + std::string(7, '\0'));
-    // 4 x 2^31 x 2^31 bytes are 0 in 64 bits.
+    // 4 x 2^31 x 2^31 bytes overflow to 0 in 64 bits.
     refused("preview", test::littleEndian32(0x80000000) + test::littleEndian32(0x80000000));
     EXPECT_FAILURE(read("a.exr", with("dataWindow", "string", std::string(16, '\0'))),
                    "\"dataWindow\" does not have the size");
     std::string list = test::exrBytes({"Y"}, {0, 0, 3, 3}, {0, 0, 3, 3});
-    list[list.find("chlist") + 7] = 18;  // Without the zero byte that ends the list.
+    list[list.find("chlist") + 7] = 18;  // Removes the zero byte that ends the list.
     EXPECT_FAILURE(read("a.exr", list), "its attribute \"channels\" does not have the size of its type");
 }
 
@@ -149,7 +149,7 @@ TEST(HostileImage, JpegIsWholeOnlyWithItsOwnEndMarker)
     EXPECT_TRUE(jpegIsWhole(whole + "what a phone appends"));
     for (std::size_t size = 0; size < whole.size(); ++size)
         EXPECT_FALSE(jpegIsWhole(std::string_view(whole).substr(0, size))) << size;
-    // A thumbnail ends within its segment: that is not the end of the picture.
+    // The end of a thumbnail inside of its segment is not the end of the picture.
     const std::string thumbnail = "\xff\xe1" + std::string{'\0', '\6'} + "\xff\xd8\xff\xd9";
     const std::string carrying = whole.substr(0, 2) + thumbnail + whole.substr(2);
     EXPECT_TRUE(jpegIsWhole(carrying));

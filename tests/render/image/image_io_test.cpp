@@ -149,11 +149,11 @@ TEST(Texture, TakesGrayWithAlphaAndSixteenBitsAndExr)
     EXPECT_EQ(loadTexture(folder / "a.jpg", true, true)->bytes.size(), 16U * 8 * 3);
 }
 
-// In a process of its own: others in this program use OpenImageIO.
+// In a separate process, because other tests of this program load OpenImageIO.
 TEST(TextureDeathTest, OfAPngDoesNotLoadOpenImageIo)
 {
     GTEST_FLAG_SET(death_test_style, "threadsafe");
-    static const TemporaryFolder folder;  // Removed by the exit below as well.
+    static const TemporaryFolder folder;  // The exit below removes it, too.
     writePicture(folder / "a.png", gradient(8, 8, 3), PictureFormat::png8, {.preset = "{}"});
     EXPECT_EXIT(
         {

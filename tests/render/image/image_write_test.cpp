@@ -114,14 +114,14 @@ TEST(WritePicture, WritesJpegNearlyAndOverWhite)
     ASSERT_EQ(back.channels, 3);
     for (int y = 0; y < 48; ++y)
         for (int x = 0; x < 64; ++x) {
-            if (x >= 24 && x < 40) continue;  // The blocks on either side of the sharp edge ring.
+            if (x >= 24 && x < 40) continue;  // Blocks beside the sharp edge have ringing.
             for (int c = 0; c < 3; ++c) {
                 const double expected = x < 32 ? srgbFromLinear(static_cast<double>(smooth.at(x, y, c))) : 1;
-                // Quality 92 keeps even slopes of codes to a few of them.
+                // At quality 92, smooth slopes are exact to a few codes.
                 EXPECT_NEAR(static_cast<double>(back.at(x, y, c)), expected, 6 / 255.0) << x << ',' << y << ',' << c;
             }
         }
-    // Even white noise, the worst there is, passes the check after writing.
+    // White noise, the worst case, also passes the check after writing.
     EXPECT_NO_THROW(writePicture(folder / "noise.jpg", noise(256, 256, 3), PictureFormat::jpeg));
     EXPECT_NO_THROW(writePicture(folder / "gray.jpg", noise(9, 7, 2), PictureFormat::jpeg));
     EXPECT_EQ(readImage(folder / "gray.jpg").channels, 1);
@@ -132,7 +132,7 @@ TEST(WritePicture, SaysTheResolutionOfAPrint)
 {
     const TemporaryFolder folder;
     writePicture(folder / "a.png", noise(4, 4, 3), PictureFormat::png8, {.pixelsPerInch = 600});
-    // 600 / 0.0254 = 23622.05 pixels per meter, unit 1: meter.
+    // 600 / 0.0254 = 23622.05 pixels per meter; unit 1 is the meter.
     const std::string chunk = "pHYs" + test::bigEndian32(23622) + test::bigEndian32(23622) + '\1';
     EXPECT_NE(test::bytesOf(folder / "a.png").find(chunk), std::string::npos);
 }
@@ -148,7 +148,7 @@ TEST(WritePicture, RefusesWhatDoesNotFit)
     EXPECT_TRUE(folder.files().empty());
 }
 
-/// A disk with so many bytes left.
+/// Disk with this many free bytes.
 class SmallDisk : public FileOps {
 public:
     explicit SmallDisk(unsigned long long left) : left_(left) {}
@@ -190,7 +190,7 @@ TEST(WritePicture, KeepsTheOldFileWhenAnythingFails)
 
 TEST(WritePicture, KeepsTheOldFileOnAFullDisk)
 {
-    // A disk that claims to have room, so that every writer meets the end of it.
+    // Disk that reports free space, so that every writer reaches its end.
     class HopefulOps : public FileOps {
     public:
         unsigned long long freeBytes(const char* /*folder*/) override { return 1ULL << 40U; }

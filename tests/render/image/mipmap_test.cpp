@@ -1,4 +1,4 @@
-// Mipmaps made on the processor, against means that are taken another way: of every texel's area, in double precision.
+// Mipmaps made on the CPU, compared with means over every texel's area in double precision.
 
 #include "render/image/mipmap.h"
 #include "render/image/srgb.h"
@@ -38,7 +38,7 @@ double shown(const Texture& texture, int x, int y, int c, int layer)
     return texture.sRgb && texture.channels > 1 && c < 3 ? vitrine::render::linearFromSrgb(code) : code;
 }
 
-/// The mean over [x0, x1] x [y0, y1], in texels.
+/// Returns the mean over [x0, x1] x [y0, y1], in texels.
 double meanOver(const Texture& texture, double x0, double x1, double y0, double y1, int c, int layer)
 {
     double sum = 0;
@@ -51,7 +51,7 @@ double meanOver(const Texture& texture, double x0, double x1, double y0, double 
     return sum / ((x1 - x0) * (y1 - y0));
 }
 
-/// The largest difference from the mean of the area, in codes of what is stored.
+/// Returns the largest difference from the mean of the area, in stored codes.
 double worstError(const Texture& from)
 {
     const Texture to = halved(from);

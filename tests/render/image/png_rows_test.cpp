@@ -1,4 +1,4 @@
-// Large PNGs, written by rows and in pieces: what readers of others read back, and what a disk that fails leaves.
+// Large PNGs written by rows and in pieces: checked with other readers, and on a failing disk.
 
 #include "render/image/oiio_codec.h"
 #include "render/image/picture_stream.h"
@@ -25,12 +25,13 @@ using test::TemporaryFolder;
 struct Raster {
     std::int64_t width = 1, height = 1;
     int bits = 8;
-    std::vector<std::uint8_t> bytes{};  ///< In the machine's order.
+    std::vector<std::uint8_t> bytes{};  ///< Samples in the machine's byte order.
 
     [[nodiscard]] std::size_t stride() const { return static_cast<std::size_t>(width) * 3 * bits / 8; }
 };
 
-/// A raster of one of six kinds: noise, one color, a ramp, noisy rows four times each, mostly white, gray.
+/// Returns a raster of one of six kinds: noise, one color, ramp, noise with rows repeated four times, mostly white,
+/// gray.
 Raster someRaster(std::uint64_t seed, std::int64_t width, std::int64_t height, int bits)
 {
     test::Random random(seed);
@@ -53,7 +54,7 @@ Raster someRaster(std::uint64_t seed, std::int64_t width, std::int64_t height, i
     return raster;
 }
 
-/// Written in bands of uneven height.
+/// Writes a raster in bands of different heights.
 void write(const std::filesystem::path& path, const Raster& raster, int threads, FileOps& ops = systemFileOps())
 {
     PictureStream stream(path,
@@ -105,7 +106,7 @@ std::uint32_t bigEndian(const std::string& text, std::size_t at)
     return value;
 }
 
-/// Walks the chunks, with their checksums, and unpacks the one zlib stream that they hold; every byte must be used.
+/// Checks all chunks with their checksums, and unpacks the single zlib stream in them; every byte must be used.
 void expectStrict(const std::filesystem::path& path, const Raster& raster)
 {
     const std::string file = bytesOf(path);
@@ -162,7 +163,7 @@ TEST(PngRows, SinglePixelsRowsAndColumnsAreReadBack)
 TEST(PngRows, TheFileIsTheSameForAnyNumberOfThreads)
 {
     const TemporaryFolder folder;
-    const Raster raster = someRaster(3, 901, 1700, 8);  // Nine pieces.
+    const Raster raster = someRaster(3, 901, 1700, 8);  // Large enough for nine pieces.
     write(folder / "1.png", raster, 1);
     const std::string one = bytesOf(folder / "1.png");
     for (const int threads : {2, 3, 7}) {
@@ -173,7 +174,7 @@ TEST(PngRows, TheFileIsTheSameForAnyNumberOfThreads)
     expectStrict(folder / "1.png", raster);
 }
 
-/// A disk that is full after so many bytes, takes few at a time, and is interrupted now and then.
+/// Disk that is full after this many bytes, takes few at a time, and is sometimes interrupted.
 class SmallDisk : public FileOps {
 public:
     SmallDisk(std::size_t room, int error) : room_(room), error_(error) {}

@@ -1,4 +1,4 @@
-// What a picture file says about how it is to be shown. The files are made by hand, or by other programs.
+// Metadata of picture files about their display. The files are made by hand, or by other programs.
 
 #include "render/image/color_channels.h"
 #include "render/image/image_io.h"
@@ -22,8 +22,8 @@ using namespace vitrine;
 using namespace vitrine::render;
 using test::TemporaryFolder;
 
-/// The picture "12 / 34 / 56" as each orientation stores it (CIPA DC-008, 4.6.5.1.6: which visible edge row 0 and
-/// column 0 are).
+/// The picture "12 / 34 / 56" as each orientation stores it (CIPA DC-008, 4.6.5.1.6: the visible edges of row 0 and
+/// column 0).
 const std::array<std::vector<std::string>, 8> storedRows = {{{"12", "34", "56"},
                                                              {"21", "43", "65"},
                                                              {"65", "43", "21"},
@@ -45,7 +45,7 @@ std::string joined(const std::vector<std::string>& rows)
     return all;
 }
 
-/// The digits of a picture that shows codes of 40 each.
+/// Returns the digits of a picture, each with a code of 40 times the digit.
 std::string digitsOf(const Image& image, double unit)
 {
     std::string digits;
@@ -109,7 +109,7 @@ TEST(Orientation, OfJpegAndWebpIsObeyed)
     EXPECT_EQ(turned.width, 8);
     EXPECT_EQ(turned.height, 16);
 
-    // Made with Pillow 9.4: 2 x 3 pixels, lossless, alpha 128 in the last row's first pixel, orientation 6.
+    // Made with Pillow 9.4: 2 x 3 pixels, lossless, alpha 128 in the first pixel of the last row, orientation 6.
     test::writeBytes(
         folder / "a.webp",
         test::unbase64(
@@ -189,7 +189,7 @@ TEST(ExrChannels, OfALayerOrViewAreItsColor)
         test::writeBytes(folder / "a.exr", test::exrBytes(names, all, all));
         return readColor(folder / "a.exr");
     };
-    // Pixel (1, 0) of channel c is 1 + 100 c; channels lie in alphabetical order.
+    // Pixel (1, 0) of channel c is 1 + 100 c; channels are in alphabetical order.
     const auto first = [](const Image& image) {
         return std::vector<float>(image.pixels.begin() + image.channels, image.pixels.begin() + 2 * image.channels);
     };
@@ -264,7 +264,7 @@ TEST(ExrWindow, IsWhatTheDisplayWindowShows)
     EXPECT_EQ(apart.pixels, std::vector<float>(12, 0));
 }
 
-/// Linear sRGB of an Adobe RGB (1998) color by the matrices of the two standards in XYZ of D50 (Lindbloom).
+/// Converts Adobe RGB (1998) to linear sRGB with the matrices of both standards in XYZ of D50 (Lindbloom).
 std::array<double, 3> fromAdobe(const std::array<double, 3>& code)
 {
     constexpr std::array<std::array<double, 3>, 3> toXyz = {
@@ -312,7 +312,7 @@ TEST(ColorProfile, OfAPngIsConvertedToRec709)
 
 TEST(ColorProfile, ThatIsSrgbChangesNoValue)
 {
-    // sRGB's colorants in D50 (IEC 61966-2-1, adapted by Bradford), with its curve and with a gamma.
+    // Colorants of sRGB in D50 (IEC 61966-2-1, adapted by Bradford), with its curve and with a gamma.
     const std::vector<std::vector<double>> srgb = {
         {0.43607, 0.22249, 0.01392}, {0.38515, 0.71687, 0.09708}, {0.14307, 0.06061, 0.71410}};
     std::vector<double> curve;
@@ -353,7 +353,8 @@ TEST(ColorProfile, PngGammaIsObeyedWhereItIsNotThatOfSrgb)
 TEST(ColorProfile, ExrChromaticitiesAreConverted)
 {
     const TemporaryFolder folder;
-    // Linear light in the primaries of BT.2020, of D65 like Rec. 709: white stays white (BT.2087, table 3).
+    // Linear light with the primaries of BT.2020. The white point is D65 like that of Rec. 709, so white stays white
+    // (BT.2087, table 3).
     std::string more;
     for (const float x : {0.708F, 0.292F, 0.170F, 0.797F, 0.131F, 0.046F, 0.3127F, 0.3290F})
         more += test::littleEndian32(std::bit_cast<std::uint32_t>(x));

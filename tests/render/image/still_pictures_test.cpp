@@ -1,4 +1,4 @@
-// BMP and GIF, put together byte by byte as their descriptions say (Microsoft's BITMAPINFOHEADER; CompuServe's GIF89a).
+// BMP and GIF files made byte by byte from their specifications (Microsoft's BITMAPINFOHEADER; CompuServe's GIF89a).
 
 #include "render/image/image_io.h"
 #include "tests/support/failures.h"
@@ -28,7 +28,7 @@ std::string bytesOf(std::initializer_list<unsigned> values)
     return bytes;
 }
 
-/// File header, information header, colors and rows.
+/// Returns a BMP file: file header, information header, colors and rows.
 std::string bmp(int width, int height, unsigned bits, const std::string& colors, const std::string& rows)
 {
     const auto at = static_cast<unsigned>(14 + 40 + colors.size());
@@ -39,8 +39,8 @@ std::string bmp(int width, int height, unsigned bits, const std::string& colors,
            colors + rows;
 }
 
-/// One picture of a GIF: 2 x 2 pixels of the colors 0, 1, 2, 3. Codes of 3 bits, cleared before they grow to 4: clear,
-/// 0, 1, clear, 2, 3, end.
+/// Returns one picture of a GIF: 2 x 2 pixels of the colors 0, 1, 2, 3. Codes have 3 bits and are cleared before they
+/// grow to 4: clear, 0, 1, clear, 2, 3, end.
 std::string gifPicture()
 {
     std::string bytes = "\x2C" + std::string(4, '\0') + little16(2) + little16(2) + '\0' + '\2';
@@ -53,7 +53,7 @@ std::string gifPicture()
     return bytes + '\3' + bytesOf({packed & 255U, packed >> 8U & 255U, packed >> 16U & 255U}) + '\0';
 }
 
-/// Four colors: black, red, green, white; the last is transparent where that is asked for.
+/// Returns a GIF with four colors: black, red, green, white. The last is transparent if `transparent`.
 std::string gif(const std::string& pictures, bool transparent = false)
 {
     const std::string colors = bytesOf({0, 0, 0, 255, 0, 0, 0, 255, 0, 255, 255, 255});
@@ -61,7 +61,7 @@ std::string gif(const std::string& pictures, bool transparent = false)
     return "GIF89a" + little16(2) + little16(2) + bytesOf({0x81, 0, 0}) + colors + control + pictures + ';';
 }
 
-/// The codes of a file, 0 to 255, row 0 at the top.
+/// Returns the codes of a picture file, 0 to 255, row 0 at the top.
 std::vector<int> codesIn(const std::string& name, const std::string& bytes, int width, int height, int channels)
 {
     const TemporaryFolder folder;
@@ -79,7 +79,7 @@ const std::vector<int> fourColors{0, 0, 0, 255, 0, 0, 0, 255, 0, 255, 255, 255};
 
 TEST(StillPictures, OfBmpAreReadInAllUsualKinds)
 {
-    // Rows from the bottom, blue first, each to a multiple of four bytes.
+    // Rows begin at the bottom, blue first, padded to a multiple of four bytes.
     const std::string bottom = bytesOf({0, 255, 0, 255, 255, 255, 0, 0}), top = bytesOf({0, 0, 0, 0, 0, 255, 0, 0});
     EXPECT_EQ(codesIn("a.bmp", bmp(2, 2, 24, "", bottom + top), 2, 2, 3), fourColors);
     EXPECT_EQ(codesIn("a.BMP", bmp(2, -2, 24, "", top + bottom), 2, 2, 3), fourColors) << "from the top";
@@ -92,7 +92,7 @@ TEST(StillPictures, OfBmpAreReadInAllUsualKinds)
     EXPECT_EQ(codesIn("a.bmp", bmp(2, 1, 32, "", bytesOf({3, 2, 1, 0, 6, 5, 4, 0})), 2, 1, 3),
               (std::vector<int>{1, 2, 3, 4, 5, 6}))
         << "without alpha";
-    // Five bits a color: 31 is 255.
+    // Five bits per color: 31 is converted to 255.
     EXPECT_EQ(codesIn("a.bmp", bmp(2, 1, 16, "", bytesOf({0xE0, 0x03, 0x00, 0x7C})), 2, 1, 3),
               (std::vector<int>{0, 255, 0, 255, 0, 0}));
 }

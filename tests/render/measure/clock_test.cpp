@@ -1,4 +1,4 @@
-// The clocks of the driver that the tests run on, and the counters that it and the plan keep.
+// Clocks of the present driver, and the counters of driver and plan.
 
 #include "render/gl/frame_clock.h"
 #include "tests/support/gallery.h"
@@ -31,11 +31,11 @@ TEST_F(Clock, EveryReportNamesItsClockAndWhatItCosts)
     EXPECT_EQ(maker.report().clock, render::gl::trustedClock(true).name);
     EXPECT_TRUE(maker.report().clockTrusted);
     EXPECT_GT(maker.report().milliseconds, 0);
-    // A frame is timed as one: two marks, whatever the number of its passes.
+    // A frame is timed as a whole: two marks, whatever the number of its passes.
     EXPECT_GT(maker.report().ran.size(), 2U);
     EXPECT_DOUBLE_EQ(maker.report().overheadMilliseconds, 1e3 * render::gl::trustedClock(true).overheadSeconds);
-    // What that costs stays under 2 % of the smallest picture; both are processor time, so that other programs have no
-    // say.
+    // Timing costs less than 2 % of the smallest picture. Both are processor times, so that other programs have no
+    // influence.
     EXPECT_LT(maker.report().overheadMilliseconds, 0.02 * maker.report().milliseconds);
 }
 
@@ -57,7 +57,7 @@ TEST_F(Clock, TimesOfStepsAddUpToNoMoreThanTheFrame)
     EXPECT_GT(sum, 0);
 }
 
-/// A plan of one pass that covers an image of this size.
+/// Returns a plan with one pass that covers an image of this size.
 render::FramePlan covering(glm::ivec2 size)
 {
     render::FramePlan plan;

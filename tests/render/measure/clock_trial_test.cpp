@@ -1,4 +1,4 @@
-// Which clock is believed: forged clocks are caught.
+// Choice of the clock: false clocks are detected.
 
 #include "render/measure/clock_trial.h"
 
@@ -12,7 +12,8 @@ namespace {
 
 using namespace render;
 
-/// Loads 1, 2 and 4 of 2 ms, three times each; `forge` gives what each clock shows for the true time.
+/// Returns samples of loads of 2, 4 and 8 ms, three times each. The functions give each clock's result for the true
+/// time.
 std::vector<ClockSample> trial(const std::function<double(double)>& query,
                                const std::function<double(double)>& wall = {},
                                const std::function<double(double)>& cpu = {})
@@ -21,7 +22,7 @@ std::vector<ClockSample> trial(const std::function<double(double)>& query,
     for (int run = 0; run < 3; ++run) {
         for (const double load : {1.0, 2.0, 4.0}) {
             const double truth = 0.002 * load;
-            const double slower = run == 1 ? 1.5 : 1;  // A neighbor disturbs one run.
+            const double slower = run == 1 ? 1.5 : 1;  // Other work disturbs one run.
             samples.push_back(
                 {load, query(truth), slower * (wall ? wall(truth) : truth), cpu ? cpu(truth) : 2 * truth});
         }
@@ -44,7 +45,7 @@ TEST(Clocks, AnHonestTimerQueryIsUsedOnHardware)
 
 TEST(Clocks, AQueryThatSeesOnlyTheLastTileIsCaught)
 {
-    // As llvmpipe: the sixtieth part, but in proportion.
+    // Like llvmpipe: a sixtieth, but in proportion.
     const ClockChoice choice = chooseClock(trial([](double t) { return t / 60; }), false, 0);
     EXPECT_EQ(choice.method, ClockMethod::wall);
     EXPECT_TRUE(choice.trusted);

@@ -1,7 +1,7 @@
-// FLIP against its paper's equations, written a second time: in 64-bit floats, every filter as one dense square of
-// weights, colors from the chromaticities of Rec. 709, nothing shared with render/measure/flip.cpp. The pictures behind
-// the numbers that its authors publish (a mean of 0.159691 for their pair at 67 pixels per degree) are not in this
-// repository.
+// FLIP compared with a second implementation of its paper's equations. That one uses 64-bit floats, every filter as one
+// dense square of weights, and colors from the chromaticities of Rec. 709, and shares nothing with
+// render/measure/flip.cpp. The pictures of the authors' published numbers (a mean of 0.159691 for their pair at 67
+// pixels per degree) are not in this repository.
 
 #include "render/measure/flip.h"
 #include "tests/support/made_image.h"
@@ -39,7 +39,7 @@ double determinant(const Matrix& m)
            m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
 }
 
-/// x of m x = v, by Cramer's rule.
+/// Solves m x = v by Cramer's rule.
 Color solved(const Matrix& m, const Color& v)
 {
     Color result{};
@@ -51,14 +51,14 @@ Color solved(const Matrix& m, const Color& v)
     return result;
 }
 
-/// XYZ of a color of chromaticity (x, y) and luminance 1.
+/// Returns the XYZ of a color of chromaticity (x, y) and luminance 1.
 Color chromaticity(double x, double y)
 {
     return {x / y, 1, (1 - x - y) / y};
 }
 
-/// ITU-R BT.709: primaries and the white D65 that all three together make; with the five digits of CIE 15, as in the
-/// matrix that FLIP's authors publish. Four digits (0.3127, 0.3290) change a pixel by 5e-5.
+/// Returns the matrix of ITU-R BT.709 from its primaries and D65. The white point has the five digits of CIE 15, as in
+/// the matrix that FLIP's authors publish. Four digits (0.3127, 0.3290) would change a pixel by 5e-5.
 Matrix xyzFromRgb()
 {
     const std::array<Color, 3> primaries{chromaticity(0.64, 0.33), chromaticity(0.30, 0.60), chromaticity(0.15, 0.06)};
@@ -88,7 +88,7 @@ struct Map {
 
 using Weight = std::function<double(int dx, int dy)>;
 
-/// One channel around a pixel, weighted by a dense square of weights as they are.
+/// Returns the weighted mean of one channel around a pixel, with a dense square of weights.
 double gathered(const Map& map, std::size_t channel, int x, int y, int radius, const Weight& weight)
 {
     double sum = 0;
@@ -105,7 +105,7 @@ double total(int radius, const Weight& weight)
     return sum;
 }
 
-/// Equation of the linearized CIELAB that the paper filters in (YyCxCz).
+/// Converts to the linearized CIELAB space in which the paper filters (YyCxCz).
 Color opponent(const Color& rgb)
 {
     const Color xyz = times(toXyz, rgb);
@@ -146,7 +146,8 @@ Map opponentMap(const Image& image)
     return map;
 }
 
-/// What the eye sees of a pixel: every channel under the inverse Fourier transform of its contrast sensitivity.
+/// Filters a pixel by the contrast sensitivity of the eye: each channel with the inverse Fourier transform of its
+/// function.
 Color seenAt(const Map& map, int x, int y, double ppd)
 {
     struct Term {
@@ -169,7 +170,8 @@ Color seenAt(const Map& map, int x, int y, double ppd)
     return labAfterHunt(rgb);
 }
 
-/// Strength of edges (first derivative of a Gaussian) or points (second) of the achromatic channel, brought to [0, 1].
+/// Returns the strength of edges (first derivative of a Gaussian) or points (second derivative) of the achromatic
+/// channel, scaled to [0, 1].
 double featureAt(const Map& map, int x, int y, double ppd, bool points)
 {
     const double sigma = 0.5 * 0.082 * ppd;
@@ -185,7 +187,7 @@ double featureAt(const Map& map, int x, int y, double ppd, bool points)
             const double w = plain(dx, dy);
             return w > 0 ? w / positive : w / negative;
         };
-        // Of (Y + 16) / 116: the weights together are 0, so that the 16 has no say.
+        // Applies to (Y + 16) / 116. The sum of the weights is 0, so the 16 cancels.
         return gathered(map, 0, x, y, radius, balanced) / 116;
     };
     const double h = along(true);
@@ -210,7 +212,7 @@ Image noisePicture(unsigned seed, int width, int height)
     return made(width, height, [&](int, int, int) { return static_cast<float>(random() >> 8U) * 0x1p-24F; });
 }
 
-/// Two colors, divided by a line through (x, y).
+/// Returns a picture of two colors, divided by a line through (x, y).
 Image step(Color left, Color right, double x, double y, double angle)
 {
     return made(26, 22, [=](int px, int py, int c) {
@@ -219,7 +221,7 @@ Image step(Color left, Color right, double x, double y, double angle)
     });
 }
 
-/// Largest difference of the two implementations over all pixels; the map is in 32-bit floats.
+/// Returns the largest difference of the two implementations over all pixels. The map has 32-bit floats.
 double largestDeparture(const Image& reference, const Image& test, double ppd)
 {
     const Image map = render::flipMap(reference, test, ppd);
@@ -266,7 +268,7 @@ TEST(FlipPaper, PicturesSmallerThanTheFiltersRepeatTheirEdge)
 
 TEST(FlipPaper, AWrongFilterWouldBeSeen)
 {
-    // The negative control: another distance is another filter, and is off by far more than rounding.
+    // Negative control: at another viewing distance the filter differs, by much more than rounding.
     const Image a = noisePicture(8, 16, 16);
     const Image b = noisePicture(9, 16, 16);
     const Image map = render::flipMap(a, b, 66);

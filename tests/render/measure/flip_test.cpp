@@ -1,4 +1,4 @@
-// What its paper says of FLIP, and what follows from it.
+// Statements of the FLIP paper, and their consequences.
 
 #include "render/measure/flip.h"
 #include "tests/support/made_image.h"
@@ -26,7 +26,7 @@ Image flat(float r, float g, float b)
     return made(48, 48, [=](int, int, int c) { return c == 0 ? r : c == 1 ? g : b; });
 }
 
-/// Stripes of the given period around middle gray.
+/// Returns stripes of a period around middle gray.
 Image stripes(double amplitude, int period)
 {
     return made(64, 64, [=](int x, int, int) {
@@ -63,16 +63,16 @@ TEST(Flip, StaysBetweenZeroAndOne)
 
 TEST(Flip, TheLargestDifferenceOfColorsIsThatOfGreenAndBlue)
 {
-    // The paper sets the top of the scale there; without features, the map is the color's error.
+    // The paper defines this as the top of the scale. Without features, the map is the color error.
     EXPECT_NEAR(flip(flat(0, 1, 0), flat(0, 0, 1)), 1, 1e-6);
     EXPECT_LT(flip(flat(0, 0, 0), flat(1, 1, 1)), 1);
 }
 
 TEST(Flip, BlackAndWhiteAreAsFarAsLightnessSays)
 {
-    // HyAB of black and white is the 100 of CIELAB's lightness. That of green and blue after Hunt, worked out from
-    // the published matrices: L 87.735 and 32.297; a -86.183 and 79.188, b 83.179 and -107.860 before scaling by
-    // L / 100: 55.438 + |(-75.613 - 25.575, 72.977 + 34.836)| = 55.438 + 147.86.
+    // HyAB of black and white is 100, CIELAB's range of lightness. That of green and blue after Hunt's adjustment
+    // follows from the published matrices: L 87.735 and 32.297; a -86.183 and 79.188, b 83.179 and -107.860 before
+    // scaling by L / 100: 55.438 + |(-75.613 - 25.575, 72.977 + 34.836)| = 55.438 + 147.86.
     const double cmax = std::pow(55.438 + std::hypot(75.613 + 25.575, 72.977 + 34.836), 0.7);
     const double d = std::pow(100.0, 0.7);
     const double expected = 0.95 + (d - 0.4 * cmax) / (0.6 * cmax) * 0.05;
@@ -98,7 +98,7 @@ TEST(Flip, WhatIsTooFineForTheEyeCountsLessTheFurtherItIs)
 
 TEST(Flip, AnEdgeThatIsMissingCountsMoreThanTheColorItLeaves)
 {
-    // The paper's reason for features: the eye is drawn to edges. Far to the right, the color differs as much.
+    // The paper's reason for features: edges attract the eye. Far to the right, the color differs as much.
     const Image reference = made(96, 48, [](int, int, int) { return 0.4F; });
     const Image edge = made(96, 48, [](int x, int, int) { return x < 32 ? 0.4F : 0.5F; });
     const Image map = flipMap(reference, edge);

@@ -1,4 +1,4 @@
-// Distances of pictures, against what can be worked out by hand.
+// Differences of pictures, compared with values computed by hand.
 
 #include "render/measure/metrics.h"
 
@@ -57,7 +57,8 @@ TEST(Metrics, UniformNoiseHasTheRmsErrorOfItsVariance)
     Image b = a;
     const Image n = noiseBetween(3, 7, -0.1, 0.1);
     for (std::size_t i = 0; i < b.pixels.size(); ++i) b.pixels[i] += n.pixels[i];
-    // Variance of the uniform distribution over 0.2: 0.2² / 12. With 9216 samples the estimate's own spread is 0.5 %.
+    // The variance of a uniform distribution over 0.2 is 0.2² / 12. With 9216 samples the estimate has a spread of 0.5
+    // %.
     EXPECT_NEAR(colorDifference(a, b).rmse, 0.2 / std::sqrt(12.0), 0.02 * 0.2 / std::sqrt(12.0));
 }
 
@@ -97,7 +98,7 @@ TEST(Metrics, NormalsTurnedByAnAngleAreThatFarApart)
 {
     Image a(3, 1, 3, 0.0F);
     Image b(3, 1, 3, 0.0F);
-    const double angle = 1e-4;  // Where an arc cosine of floats would find nothing.
+    const double angle = 1e-4;  // An arc cosine of floats would be 0 here.
     a.at(0, 0, 2) = 1;
     b.at(0, 0, 2) = static_cast<float>(std::cos(angle));
     b.at(0, 0, 0) = static_cast<float>(std::sin(angle));

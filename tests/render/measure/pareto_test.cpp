@@ -1,4 +1,4 @@
-// Fronts and knees of costs and errors.
+// Pareto fronts and knees of costs and errors.
 
 #include "render/measure/pareto.h"
 
@@ -43,7 +43,7 @@ TEST(Pareto, WhatIsNotFiniteIsOnNoFront)
 
 TEST(Pareto, TheKneeIsWhereTwoLawsMeet)
 {
-    // Down with cost^-2, then with cost^-0.2: the bend is at cost 16.
+    // The error falls with cost^-2 and then with cost^-0.2: the knee is at cost 16.
     std::vector<CostAndError> points;
     for (double cost = 1; cost <= 256; cost *= 2)
         points.push_back({cost, cost <= 16 ? std::pow(cost, -2) : std::pow(16.0, -2) * std::pow(cost / 16, -0.2)});

@@ -1,4 +1,4 @@
-// Medians, intervals and laws, against published tables and simulated measurements.
+// Medians, intervals and power laws, compared with published tables and simulated measurements.
 
 #include "render/measure/statistics.h"
 
@@ -63,7 +63,7 @@ TEST(Statistics, FewSamplesPromiseOnlyWhatTheyCan)
 TEST(Statistics, TheIntervalHoldsTheMedianAsOftenAsItPromises)
 {
     std::mt19937 random(5);
-    std::lognormal_distribution<double> skewed(0, 1);  // Median 1.
+    std::lognormal_distribution<double> skewed(0, 1);  // Its median is 1.
     int held = 0;
     constexpr int trials = 4000;
     for (int t = 0; t < trials; ++t) {
@@ -71,7 +71,7 @@ TEST(Statistics, TheIntervalHoldsTheMedianAsOftenAsItPromises)
         for (double& s : samples) s = skewed(random);
         held += medianInterval(samples).holds(1) ? 1 : 0;
     }
-    // n = 11 promises 98.8 %; four standard deviations of 4000 trials are 0.7 %.
+    // For n = 11 the probability is 98.8 %. Four standard deviations of 4000 trials are 0.7 %.
     EXPECT_NEAR(static_cast<double>(held) / trials, 0.98828, 0.007);
 }
 
@@ -95,7 +95,7 @@ TEST(Statistics, APowerLawIsFoundExactly)
         x.push_back(v);
         y.push_back(3 * std::pow(v, -1.5));
     }
-    x.push_back(0);  // No logarithm: not a point.
+    x.push_back(0);  // Has no logarithm, so it is ignored.
     y.push_back(1);
     const PowerLaw law = fitPowerLaw(x, y);
     EXPECT_EQ(law.points, 7U);
@@ -142,7 +142,7 @@ TEST(Statistics, MediansOfTheSameThingAreSeldomToldApartAndThoseOfDifferentThing
         std::normal_distribution<double> noise(mean, 1);
         std::vector<double> runs(15);
         for (double& run : runs) run = noise(random);
-        runs[3] += 50;  // One run in fifteen is disturbed: it counts for little.
+        runs[3] += 50;  // One run of fifteen is disturbed and must have little influence.
         return summarize(runs);
     };
     int sameToldApart = 0;
@@ -151,8 +151,8 @@ TEST(Statistics, MediansOfTheSameThingAreSeldomToldApartAndThoseOfDifferentThing
         sameToldApart += indistinguishable(measured(70), measured(70)) ? 0 : 1;
         differentToldApart += indistinguishable(measured(70), measured(72)) ? 0 : 1;
     }
-    EXPECT_LT(sameToldApart, 100);       // Two standard errors: about 1 in 20, and the spread of few runs is uncertain.
-    EXPECT_GT(differentToldApart, 900);  // Two deviations apart is four and a half standard errors.
+    EXPECT_LT(sameToldApart, 100);       // Two standard errors: about 1 in 20, with the uncertain spread of few runs.
+    EXPECT_GT(differentToldApart, 900);  // Means two deviations apart differ by four and a half standard errors.
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Bounds without a picture: their arithmetic, and what plans state. tests/exhibits/museum/bounds_test.cpp measures
-// them.
+// Bounds without a picture: their arithmetic, and the bounds in plans. tests/exhibits/museum/bounds_test.cpp measures
+// bounds in pictures.
 
 #include "render/plan/frame_plan.h"
 #include "tests/support/museum_on_paper.h"
@@ -36,7 +36,7 @@ TEST(ContributionBound, OfNothingIsZeroWhateverItWouldBeAndTheFirstCauseIsTold)
         EXPECT_EQ(bound.whyNone, "first");
     }
     EXPECT_TRUE(boundOf(1, 1, {{-2, "below zero"}}).isZero());
-    // The plain product, infinity times 0, would be NaN: neither 0 nor a bound.
+    // The plain product of infinity and 0 would be NaN: neither 0 nor a bound.
 }
 
 TEST(ContributionBound, WhatNobodyKnowsIsNotKnownAndNeverZero)

@@ -1,4 +1,4 @@
-// The scene seen from elsewhere: which passes and images of a plan it copies, and the views in mirrors and portals.
+// Secondary views, as in mirrors and portals: the passes and images of a plan that they copy.
 
 #include "render/plan/elsewhere.h"
 
@@ -14,7 +14,8 @@ using namespace render;
 
 const View visitor = makeView({{1, 2, 6}, {0, 0.5, 0}, 0.9, {0.1, 0}}, {.size = {64, 36}});
 
-/// A shadow map, a coarse pre-pass, a surface that reads both, a compute step for particles, a tone mapping.
+/// Returns a plan with a shadow map, a depth pre-pass, a surface that reads both, a compute pass for particles, and
+/// tone mapping.
 FramePlan scene()
 {
     FramePlan plan;

@@ -100,7 +100,7 @@ TEST(FramePlan, SortsByStageAndKeepsTheOrderWithinOne)
     EXPECT_EQ(toString(plan), "shadow > b > a > tone");
 }
 
-/// A kept shadow map that `last` reads.
+/// Returns a plan with a persistent shadow map that `last` reads.
 FramePlan withPersistentMap(std::uint64_t key, bool kept = true)
 {
     FramePlan plan;

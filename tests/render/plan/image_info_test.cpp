@@ -1,4 +1,4 @@
-// Sizes of images, and what is seen by those whose pixels are their own.
+// Sizes of images, and views of images with their own pixels.
 
 #include "render/plan/image_info.h"
 
@@ -40,7 +40,7 @@ TEST(ImageInfo, WithItsOwnPixelsSeesTheSameWhateverTileAndJitterIsDrawn)
     }
 }
 
-// The middle of pixel (i, j) of the small image is the middle of a block of the picture, also in the last row and
+// The center of pixel (i, j) of the small image is the center of a block of the picture, also in the last row and
 // column.
 TEST(ImageInfo, OfADivisionCoversBlocksOfThePicture)
 {
@@ -54,7 +54,7 @@ TEST(ImageInfo, OfADivisionCoversBlocksOfThePicture)
             const glm::dvec3 seen =
                 small.direction((glm::dvec2(pixel) + 0.5) / glm::dvec2(small.raster.size) * 2.0 - 1.0);
             EXPECT_LT(glm::distance(expected, seen), 1e-13) << divisor;
-            // And by the matrix that meshes are drawn with.
+            // The same with the matrix for meshes.
             const glm::dvec4 clip = small.clipFromWorld * glm::dvec4(picture.eye + 3.0 * expected, 1);
             const glm::dvec2 there = (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(small.raster.size);
             EXPECT_LT(glm::distance(there, glm::dvec2(pixel) + 0.5), 1e-9) << divisor;

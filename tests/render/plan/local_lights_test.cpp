@@ -1,4 +1,4 @@
-// Local lights: what they send by closed forms, where their shadows are looked up, and which ones count.
+// Local lights: radiation in closed form, positions in shadow maps, and the choice of lights.
 
 #include "render/glsl/cpu.h"
 #include "render/plan/local_lights.h"
@@ -36,14 +36,14 @@ TEST(LocalLight, NearerThanItsLimitIsAsBrightAsAtTheLimit)
     }
 }
 
-// All that a point sends downward falls on the plane below it: half of 4 pi I.
+// All light sent downward by a point reaches the plane below it: half of 4 pi I.
 TEST(LocalLight, AsAPointSendsHalfOfItsFluxOntoAPlane)
 {
     const glsl::LocalLightEntry light = lightAt({0, 1.7, 0});
     double flux = 0;
     const int steps = 20000;
     for (int i = 0; i < steps; ++i) {
-        // Rings by the angle from straight down: radius z tan(a).
+        // Rings by their angle from the downward direction: radius z tan(a).
         const double angle = 0.5 * pi * (i + 0.5) / steps;
         const double radius = 1.7 * std::tan(angle);
         const double ring = 2 * pi * radius * 1.7 / (std::cos(angle) * std::cos(angle)) * 0.5 * pi / steps;
@@ -82,7 +82,7 @@ TEST(LocalLight, InAConeSendsAllWithinItAndNothingBeyond)
     }
 }
 
-/// The same by quadrature over the directions in which the sphere is seen.
+/// The same by quadrature over the directions of the sphere.
 double formFactorByQuadrature(double cosine, double distance, double radius)
 {
     const double half = std::asin(radius / distance);
@@ -116,7 +116,7 @@ TEST(LocalLight, ThatIsASmallSphereIsAPoint)
     const glm::dvec3 normal = glm::normalize(glm::dvec3(0.3, 1, -0.2));
     const glm::dvec3 point = glsl::localIrradiance(lightAt({0.5, 2, 1}), {0, 0, 0}, normal);
     const double distance = glm::length(glm::dvec3(0.5, 2, 1));
-    // The sphere's part above the horizon is all of it, so that both are I cos / d².
+    // The whole sphere is above the horizon, so that both are I cos / d².
     EXPECT_LT(glm::distance(glsl::localIrradiance(lightAt({0.5, 2, 1}, 2e-3 * distance), {0, 0, 0}, normal), point),
               1e-12);
     EXPECT_LT(glm::distance(glsl::localIrradiance(lightAt({0.5, 2, 1}, 0.5), {0, 0, 0}, normal), point), 1e-12);

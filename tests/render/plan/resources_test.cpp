@@ -1,4 +1,4 @@
-// Histories, work over several frames, buffers and handles: what a plan makes of them on paper.
+// Histories, work over several frames, buffers and handles in plans, without a GPU.
 
 #include "render/plan/frame_plan.h"
 
@@ -45,7 +45,7 @@ struct Accumulated {
         plan.prune({"frame"}, kept);
         return plan;
     }
-    /// What a renderer keeps after it drew that plan.
+    /// Returns the persistent state of a renderer that drew the plan.
     [[nodiscard]] PersistentState persistentState() const
     {
         const FramePlan last = plan();

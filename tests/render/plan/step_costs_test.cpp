@@ -1,4 +1,4 @@
-// What the ledger says that leaving a step out saves.
+// Savings by skipped passes, as the frame report states them.
 
 #include "render/plan/step_costs.h"
 
@@ -31,7 +31,7 @@ TEST(StepCosts, OfAnExhibitAsAWholeAreThoseOfItsPictureInOneFrame)
     StepCosts costs;
     costs.note(reportOf({{"fur/shadow", 16}, {"fur/coat", 4}, {"fur/fins", 2}, {"furniture/chair", 32}}, {}));
     EXPECT_EQ(costs.of("fur"), 6) << "its shadow has a line of its own, and so has everybody else";
-    // Fins that are switched off before one turns away are not saved by turning away.
+    // Fins that were switched off before the camera turned away are not saved by turning away.
     costs.note(reportOf({{"fur/coat", 4}}, {"fur/fins"}));
     EXPECT_EQ(costs.of("fur"), 4);
     costs.note(reportOf({{"fur/motion", 8}, {"fur/shadow", 16}}, {"fur"}));

@@ -25,7 +25,7 @@ bool allFinite(const glm::dmat4& m)
     return true;
 }
 
-/// Depth that a float32 pipeline stores for a point at `distance` before a camera at the origin.
+/// Returns the depth that a float32 pipeline stores for a point at `distance` in front of a camera at the origin.
 float storedDepth(const glm::mat4& clipFromView, double distance)
 {
     const glm::vec4 clip = clipFromView * glm::vec4(0, 0, static_cast<float>(-distance), 1);
@@ -38,12 +38,12 @@ TEST(Camera, ReversedDepthKeepsSevenDigitsFrom1To900Meters)
     double worst = 0;
     double worstStandard = 0;
     for (double z = 1; z <= 900; z *= 1.001) {
-        // What rounding of the position itself costs is not the matrix's fault.
+        // Compares with the rounded position, whose error is not due to the matrix.
         const auto position = static_cast<double>(static_cast<float>(z));
         worst =
             std::max(worst, std::abs(View{}.nearPlane / static_cast<double>(storedDepth(clipFromView, z)) - position) /
                                 position);
-        // Control: the depth of GL's default, -1 to 1 with a far plane at 1 km, loses four digits of them.
+        // Control: GL's default depth, -1 to 1 with a far plane at 1 km, loses four digits.
         const double n = View{}.nearPlane, f = 1000;
         const auto standard = static_cast<float>((f + n) / (f - n) - 2 * f * n / ((f - n) * position));
         worstStandard =
@@ -98,7 +98,8 @@ TEST(Camera, NoPlaceIsTooFarOrTooStrangeToLookFrom)
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const glm::dvec3 far(0, 0, 1e17);
     EXPECT_FALSE(
-        allFinite(glm::lookAt(far, far + glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0))));  // The point ahead is the eye.
+        // The point ahead is rounded to the eye.
+        allFinite(glm::lookAt(far, far + glm::dvec3(0, 0, -1), glm::dvec3(0, 1, 0))));
     const double places[] = {0, 1e5, 1e6, -1e17, 1e300, infinity, -infinity, nan};
     for (const double x : places) {
         for (const double y : places) {
@@ -110,7 +111,7 @@ TEST(Camera, NoPlaceIsTooFarOrTooStrangeToLookFrom)
                     EXPECT_NEAR(glm::dot(turn[i], turn[j]), i == j ? 1 : 0, 1e-9) << x << ' ' << y;
         }
     }
-    // Far off, the direction keeps its digits.
+    // Far from the origin, the direction keeps its precision.
     const View view = makeView({.eye = {1e5, 0, 1e5}, .target = {1e5 + 1, 0, 1e5 - 1}}, {});
     EXPECT_NEAR(view.viewFromWorld[0][2], -std::sqrt(0.5), 1e-12);
 }
@@ -135,7 +136,7 @@ TEST(Camera, NeverCallsHiddenWhatHasAPointInView)
             EXPECT_FALSE(std::abs(clip.x) < clip.w && std::abs(clip.y) < clip.w && clip.z < clip.w && clip.z > 0);
         }
     }
-    EXPECT_GT(out, 1000);  // It is of use, too.
+    EXPECT_GT(out, 1000);  // The culling has an effect.
     EXPECT_FALSE(makeView({}, {}).mayContain(Box{}));
     EXPECT_TRUE(makeView({}, {}).mayContain({glm::dvec3(-100), glm::dvec3(100)}));
 }
@@ -158,13 +159,13 @@ TEST(Camera, ATileIsThatPartOfThePicture)
         if (a.w < 0.05) continue;
         const glm::dvec2 pixel = (glm::dvec2(a) / a.w * 0.5 + 0.5) * glm::dvec2(size);
         const glm::dvec2 pixelInTile = (glm::dvec2(b) / b.w * 0.5 + 0.5) * glm::dvec2(tile);
-        // The sample sits `jitter` beside the pixel's center, so the picture moves the other way.
+        // The sample is `jitter` beside the pixel's center, so the picture moves the other way.
         EXPECT_LT(glm::length(pixel - jitter - glm::dvec2(offset) - pixelInTile), 1e-6 * (1 + glm::length(pixel)));
         EXPECT_NEAR(a.z / a.w, b.z / b.w, 1e-12);
     }
 }
 
-/// Where a point falls, in pixels from the lower left corner.
+/// Returns the position of a point in pixels from the lower left corner.
 glm::dvec2 pixelOf(const Camera& camera, const glm::ivec2& size, const glm::dvec3& point)
 {
     const glm::dvec4 clip = makeView(camera, {.size = size}).clipFromWorld * glm::dvec4(point, 1);
@@ -191,7 +192,8 @@ TEST(Camera, AShiftedLensSlidesThePictureByTheClosedForm)
         const double tanY = std::tan(middle.fovY / 2);
         const glm::dvec2 side = glm::dvec2(random.number(-1, 1), random.number(-1, 1)) * distance * tanY;
         const glm::dvec3 point = middle.eye + forward * distance + right * side.x + up * side.y;
-        // A point at z moves by X (1/C - 1/z): with the camera behind the plane C, against it before, linearly in X.
+        // A point at z moves by X (1/C - 1/z): with the camera if it is behind the plane C, against it in front,
+        // linearly in X.
         const glm::dvec2 expected = move * (1 / plane - 1 / distance) * (size.y / (2 * tanY));
         const glm::dvec2 seen = pixelOf(moved, size, point) - pixelOf(middle, size, point);
         EXPECT_LT(glm::length(seen - expected), 1e-6);
@@ -200,7 +202,7 @@ TEST(Camera, AShiftedLensSlidesThePictureByTheClosedForm)
         }
         farthestMove = std::max(farthestMove, glm::length(seen));
     }
-    EXPECT_GT(farthestMove, 100);  // The test is not about nothing.
+    EXPECT_GT(farthestMove, 100);  // The points moved far enough for a meaningful test.
 }
 
 TEST(Camera, ADirectionLeadsToItsPlaceInThePictureWithAShiftedLensToo)
@@ -230,7 +232,7 @@ TEST(Camera, SamplesFillThePixelEvenlyAndStartInItsMiddle)
             sum += p;
         }
         EXPECT_EQ(samplePosition(0, n), glm::dvec2(0));
-        // A low-discrepancy sequence: its mean misses the middle by far less than 1/sqrt(n).
+        // The mean of a low-discrepancy sequence differs from the center by much less than 1/sqrt(n).
         EXPECT_LT(glm::length(sum) / n, n == 1 ? 1e-12 : 0.6 / n + 0.25 / std::sqrt(n)) << n;
     }
 }
@@ -243,11 +245,12 @@ TEST(Camera, SamplesOfEdgesErrWithThePower3Over4OfTheirNumberButForTheFirstFew)
         return test::edgeError(n, [&](int) { return glm::dvec2(places.number(-0.5, 0.5), places.number(-0.5, 0.5)); });
     };
     const auto power = [](double few, double many, double ratio) { return std::log(few / many) / std::log(ratio); };
-    // Of a low-discrepancy sequence of two dimensions, 3/4 (Mitchell 1996): half the error for 2^(4/3) = 2.5 times the
-    // samples. Of random ones 1/2: for 4 times.
+    // Exponent for a low-discrepancy sequence of two dimensions: 3/4 (Mitchell 1996), which halves the error with
+    // 2^(4/3) = 2.5 times the samples. Random samples have 1/2, and need 4 times as many.
     EXPECT_NEAR(power(ours(2), ours(1024), 512), 0.75, 0.05);
     EXPECT_NEAR(power(random(2), random(128), 64), 0.5, 0.03);
-    // A single sample lies in the middle, where it is worth two random ones: to 16, the law seems to be a worse one.
+    // A single sample is at the center, where it is as good as two random ones. Therefore the exponent up to 16 is
+    // lower.
     EXPECT_LT(ours(1), 0.75 * random(1));
     EXPECT_LT(power(ours(1), ours(16), 16), 0.5);
     EXPECT_LT(ours(16), 0.85 * random(16));

@@ -1,4 +1,4 @@
-// Animations, skins and morph targets of glTF files, against what a hand works out.
+// Animations, skins and morph targets of glTF files, compared with values computed by hand.
 
 #include "render/scene/gltf_animation.h"
 
@@ -22,7 +22,7 @@ AnimatedModel animatedModelOf(const GltfBuilder& builder)
     return AnimatedModel::parse(builder.glb(), "model.glb");
 }
 
-/// One channel of animation 0.
+/// Adds a channel to animation 0.
 void animate(GltfBuilder& b, int node, const char* path, const std::vector<float>& times,
              const std::vector<float>& values, const char* type, const char* interpolation = "LINEAR")
 {
@@ -72,7 +72,7 @@ TEST(GltfAnimation, StepsHoldAndCubicSplinesFollowHermite)
     GltfBuilder b;
     const int node = b.node({{"mesh", b.triangle()}});
     animate(b, node, "scale", {0, 1}, {1, 1, 1, 3, 3, 3}, "VEC3", "STEP");
-    // In-tangent, value, out-tangent of each key.
+    // In-tangent, value and out-tangent of each key.
     animate(b, node, "translation", {0, 2}, {0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 6, 0, 1, 0, 0, 0, 0, 0}, "VEC3",
             "CUBICSPLINE");
     const AnimatedModel model = animatedModelOf(b);
@@ -82,7 +82,8 @@ TEST(GltfAnimation, StepsHoldAndCubicSplinesFollowHermite)
     expectNear(corner(model.posed(0, 1), 0), {0.5 + 2 * 3.0 / 8, 2 * -6.0 / 8, 0});
 }
 
-/// A triangle whose second corner follows a joint at (1, 0, 0) and whose third one is shared by two joints.
+/// Returns a triangle whose second corner follows a joint at (1, 0, 0), and whose third corner is influenced by two
+/// joints.
 GltfBuilder skinned()
 {
     GltfBuilder b;
@@ -106,7 +107,7 @@ GltfBuilder skinned()
     const int tip = b.node({{"name", "tip"}, {"translation", {1, 0, 0}}});
     b.json["skins"] = Json::array(
         {{{"joints", {static_cast<unsigned>(root), static_cast<unsigned>(tip)}}, {"inverseBindMatrices", inverse}}});
-    // The skinned node's own place does not count.
+    // The transform of the skinned node itself is ignored.
     b.node({{"mesh", mesh}, {"skin", 0U}, {"translation", {9, 9, 9}}});
     animate(b, tip, "translation", {0, 1}, {1, 0, 0, 1, 0, 2}, "VEC3");
     return b;
@@ -124,7 +125,7 @@ TEST(GltfAnimation, SkinsFollowTheirJointsAndNotTheirNode)
     for (const Vertex& v : bent.parts[0].mesh->vertices) EXPECT_NEAR(glm::length(v.normal), 1, 1e-5);
 }
 
-/// The third corner's second half is in the second set of joints.
+/// The second half of the third corner's weight is in the second set of joints.
 TEST(GltfAnimation, SkinsHaveEightJointsAVertexAndNameWhatIsBeyond)
 {
     GltfBuilder b = skinned();
@@ -162,7 +163,7 @@ TEST(GltfAnimation, MorphTargetsAreAddedByTheirWeights)
     expectNear(corner(model.posed(-1, 0), 0), {0, 0, 0.5});
     expectNear(corner(model.posed(0, 0.5), 0), {1, 0, 0.5});
     expectNear(corner(model.posed(0, 1), 0), {2, 0, 1});
-    // A file without normals has flat ones, of the shape that it has then: this one has turned over.
+    // A file without normals gets flat ones, from the deformed shape: this one has turned over.
     EXPECT_LT(glm::distance(model.posed(0, 1).parts[0].mesh->vertices[0].normal, glm::vec3(0, 0, -1)), 1e-5);
 }
 
@@ -182,7 +183,7 @@ TEST(GltfAnimation, WhatNamesNothingIsAFailureAndNotACrash)
     EXPECT_FAILURE(posed([](Json& j) { j["nodes"][2]["skin"] = 4U; }), "skin");
     EXPECT_FAILURE(posed([](Json& j) { j["animations"][0].erase("samplers"); }), "samplers");
     EXPECT_FAILURE(posed([](Json& j) { j["animations"] = 3; }), "animations");
-    // A morph target that names no accessor moves nothing.
+    // A morph target without accessors moves nothing.
     const Model model = posed([](Json& j) {
         j["meshes"][0]["primitives"][0]["targets"] = Json::array({{{"POSITION", 900}}});
         j["meshes"][0]["weights"] = {1.0};

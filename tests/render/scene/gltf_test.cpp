@@ -36,7 +36,7 @@ std::string smallPng()
     return test::bytesOf(folder / "a.png");
 }
 
-/// A triangle whose material uses `picture` (an image object) as base color and as normal map.
+/// Returns a triangle whose material uses `picture` (an image object) as base color and as normal map.
 GltfBuilder textured(const Json& picture)
 {
     GltfBuilder builder;
@@ -82,7 +82,7 @@ TEST(Gltf, FlattensTheNodeTree)
     EXPECT_EQ(model.markers[0].name, "parent");
     ASSERT_EQ(model.parts.size(), 1U);
     EXPECT_TRUE(model.parts[0].mirrored);
-    // (1, 0, 0) is scaled to (2, 0, 0), turned by 90 degrees to (0, 2, 0), and moved.
+    // (1, 0, 0) is scaled to (2, 0, 0), rotated by 90 degrees to (0, 2, 0), and moved.
     const glm::dvec4 corner = model.parts[0].modelFromPart * glm::dvec4(1, 0, 0, 1);
     EXPECT_NEAR(corner.x, 1, 1e-12);
     EXPECT_NEAR(corner.y, 4, 1e-12);
@@ -131,7 +131,7 @@ TEST(Gltf, ReadsMaterials)
     EXPECT_TRUE(warnsOf(model, "KHR_materials_clearcoat"));
 }
 
-/// The format asks for a list of all extensions; exporters forget it.
+/// The format requires a list of all extensions, which some exporters leave out.
 TEST(Gltf, NamesExtensionsThatItsListLeavesOut)
 {
     GltfBuilder builder;
@@ -156,7 +156,7 @@ TEST(Gltf, DecodesPicturesWithItsOwnReader)
     GltfBuilder packed = textured({{"bufferView", 0}, {"mimeType", "image/png"}});
     GltfBuilder withView;
     const std::string png = smallPng();
-    // View 0 must be the picture: build it first.
+    // View 0 must be the picture, so it is added first.
     withView.view(png);
     withView.json["images"] = packed.json["images"];
     withView.json["textures"] = packed.json["textures"];
@@ -199,7 +199,7 @@ TEST(Gltf, TakesPicturesFromTheFolderBesideItsOwn)
     EXPECT_TRUE(warnsOf(outside, "../../outside.png is not followed: it leaves its folder"));
 }
 
-// glTF 2.0, 5.19: color space information of pictures is ignored; texture coordinates count rows as stored.
+// glTF 2.0, 5.19: color space information of pictures is ignored; texture coordinates count rows as they are stored.
 TEST(Gltf, TakesThePixelsOfPicturesAsStored)
 {
     const TemporaryFolder folder;
@@ -243,7 +243,7 @@ TEST(Gltf, CountsUnpackedPicturesBeforeUnpackingThem)
     EXPECT_TRUE(warnsOf(model, "bytes once unpacked"));
 }
 
-// The picture's right is +x and its up is +y, and the triangle faces +z.
+// The picture's right is +x, its up is +y, and the triangle faces +z.
 TEST(Gltf, MakesTangentsWhereANormalMapNeedsThem)
 {
     const Model model =
@@ -348,7 +348,7 @@ TEST(Gltf, ReadsExternalBuffersBelowItsFolder)
     EXPECT_FAILURE(loadGltf(folder / "model.gltf"), "symbolic link");
 }
 
-// glTF 2.0, 3.6.2.1: without a view an accessor is zeros; 3.6.2.3: sparse values may lie over them.
+// glTF 2.0, 3.6.2.1: an accessor without a view contains zeros; 3.6.2.3: sparse values may replace some.
 TEST(Gltf, TakesAccessorsWithoutAViewForZeros)
 {
     GltfBuilder builder;
@@ -371,7 +371,7 @@ TEST(Gltf, TakesAccessorsWithoutAViewForZeros)
     EXPECT_EQ(read.vertices[2].position, glm::vec3(0, 1, 0));
     for (const Vertex& vertex : read.vertices) EXPECT_EQ(vertex.uv, glm::vec2(0));
 
-    builder.json["accessors"][2].erase("bufferView");  // The indices, too: three times the first vertex.
+    builder.json["accessors"][2].erase("bufferView");  // Also without indices: three times the first vertex.
     const Model point = modelOf(builder);
     for (const Vertex& vertex : point.parts.at(0).mesh->vertices) EXPECT_EQ(vertex.position, glm::vec3(0));
 }
@@ -380,7 +380,7 @@ TEST(Gltf, TakesABufferWithoutAUriForTheChunkOrZeros)
 {
     GltfBuilder builder;
     builder.node({{"mesh", builder.triangle()}});
-    // A second one that nothing gives data for, and a view of it in place of the texture coordinates.
+    // A second buffer without data, with a view in place of the texture coordinates.
     builder.json["buffers"] = Json::array({Json{{"byteLength", builder.bin.size()}}, Json{{"byteLength", 24U}}});
     builder.json["bufferViews"].push_back({{"buffer", 1U}, {"byteLength", 24U}});
     builder.json["accessors"][1]["bufferView"] = builder.json["bufferViews"].size() - 1;
@@ -412,7 +412,7 @@ TEST(Gltf, ReadsBuffersWithUrisInsideAContainer)
     }
 }
 
-// In JSON 4.0 and 4 are one number, and some exporters write every number with a point.
+// JSON does not distinguish 4.0 and 4, and some exporters write every number with a point.
 TEST(Gltf, ReadsWholeNumbersWrittenWithAPoint)
 {
     GltfBuilder builder;
@@ -436,7 +436,7 @@ TEST(Gltf, ReadsWholeNumbersWrittenWithAPoint)
     EXPECT_EQ(model.parts.at(0).mesh->vertices[1].position, glm::vec3(1, 0, 0));
 }
 
-// glTF 2.0, 4.4.1: chunks of unknown types are passed over; an empty BIN chunk is left out.
+// glTF 2.0, 4.4.1: chunks of unknown types are ignored; an empty BIN chunk is omitted.
 TEST(Gltf, PassesOverFurtherChunks)
 {
     GltfBuilder builder;
@@ -451,7 +451,7 @@ TEST(Gltf, PassesOverFurtherChunks)
         << "no BIN chunk";
 }
 
-// Padding is demanded (4.4.3.1), and left out by exporters that write good data all the same.
+// Padding is required (4.4.3.1), but some exporters of otherwise valid files omit it.
 TEST(Gltf, TakesChunksWithoutPadding)
 {
     GltfBuilder builder;

@@ -1,4 +1,4 @@
-// What a glTF file says of its vertices, and where nothing of it is seen.
+// Vertex data of glTF files, and cases in which it has no effect.
 
 #include "render/scene/gltf.h"
 #include "tests/render/scene/gltf_builder.h"
@@ -31,7 +31,7 @@ TEST(GltfVertices, ReadsColorsOfVerticesOfEveryType)
         return std::string(reinterpret_cast<const char*>(all.data()), 4 * all.size());
     };
     using namespace std::string_literals;
-    // Three vertices of (1, 0.2, 0), with and without an opacity of 0.6.
+    // Three vertices of color (1, 0.2, 0), with and without an opacity of 0.6.
     const std::vector<Case> cases{
         {byte, "VEC3", true, "\xff\x33\0 \xff\x33\0 \xff\x33\0 "s, 4},
         {byte, "VEC4", true, "\xff\x33\0\x99\xff\x33\0\x99\xff\x33\0\x99"s, 0},

@@ -18,7 +18,7 @@ using test::glbOf;
 using test::GltfBuilder;
 using test::littleEndian32;
 
-/// What is said about a valid file after `breakIt` has changed its JSON.
+/// Returns the error message for a valid file after `breakIt` has changed its JSON.
 template <typename Break> std::string refusalOf(const Break& breakIt)
 {
     GltfBuilder builder;
@@ -40,7 +40,7 @@ TEST(HostileGltf, WithABrokenContainerIsRefused)
     EXPECT_FAILURE(parseGltf(good + "more", "a.glb"), "another length");
     EXPECT_FAILURE(parseGltf(good.substr(0, good.size() - 1), "a.glb"), "another length");
 
-    // The heap over-read of tinygltf 2.7.0: BIN claims the rest of the file, its own header included.
+    // Heap over-read of tinygltf 2.7.0: BIN claims the rest of the file, including its own header.
     std::string bin = good;
     const std::size_t at = good.size() - 16;
     bin.replace(at, 4, littleEndian32(16));
@@ -61,7 +61,7 @@ TEST(HostileGltf, WithABrokenContainerIsRefused)
     EXPECT_FAILURE(parseGltf(version, "a.glb"), "version 2");
 }
 
-/// Some exporters pad their JSON with zeros in place of blanks; beyond a padding's length a zero byte is none.
+/// Some exporters pad JSON with zeros in place of blanks. Zero bytes beyond the length of a padding are invalid.
 TEST(HostileGltf, MayPadItsJsonWithZerosAndHoldNoOthers)
 {
     test::GltfBuilder builder;
@@ -140,7 +140,7 @@ TEST(HostileGltf, WithBadSparseAccessorsIsRefused)
                                           {"values", {{"bufferView", 0}}}};
         json["accessors"][0]["sparse"].update(Json::parse(more));
     };
-    // View 2 holds the 16-bit indices 0, 1, 2: they rise and are below the count of 3.
+    // View 2 has the 16-bit indices 0, 1, 2, which rise and are below the count of 3.
     GltfBuilder good;
     good.node({{"mesh", good.triangle()}});
     sparse(good.json, 3, 2, "{}");
@@ -157,7 +157,7 @@ TEST(HostileGltf, WithBadSparseAccessorsIsRefused)
         refusalOf([&](Json& json) { sparse(json, 3, 2, R"({"values": {"bufferView": 0, "byteOffset": -4}})"); }));
 }
 
-// A few bytes of JSON may not ask for gigabytes of zeros.
+// A few bytes of JSON must not allocate gigabytes of zeros.
 TEST(HostileGltf, WithMoreZerosThanAllowedIsRefused)
 {
     EXPECT_REFUSED((json["accessors"][0].erase("bufferView"), json["accessors"][0]["count"] = 50'000'000),
@@ -304,7 +304,7 @@ TEST(HostileGltf, BeyondTheLimitsIsRefused)
 
 constexpr int damagedFiles = test::isSanitized ? 500 : 5'000;
 
-// Numbers and characters of a valid file changed at random: it is read or refused, nothing else.
+// Random changes of numbers and characters in a valid file: it is read or refused without a crash.
 TEST(HostileGltf, NeverCrashesWhenDamaged)
 {
     GltfBuilder builder;

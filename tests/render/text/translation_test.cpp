@@ -1,4 +1,4 @@
-// What is shown in another language: whole texts, sentences with places, and what stands in these.
+// Translation of displayed texts: whole texts, sentences with placeholders, and their values.
 
 #include "render/text/translation.h"
 
@@ -75,13 +75,13 @@ TEST(Translation, IsOfTheWholeTextOrNone)
 {
     for (const char* text : {
              "moving: 50% of full resolution",                      // "{1} of {2}" is no sentence of it.
-             "Cannot read a.png: the light went out",               // An unknown cause.
-             "a.json, line 1: it was eaten; correct it there.",     //
+             "Cannot read a.png: the light went out",               // "{1} of {2}" does not match this sentence.
+             "a.json, line 1: it was eaten; correct it there.",     // Unknown cause.
              "It is left out until it can be read. Nobody knows.",  // An unknown second sentence,
-             "Roughness\nis a word\nRoughness",                     // or line.
+             "Roughness\nis a word\nRoughness",                     // Unknown second sentence,
          })
         EXPECT_EQ(german().translated(text), text);
-    // Names, numbers and what is in quotes are of no language.
+    // Names, numbers and quoted texts are not translated.
     EXPECT_EQ(german().translated("Cannot read a.png: \"no such thing\""),
               "a.png kann nicht gelesen werden: \"no such thing\"");
     EXPECT_EQ(german().translated("Cannot read a.png: 0.5, 1, 2 mm"), "a.png kann nicht gelesen werden: 0.5, 1, 2 mm");

@@ -1,4 +1,4 @@
-// Videos as another reader finds them, and as they are left when something goes wrong.
+// Videos, checked with FFmpeg's reader, and the files left after errors.
 
 #include "render/failure.h"
 #include "render/image/image_io.h"
@@ -26,7 +26,7 @@ using test::TemporaryFolder;
 constexpr int wide = 48, high = 32, count = 7;
 const std::string comment = "{\"name\": \"Frühling\"}";
 
-/// A ramp over a ground of the sRGB color (180, 60, 20), moved on with every frame.
+/// Returns a frame with a ramp over a background of the sRGB color (180, 60, 20), which moves with every frame.
 Image frameOf(int k, bool transparent = false)
 {
     Image image(wide, high, 4, 1);
@@ -92,7 +92,8 @@ TEST(VideoFile, LossyOnesKeepFlatColors)
         std::filesystem::remove(folder / name);
         ASSERT_EQ(read.frames.size(), static_cast<std::size_t>(count)) << name;
         for (const auto& frame : read.frames) {
-            // In the middle of the ground, four pixels from anything else. A wrong matrix or range is 8 codes off.
+            // In the middle of the background, four pixels from the ramp. A wrong matrix or range would change it by 8
+            // codes.
             const std::size_t at = 4 * (static_cast<std::size_t>(8) * wide + 24);
             EXPECT_NEAR(frame[at], 180, 4) << name;
             EXPECT_NEAR(frame[at + 1], 60, 4) << name;
@@ -108,7 +109,7 @@ TEST(VideoFile, AWebmIsVp9AndKeepsItsComment)
     EXPECT_EQ(read.codec.substr(0, 3), "vp9");
     EXPECT_EQ(read.comment, comment);
     EXPECT_EQ(read.matrix, "bt709");
-    expectTimes(read, 50, 0.0011);  // Matroska counts milliseconds.
+    expectTimes(read, 50, 0.0011);  // Matroska stores milliseconds.
 }
 
 TEST(VideoFile, AnApngHasThePixelsToTheBitAndThePresetOfAPicture)
@@ -127,7 +128,8 @@ TEST(VideoFile, AnApngHasThePixelsToTheBitAndThePresetOfAPicture)
         }
         std::filesystem::rename(path, folder / "a.png");
         EXPECT_EQ(render::embeddedPreset(folder / "a.png"), comment);
-        const Image first = render::readImage(folder / "a.png");  // Programs without animation show the first frame.
+        // Programs without support for animation show the first frame.
+        const Image first = render::readImage(folder / "a.png");
         EXPECT_NEAR(first.at(20, 4, 0), frameOf(0).at(20, 4, 0), 1e-4);
         std::filesystem::remove(folder / "a.png");
     }
@@ -138,7 +140,7 @@ TEST(VideoFile, AGifLoopsAndCarriesItsComment)
     const TemporaryFolder folder;
     const auto path = written(folder, "a.gif", {.framesPerSecond = 20});
     const test::ReadVideo read = test::readVideo(path);
-    expectTimes(read, 20, 0.0051);  // It counts hundredths of a second.
+    expectTimes(read, 20, 0.0051);  // GIF stores hundredths of a second.
     const std::string bytes = test::bytesOf(path);
     EXPECT_NE(bytes.find("NETSCAPE2.0"), std::string::npos);
     EXPECT_NE(bytes.find(comment), std::string::npos);
@@ -182,7 +184,7 @@ TEST(VideoFile, TheSameFramesGiveTheSameBytes)
     }
 }
 
-/// x264 of Debian 13 did not, for frames of two by two macroblocks.
+/// x264 of Debian 13 did not do this for frames of two by two macroblocks.
 TEST(VideoFile, TheSameTinyFramesGiveTheSameBytes)
 {
     for (const auto& [width, height] : {std::pair{18, 18}, {24, 24}, {32, 18}}) {
@@ -218,7 +220,7 @@ TEST(VideoFile, WhatIsNotFinishedLeavesTheOldFile)
     EXPECT_EQ(test::bytesOf(folder / "a.mp4"), "old");
 }
 
-/// A disk on which so many bytes are free.
+/// Disk with this many free bytes.
 class SmallDisk final : public render::FileOps {
 public:
     explicit SmallDisk(std::size_t free) : free_(free) {}
