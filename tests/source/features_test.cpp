@@ -1,4 +1,4 @@
-// The two lists that map features and hard cases to tests: tests/features.md and tests/stability/README.md.
+// The lists that map features and stability tests to tests: tests/features.md and tests/stability/README.md.
 
 #include "tests/source/source_files.h"
 
@@ -13,7 +13,7 @@
 namespace vitrine {
 namespace {
 
-/// "Suite.Name" of every GoogleTest case of the project.
+/// Returns "Suite.Name" of all GoogleTest cases of the project.
 std::set<std::string> allTests()
 {
     static const std::regex macro(R"(\bTEST(?:_F|_P)?\(\s*(\w+)\s*,\s*(\w+)\s*\))");
@@ -27,7 +27,7 @@ std::set<std::string> allTests()
     return tests;
 }
 
-/// A row "| S5 | description | `Suite.Test`, `Suite.*` |" of a list.
+/// Line "| S5 | description | `Suite.Test`, `Suite.*` |" of a list.
 struct Feature {
     std::string id, heldBy;
 };
@@ -48,8 +48,8 @@ bool exists(const std::string& named, const std::set<std::string>& tests)
     return std::any_of(tests.begin(), tests.end(), [&](const std::string& test) { return test.starts_with(suite); });
 }
 
-/// Returns the fault of a row's last column: it must name tests that exist, or give a reason why there is none. Empty:
-/// none.
+/// Returns the fault of a line's last column, which must name existing tests, or give a reason why there are none;
+/// empty if it is correct.
 std::string fault(const std::string& heldBy, const std::set<std::string>& tests)
 {
     static const std::regex name(R"(`(\w+\.(?:\w+|\*))`)");

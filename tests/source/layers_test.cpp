@@ -1,5 +1,4 @@
-// Who may include whom: app > ui > exhibits > render > shaders/lib. A folder includes itself and what is
-// to its right.
+// Rules for includes: app > ui > exhibits > render > shaders/lib. A folder may include itself and folders to its right.
 
 #include "tests/source/source_files.h"
 
@@ -57,7 +56,7 @@ bool isQtCore(const std::string& target)
     return std::regex_match(target, core);
 }
 
-/// Empty when `include` is allowed, else why not.
+/// Returns why `include` is not allowed; empty if it is.
 std::string complaint(const Include& include)
 {
     const std::string folder = include.file.substr(0, include.file.find('/'));
@@ -108,7 +107,7 @@ TEST(LayersControl, ForbiddenIncludesAreSeen)
     EXPECT_EQ(complaint({"app/a.cpp", 1, "exhibits/sdf_morph/sdf_morph.h"}), "");
 }
 
-/// The rooms of exhibits/, each with those it may include besides itself. The folders that are not named are exhibits.
+/// Folders of exhibits/, each with the ones that it may include besides itself. Other folders are exhibits.
 const std::map<std::string, std::vector<std::string>> roomsOfExhibits{
     {"framework", {}},
     {"kit", {"framework"}},
@@ -118,12 +117,12 @@ const std::map<std::string, std::vector<std::string>> roomsOfExhibits{
     {"study", {"framework", "museum"}},
     {"compare", {"framework", "museum", "study"}},
     {"recording", {"framework", "museum"}},
-    {"sprites", {"framework", "kit", "pixel_art"}},  // It draws in that exhibit's look, which knows nothing of it.
+    {"sprites", {"framework", "kit", "pixel_art"}},  // The pixel-art exhibit does not depend on sprites.
     {"stability", {"framework", "kit", "museum"}},
 };
 const std::vector<std::string> roomsForExhibits{"framework", "kit", "printing"};
 
-/// The rooms of ui/, likewise. None includes one that includes it.
+/// Folders of ui/ in the same way. There are no cycles.
 const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"kit", {}},
     {"model", {"kit"}},
@@ -146,14 +145,14 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
       "print", "sprites", "record", "preferences", "gamepad"}},
 };
 
-/// The folder below the first one; empty where there is none.
+/// Returns the folder below the first one; empty if there is none.
 std::string roomOf(const std::string& path)
 {
     const std::string rest = path.substr(path.find('/') + 1);
     return rest.find('/') == std::string::npos ? "" : rest.substr(0, rest.find('/'));
 }
 
-/// Empty when a file of ui/ may include that other one.
+/// Returns why a file of ui/ must not include another one of ui/; empty if it may.
 std::string uiRoomComplaint(const Include& include)
 {
     const std::string from = roomOf(include.file), to = roomOf(include.target);
@@ -164,11 +163,11 @@ std::string uiRoomComplaint(const Include& include)
     return std::find(good.begin(), good.end(), to) == good.end() ? from + " may not include " + to : "";
 }
 
-/// Empty when a file of exhibits/ may include that other one, of exhibits/ or of shaders/.
+/// Returns why a file of exhibits/ must not include one of exhibits/ or shaders/; empty if it may.
 std::string roomComplaint(const Include& include)
 {
     const std::string from = roomOf(include.file), to = roomOf(include.target);
-    if (from.empty() || from == to) return {};  // The list of exhibits knows everyone.
+    if (from.empty() || from == to) return {};  // The list of exhibits includes all exhibits.
     if (startsWith(include.target, "shaders/lib/")) return {};
     const auto room = roomsOfExhibits.find(from);
     const std::vector<std::string>& good = room == roomsOfExhibits.end() ? roomsForExhibits : room->second;
@@ -233,7 +232,7 @@ TEST(Layers, EveryIncludeOfOursExists)
         for (const std::string& file : test::sourceFiles(folder, test::cppExtensions))
             for (const Include& include : test::includesOf(file))
                 if (isOurs(include.target) &&
-                    include.target.find("cpu32.h") == std::string::npos) {  // That one the build makes.
+                    include.target.find("cpu32.h") == std::string::npos) {  // The build generates cpu32.h.
                     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / include.target))
                         << file << ':' << include.line << ' ' << include.target;
                 }

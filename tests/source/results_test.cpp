@@ -1,4 +1,4 @@
-// The measured tables in tests/bench/results: each is of a command that results.sh lists, and names a commit of the
+// Measured tables in tests/bench/results: each belongs to a command that results.sh lists, and names a commit of the
 // history.
 
 #include "tests/source/source_files.h"
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Returns the standard output of a shell command in the source folder; empty where it fails.
+/// Returns the standard output of a shell command in the source folder; empty if it fails.
 std::string outputOf(const std::string& command)
 {
     FILE* pipe = ::popen(("cd '" VITRINE_SOURCE_DIR "' && " + command + " 2>/dev/null").c_str(), "r");
@@ -48,7 +48,7 @@ TEST(Results, AreOfCommandsThatCanBeRunAgain)
     }
 }
 
-/// Returns the commit that the head of a result names; empty where it names none.
+/// Returns the commit that the head of a result names; empty if it names none.
 std::string commitOf(const std::string& text)
 {
     static const std::regex row(R"(\n\| commit \| ([0-9a-f]{40})[ ,])");

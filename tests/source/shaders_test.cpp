@@ -1,4 +1,4 @@
-// Faults of GLSL that compile on one driver and break on another.
+// Errors in GLSL that compile on one driver and break on another.
 
 #include "tests/source/source_files.h"
 
@@ -12,7 +12,7 @@
 namespace vitrine {
 namespace {
 
-/// Names of `out` parameters of functions that are read before they are written, "function:parameter".
+/// Returns the `out` parameters of functions that are read before they are written, as "function:parameter".
 std::vector<std::string> readBeforeWritten(const std::string& source)
 {
     static const std::regex function(R"((\w+)\s*\(([^(){};]*\bout\s[^(){};]*)\)\s*\{)");
@@ -34,7 +34,7 @@ std::vector<std::string> readBeforeWritten(const std::string& source)
                 found.push_back((*f)[1].str() + ':' + name + " (never written)");
                 continue;
             }
-            // Written whole: `name = ...`. A component, or `+=`, leaves or reads the rest undefined.
+            // Written completely: `name = ...`. Writing a component, or `+=`, reads or leaves undefined values.
             const std::string after = first.suffix();
             if (!std::regex_search(after, std::regex(R"(^\s*=[^=])"))) found.push_back((*f)[1].str() + ':' + name);
         }
@@ -56,7 +56,8 @@ TEST(Shaders, ReadNoOutParameterBeforeItIsWritten)
 
 TEST(Shaders, HashWithIntegersAndNeverWithSines)
 {
-    // fract(sin(x) * 43758) differs between drivers, for sin is not specified, and repeats far from 0.
+    // fract(sin(x) * 43758) differs between drivers, because the precision of sin is not specified, and repeats far
+    // from 0.
     static const std::regex sine(R"(fract\s*\(\s*(?:[^;]*\b)?sin\s*\(|43758|12\.9898)");
     for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions))
         EXPECT_FALSE(std::regex_search(test::withoutComments(test::sourceText(file)), sine)) << file;
@@ -71,8 +72,8 @@ TEST(Shaders, IncludeOnlyFilesThatExist)
                 << file << ':' << include.line << ' ' << include.target;
 }
 
-/// Members of the uniform blocks that are declared by hand: neither one struct of a `*_block.glsl` nor one array of
-/// vec4.
+/// Returns the members of uniform blocks that are declared by hand: neither one struct of a `*_block.glsl` nor one
+/// array of vec4.
 std::vector<std::string> membersByHand(const std::string& source, const std::string& described)
 {
     static const std::regex block(R"(layout\s*\(\s*std140[^)]*\)\s*uniform\s+\w+\s*\{([^}]*)\})");
@@ -124,7 +125,7 @@ TEST(Shaders, IncludeWhatTheirRoomMay)
 
 TEST(Shaders, NamedInPlansExist)
 {
-    // Whatever folder it names: "lib/copy.frag" and "crepuscular_rays/polar.comp" alike.
+    // File names of shaders in any folder, such as "lib/copy.frag" and "crepuscular_rays/polar.comp".
     static const std::regex name(R"re("([\w/]+/[\w/]+\.(?:vert|frag|comp))")re");
     std::map<std::string, int> found;
     for (const char* folder : {"exhibits", "render"}) {
@@ -156,11 +157,11 @@ TEST(Shaders, EveryStageIsNamedByAPlanOrATest)
 
 TEST(Shaders, ShareTheirBlocksWithTheCodeByNumber)
 {
-    // A literal binding number could drift away from bindings.glsl unseen.
+    // Literal binding numbers could differ from those of bindings.glsl unnoticed.
     static const std::regex literal(R"(binding\s*=\s*\d)");
     for (const std::string& file : test::sourceFiles("shaders", test::glslExtensions)) {
         const std::string text = test::withoutComments(test::sourceText(file));
-        if (file.find(".comp") == std::string::npos) {  // Writable images of a compute pass are bound by their order.
+        if (file.find(".comp") == std::string::npos) {  // Compute passes bind writable images in their order.
             EXPECT_FALSE(std::regex_search(text, literal)) << file;
         }
     }

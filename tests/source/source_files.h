@@ -5,19 +5,19 @@
 
 namespace vitrine::test {
 
-/// One line that says `#include`.
+/// One `#include` line.
 struct Include {
-    std::string file;  ///< That includes, relative to the project.
+    std::string file;  ///< Including file, relative to the project.
     int line = 0;
-    std::string target;  ///< Between the quotes or angles.
+    std::string target;  ///< Text between the quotes or angle brackets.
 };
 
-/// All files below a folder of the project whose extension is one of `extensions`, relative to the
-/// project, sorted. Fails the test when there is none.
+/// Returns all files below a folder of the project with one of these extensions, relative to the project, sorted. Fails
+/// the test if there are none.
 [[nodiscard]] std::vector<std::string> sourceFiles(const std::string& folder,
                                                    const std::vector<std::string>& extensions);
 [[nodiscard]] std::string sourceText(const std::string& file);
-/// Without comments: their text is replaced by spaces, so that lines keep their numbers.
+/// Replaces comments by spaces, so that positions and line numbers stay the same.
 [[nodiscard]] std::string withoutComments(std::string);
 [[nodiscard]] std::vector<Include> includesOf(const std::string& file);
 [[nodiscard]] std::vector<std::string> lines(const std::string&);

@@ -1,4 +1,4 @@
-// What is derived from a parameter table, and what a table promises by its form.
+// Rules about parameter tables and the data derived from them.
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
@@ -18,7 +18,7 @@
 namespace vitrine {
 namespace {
 
-/// Every table of the program by the name of its exhibit. The tables live as long as the tests.
+/// Returns all tables by the name of their exhibit. They live as long as the tests.
 const std::map<std::string, const Parameters*>& tables()
 {
     static const HallTable hall;
@@ -35,7 +35,7 @@ struct DeclaredRow {
     std::string member, name;
 };
 
-/// The table of an exhibit as it is written, with the rows that it takes from the kit.
+/// Returns the source text of an exhibit's table, with the parameters that it takes from the kit.
 std::string tableText(const std::string& exhibit)
 {
     const std::string file = "exhibits/" + exhibit + '/' + exhibit + "_table.h";
@@ -45,14 +45,14 @@ std::string tableText(const std::string& exhibit)
     for (const test::Include& include : test::includesOf(file)) {
         if (!include.target.starts_with("exhibits/kit/")) continue;
         const std::string kit = test::withoutComments(test::sourceText(include.target));
-        // Of several groups of rows, those that the table inherits.
+        // If the kit's header has several groups, takes those that the table inherits.
         for (auto match = std::sregex_iterator(kit.begin(), kit.end(), rows); match != std::sregex_iterator(); ++match)
             if (own.find((*match)[1].str()) != std::string::npos) text += match->str();
     }
     return text;
 }
 
-/// The rows as they are written in a table's header.
+/// Returns the parameters declared in a table's header.
 std::vector<DeclaredRow> declaredRows(const std::string& text)
 {
     static const std::regex row(
@@ -133,7 +133,7 @@ TEST(Tables, RangesHoldTheInitialValueAndTheComfortableRange)
             SCOPED_TRACE(exhibit + '.' + std::string(row.name));
             const std::optional<Value> legal = nearestLegal(row, row.initial);
             ASSERT_TRUE(legal);
-            // A direction is normalized again, which may round; numbers must stay the same to the bit.
+            // Directions are normalized again, which may round. Numbers must stay exactly the same.
             if (row.kind != Kind::direction) {
                 EXPECT_EQ(*legal, row.initial);
             }
@@ -154,8 +154,8 @@ TEST(Tables, RangesHoldTheInitialValueAndTheComfortableRange)
     }
 }
 
-/// The program text in which a row of an exhibit may be read: its own, but for the table that declares it. What every
-/// hall has is read by the museum, too, and rows of the kit by the kit.
+/// Returns the source text that may read an exhibit's parameters: its own files except for the table. Parameters of the
+/// hall may also be read by the museum, and those of the kit by the kit.
 std::string readersOf(const std::string& exhibit)
 {
     std::string text;
@@ -176,15 +176,15 @@ std::string readersOf(const std::string& exhibit)
 
 bool isRead(const std::string& text, const ParameterInfo& row)
 {
-    // Either C++ takes it from the table, or from the rows of one group of an array, or a shader from its block; what
-    // is no part of the picture shown is found by a name that a constant holds: `supersamplesRow`.
+    // C++ reads the parameter from the table, or from one group of an array, or a shader reads it from its block.
+    // Parameters that are not part of the picture are found by name through a constant: `supersamplesRow`.
     const std::string name(row.array.empty() ? row.name : row.elementRow);
     const std::string from = row.array.empty() ? "\\b(parameters|table|table_|t|parameters\\(\\)|rows\\(\\))"
                                                : "(\\b" + std::string(row.array) + "\\[[^;]*\\]|\\brows)";
     if (text.find("find(" + name + "Row)") != std::string::npos) return true;
-    // A list of fields, by whose names C++ takes parameters into a struct.
+    // List of fields, whose names select the parameters for a struct.
     if (text.find("FIELD(float, " + name + ")") != std::string::npos) return true;
-    // The pattern is tried where the name stands, with what is before it: to try it everywhere takes half a minute.
+    // The pattern is tried only at occurrences of the name, because trying it everywhere takes half a minute.
     const std::regex reads(from + "(\\.|->)" + name + "\\b");
     constexpr std::size_t before = 300;
     for (std::size_t at = text.find(name); at != std::string::npos; at = text.find(name, at + 1)) {
@@ -201,21 +201,21 @@ bool isRead(const std::string& text, std::string_view row)
 
 TEST(Tables, EveryRowIsReadByItsOwnExhibit)
 {
-    // A slider that nothing reads would be a lie.
+    // Every parameter must have an effect.
     for (const auto& [exhibit, table] : tables()) {
         const std::string text = readersOf(exhibit);
         for (const ParameterInfo& row : table->rows()) EXPECT_TRUE(isRead(text, row)) << exhibit << '.' << row.name;
     }
-    // A row of one exhibit is not read because another one reads its own of the same name.
+    // A parameter of one exhibit is not read because another exhibit reads its own of the same name.
     EXPECT_TRUE(isRead(readersOf("sdf_morph"), "refractiveIndex"));
     EXPECT_FALSE(isRead(readersOf("fur"), "refractiveIndex"));
     EXPECT_FALSE(isRead(readersOf("hall"), "tessellation"));
 }
 
-/// The table whose fields a shader may use; null: none.
+/// Returns the table whose fields a shader may use; null: none.
 const Parameters* tableFor(const std::string& file, const std::string& exhibit)
 {
-    // A field's shaders know the rows that every field has, and the material of one kind those of a material.
+    // Shaders of fields use the parameters of every field, and those of a material kind the parameters of a material.
     struct FieldTable final : SdfRows {};
     struct MaterialTable final : SdfMaterialRows {};
     static const FieldTable field;
@@ -255,7 +255,8 @@ TEST(Tables, RowsBearNamesThatAreKeysFlagsAndFields)
 
 TEST(Tables, TheUniformBlockHasTheBytesThatStd140Asks)
 {
-    // Rules of OpenGL 4.5, 7.6.2.2: scalars align to 4, vec3 to 16 and takes 12; a block ends on a multiple of 16.
+    // Rules of OpenGL 4.5, 7.6.2.2: scalars align to 4; vec3 aligns to 16 and takes 12; a block ends on a multiple of
+    // 16.
     for (const auto& [exhibit, table] : tables()) {
         std::size_t expected = 0;
         for (const ParameterInfo& row : table->rows()) {
