@@ -1,4 +1,4 @@
-// The corpora of the fuzzers, read by every build: what once ended the program is in them and must not again.
+// Every build reads the corpora of the fuzzers, which contain all inputs that once crashed the program.
 
 #include "tests/fuzz/readers.h"
 
@@ -53,12 +53,12 @@ TEST_P(FuzzCorpus, IsReadOrRefusedAndNothingElse)
         SCOPED_TRACE(name);
         accepted += GetParam().read(bytes);
     }
-    // A corpus that is all refused would lead the fuzzer nowhere.
+    // A corpus without accepted inputs would not help the fuzzer.
     EXPECT_GE(accepted, 2);
     EXPECT_GE(files.size(), 5U);
 }
 
-/// A zero byte ends the text for some parsers, which would then leave unread what is behind it.
+/// Some parsers end the text at a zero byte, and would ignore the rest.
 TEST_P(FuzzCorpus, WithAZeroByteIsRefusedWhereItIsText)
 {
     if (!GetParam().isText) return;
@@ -75,7 +75,7 @@ TEST_P(FuzzCorpus, WithAZeroByteIsRefusedWhereItIsText)
     }
 }
 
-/// One to four damages: what disks, editors and people with bad intentions do to a file.
+/// Damage of one to four kinds, as by disks, editors and attackers.
 class Damage {
 public:
     explicit Damage(const std::map<std::string, std::string>& files) : random_(1)
@@ -128,8 +128,8 @@ private:
     std::vector<std::string> originals_;
 };
 
-/// Damage without the feedback that the fuzzers have, in every build. VITRINE_FUZZ_SECONDS asks for so many seconds of
-/// it; VITRINE_FUZZ_LAST names a file that holds the input which is being read.
+/// Random damage, without the fuzzers' feedback, in every build. VITRINE_FUZZ_SECONDS sets its duration.
+/// VITRINE_FUZZ_LAST names a file that contains the present input.
 TEST_P(FuzzCorpus, IsReadOrRefusedWhenItIsDamaged)
 {
     using std::chrono::steady_clock;

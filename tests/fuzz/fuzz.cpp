@@ -1,4 +1,4 @@
-// libFuzzer's entries. VITRINE_FUZZ_READER names the reader: one program for all of them links once.
+// Entry points of libFuzzer. VITRINE_FUZZ_READER selects the reader, so that only one program has to be linked.
 
 #include "tests/fuzz/readers.h"
 
@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerInitialize(int*, char***)
         std::fprintf(stderr, "fuzz: set VITRINE_FUZZ_READER to the name of a folder of tests/fuzz/corpus\n");
         std::exit(2);
     }
-    // Opens OpenImageIO's module and all its libraries before the clock of the first input runs.
+    // Loads OpenImageIO and its libraries before the first input is timed.
     (void)vitrine::fuzz::readImage("#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 1\n\x80\x80\x80\x81");
     return 0;
 }

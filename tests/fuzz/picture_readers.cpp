@@ -50,10 +50,11 @@ bool readPrintFile(std::string_view bytes)
     return accepts([&] {
         printing::PrintRaster print = printing::readPrint(file.path());
         const printing::PrintLayout& layout = print.layout();
-        // Larger prints are read in the same way, and would take a fuzzer's memory.
+        // Larger prints are read in the same way, but need too much memory in a fuzzer.
         if (layout.width() > 4096 || layout.height() > 4096) return;
         require(print.row(0) != nullptr, "a print has a first row");
-        // OpenImageIO takes 64 MB for each row of a TIFF, which takes long under sanitizers: the rows between are many.
+        // OpenImageIO allocates 64 MB for each row of a TIFF that it reads, which is slow under sanitizers. The last
+        // row is therefore read for heights of 1 and of more than 1000 only.
         if (layout.height() == 1 || layout.height() > 1000)
             require(print.row(layout.height() - 1) != nullptr, "a print has a last row");
     });

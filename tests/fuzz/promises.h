@@ -9,7 +9,7 @@
 
 namespace vitrine::fuzz {
 
-/// Ends the program, in a way that fuzzers and tests notice, unless the promise was kept.
+/// Ends the program, in a way that fuzzers and tests detect, if `good` is false.
 void require(bool good, const char* promise);
 
 /// Calls `work`. Returns false if it refused with a Failure that says why; other exceptions pass.

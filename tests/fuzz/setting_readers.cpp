@@ -14,7 +14,7 @@
 namespace vitrine::fuzz {
 namespace {
 
-/// Initial values of every exhibit, as the program has them.
+/// Returns the initial values of all exhibits.
 const NamedValues& initialValues()
 {
     static const HallTable hall;
