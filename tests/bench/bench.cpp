@@ -64,16 +64,16 @@ double memcpyGigabytes()
         std::memcpy(to.data(), from.data(), bytes);
         rates.push_back(static_cast<double>(bytes) /
                         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() / 1e9);
-        if (to[static_cast<std::size_t>(run)] != 1) return 0;  // So that the copy is used.
+        if (to[static_cast<std::size_t>(run)] != 1) return 0;  // Uses the copy, so that it is not optimized away.
     }
     return median(rates);
 }
 
-/// Prints one line each: a name, a tab, a value.
+/// Prints lines of a name, a tab and a value.
 void printMachine()
 {
     std::string load = "unknown";
-    std::ifstream("/proc/loadavg") >> load;  // Mean of the last minute, before anything is done here.
+    std::ifstream("/proc/loadavg") >> load;  // Mean of the last minute, before the measurement adds to it.
     const render::gl::HeadlessContext context;
     std::printf("renderer\t%s, %s\nprocessor\t%s, %u threads\nload\t%s\nmemcpy\t%.1f\n",
                 context.info().renderer.c_str(), context.info().version.c_str(), processorEntry("model name").c_str(),

@@ -18,11 +18,11 @@ struct Options {
     [[nodiscard]] int runsOr(int usual) const { return runs > 0 ? runs : usual; }
 };
 
-/// One question that a measurement answers. Prints Markdown to standard output; returns false where it cannot be
-/// measured, after the reason was printed to standard error.
+/// Measurement that answers one question. `run` prints Markdown to standard output. If measuring is impossible, it
+/// prints the reason to standard error and returns false.
 struct Case {
     std::string name, question;
-    bool draws;  ///< It needs OpenGL, so its result is named by the renderer.
+    bool draws;  ///< Draws with OpenGL, so its result is named by the renderer.
     bool (*run)(const Options&);
 };
 
@@ -33,7 +33,7 @@ bool sdfEvaluations(const Options&);
 bool windowLatency(const Options&);
 bool windowStart(const Options&);
 
-/// Median of the values, the upper one of an even number; 0 of none.
+/// Returns the median, for an even number of values the upper one; 0 if there are none.
 [[nodiscard]] double median(std::vector<double> values);
 
 }  // namespace vitrine::bench

@@ -22,7 +22,7 @@ Run runProgram(const std::vector<std::string>& arguments, const std::map<std::st
     const pid_t child = ::fork();
     if (child == 0) {
         ::dup2(pipe[1], 1);
-        ::alarm(static_cast<unsigned>(longest));  // Ends it by a signal, which lasts over exec.
+        ::alarm(static_cast<unsigned>(longest));  // Ends the child by a signal; the alarm survives exec.
         for (const auto& [name, value] : changes) ::setenv(name.c_str(), value.c_str(), 1);
         std::vector<std::string> words{VITRINE_PROGRAM};
         words.insert(words.end(), arguments.begin(), arguments.end());

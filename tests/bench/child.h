@@ -6,14 +6,14 @@
 
 namespace vitrine::bench {
 
-/// How a run of the program ended.
+/// Result of a run of the program.
 struct Run {
-    int code = -1;       ///< Its exit code; -1 when a signal ended it, or it took longer than it was given.
-    double started = 0;  ///< By render::wallSeconds, just before it was started.
+    int code = -1;       ///< Exit code; -1 if a signal or the time limit ended the run.
+    double started = 0;  ///< Time of the start (render::wallSeconds).
     double wallSeconds = 0;
-    double cpuSeconds = 0;     ///< Of all its threads, user and system.
-    double peakMegabytes = 0;  ///< Largest resident set, in 1e6 bytes.
-    std::string out;           ///< What it wrote to standard output; its errors go to ours.
+    double cpuSeconds = 0;     ///< Processor time of all threads, user and system.
+    double peakMegabytes = 0;  ///< Largest resident set in 1e6 bytes.
+    std::string out;           ///< Standard output of the program; its standard error is ours.
 };
 
 /// Runs the program with these arguments and changes to the environment, and waits for at most `longest` seconds.

@@ -1,5 +1,5 @@
-// Cost of the hall and of its exhibits. Rows of a table are measured in turn in each round, so that a noisy machine
-// disturbs all alike.
+// Cost of the hall and of its exhibits. In each round all cases of a table are measured in turn, so that other work on
+// the machine disturbs all of them alike.
 
 #include "tests/bench/bench.h"
 
@@ -84,15 +84,14 @@ bool hallCosts(const Options& options)
                 1e3 * (contextReady - start), 1e3 * (museumReady - contextReady), 1e3 * (firstReady - museumReady),
                 1e3 * (firstReady - start));
 
-    // The empty hall has a renderer of its own, so that neither disturbs what the other keeps.
+    // The empty hall has its own renderer, so that neither changes the other's cache.
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
     render::gl::Renderer emptyRenderer;
     const SceneState emptySceneState = empty.initialSceneState();
     FrameRequest away = entrance;
-    away.camera = {{0.5, 1.65, 9}, {0.5, 1.2, 12}, 0.959931};  // The exhibits and their shadows are out of view.
+    away.camera = {{0.5, 1.65, 9}, {0.5, 1.2, 12}, 0.959931};  // Exhibits and their shadows are out of view.
     FrameRequest intoTheBeam = away;
-    intoTheBeam.camera.target.y =
-        3.2;  // Up there, the beam of the oculus is in view: it is marched and laid over the picture.
+    intoTheBeam.camera.target.y = 3.2;  // The beam of the oculus is in view: it is ray marched and composited.
     const std::size_t sdf = *museum.find("sdf_morph");
     FrameRequest near = entrance;
     near.camera = museum.bestView(sdf, sceneState.values[sdf]);
@@ -155,7 +154,7 @@ bool hallCosts(const Options& options)
                        {},
                        {}});
     double elevation = 0.3;
-    render::gl::Renderer sunRenderer;  // Of its own: a moving sun leaves nothing to keep.
+    render::gl::Renderer sunRenderer;  // Its own renderer, because a moving sun leaves nothing to cache.
     sliders.push_back({"hall's slider that lights anew (sun elevation)",
                        [&] {
                            SceneState changed = sceneState;
@@ -169,7 +168,7 @@ bool hallCosts(const Options& options)
     measure(sliders, rounds);
     print("From a slider's change to the finished frame", sliders);
 
-    // Of renderers of their own, so that the still one keeps its map.
+    // Separate renderers, so that the one with a static object keeps its shadow map.
     std::vector<Row> mobile;
     render::gl::Renderer stillRenderer;
     render::gl::Renderer turningRenderer;

@@ -23,7 +23,7 @@ namespace {
 using namespace vitrine::printing;
 
 constexpr int viewCount = 16;
-int runs = 25;  // The machine may have other work: the best run counts.
+int runs = 25;  // The best run counts, because the machine may do other work.
 constexpr int fileRuns = 3;
 
 ViewSet noisyViews()
@@ -51,7 +51,7 @@ PrintLayout layoutFor(Method method, bool compensate = false, bool dither = fals
     return PrintLayout(settings);
 }
 
-double copyTime = 1;  ///< Of the print's bytes, in this run of the program.
+double copyTime = 1;  ///< Seconds for copying the bytes of the print, in this process.
 
 double report(const char* name, double pixels, const std::function<void()>& work, int repetitions = runs)
 {
@@ -68,7 +68,7 @@ double report(const char* name, double pixels, const std::function<void()>& work
     return best;
 }
 
-/// What one writes first: weights per pixel, a view's nearest column under the lens's axis, floats, pow.
+/// Simple implementation: weights per pixel, the view column nearest to the lens's axis, floats, pow.
 void plainLoop(const PrintLayout& layout, const ViewSet& views, std::vector<std::uint8_t>& out)
 {
     std::vector<Tap> taps;
@@ -92,7 +92,7 @@ void plainLoop(const PrintLayout& layout, const ViewSet& views, std::vector<std:
     }
 }
 
-/// Into a file of the folder for temporary files: all rows made, then all written; and the two at once.
+/// Writes a file to the folder for temporary files: first after making all rows, then while making them.
 void toFiles(const ViewSet& views, const Interlacer& maker, const PrintLayout& layout, std::vector<std::uint8_t>& out)
 {
     const auto pixels = static_cast<double>(layout.width() * layout.height());

@@ -1,6 +1,6 @@
-// A print of 40,000 x 36,000 pixels, 1.7 x 1.5 m at 600 dpi, by `vitrine print` from files: its time and its peak of
-// memory, which is held to 300 MB, though the print has 4.3 GB and the views alone 390 MB. Needs 5 GB below TMPDIR,
-// /tmp by default.
+// Time and peak memory of `vitrine print` for a print of 40,000 x 36,000 pixels, 1.7 x 1.5 m at 600 dpi, from files.
+// Memory must stay below 300 MB, although the print has 4.3 GB and the views 390 MB. Needs 5 GB below TMPDIR, /tmp by
+// default.
 
 #include "tests/bench/bench.h"
 
@@ -19,7 +19,7 @@ constexpr int viewCount = 24;
 constexpr int viewWidth = 1600;
 constexpr int viewHeight = 1440;
 
-/// A picture without large flat areas, different in each view.
+/// Writes pictures without large uniform areas; each view is different.
 void writeViews(const std::string& folder)
 {
     std::filesystem::create_directories(folder);

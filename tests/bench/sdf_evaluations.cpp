@@ -1,5 +1,5 @@
-// Evaluations of the field per pixel by the tracing variants of lib/sphere_tracing.glsl, and what they miss. Counts are
-// exact and do not depend on the machine.
+// Evaluations of the field per pixel by the tracing variants of lib/sphere_tracing.glsl, and pixels that they miss.
+// Counts are exact and do not depend on the machine.
 
 #include "tests/bench/bench.h"
 
@@ -23,19 +23,19 @@ namespace gpu = vitrine::glsl32;
 constexpr int width = 320;
 constexpr int height = 200;
 constexpr int block = 8;
-constexpr double tanHalfFovY = 0.26;  // 29 degrees
-constexpr double farthest = 20;       // Meters: how far a ray without a box has to look.
+constexpr double tanHalfFovY = 0.26;  // 29 degrees.
+constexpr double farthest = 20;       // Length of a ray without a bounding box, in meters.
 constexpr double pixelCone = tanHalfFovY / height;
 
-/// From a step away, so that the object takes a fifth of the frame: slightly from above, slightly from the handle's
-/// side.
+/// View from a distance at which the object covers a fifth of the frame: slightly from above and from the side of the
+/// handle.
 struct View {
     glm::dvec3 eye{1.05, 0.75, 2.05};
     glm::dvec3 forward = glm::normalize(glm::dvec3(0, -0.05, 0) - eye);
     glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
     glm::dvec3 up = glm::cross(right, forward);
 
-    /// Pixel coordinates; centers are at halves.
+    /// Returns the ray through a pixel; pixel centers are at halves.
     [[nodiscard]] glm::dvec3 ray(double x, double y) const
     {
         const double u = (x / width * 2 - 1) * tanHalfFovY * width / height;
@@ -53,7 +53,7 @@ gpu::TorusMug mug32(double morph)
     return {static_cast<float>(morph), 0.35F, 0.12F, 0.28F, 0.66F, 0.045F, 0.165F, 0.09F, 0.06F};
 }
 
-/// Hits by Hart's method at float64, unrelaxed, to a tolerance of 1e-9 m.
+/// Returns the hits of Hart's method at float64, unrelaxed, to a tolerance of 1e-9 m.
 std::vector<bool> reference(const View& view, double morph)
 {
     const auto shape = exact::torusMugShape(mug64(morph));
@@ -78,7 +78,7 @@ struct Variant {
     double absoluteTolerance = 0;  ///< Meters; 0 means half a pixel.
 };
 
-/// What a variant took per pixel, and how many pixels it missed.
+/// Evaluations per pixel of a variant, and the number of missed pixels.
 struct Found {
     double evaluations = 0;
     int missed = 0;
@@ -116,7 +116,7 @@ Found measure(const View& view, double morph, const std::vector<bool>& truth, co
                 for (int corner = 0; corner < 4; ++corner)
                     chord = std::max(chord, tracer.coneChord(axis, glm::vec3(view.ray(bx + block * (corner & 1),
                                                                                       by + block * (corner >> 1)))));
-                chord *= 1.0001F;  // The rounding of the directions themselves.
+                chord *= 1.0001F;  // Margin for the rounding of the directions.
                 if (variant.box) blockSpan = tracer.coneBox(eye, axis, chord, low, high);
                 auto coneSettings = settings;
                 coneSettings.tMin = blockSpan.x;
@@ -147,7 +147,7 @@ Found measure(const View& view, double morph, const std::vector<bool>& truth, co
     return {double(counted + inCones) / pixels, missed};
 }
 
-/// The same for shadows: against 400 hard rays over the light's disk, at float64.
+/// The same for shadows, compared with 400 hard rays over the light's disk at float64.
 void shadows(const View& view, double morph)
 {
     const auto shape = exact::torusMugShape(mug64(morph));
@@ -204,7 +204,7 @@ void shadows(const View& view, double morph)
                     std::sqrt(row.penumbraSquares / std::max(penumbra, 1)));
 }
 
-/// Angle between float32 normals and float64 central differences with a step of 1e-6.
+/// Prints the angle between float32 normals and float64 central differences with a step of 1e-6.
 void normals(const View& view)
 {
     const auto shape64 = exact::torusMugShape(mug64(1));

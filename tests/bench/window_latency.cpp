@@ -1,6 +1,5 @@
-// How long the window takes to answer a hand, and what it costs while nobody touches it. The program itself is started
-// on the display, real events are sent (XTEST), and the screen is read until it shows the answer.
-// Another build of the program can be measured beside this one:
+// Response time of the window to input, and its processor time while idle. Starts the program on a display, sends real
+// events (XTEST), and reads the screen until it shows the response. Another build can be measured beside this one:
 //   xvfb-run -a -s "-screen 0 1600x1000x24" benchmarks window_latency [--program NAME=PATH]...
 
 #include "tests/bench/bench.h"
@@ -31,7 +30,7 @@
 namespace vitrine::bench {
 namespace {
 
-constexpr double longestAnswer = 20;  ///< Seconds; what takes longer counts as this.
+constexpr double longestAnswer = 20;  ///< Seconds; longer responses count as this long.
 
 void wait(double seconds)
 {
@@ -42,11 +41,11 @@ struct Rect {
     int x, y, width, height;
 };
 
-// Where things are in a window of 1600 x 1000 pixels with its first layout, at 96 dots per inch.
+// Positions in a window of 1600 x 1000 pixels with its initial layout, at 96 dpi.
 constexpr Rect menuTitle{8, 4, 24, 16};
 constexpr Rect menuArea{10, 34, 60, 40};
 
-/// The display, and the hands of a visitor. XTEST comes with xdotool as a library without headers.
+/// Input to the display. The XTEST library is installed with xdotool, without headers.
 class Hands {
 public:
     Hands() : display_(XOpenDisplay(nullptr))
@@ -87,7 +86,7 @@ public:
     {
         for (const char* c = letters; *c; ++c) key(static_cast<KeySym>(*c));
     }
-    /// The bytes of this part of the screen.
+    /// Returns the bytes of this part of the screen.
     [[nodiscard]] std::string look(const Rect& at) const
     {
         XImage* image = XGetImage(display_, DefaultRootWindow(display_), at.x, at.y, static_cast<unsigned>(at.width),
@@ -98,7 +97,7 @@ public:
         XDestroyImage(image);
         return bytes;
     }
-    /// Milliseconds from `act` until this part of the screen looks otherwise.
+    /// Returns the milliseconds from `act` until this part of the screen changes.
     [[nodiscard]] double answer(const Rect& at, const std::function<void()>& act) const
     {
         const std::string before = look(at);
@@ -121,7 +120,7 @@ private:
     Key key_ = nullptr;
 };
 
-/// The program with its window filling the screen, in folders of its own.
+/// Running program whose window fills the screen, with its own settings folders.
 class Program {
 public:
     Program(const Hands& hands, const std::string& path, const std::string& cache) : hands_(hands)
@@ -146,7 +145,7 @@ public:
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
-    /// Finds the window, gives it the screen and the keyboard. False when none came within a minute.
+    /// Finds the window, and gives it the screen and the keyboard. Returns false if there is none within a minute.
     [[nodiscard]] bool open() const
     {
         for (int i = 0; i < 600; ++i, wait(0.1)) {
@@ -158,14 +157,14 @@ public:
         }
         return false;
     }
-    /// The keyboard goes to the main window, whatever dialog is open.
+    /// Gives the keyboard to the main window, even if a dialog is open.
     void focus() const
     {
         if (const std::optional<Window> window = largest())
             XSetInputFocus(hands_.display(), *window, RevertToParent, CurrentTime);
         XSync(hands_.display(), False);
     }
-    /// Of all its threads.
+    /// Returns the processor time of all its threads.
     [[nodiscard]] double cpuSeconds() const
     {
         std::ifstream stat("/proc/" + std::to_string(child_) + "/stat");
@@ -177,7 +176,7 @@ public:
             if (field >= 14) ticks += std::stod(word);
         return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
     }
-    /// Until it uses less than a twentieth of a processor, or for this long.
+    /// Waits until it uses less than a twentieth of a processor, at most `longest` seconds.
     void rest(double longest) const
     {
         for (const double start = render::wallSeconds(); render::wallSeconds() - start < longest;) {
@@ -224,7 +223,7 @@ std::string spread(std::vector<double> times)
 }
 
 constexpr Rect otherTab{1350, 52, 54, 16};
-constexpr Rect typed{1314, 84, 7, 18};  // Right of the filter's text "exposure" and its caret.
+constexpr Rect typed{1314, 84, 7, 18};  // Right of the text "exposure" and its cursor in the filter.
 constexpr Rect slider{1395, 150, 96, 12};
 constexpr Rect number{1508, 148, 50, 16};
 constexpr Rect measure{450, 646, 66, 16};
@@ -238,7 +237,7 @@ void clickOn(const Hands& hands, const Rect& at)
     hands.click(at.x + at.width / 2, at.y + at.height / 2);
 }
 
-/// The parameter "Exposure" of the hall alone in the panel, and the caret behind its name in the filter.
+/// Shows only the hall's parameter "Exposure" in the panel, with the cursor behind its name in the filter.
 void showExposure(const Hands& hands)
 {
     clickOn(hands, otherTab);
@@ -250,7 +249,7 @@ void showExposure(const Hands& hands)
     wait(2);
 }
 
-/// Moves the slider's handle to and fro, and lets go: the picture starts over.
+/// Moves the slider's handle to and fro and releases it, so that refinement starts again.
 double drag(const Hands& hands, int step)
 {
     const int y = slider.y + slider.height / 2;
@@ -265,7 +264,7 @@ double drag(const Hands& hands, int step)
     return answer;
 }
 
-/// `again` brings the state back where it may have ended.
+/// Measures all responses. `again` restores the state before each run.
 Answers probe(const Hands& hands, const Program& program, int runs, const std::function<void()>& again)
 {
     Answers answers;
@@ -308,7 +307,7 @@ void printRow(const std::string& program, const char* state, const Answers& answ
     std::fflush(stdout);
 }
 
-/// Opens the program before the mug, at rest, with a slider of the hall in the panel.
+/// Opens the program at the mug, idle, with a slider of the hall in the panel.
 bool openAtTheMug(const Hands& hands, const Program& program)
 {
     if (!program.open()) return false;
@@ -326,7 +325,7 @@ bool measureAnswers(const Hands& hands, const std::string& name, const std::stri
     const auto afresh = [&] {
         (void)drag(hands, 9);
         wait(0.6);
-    };  // Refinement begins when all was still for a moment.
+    };  // Refinement begins after a moment without a change.
     struct State {
         const char* name;
         std::function<void(const Program&)> enter;

@@ -1,6 +1,6 @@
-// From the start of the process to the first picture that the window shows, as a user meets it: the program itself is
-// started with a display, says when its first picture was on the screen and when all exhibits in view were, and closes.
-// Once with the programs (shaders) in the cache and once without, in turn.
+// Time from the start of the process to the window's first picture. The program is started on a display, prints the
+// times of its first picture and of the one with all exhibits in view, and closes. Runs with and without cached
+// programs (shaders) alternate.
 
 #include "tests/bench/bench.h"
 #include "tests/bench/child.h"
@@ -16,12 +16,12 @@ namespace {
 std::string shownSize;
 
 struct Start {
-    double seconds = 0;     ///< To the first picture.
-    double allSeconds = 0;  ///< To the one that shows all.
-    double cpuSeconds = 0;  ///< Of the process until it has closed.
+    double seconds = 0;     ///< Until the first picture.
+    double allSeconds = 0;  ///< Until the picture with all exhibits.
+    double cpuSeconds = 0;  ///< Processor time until the process has ended.
 };
 
-/// With the caches in `cache`; nothing when no picture came.
+/// Starts the program with the caches in `cache`. Returns nullopt if there was no picture.
 std::optional<Start> start(const std::string& cache)
 {
     const test::TemporaryFolder home;
@@ -42,7 +42,7 @@ std::optional<Start> start(const std::string& cache)
     return Start{shown - run.started, all - run.started, run.cpuSeconds};
 }
 
-/// Prints a row, and gives the median of the seconds.
+/// Prints a line of the table, and returns the median of the seconds.
 double row(const char* name, const std::vector<Start>& starts)
 {
     std::vector<double> wall, all, cpu;
@@ -67,7 +67,7 @@ bool windowStart(const Options& options)
     const int runs = options.runsOr(5);
     const test::TemporaryFolder caches;
     std::vector<Start> warm, cold;
-    (void)start(caches / "warm");  // Fills it, and brings the program's files into memory.
+    (void)start(caches / "warm");  // Fills the cache, and loads the program's files into memory.
     for (int run = 0; run < runs; ++run) {
         const std::optional<Start> first = start(caches / ("cold-" + std::to_string(run)));
         const std::optional<Start> again = start(caches / "warm");
