@@ -9,7 +9,7 @@ namespace {
 
 constexpr int colors = 3;
 
-/// Gray pictures in all three channels.
+/// Copies a picture into the sheet. Gray pictures go to all three channels.
 void put(render::Image& into, const render::Image& picture, glm::ivec2 at, glm::ivec2 size)
 {
     if (picture.width != size.x || picture.height != size.y) return;

@@ -6,11 +6,11 @@
 
 namespace vitrine {
 
-/// The pictures of a study in one image of linear light: a column for each view, in the first row the references, then
-/// a row for each point. What was not drawn is black.
+/// All pictures of a study in one image of linear light: a column per view, the references in the first row, then a row
+/// per point. Missing pictures are black.
 struct ContactSheet {
-    render::Image image;  ///< 3 channels; empty: there are no pictures.
-    glm::ivec2 size{0};   ///< Of each picture, pixels.
+    render::Image image;  ///< 3 channels; empty if there are no pictures.
+    glm::ivec2 size{0};   ///< Size of each picture, pixels.
     std::size_t views = 0;
     std::size_t points = 0;
 
@@ -18,12 +18,12 @@ struct ContactSheet {
     [[nodiscard]] render::Image reference(std::size_t view) const;
     [[nodiscard]] render::Image picture(std::size_t point, std::size_t view) const;
 
-    /// Pixels of all of the sheet.
+    /// Returns the size of the whole sheet in pixels.
     [[nodiscard]] glm::ivec2 extent() const;
 };
 
-/// Empty where there is no reference yet, or where its pictures would be too many for one image that can be read again
-/// (`render::ImageLimits`).
+/// Returns the sheet of a study. It is empty if there is no reference yet, or if the sheet would be too large to be
+/// read again (`render::ImageLimits`).
 [[nodiscard]] ContactSheet contactSheet(const StudyResult&);
 
 }  // namespace vitrine

@@ -4,7 +4,7 @@
 
 namespace vitrine {
 
-/// A field of a CSV file: in quotes where it holds a comma, a quote or a line's end (RFC 4180).
+/// Returns a field of a CSV file, quoted if it contains a comma, a quote or a line break (RFC 4180).
 [[nodiscard]] inline std::string csvField(const std::string& text)
 {
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;

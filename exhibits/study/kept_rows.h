@@ -10,22 +10,22 @@
 
 namespace vitrine {
 
-/// Where the parameters of a kept study are among the rows that there are now.
+/// Indices of a kept study's parameters in the current tables.
 struct KeptRows {
     struct Row {
         std::size_t subject = 0, row = 0;
     };
-    std::vector<Row> rows;       ///< By parameter; as far as they are there.
-    std::string missingExhibit;  ///< That is not in this museum; empty: it is.
-    std::string missingRow;      ///< The first that no table has; empty: all are there.
+    std::vector<Row> rows;       ///< By parameter, as far as they exist.
+    std::string missingExhibit;  ///< First exhibit that this museum lacks; empty if none.
+    std::string missingRow;      ///< First parameter that its table lacks; empty if none.
 
     [[nodiscard]] bool all() const { return missingExhibit.empty() && missingRow.empty(); }
 };
-/// The look's values have the tables.
+/// Finds the parameters of a study. The scene state's values refer to the tables.
 [[nodiscard]] KeptRows rowsOf(const KeptStudy&, Subjects, const SceneState&);
 
-/// The values of a point for those rows, all of which are there; nothing, and the parameter's name in `wrong`, where
-/// one is no legal value of its row.
+/// Returns the values of a point for those parameters, all of which must exist. If a value is illegal, returns nothing
+/// and sets `wrong` to the name of its parameter.
 [[nodiscard]] std::optional<std::vector<Value>> valuesOf(const KeptStudy&, std::size_t point, const KeptRows&,
                                                          const SceneState&, std::string& wrong);
 

@@ -25,7 +25,7 @@ constexpr std::size_t mostSentences = 256;
 constexpr std::size_t mostNameBytes = 200;
 constexpr double largestNumber = 1e15;
 
-/// A value of the file, and where it stands.
+/// A value of the file, and its path for messages.
 class Place {
 public:
     Place(const JsonDocument& document, const Json& json, std::string path)
@@ -63,7 +63,7 @@ public:
         if (!json_.is_boolean()) throw failure("this must be true or false; correct it there.");
         return json_.get<bool>();
     }
-    /// At least 0.
+    /// Returns a number of at least 0.
     [[nodiscard]] double number() const
     {
         if (!json_.is_number()) throw failure("this must be a number; correct it there.");
@@ -71,7 +71,7 @@ public:
         if (!(x >= 0) || x > largestNumber) throw failure("this must be from 0 to 1e15; correct it there.");
         return x;
     }
-    /// The same, or infinite: JSON has only null for that.
+    /// Returns a number of at least 0, or infinity for null, since JSON cannot express it.
     [[nodiscard]] double numberOrNone() const
     {
         return json_.is_null() ? std::numeric_limits<double>::infinity() : number();
@@ -151,7 +151,7 @@ void readMachine(const Place& root, KeptStudy& study)
     if (machine.has("processors")) study.processors = static_cast<int>(machine.at("processors").whole(0, 1'000'000));
 }
 
-/// Local time to the second, as `KeptStudy::measured` has it.
+/// Returns whether a text is a local time to the second, as in `KeptStudy::measured`.
 bool isMoment(const std::string& text)
 {
     const std::string form = "dddd-dd-ddTdd:dd:dd";
@@ -192,7 +192,7 @@ void readHead(const Place& root, KeptStudy& study)
 
 void readSentences(const Place& root, KeptStudy& study)
 {
-    if (root.has("law")) (void)root.at("law").at("sentence").text();  // Follows anew from the points.
+    if (root.has("law")) (void)root.at("law").at("sentence").text();  // Checked only; it follows from the points.
     if (root.has("choice")) study.sentences.push_back(root.at("choice").at("sentence").text());
     study.sentences.push_back(root.at("reference").at("why").text());
     if (root.has("situation"))
@@ -216,7 +216,7 @@ std::string valueText(const Json& value)
     if (value.is_string()) return value.get<std::string>();
     if (value.is_boolean()) return value.get<bool>() ? "on" : "off";
     const double x = value.get<double>();
-    // Values of a sweep are told apart by four digits.
+    // Four digits distinguish the values of a sweep.
     return x == std::floor(x) && std::abs(x) < 1e9 ? std::to_string(static_cast<long long>(x)) : render::shortNumber(x);
 }
 
@@ -308,7 +308,7 @@ KeptStudy readStudy(const std::filesystem::path& path)
 Json named(Json study, const std::string& name)
 {
     std::string kept = name.substr(0, mostNameBytes);
-    // Not in the middle of a character.
+    // Does not cut within a character.
     while (kept.size() < name.size() && (static_cast<unsigned char>(name[kept.size()]) & 0xC0) == 0x80) kept.pop_back();
     study.erase("name");
     if (!kept.empty()) study["name"] = kept;

@@ -15,28 +15,28 @@
 
 namespace vitrine {
 
-/// What a file of studies may be at most.
+/// Limits of a file of studies.
 inline constexpr render::JsonLimits studyLimits{
     .bytes = 16U << 20U, .depth = 24, .nodes = 1'000'000, .stringBytes = 1U << 16U};
 
-/// Value of one parameter of a setting, for people.
+/// Value of one parameter of a setting, as displayed.
 struct SettingPart {
-    std::string label;  ///< As the interface shows the parameter: "Shell count".
-    std::string value;  ///< With its unit: "16", "on", "0.5 m".
+    std::string label;  ///< Label of the parameter in the interface: "Shell count".
+    std::string value;  ///< Value with its unit: "16", "on", "0.5 m".
 };
 
 /// One setting of a study that was read from a file.
 struct KeptPoint {
-    std::vector<render::Json> values;  ///< By parameter, as the file has them: in SI, choices by name.
-    double error = 0;                  ///< Over all views; infinite where the file has none.
+    std::vector<render::Json> values;  ///< By parameter, as in the file: in SI units, choices by name.
+    double error = 0;                  ///< Over all views; infinite if the file has none.
     double lowestError = 0, worstError = 0;
-    std::optional<double> modelError;  ///< Against everything exact; unset where it was not measured.
-    double cost = 0;                   ///< By `KeptStudy::cost`; 0 where it was not measured.
+    std::optional<double> modelError;  ///< Error relative to everything exact; unset if not measured.
+    double cost = 0;                   ///< In the unit `KeptStudy::cost`; 0 if not measured.
     bool uncertain = false;
     std::map<std::string, double> counters;  ///< Over all views.
     struct Time {
         double median = 0, spread = 0;
-        render::Interval interval;  ///< Of the median.
+        render::Interval interval;  ///< Confidence interval of the median.
         std::size_t runs = 0;
     };
     std::optional<Time> time;  ///< Milliseconds of one picture.
@@ -44,49 +44,49 @@ struct KeptPoint {
     [[nodiscard]] bool measured() const;
 };
 
-/// A study as its file has it: numbers and names, whatever exhibits and rows this program knows.
+/// A study as its file contains it: numbers and names, independent of the exhibits and parameters of this program.
 struct KeptStudy {
-    std::string name;      ///< That somebody gave it; empty: none.
-    std::string measured;  ///< When, as "2026-11-25T01:43:23"; empty: the file does not say.
-    bool complete = true;  ///< It was not stopped before it had measured everything.
+    std::string name;      ///< Name that the user gave it; empty: none.
+    std::string measured;  ///< Local time, as "2026-11-25T01:43:23"; empty if the file does not say.
+    bool complete = true;  ///< Whether everything was measured before the study stopped.
     std::string exhibit;
     struct Parameter {
         std::string name;        ///< "steps", or "hall.shadowMapSize".
-        std::string label = {};  ///< "Steps"; empty: the file does not say.
-        std::string unit;        ///< Of numbers in SI; may be empty.
+        std::string label = {};  ///< "Steps"; empty if the file does not say.
+        std::string unit;        ///< Unit of the SI numbers; may be empty.
     };
     std::vector<Parameter> parameters;
     glm::ivec2 size{0};  ///< Pixels.
     bool alone = false;
     std::vector<std::string> views;
     render::Metric metric = render::Metric::rmse;
-    std::string cost;  ///< "ms", or the counter that its own front goes by.
+    std::string cost;  ///< "ms", or the counter on which the study's own front is based.
     std::string clock;
     bool clockTrusted = false;
-    std::string renderer;  ///< Of the machine; empty: the file does not say.
-    int processors = 0;    ///< Likewise; 0: the file does not say.
+    std::string renderer;  ///< Renderer of the machine; empty if the file does not say.
+    int processors = 0;    ///< Processors of the machine; 0 if the file does not say.
     std::vector<std::size_t> front;
     std::optional<std::size_t> knee;
-    std::vector<std::string> sentences;  ///< What was chosen, and how sure the reference is.
+    std::vector<std::string> sentences;  ///< Choice, and certainty of the reference.
     std::vector<KeptPoint> points;
 
-    /// "steps 64, method fair".
+    /// Returns a setting as text: "steps 64, method fair".
     [[nodiscard]] std::string pointText(std::size_t point) const;
-    /// The same by the labels of the interface, where the file has them.
+    /// Returns a setting by the labels of the interface, if the file has them.
     [[nodiscard]] std::vector<SettingPart> settingParts(std::size_t point) const;
-    /// "Steps", "Steps and Method", or "all parameters".
+    /// Returns "Steps", "Steps and Method", or "all parameters".
     [[nodiscard]] std::string parameterNames() const;
     [[nodiscard]] std::size_t measuredPoints() const;
 };
 
-/// Reads what `studyJson` writes, with "name", "measured" and "complete" beside it where it was kept. Keys that are not
-/// known do not matter. Throws Failure naming file, line and key for whatever is missing, of a wrong type, not finite,
-/// out of range or beyond `studyLimits`.
+/// Reads what `studyJson` writes, with "name", "measured" and "complete" added if it was kept. Unknown keys are
+/// ignored. Throws Failure naming file, line and key for a value that is missing, of a wrong type, not finite, out of
+/// range or beyond `studyLimits`.
 [[nodiscard]] KeptStudy parseStudy(const render::JsonDocument&);
-/// The same of a file.
+/// The same for a file.
 [[nodiscard]] KeptStudy readStudy(const std::filesystem::path&);
 
-/// A study beside the JSON that it was read from.
+/// A study, and the JSON from which it was read.
 struct StudyAndJson {
     KeptStudy study;
     render::Json json;
@@ -94,13 +94,13 @@ struct StudyAndJson {
 /// Reads a file of one study, or of several: {"format": "vitrine-studies", "version": 1, "studies": [...]}. Throws
 /// Failure as `parseStudy`.
 [[nodiscard]] std::vector<StudyAndJson> parseStudies(const render::JsonDocument&);
-/// Such a file of several.
+/// Returns the JSON of a file of several studies.
 [[nodiscard]] render::Json studiesJson(const std::vector<render::Json>& studies);
 
-/// The same study with a name that somebody gave it, at most 200 bytes of it; an empty one takes it away.
+/// Returns the study with a name, truncated to 200 bytes. An empty name removes it.
 [[nodiscard]] render::Json named(render::Json study, const std::string& name);
 
-/// One line per point of each, with the counters that any of them has.
+/// Returns CSV with one line per point of each study, and a column per counter that any point has.
 [[nodiscard]] std::string keptCsv(const std::vector<KeptStudy>&);
 
 }  // namespace vitrine

@@ -7,7 +7,8 @@
 
 namespace vitrine {
 
-/// Milliseconds of one picture: the mean of the views in each run that all of them have. Nothing before the first.
+/// Returns the time of one picture in milliseconds: the mean of the views in each run that is complete. Nothing before
+/// the first.
 [[nodiscard]] std::optional<render::Summary> timeOf(const StudyPoint&);
 
 }  // namespace vitrine

@@ -15,7 +15,7 @@ namespace {
 constexpr int mostDoublings = 3;
 constexpr int heldOutRuns = 3;
 
-/// `count` of `all`, the first and the last among them.
+/// Returns `count` of `all` indices, evenly spaced, including the first and the last.
 std::vector<std::size_t> spread(std::size_t all, std::size_t count)
 {
     std::vector<std::size_t> chosen;
@@ -86,7 +86,7 @@ void Study::addViews()
             views_.push_back({view, {}, {}, {}, true});
     if (views_.size() > used.size()) return;
     for (View turned : used) {
-        // An exhibit that names no more views is looked at from aside, and a little later.
+        // If an exhibit has no more views, a view from the side and a little later is held out.
         const double angle = 0.44;
         const glm::dvec3 arm = turned.view.camera.eye - turned.view.camera.target;
         turned.view.camera.eye =
@@ -278,7 +278,7 @@ void Study::findJob()
     if (result_.complete) keepColors();
 }
 
-/// A result is kept and looked at long after the study: what only its errors needed goes.
+/// Drops data that only the errors needed, since a result is kept and displayed long after the study.
 void Study::keepColors()
 {
     for (View& view : views_) view = {std::move(view.view), {}, {}, {}, view.heldOut};
@@ -380,7 +380,7 @@ void Study::addPicture(PictureJob job, std::function<void(StudyMeasure)> take)
 {
     std::string key = job.key;
     std::string name = job.name;
-    // Made when its turn comes: it holds the whole picture.
+    // The maker is created when the job begins, since it holds the whole picture.
     std::shared_ptr<PictureMaker> none;
     addMeasure(
         std::move(key), std::move(name),
@@ -412,7 +412,7 @@ void Study::addReference(std::size_t view, bool withNeighbors)
                    if (!views_[view].heldOut) result_.references[view] = measure.picture;
                    views_[view].reference = std::move(measure.picture);
                });
-    if (!withNeighbors || studiesMotion()) return;  // At rest, nothing of what is studied acts.
+    if (!withNeighbors || studiesMotion()) return;  // A converged picture does not depend on what is studied in motion.
     int number = 0;
     for (const std::vector<double>& neighbor : neighborsOf(request_.sceneState, request_.axes, doublings_)) {
         const SceneState near = lookAt(neighbor, view);
@@ -454,7 +454,7 @@ void Study::takeShot(std::size_t point, std::size_t view, const SceneState& scen
     for (auto& [name, count] : shot.counters) count *= samples;
     shot.firstMilliseconds = measure.milliseconds.front() * samples;
     shot.errors = judge_.errorsOf(views_[view].reference, measure.picture);
-    // A search keeps many pictures: of those, the colors are enough, unless it goes by something else.
+    // A search keeps many pictures. Their colors are enough, unless the metric uses other channels.
     shot.picture =
         request_.axes.size() > 2 && goesByColor(request_) ? colorsOf(measure.picture) : std::move(measure.picture);
     if (view + 1 == result_.views.size()) judge();
@@ -462,15 +462,15 @@ void Study::takeShot(std::size_t point, std::size_t view, const SceneState& scen
 
 render::FrameReport Study::drawTimed(const SceneState& sceneState, std::size_t view)
 {
-    // Passes that depend on the studied parameters are always drawn again: their time is the cost.
+    // Passes that depend on the studied parameters are always drawn again, since their time is the cost.
     render::PersistentState kept = backend_.persistentState();
     for (const std::string& pass : dependentPasses_) kept.passes.erase(pass);
     FrameRequest frame = pictureRequest(sceneState, view).frame;
     frame.channels = {};
-    frame.cut = frame.finished = true;  // As the pictures that it is the time of.
+    frame.cut = frame.finished = true;  // The same as for the pictures whose time this is.
     const Prepared prepared = museum_.prepare(sceneState, frame);
     if (studiesMotion()) {
-        // The timed frame finds the history that a frame before it left.
+        // The timed frame uses the history of a previous frame.
         frame.movingFrame = 1;
         (void)backend_.draw(museum_.plan(prepared, frame, kept));
         kept = backend_.persistentState();
@@ -484,8 +484,8 @@ void Study::addTimes()
 {
     std::vector<std::size_t> timed(result_.points.size());
     std::iota(timed.begin(), timed.end(), std::size_t{0});
-    // In a search, what is dearer and no better by a margin beyond the noise of one frame stays untimed, and so does
-    // what can neither be chosen nor is on the front.
+    // In a search, a setting is not timed if another is as exact and cheaper by more than the noise of one frame. A
+    // setting that can neither be chosen nor is on the front is not timed, either.
     if (request_.axes.size() > 2) {
         std::erase_if(timed, [&](std::size_t i) {
             if (result_.present == i) return false;
@@ -514,7 +514,7 @@ void Study::addTimes()
                 [this, point](const StudyMeasure& times) {
                     for (std::size_t view = 0; view < times.milliseconds.size(); ++view)
                         result_.points[point].shots[view].milliseconds.push_back(times.milliseconds[view]);
-                    result_.points[point].time = timeOf(result_.points[point]);  // So that charts show it at once.
+                    result_.points[point].time = timeOf(result_.points[point]);  // Charts show the time immediately.
                 });
         }
     }
@@ -522,12 +522,12 @@ void Study::addTimes()
 
 namespace {
 
-// Turn of the camera between two frames of a picture in motion, in pixels: not a whole number, so that no texel of a
-// frame falls onto one of the frame before. The picture is compared after more frames than any history averages.
+// Rotation of the camera between two frames of a picture in motion, in pixels. It is not a whole number, so texels of
+// consecutive frames do not coincide. The picture is compared after more frames than any history averages.
 constexpr double turnPerFrame = 2.3;
 constexpr int framesOfMotion = 24;
 
-/// `pixels` to the left of where the camera looks, about its own upright axis; those in the middle of the picture.
+/// Returns the camera rotated by `pixels` of the image center to the left, about its vertical axis.
 render::Camera turnedBy(const render::Camera& camera, double pixels, int height)
 {
     const double angle = std::atan(2 * std::tan(camera.fovY / 2) / height) * pixels;

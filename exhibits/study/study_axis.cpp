@@ -33,7 +33,7 @@ std::string axisValueText(const SceneState& sceneState, const StudyAxis& axis, d
     const std::string unit(info(row.unit).symbol);
     std::string text = formatValue(row, value);
     if (row.kind == Kind::real) {
-        // Four digits tell the values of a sweep apart; all seventeen tell nobody anything.
+        // Four digits distinguish the values of a sweep; all seventeen would be noise.
         char digits[32];
         const double shown = render::parseNumber(text).value_or(value);
         text.assign(digits, std::to_chars(digits, digits + sizeof digits, shown, std::chars_format::general, 4).ptr);
@@ -46,7 +46,7 @@ std::optional<StudyAxis> studyAxis(const SceneState& sceneState, std::size_t sub
     StudyAxis axis{subject, row, {}};
     const ParameterInfo& info = rowOf(sceneState, axis);
     if (!info.qualityReference) return std::nullopt;
-    // One place is the initial value's, unless the sweep meets it anyway.
+    // One value is reserved for the initial one, unless the sweep contains it anyway.
     axis.values = derive::sweep(info, std::max(points - 1, 2));
     if (info.isNumeric()) axis.values.push_back(*info.qualityReference);
     std::sort(axis.values.begin(), axis.values.end());
@@ -89,7 +89,7 @@ Exactness exactness(const ParameterInfo& row, int doublings)
         if (const double to = moved(result.exact, up); legal(to) && to != result.exact) result.neighbors.push_back(to);
     };
     if (result.exact == initial) {
-        // Which way is the less exact one, nobody knows.
+        // The less exact direction is unknown here.
         check(false);
         check(true);
         return result;

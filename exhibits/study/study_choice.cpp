@@ -20,12 +20,12 @@ std::vector<std::size_t> choiceCandidates(const StudyRequest& request, const Stu
         const StudyPoint& p = result.points[i];
         return request.maxError ? std::pair(p.cost, p.worstError) : std::pair(p.worstError, p.cost);
     };
-    // Best last, by the median of the time or by the worst error; of equal ones, the better in the other.
+    // Sorted so that the best is last, by median time or by worst error, and then by the other.
     std::sort(candidates.begin(), candidates.end(),
               [&](std::size_t a, std::size_t b) { return badness(a) > badness(b); });
     if (!result.present) return candidates;
-    // Those that cannot be told from the best one: of them, the one that changes the fewest parameters, and of these
-    // the most exact.
+    // Among points indistinguishable from the best, the one that changes the fewest parameters comes last, then the
+    // most exact.
     const StudyPoint& best = result.points[candidates.back()];
     const auto asGood = std::stable_partition(candidates.begin(), candidates.end(), [&](std::size_t i) {
         const StudyPoint& p = result.points[i];

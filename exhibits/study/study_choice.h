@@ -6,8 +6,8 @@
 
 namespace vitrine {
 
-/// The timed points that keep the request's limit in every view, best last: the cheapest or the most exact, and of
-/// those that cannot be told from it the one that changes the fewest parameters.
+/// Returns the timed points within the request's limit in every view, best last: the cheapest or the most exact. Among
+/// points indistinguishable from it, the one that changes the fewest parameters is best.
 [[nodiscard]] std::vector<std::size_t> choiceCandidates(const StudyRequest&, const StudyResult&);
 
 }  // namespace vitrine

@@ -19,7 +19,7 @@ double pixelsOf(const KeptStudy& study)
     return static_cast<double>(study.size.x) * study.size.y * static_cast<double>(study.views.size());
 }
 
-/// Whether all have it, and it tells any two settings of one of them apart.
+/// Returns whether all studies have a counter, and it differs among the settings of any of them.
 bool isTelling(const std::vector<KeptStudy>& studies, const std::string& counter)
 {
     bool differs = false;
@@ -74,7 +74,7 @@ ComparedCurve curveOf(const KeptStudy& study, const std::string& label, const st
     return curve;
 }
 
-/// How far x is from a to b, on a logarithmic scale; nothing where there is none.
+/// Returns the position of x between a and b on a logarithmic scale; nothing if it is undefined.
 std::optional<double> share(double x, double a, double b)
 {
     if (!(a > 0) || !(b > 0) || a == b) return std::nullopt;
@@ -95,8 +95,8 @@ std::optional<double> errorAt(const std::vector<Point>& front, double cost)
     return front.back().error;
 }
 
-/// The two points of the front between which the error lies, the same twice where it is one of them, or the first is
-/// good enough; `share` of the way. Nothing where none is so exact.
+/// The two points of the front between which the error lies, and its position `share` between them. Both are the same
+/// if one of them matches, or if the first is good enough. There are none if no point is as exact.
 struct Between {
     const Point *a, *b;
     double share;
@@ -113,7 +113,7 @@ std::optional<Between> whereErrorIs(const std::vector<Point>& front, double erro
         if (error < front[i + 1].error) continue;
         if (error == front[i + 1].error) return Between{&front[i + 1], &front[i + 1], 0};
         const std::optional<double> at = share(error, front[i].error, front[i + 1].error);
-        // Down to an error of 0 there is no logarithm: only the exact one is known to be good enough.
+        // An error of 0 has no logarithm, so only the exact point is known to be good enough.
         return at ? Between{&front[i], &front[i + 1], *at} : Between{&front[i + 1], &front[i + 1], 0};
     }
     return std::nullopt;
@@ -125,7 +125,7 @@ void setCostAt(const std::vector<Point>& front, const Point& mine, StudyDifferen
     if (!at) return;
     difference.costAtError = at->of(&Point::cost);
     difference.uncertain = difference.uncertain || at->a->uncertain || at->b->uncertain;
-    // All of them hold together with at least this.
+    // Lower bound of the probability that all of them hold.
     double confidence = mine.costConfidence + at->a->costConfidence - 1;
     if (at->a != at->b) confidence += at->b->costConfidence - 1;
     if (!(mine.costLow > 0)) return;
@@ -153,8 +153,8 @@ TimesDiffer timesDiffer(const std::vector<KeptStudy>& studies)
 
 std::vector<std::string> sharedCosts(const std::vector<KeptStudy>& studies)
 {
-    // Milliseconds by a clock that can be trusted, then what their own fronts go by, then what is done per pixel, then
-    // the rest. How a picture is cut into passes and draws is not its work.
+    // The order is: milliseconds of a trusted clock, the costs of the studies' own fronts, work per pixel, the rest.
+    // Passes and draws are excluded, since they are not work of the picture.
     std::vector<std::string> wanted;
     const auto want = [&](const std::string& name) {
         if (std::find(wanted.begin(), wanted.end(), name) == wanted.end()) wanted.push_back(name);

@@ -10,10 +10,10 @@
 namespace vitrine {
 namespace {
 
-/// A counter that varies less than this says little of what a parameter costs.
+/// Ratio below which a counter says little about the cost of a parameter.
 constexpr double leastRatio = 1.15;
 
-/// A setting as both kinds of study have it.
+/// A setting in a form that both kinds of study share.
 struct CostedSetting {
     SettingCost cost;
     double error = 0;
@@ -30,7 +30,7 @@ SettingCost counted(double count)
     return count > 0 ? SettingCost{count, {count, count, 1}} : SettingCost{};
 }
 
-/// Adds front, knee and law to the costs, which have their name and axis.
+/// Adds front, knee and law to costs that have their name and axis.
 StudyCosts judged(StudyCosts costs, const std::vector<CostedSetting>& settings, bool numeric)
 {
     std::vector<render::CostAndError> measured;
@@ -78,7 +78,7 @@ std::string mostTellingCounter(const std::vector<std::map<std::string, double>>&
     std::string best;
     double largest = leastRatio;
     for (const auto& [name, range] : ranges) {
-        // How a picture is cut into passes and draws is not its work.
+        // Passes and draws are not work of the picture.
         if (name == "passes" || name == "draws" || ratio(range) <= largest) continue;
         largest = ratio(range);
         best = name;

@@ -43,11 +43,11 @@ struct StudyCosts {
 [[nodiscard]] StudyCosts costsAlong(CostAxis, const StudyRequest&, const StudyResult&);
 [[nodiscard]] StudyCosts costsAlong(CostAxis, const KeptStudy&);
 
-/// The counter that tells settings apart best: of what is done per pixel, the first that differs enough, else the one
-/// in which they differ most. Empty when none does. Each element holds the counters of one setting.
+/// Returns the counter that distinguishes the settings best: the first one of work per pixel that differs enough,
+/// otherwise the one that differs most. Empty if there is none. Each element contains the counters of one setting.
 [[nodiscard]] std::string mostTellingCounter(const std::vector<std::map<std::string, double>>&);
 
-/// Law of cost over error; nothing for fewer than three points with an error and a cost above 0.
+/// Returns the law of cost over error; nothing for fewer than three points with positive error and cost.
 [[nodiscard]] std::optional<render::PowerLaw> costLaw(const std::vector<double>& errors,
                                                       const std::vector<double>& costs);
 

@@ -17,10 +17,10 @@ namespace {
 using render::Metric;
 using render::shortNumber;
 
-/// A reference is trusted when it moves by less than this part of the smallest error.
+/// A reference is trusted if it changes by less than this share of the smallest error.
 constexpr double quarter = 0.25;
 
-/// Those whose reference counts as exact although neither its meaning nor another value says so.
+/// Returns axes whose exact value can be verified neither by its meaning nor by another value.
 std::vector<StudyAxis> uncheckedAxes(const SceneState& sceneState, const std::vector<StudyAxis>& axes)
 {
     std::vector<StudyAxis> found;
@@ -114,7 +114,7 @@ std::string StudyJudge::samenessSentence() const
 void StudyJudge::judgePoint(StudyPoint& point, double uncertainty) const
 {
     std::vector<double> errors;
-    std::vector<double> modelErrors;  // Of the views that are measured.
+    std::vector<double> modelErrors;  // Errors of the measured views.
     point.counters.clear();
     for (StudyShot& shot : point.shots) {
         errors.push_back(shot.errors.contains(request_.metric) ? shot.errors.at(request_.metric)

@@ -9,20 +9,20 @@
 
 namespace vitrine {
 
-/// Whether pictures in motion are studied: the reference is then one at rest.
+/// Returns whether pictures in motion are studied; the reference is then a converged picture.
 [[nodiscard]] bool studiesMotion(const StudyRequest&);
 
-/// What the pictures and times of a study come to.
+/// Evaluation of the pictures and times of a study.
 class StudyJudge {
 public:
     /// Subjects and request must outlive it.
     StudyJudge(Subjects subjects, const StudyRequest& request) : subjects_(subjects), request_(request) {}
 
     [[nodiscard]] Errors errorsOf(const render::Image& reference, const render::Image& picture) const;
-    /// One number for all views: root mean square of RMS errors, largest of maxima, else the mean.
+    /// Returns one error for all views: the root mean square of RMS errors, the largest of maxima, otherwise the mean.
     [[nodiscard]] double pooled(const std::vector<double>& errors) const;
-    /// Fills in what follows from the points' shots and the reference's uncertainty; `doublings` is how often the
-    /// reference was made twice as exact.
+    /// Computes everything that follows from the points' shots and the reference's uncertainty. `doublings` is how
+    /// often the reference was made twice as exact.
     void judge(StudyResult&, int doublings) const;
 
 private:
@@ -30,7 +30,7 @@ private:
     [[nodiscard]] bool isPresent(const StudyPoint&) const;
     [[nodiscard]] std::string convergenceSentence(const StudyResult&, std::size_t uncertainErrors, double smallestError,
                                                   int doublings) const;
-    /// Why all settings give the same picture: what the table declares, or that nothing depends on them at present.
+    /// Returns why all settings give the same picture: the declared reason, or that nothing depends on them at present.
     [[nodiscard]] std::string samenessSentence() const;
     void judgeCosts(StudyResult&) const;
     void fitLaw(StudyResult&, std::span<const render::CostAndError>) const;

@@ -11,7 +11,7 @@
 
 namespace vitrine {
 
-/// One thing that a study measured: a picture, or times.
+/// Result of one measuring job: a picture, or times.
 struct StudyMeasure {
     render::Image picture;
     std::map<std::string, std::int64_t> counters;
@@ -21,13 +21,13 @@ struct StudyMeasure {
     double overheadMilliseconds = 0;
 };
 
-/// Where a study that is measured in parts keeps what it measured, or finds it.
+/// Storage for a study that is measured in parts by several processes.
 class StudyParts {
 public:
     virtual ~StudyParts() = default;
     /// Whether this is one part, which measures its share and judges nothing.
     [[nodiscard]] virtual bool isPart() const = 0;
-    /// Whether the part measures the thing of this number, counted through the study.
+    /// Returns whether the part does the measuring job with this number, counted through the study.
     [[nodiscard]] virtual bool makes(std::size_t number) const = 0;
     virtual void keep(const std::string& key, const StudyMeasure&) = 0;
     /// What a part measured; nothing when none did: the study measures it itself.

@@ -11,16 +11,16 @@
 
 namespace vitrine {
 
-/// The first four channels of a picture as PictureMaker makes it.
+/// Returns the first four channels of a picture made by PictureMaker.
 [[nodiscard]] render::Image colorsOf(const render::Image&);
 
-/// Color only, interpolated at another size in pixels: what a screen does with a picture of fewer pixels.
+/// Returns the color channels interpolated to another size in pixels, as a screen scales a smaller picture.
 [[nodiscard]] render::Image resampled(const render::Image& from, glm::ivec2 size);
 
-/// Sum of a counting channel over all pixels, exact while below 2^53; 0 where the picture has no channel of that name.
+/// Returns the sum of a counting channel over all pixels, exact below 2^53; 0 if the picture has no such channel.
 [[nodiscard]] std::int64_t channelTotal(const render::Image&, std::string_view channel);
 
-/// Leaves out the counters of the program's state ("images", "programs", ...), which are not of a picture's work.
+/// Removes the counters of the program's state ("images", "programs", ...), which are not work of a picture.
 void eraseStateCounters(std::map<std::string, std::int64_t>& counters);
 
 }  // namespace vitrine

@@ -15,67 +15,66 @@
 
 namespace vitrine {
 
-/// A row of a subject's table.
+/// Index of a parameter of a subject.
 struct StudyRow {
     std::size_t subject = 0, row = 0;
 
     bool operator==(const StudyRow&) const = default;
 };
 
-/// A setting that a study changed for itself, so that one of its parameters shows.
+/// Setting that a study changed, so one of its parameters has an effect.
 struct StudyChange {
     enum class Why : std::uint8_t {
         acts,   ///< The parameter acts only with this value.
-        shows,  ///< Its table declares that it shows only with this value.
-        limits  ///< The row caps or overrides the parameter with any other value.
+        shows,  ///< The table declares that the parameter is visible only with this value.
+        limits  ///< Any other value caps or overrides the parameter.
     };
     StudyRow row;
     double from = 0, to = 0;
-    std::size_t axis = 0;  ///< The parameter.
+    std::size_t axis = 0;  ///< Index of the affected parameter's axis.
     Why why = Why::acts;
 
     bool operator==(const StudyChange&) const = default;
 };
 
-/// What to measure.
+/// Input of a study.
 struct StudyRequest {
     std::size_t subject = 1;
-    SceneState sceneState;        ///< Everything that is not varied stays as it is here.
+    SceneState sceneState;        ///< Settings of everything that is not varied.
     std::vector<StudyAxis> axes;  ///< One: a curve. Two: a surface. More: the front is searched for.
     glm::ivec2 size{320, 180};
-    int views = 3;  ///< At most; spread over those that the exhibit names.
-    int runs = 7;   ///< Timed frames of each setting in each view, after one that is not timed.
+    int views = 3;  ///< Largest number of views, spread over those of the exhibit.
+    int runs = 7;   ///< Timed frames per setting and view, after one that is not timed.
     render::Metric metric =
-        render::Metric::rmse;     ///< What fronts and choices go by; never psnr, which is rmse in decibels.
-    double pixelsPerDegree = 67;  ///< For FLIP.
-    bool alone = false;           ///< Without the hall, in the environment's light. The hall itself is never without.
-    bool needsFiles = false;      ///< As FrameRequest's.
-    bool modelError = true;       ///< Measure against everything at its best, too.
-    bool asSet = false;           ///< Change no setting, even where a parameter does not show.
-    std::vector<StudyRow> pinned = {};  ///< Rows that no study may change: the user named their values.
-    int largestTile = 2048;             ///< Side in pixels: smaller ones make shorter steps.
-    int settings = 60;                  ///< At most, of a search over three axes or more.
-    /// Choose: the cheapest setting with an error up to this in every view, or the most exact one whose frame takes
-    /// no longer than that. At most one of them.
+        render::Metric::rmse;           ///< Metric of fronts and choices; never psnr, which is rmse in decibels.
+    double pixelsPerDegree = 67;        ///< For FLIP.
+    bool alone = false;                 ///< Without the hall, in the environment's light; not for the hall itself.
+    bool needsFiles = false;            ///< As in FrameRequest.
+    bool modelError = true;             ///< Measure relative to everything exact, too.
+    bool asSet = false;                 ///< Change no setting, even if a parameter has no effect.
+    std::vector<StudyRow> pinned = {};  ///< Parameters whose values the user named, so no study changes them.
+    int largestTile = 2048;             ///< Side in pixels; smaller tiles make shorter steps.
+    int settings = 60;                  ///< Largest number of settings in a search over three axes or more.
+    /// Limit of a choice: the cheapest setting with an error up to this in every view, or the most exact setting whose
+    /// frame takes no longer than that. At most one may be set.
     std::optional<double> maxError, maxMilliseconds;
 };
 
-/// Whether its errors are taken of colors, not of normals or depths.
+/// Returns whether errors are those of colors, not of normals or depths.
 [[nodiscard]] bool goesByColor(const StudyRequest&);
 
-/// How far a picture is from a reference, by every metric that the pictures allow.
+/// Errors of a picture by every metric that the pictures allow.
 using Errors = std::map<render::Metric, double>;
 
 /// One setting in one view.
 struct StudyShot {
-    /// As PictureMaker makes it; empty until drawn. Once the study is finished, color only, unless it goes by more.
+    /// As made by PictureMaker; empty until drawn. A finished study keeps color only, unless the metric uses more.
     render::Image picture;
-    Errors errors;                     ///< Against the same model with the studied parameters exact.
-    std::optional<double> modelError;  ///< By the request's metric, against everything exact; unset until measured.
-    std::map<std::string, std::int64_t>
-        counters;                      ///< Of one picture, and "pixels": samples drawn; the machine's state left out.
-    double firstMilliseconds = 0;      ///< Of the picture that was not timed: a first guess.
-    std::vector<double> milliseconds;  ///< Of one picture, run by run.
+    Errors errors;                     ///< Relative to the same model with the studied parameters exact.
+    std::optional<double> modelError;  ///< By the request's metric, relative to everything exact; unset until measured.
+    std::map<std::string, std::int64_t> counters;  ///< Work of one picture, and "pixels": samples drawn.
+    double firstMilliseconds = 0;                  ///< Time of the picture that was not timed: a first estimate.
+    std::vector<double> milliseconds;              ///< Times of one picture, one per run.
 };
 
 /// One setting.
@@ -83,56 +82,55 @@ struct StudyPoint {
     Setting setting;
     std::vector<StudyShot> shots;  ///< By view.
 
-    // Over all views; the error by the request's metric.
+    // The following numbers are over all views; errors are by the request's metric.
     double error = 0;  ///< Root mean square of the views' RMS errors, largest of maxima, else the mean.
     double lowestError = 0, worstError = 0;
-    std::optional<double> modelError;              ///< Unset until every view is measured against everything exact.
-    std::map<std::string, std::int64_t> counters;  ///< Summed.
+    std::optional<double> modelError;              ///< Unset until every view is measured relative to everything exact.
+    std::map<std::string, std::int64_t> counters;  ///< Sum over the views.
     std::optional<render::Summary> time;           ///< Milliseconds of one picture, the mean of the views in each run.
-    double cost = 0;                               ///< By StudyResult::costName.
+    double cost = 0;                               ///< In the unit StudyResult::costName.
     bool dominated = false;
-    bool uncertain = false;  ///< Its error is under four times the reference's own uncertainty.
+    bool uncertain = false;  ///< Whether its error is below four times the uncertainty of the reference.
 };
 
-/// Whether its pictures of all views are there, so that its errors are known.
+/// Returns whether its pictures of all views exist, so its errors are known.
 [[nodiscard]] bool isDrawn(const StudyPoint&);
 
-/// What was chosen, and whether it holds where it was not chosen for.
+/// Chosen setting, and whether it keeps the limit in views for which it was not chosen.
 struct StudyChoice {
     std::size_t point = 0;
-    double heldOutError = 0;         ///< Worst over the held-out views.
-    double heldOutMilliseconds = 0;  ///< Slowest of them; measured when a time was the limit.
+    double heldOutError = 0;         ///< Worst error over the held-out views.
+    double heldOutMilliseconds = 0;  ///< Slowest held-out view; measured if a time is the limit.
     std::vector<std::string> heldOutViews;
-    bool holds = false;  ///< The limit is kept in all of them.
+    bool holds = false;  ///< Whether the limit is kept in all of them.
 };
 
-/// What a study found so far; everything is filled in by the time that it is finished.
+/// Result of a study so far; complete once the study is finished.
 struct StudyResult {
     std::vector<std::string> views;
-    std::vector<StudyChange> changes;        ///< What was set otherwise than in the request, in every view.
-    std::vector<StudyRow> exactInReference;  ///< Rows with their most exact value in the references only.
+    std::vector<StudyChange> changes;        ///< Settings that differ from the request, in every view.
+    std::vector<StudyRow> exactInReference;  ///< Parameters with their most exact value in the references only.
     std::vector<render::Image> references;   ///< By view.
-    std::vector<double> exact;               ///< Of the reference, by axis.
-    double uncertainty =
-        0;  ///< How far the reference is from one half as exact (or twice as exact, where it was doubled).
-    bool converged = true;    ///< No error that is not 0 is under four times that.
-    std::string convergence;  ///< The same as a sentence.
+    std::vector<double> exact;               ///< Exact value of each axis in the reference.
+    double uncertainty = 0;                  ///< Difference of the reference from one half (or twice) as exact.
+    bool converged = true;                   ///< Whether every error except 0 is at least four times the uncertainty.
+    std::string convergence;                 ///< `converged` as a sentence.
     std::vector<StudyPoint> points;
-    /// Counter that tells the settings' work apart, chosen when all of them were drawn for the first time and kept from
-    /// then on. Empty before, and if no counter does.
+    /// Counter that distinguishes the settings' work. It is chosen once all of them are drawn, and then kept. Empty
+    /// before, and if no counter differs.
     std::string workName;
-    std::string costName;                 ///< `workName` or "ms": the cost that searches and choices go by.
-    std::vector<std::size_t> front;       ///< Points by growing cost.
-    std::optional<std::size_t> knee;      ///< A point.
-    std::optional<std::size_t> present;   ///< The point with the look's own values.
-    std::optional<render::PowerLaw> law;  ///< Cost over error along the front of one or two axes, one of them numeric.
-    std::optional<StudyChoice> choice;    ///< When one was asked for and any setting keeps the limit.
-    bool complete = false;                ///< Everything that was asked for was measured.
+    std::string costName;                 ///< `workName` or "ms": the cost for searches and choices.
+    std::vector<std::size_t> front;       ///< Points by increasing cost.
+    std::optional<std::size_t> knee;      ///< Index of a point.
+    std::optional<std::size_t> present;   ///< Point with the values of the request.
+    std::optional<render::PowerLaw> law;  ///< Cost over error along the front of one or two axes, one numeric.
+    std::optional<StudyChoice> choice;    ///< Set if a choice was requested and a setting keeps the limit.
+    bool complete = false;                ///< Whether everything requested was measured.
     std::string clock;
     bool clockTrusted = false;
-    double overheadMilliseconds = 0;  ///< What timing adds to one picture.
+    double overheadMilliseconds = 0;  ///< Time that measuring adds to one picture.
 
-    /// Whether the two did the same work, or cost the same as far as their times can tell.
+    /// Returns whether two points did the same work, or their times are indistinguishable.
     [[nodiscard]] bool costsTheSame(const StudyPoint&, const StudyPoint&) const;
 };
 

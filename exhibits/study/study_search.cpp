@@ -8,19 +8,18 @@
 namespace vitrine {
 namespace {
 
-/// A cost that is nearer to another than this factor is no saving but noise.
+/// Costs within this factor differ by noise only.
 constexpr double noise = 1.04;
-/// Errors that differ by less than this share of the largest one are the same to the search.
+/// Errors that differ by less than this share of the largest one count as equal in the search.
 constexpr double nextToNothing = 0.002;
-/// What is dearer than this many times the present setting is predicted, not measured.
+/// Settings more expensive than this multiple of the present one are predicted, not measured.
 constexpr double dearest = 16;
-/// A numeric axis with more values than this is first looked at in as many places; the search fills in where it
-/// matters.
+/// A numeric axis with more values than this is first measured at as many; the search adds values where they matter.
 constexpr std::size_t coarseValues = 5;
-/// In each round of the search, the settings around so many of the front's points are measured.
+/// Number of points on the front around which each round of the search measures.
 constexpr std::size_t pointsLookedAround = 4;
 
-/// Whether the first look takes this value. Choices have no order to fill in between.
+/// Returns whether the first round includes this value. Choices have no order, so all of theirs are included.
 bool isCoarse(const StudyAxis& axis, const ParameterInfo& row, std::size_t i)
 {
     const std::size_t count = axis.values.size();
@@ -29,7 +28,7 @@ bool isCoarse(const StudyAxis& axis, const ParameterInfo& row, std::size_t i)
     return i % stride == 0 || i + 1 == count;
 }
 
-/// The place of the value nearest to `value`.
+/// Returns the index of the value nearest to `value`.
 std::size_t nearest(const std::vector<double>& values, double value)
 {
     std::size_t best = 0;
@@ -47,7 +46,7 @@ bool StudySearch::advance()
         addEachAlone();
     } else if (generation_ == 1) {
         measureSteps();
-        // Half of the room, so that the rest can look around what this finds.
+        // Half of the settings are left for the neighborhood of what this finds.
         const std::size_t half = (before + mostSettings() + 1) / 2;
         for (const Setting& setting : predictedFront())
             if (hasRoom() && result_.points.size() < half) add_(setting);
@@ -114,7 +113,7 @@ double StudySearch::fromLimit(double error, double cost) const
 
 double StudySearch::presentCost() const
 {
-    // One frame's time is noise; every setting that does the same work was timed once, too.
+    // The time of one frame is noisy; every setting with the same work was timed once, too.
     std::vector<double> costs;
     for (const StudyPoint& point : result_.points)
         if (point.counters == result_.points.front().counters) costs.push_back(point.cost);
@@ -153,7 +152,7 @@ void StudySearch::measureSteps()
                 errors.push_back(
                     errors_.errorsOf(exact.shots[view].picture, point->shots[view].picture)[request_.metric]);
             steps[i] = {errors_.pooled(errors), searchedCost(*point, cost) / cost};
-            // What lies between two that were measured is taken to, until it is measured.
+            // Values between two measured ones are interpolated until they are measured.
             for (std::size_t j = last + 1; j < i; ++j) {
                 const double t = static_cast<double>(j - last) / static_cast<double>(i - last);
                 steps[j] = {std::lerp(steps[last].error, steps[i].error, t),
@@ -162,7 +161,7 @@ void StudySearch::measureSteps()
             last = i;
         }
     }
-    // What changes the picture by next to nothing does not matter here.
+    // Negligible changes of the picture do not count.
     double largest = 0;
     for (const std::vector<Step>& steps : steps_)
         for (const Step& step : steps) largest = std::max(largest, step.error);
@@ -174,9 +173,9 @@ void StudySearch::measureSteps()
 
 std::vector<Setting> StudySearch::predictedFront() const
 {
-    // Costs multiply and errors add, roughly: good enough to know where to measure.
+    // Costs roughly multiply and errors add, which is accurate enough to decide where to measure.
     const Setting present = result_.points.front().setting;
-    std::vector<std::vector<std::size_t>> useful;  // By axis, from dearest and most exact to cheapest.
+    std::vector<std::vector<std::size_t>> useful;  // By axis, from most expensive and exact to cheapest.
     for (std::size_t a = 0; a < request_.axes.size(); ++a) {
         std::vector<render::CostAndError> measured;
         for (const Step& step : steps_[a]) measured.push_back({step.ratio, step.error});
@@ -186,7 +185,7 @@ std::vector<Setting> StudySearch::predictedFront() const
             if (steps_[a][i] == steps_[a][present[a]]) i = present[a];
         std::reverse(useful.back().begin(), useful.back().end());
     }
-    // From everything exact, always the step that saves the most for the least error (marginal analysis).
+    // From everything exact, takes the step that saves the most for the least error (marginal analysis).
     struct Predicted {
         Setting setting;
         double fromLimit = 0;
@@ -223,7 +222,7 @@ std::vector<Setting> StudySearch::predictedFront() const
                      [](const Predicted& a, const Predicted& b) { return a.fromLimit < b.fromLimit; });
     std::vector<Setting> settings;
     if (request_.maxError) {
-        // Everything exact, so that something keeps the limit even where what one parameter gives hangs on another.
+        // Includes everything exact, so a setting keeps the limit even if effects of parameters depend on each other.
         settings.emplace_back();
         for (std::size_t a = 0; a < request_.axes.size(); ++a)
             settings.back().push_back(nearest(request_.axes[a].values, result_.exact[a]));

@@ -7,13 +7,13 @@
 
 namespace vitrine {
 
-/// How a study of many parameters finds its way: which settings to measure next.
+/// Search of a study with many parameters: decides which settings to measure next.
 class StudySearch {
 public:
     using Add = std::function<void(const Setting&)>;
 
-    /// All must outlive it. `add` makes a point of a setting that is new, to be measured; `judge` brings the result up
-    /// to date with what was measured.
+    /// Arguments must outlive it. `add` adds a point for a new setting, to be measured; `judge` updates the result with
+    /// what was measured.
     StudySearch(Subjects subjects, const StudyRequest& request, const StudyResult& result, Add add,
                 std::function<void()> judge)
         : request_(request), result_(result), errors_(subjects, request), add_(std::move(add)), judge_(std::move(judge))
@@ -24,25 +24,25 @@ public:
     bool advance();
 
 private:
-    /// One value of one axis, with all others as they are at present.
+    /// One value of one axis, with all others at present values.
     struct Step {
-        double error = 0;  ///< From the picture with this axis exact.
-        double ratio = 1;  ///< Of its cost to that of the present setting; 1 where the two differ by noise.
+        double error = 0;  ///< Difference from the picture with this axis exact.
+        double ratio = 1;  ///< Ratio of its cost to that of the present setting; 1 if they differ by noise only.
         bool operator==(const Step&) const = default;
     };
 
     [[nodiscard]] std::size_t mostSettings() const;
     [[nodiscard]] bool hasRoom() const;
-    /// Each parameter alone: what it gives and what it costs.
+    /// Adds settings that change one parameter alone, which shows its effect and cost.
     void addEachAlone();
-    /// Around the front, as long as it moves and there is room.
+    /// Adds settings around the front, while it moves and settings are left.
     void addAroundFront();
     void measureSteps();
     [[nodiscard]] double presentCost() const;
-    /// Of a setting: `present` where it does the same work or differs by noise.
+    /// Returns the cost of a setting: `present` if it does the same work or differs by noise only.
     [[nodiscard]] double searchedCost(const StudyPoint&, double present) const;
     [[nodiscard]] std::vector<Setting> predictedFront() const;
-    /// How far this is from what was asked for, as a logarithm; 0 when nothing was.
+    /// Returns the distance from the requested limit, as a logarithm; 0 without a limit.
     [[nodiscard]] double fromLimit(double error, double cost) const;
     [[nodiscard]] std::vector<std::size_t> searchedFront();
 

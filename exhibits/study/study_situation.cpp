@@ -21,7 +21,7 @@ bool isPinned(const StudyRequest& request, const StudyRow& row)
     return std::find(request.pinned.begin(), request.pinned.end(), row) != request.pinned.end();
 }
 
-/// The rows of a subject that keep their values.
+/// Returns the parameters of a subject that keep their values.
 std::vector<std::size_t> fixedRows(const StudyRequest& request, std::size_t subject)
 {
     std::vector<std::size_t> rows;
@@ -32,7 +32,7 @@ std::vector<std::size_t> fixedRows(const StudyRequest& request, std::size_t subj
     return rows;
 }
 
-/// Brings one parameter to where it shows, and notes what that changed.
+/// Changes settings until a parameter has an effect, and records the changes.
 class Arrangement {
 public:
     Arrangement(const StudyRequest& request, StudySituation& situation) : request_(request), situation_(situation) {}
@@ -115,7 +115,7 @@ private:
     StudySituation& situation_;
 };
 
-/// Whether every parameter acts in this view, and the view sets none of the changed rows otherwise.
+/// Returns whether every parameter acts in this view, and the view does not override a changed setting.
 bool showsAll(const StudyRequest& request, const StudySituation& situation, const StudyView& view)
 {
     for (const StudyAxis& axis : request.axes)
@@ -125,7 +125,7 @@ bool showsAll(const StudyRequest& request, const StudySituation& situation, cons
     });
 }
 
-/// The declared views of the parameters; all views where none is declared.
+/// Returns the declared views of the parameters; all views if none are declared.
 std::vector<StudyView> declaredViews(const StudyRequest& request, const std::vector<StudyView>& all)
 {
     std::vector<StudyView> views;
@@ -143,7 +143,7 @@ std::vector<StudyView> declaredViews(const StudyRequest& request, const std::vec
     return views.empty() ? all : views;
 }
 
-/// The acting rows that are exact in the reference only.
+/// Returns the acting parameters that are exact in the reference only.
 std::vector<StudyRow> exactRows(const StudyRequest& request, const SceneState& sceneState)
 {
     std::vector<StudyRow> rows;
@@ -169,7 +169,7 @@ std::string textOf(const StudyRequest& request, const StudyRow& row, double valu
     return axisValueText(request.sceneState, {row.subject, row.row, {}}, value);
 }
 
-/// The name of a row within quotes.
+/// Returns the name of a parameter in quotes.
 std::string quoted(Subjects subjects, const StudyRequest& request, const StudyRow& row, RowNames names)
 {
     const StudyAxis at{row.subject, row.row, {}};
@@ -197,7 +197,7 @@ std::string sentenceOf(Subjects subjects, const StudyRequest& request, const Stu
     return "Studied with " + row + " at " + value + " instead of " + former + ", so that " + parameter + " acts.";
 }
 
-/// As `--set` reads it: plain numbers are in SI units.
+/// Returns a value in the form that `--set` reads: plain numbers are in SI units.
 std::string optionText(const ParameterInfo& row, const Value& value)
 {
     return row.isNumeric() ? render::shortestNumber(std::get<double>(value)) : formatValue(row, value);
@@ -224,7 +224,7 @@ StudySituation studySituation(Subjects subjects, const StudyRequest& request)
         return situation;
     }
     Arrangement arrangement(request, situation);
-    // What is declared may itself act only in some setting, so that the conditions come last, too.
+    // Declared settings may themselves need conditions, so those are applied again at the end.
     for (std::size_t axis = 0; axis < request.axes.size(); ++axis) arrangement.makeActing(axis);
     for (std::size_t axis = 0; axis < request.axes.size(); ++axis) arrangement.arrange(axis);
     for (std::size_t axis = 0; axis < request.axes.size(); ++axis) arrangement.makeActing(axis);
@@ -275,7 +275,7 @@ std::vector<std::string> settingsToRepeat(Subjects subjects, const StudyRequest&
         sceneState.values[change.row.subject].setRow(change.row.row, change.to);
     std::vector<std::string> settings;
     for (std::size_t subject = 0; subject < sceneState.values.size(); ++subject) {
-        // Alone, other exhibits are out of the picture.
+        // Other exhibits are not in the picture if the subject is alone.
         if (request.alone && subject != request.subject && subject != hallIndex) continue;
         const ParameterValues& values = sceneState.values[subject];
         for (std::size_t row = 0; row < values.rows().size(); ++row)

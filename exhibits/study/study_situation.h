@@ -9,39 +9,39 @@
 
 namespace vitrine {
 
-/// Where a study measures: the settings and the views in which its parameters show.
+/// Settings and views of a study in which its parameters have an effect.
 struct StudySituation {
-    SceneState sceneState;             ///< The request's, changed where its parameters would not show.
+    SceneState sceneState;             ///< The request's, changed so that parameters have an effect.
     std::vector<StudyChange> changes;  ///< What was changed, and why.
-    std::vector<StudyRow> exact;       ///< Rows with their most exact value in the reference only.
-    std::vector<StudyView> views;      ///< Of the request's subject; never empty.
+    std::vector<StudyRow> exact;       ///< Parameters with their most exact value in the reference only.
+    std::vector<StudyView> views;      ///< Views of the request's subject; never empty.
 };
 
-/// Finds the situation of a study from the tables: from the conditions of its parameters (`ParameterInfo::actsWhen`)
-/// and from what is declared beside them (`StudiedRow`). Rows that are studied or pinned keep their values.
+/// Finds the situation of a study from the conditions of its parameters (`ParameterInfo::actsWhen`) and from what
+/// tables declare about them (`StudiedRow`). Studied and pinned parameters keep their values.
 [[nodiscard]] StudySituation studySituation(Subjects, const StudyRequest&);
 
-/// Whether a study leaves all settings as they are: because it was asked to, or because it looks for the best setting
-/// of this very scene state (over three parameters or more, or within a limit).
+/// Returns whether a study leaves all settings unchanged. It does on request, or if it looks for the best setting of
+/// this scene state (over three parameters or more, or within a limit).
 [[nodiscard]] bool keepsSettings(const StudyRequest&);
 
 /// Returns what the table declares of an axis's parameter.
 [[nodiscard]] StudiedRow declaredOf(const SceneState&, const StudyAxis&);
 
-/// How sentences name parameters.
+/// Form of parameter names in sentences.
 enum class RowNames : std::uint8_t {
-    typed,  ///< As a command line takes them: "levelOfDetail".
-    shown   ///< As the interface shows them: "Level of detail".
+    typed,  ///< As on the command line: "levelOfDetail".
+    shown   ///< As in the interface: "Level of detail".
 };
 
-/// Each change as a sentence: "Studied with “levelOfDetail” at off instead of on, which would limit “shellCount”."
-/// Further sentences name rows that limit a parameter and stay as they were set, and rows that are exact in the
-/// reference only.
+/// Returns each change as a sentence: "Studied with “levelOfDetail” at off instead of on, which would limit
+/// “shellCount”." Further sentences name parameters that limit another one and were not changed, and parameters that
+/// are exact in the reference only.
 [[nodiscard]] std::vector<std::string> situationSentences(Subjects, const StudyRequest&, const StudyResult&,
                                                           RowNames = RowNames::typed);
 
-/// All settings that differ from the initial ones, as `--set` takes them: "levelOfDetail=off", "hall.sunStrength=2".
-/// The same study with them measures the same.
+/// Returns all settings that differ from the initial ones, in the form of `--set`: "levelOfDetail=off",
+/// "hall.sunStrength=2". A study with these settings measures the same.
 [[nodiscard]] std::vector<std::string> settingsToRepeat(Subjects, const StudyRequest&, const StudyResult&);
 
 }  // namespace vitrine

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using render::Json;
 
-/// The files of a folder that may be studies.
+/// Returns the files of a folder that may be studies.
 std::vector<fs::path> filesIn(const fs::path& folder)
 {
     std::vector<fs::path> files;
@@ -48,7 +48,7 @@ fs::path picturesOf(const fs::path& study)
     return path.replace_extension(".pictures.exr");
 }
 
-/// Pictures are the lesser part: where they cannot be moved along, they are lost, and the study is not.
+/// Moves the pictures along. If that fails, the pictures are lost, but not the study.
 void movePictures(const fs::path& from, const fs::path& to)
 {
     std::error_code ignored;
@@ -167,7 +167,7 @@ ContactSheet StudyStore::pictures(const fs::path& path, const KeptStudy& study) 
 fs::path StudyStore::write(const Json& study) const
 {
     const std::string text = render::writeJson(study);
-    const KeptStudy read = parseStudy(render::parseJson(text, "the study", studyLimits));  // Only what can come back.
+    const KeptStudy read = parseStudy(render::parseJson(text, "the study", studyLimits));  // Must be readable again.
     makeRoomFor(text.size());
     fs::path path = freePath(folder_, slugFor(read.measured + ' ' + read.exhibit + ' ' + read.parameterNames()));
     writeOwnFile(path, text);

@@ -10,27 +10,30 @@
 
 namespace vitrine {
 
-/// A kept study as a list shows it.
+/// Kept study in a list.
 struct StudyEntry {
     std::filesystem::path path;
-    std::string problem;  ///< Why it cannot be read; empty where it can, and then the rest is filled in.
+    std::string problem;  ///< Why it cannot be read; empty if it can, and then `study` is filled in.
     KeptStudy study = {};
 };
 
-/// What a study without a name of its own is called after: its file, or the folder of a "study.json".
+/// Returns the name for a study without its own name: that of its file, or of the folder of a "study.json".
 [[nodiscard]] std::string nameOfStudyFile(const std::filesystem::path&);
 
-/// What `StudyStore::remove` moved away.
+/// Files that `StudyStore::remove` moved.
 struct RemovedStudy {
     std::filesystem::path original, trashed;
 };
 
-/// The studies on disk, a file each, as `studyJson` writes them, with "measured", "complete" and a name beside it; the
-/// pictures of "NAME.json", where they were kept, in "NAME.pictures.exr".
+/// Studies on disk, one file each, as `studyJson` writes them, with "measured", "complete" and a name added. The
+/// pictures of "NAME.json", if kept, are in "NAME.pictures.exr".
 ///
-/// They are bounded in number and bytes: before a new one is kept, the oldest without a name go, and of pictures those
-/// of the oldest without a name. One with a name, and a file that cannot be read, never go by themselves. Every
-/// function throws Failure naming file and cause, and then has changed nothing.
+/// Number and bytes are limited. Before a new study is kept, the oldest ones without a name are deleted, and likewise
+/// pictures of the oldest ones without a name. Studies with a name, and files that cannot be read, are never deleted
+/// automatically.
+///
+/// Every function throws Failure naming file and cause. The studies are then unchanged, but `add` may have kept some of
+/// a file's studies, and `keepPictures` may have removed earlier pictures.
 class StudyStore {
 public:
     struct Limits {
@@ -43,24 +46,24 @@ public:
         : folder_(std::move(folder)), trash_(std::move(trash)), limits_(limits)
     {
     }
-    /// In `stateFolder()`.
+    /// Returns the store in `stateFolder()`.
     [[nodiscard]] static StudyStore standard();
 
-    /// The newest first; those that cannot be read last.
+    /// Lists the newest first, unreadable files last.
     [[nodiscard]] std::vector<StudyEntry> list() const;
-    /// Keeps what `studyJson` made; `measured` as `KeptStudy::measured`. Returns its path.
+    /// Keeps what `studyJson` made; `measured` is in the format of `KeptStudy::measured`. Returns its path.
     std::filesystem::path keep(render::Json study, const std::string& measured, bool complete) const;
-    /// Keeps copies of the studies of a file from elsewhere after reading all of it, under their own names, or that of
-    /// the file or its folder; returns their paths, or those of the same studies where they are kept already.
+    /// Keeps copies of the studies in another file after reading all of it. Names are their own, or that of the file or
+    /// its folder. Returns the paths; a study that is kept already is not copied.
     std::vector<std::filesystem::path> add(const std::filesystem::path& from) const;
     void rename(const std::filesystem::path&, const std::string& name) const;
-    /// Keeps the pictures of a study that is kept; an empty sheet is none.
+    /// Keeps the pictures of a kept study; an empty sheet adds none.
     void keepPictures(const std::filesystem::path& study, const ContactSheet&) const;
-    /// Those of a study; empty where none were kept.
+    /// Returns the pictures of a study; empty if none were kept.
     [[nodiscard]] ContactSheet pictures(const std::filesystem::path&, const KeptStudy&) const;
-    /// Moves it to the trash, and its pictures.
+    /// Moves a study and its pictures to the trash.
     [[nodiscard]] RemovedStudy remove(const std::filesystem::path&) const;
-    /// Puts it back, under another file name where its own is taken by now; returns the path.
+    /// Moves a study back, with another file name if its own is taken. Returns the path.
     std::filesystem::path restore(const RemovedStudy&) const;
 
 private:

@@ -15,10 +15,10 @@ namespace {
 using render::Json;
 using render::shortNumber;
 
-/// Ends of an interval of factors that are further apart say nothing that helps to choose a setting.
+/// An interval of factors wider than this does not help to choose a setting.
 constexpr double widestFactor = 4;
 
-/// JSON has no word for what is not finite.
+/// JSON cannot express values that are not finite.
 Json number(double x)
 {
     return std::isfinite(x) ? Json(x) : Json(nullptr);
@@ -89,7 +89,7 @@ std::string numberText(double x)
     return std::isfinite(x) ? render::shortestNumber(x) : "";
 }
 
-/// How the cost of `chosen` stands to that of the present setting, as the end of a sentence.
+/// Returns the cost of `chosen` relative to the present setting, as the end of a sentence.
 std::string besidePresent(const StudyResult& result, const StudyPoint& chosen)
 {
     if (!result.present) return {};
@@ -153,7 +153,7 @@ std::string costTitle(const std::string& costName)
     if (costName == "ms") return "milliseconds";
     if (costName == "pixels") return "pixel samples";
     if (costName == "fetches") return "texture fetches";
-    if (costName == "samples") return "samples kept";  // Those that were discarded or hidden are not counted.
+    if (costName == "samples") return "samples kept";  // Discarded and hidden samples are not counted.
     std::string words;                                 // "march steps" for "marchSteps".
     for (const char c : costName) {
         const bool capital = c >= 'A' && c <= 'Z';
@@ -230,7 +230,7 @@ Json axesJson(Subjects subjects, const StudyRequest& request, const StudyResult&
     return axes;
 }
 
-/// What the study set otherwise than it was asked to, and how to repeat it.
+/// Returns the settings that the study changed, and how to repeat it.
 Json situationJson(Subjects subjects, const StudyRequest& request, const StudyResult& result)
 {
     Json changed = Json::array(), sentences = Json::array(), settings = Json::array();
