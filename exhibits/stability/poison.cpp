@@ -23,7 +23,7 @@ std::string at(const std::string& image, int x, int y, int channel, const std::s
            std::to_string(channel);
 }
 
-/// Calls `fault(x, y, channel)` for every value; returns the first that is not empty.
+/// Calls `fault(x, y, channel)` for every value. Returns the first result that is not empty.
 template <typename Fault> std::string firstFault(const render::Image& image, const Fault& fault)
 {
     for (int y = 0; y < image.height; ++y)

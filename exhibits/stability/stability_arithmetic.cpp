@@ -27,11 +27,11 @@ constexpr int inputCount = 6;
 constexpr int pointCount = 512;
 constexpr int fieldCount = 24;
 
-/// What `hardCase(index)` of shaders/lib/hard_cases.glsl is asked.
+/// Input of `hardCase(index)` in shaders/lib/hard_cases.glsl.
 struct Arithmetic {
     const char* number;
     const char* what;
-    double limit;  ///< Absolute; drivers compute arc tangents and powers to some 4e-6.
+    double limit;  ///< Absolute; drivers compute arc tangents and powers to about 4e-6.
     std::array<glm::vec4, inputCount> inputs;
 };
 
@@ -115,7 +115,7 @@ const std::array<Arithmetic, 17> arithmetic{{
      {V(1, 0, 0, 0), V(0, 0, 0, 0), V(-1, 0, 0, 0), V(1, 2, 0, 0), V(-3, 4, 0, 0), V(0, 5, 0, 0)}},
 }};
 
-/// One picture of a shader that needs no geometry: `width` × `height` numbers.
+/// Returns the output of a fragment shader without geometry, `size` pixels of numbers.
 render::Image computed(render::RenderBackend& backend, const char* fragment, std::vector<std::string> defines,
                        render::Bytes block, glm::ivec2 size)
 {
@@ -134,13 +134,13 @@ render::Image computed(render::RenderBackend& backend, const char* fragment, std
     return backend.read("found");
 }
 
-/// Row `row` of a picture whose row 0 is at the bottom.
+/// Returns a number of row `row` of a picture whose row 0 is at the bottom.
 float numberAt(const render::Image& image, int x, int row, int channel)
 {
     return image.at(x, image.height - 1 - row, channel);
 }
 
-/// How far `found` is from `truth`; infinite for what is not finite.
+/// Returns the difference of `found` from `truth`; infinite if `found` is not finite.
 double errorOf(double found, double truth)
 {
     return std::isfinite(found) ? std::abs(found - truth) : std::numeric_limits<double>::infinity();
@@ -163,10 +163,10 @@ StabilityResult judged(const Arithmetic& a, int row, const render::Image& image)
         const glm::vec4& input = a.inputs[static_cast<std::size_t>(i)];
         const double truth = glsl::hardCase(row, glm::dvec4(input));
         double error = errorOf(numberAt(image, i, row, 0), truth);
-        // A fraction just below 1 and one at 0 are neighbors.
+        // A fraction just below 1 is close to one at 0.
         if (std::string_view(a.number) == "H99" && numberAt(image, i, row, 0) < 1)
             error = std::min(error, std::abs(1 - error));
-        // Of numbers beyond 1, the limit is a share.
+        // The limit is relative for numbers above 1.
         error /= std::max(1.0, std::abs(truth));
         if (!(error <= result.value)) {
             result.value = error;

@@ -12,7 +12,7 @@
 namespace vitrine {
 namespace {
 
-/// The largest difference of any channel; infinite when sizes differ or only one is a number somewhere.
+/// Returns the largest difference of any channel; infinite if sizes differ, or if only one value is a number somewhere.
 double difference(const render::Image& a, const render::Image& b)
 {
     if (a.pixels.size() != b.pixels.size()) return std::numeric_limits<double>::infinity();
@@ -25,7 +25,7 @@ double difference(const render::Image& a, const render::Image& b)
     return largest;
 }
 
-/// The exhibit at index `i` as visitors see it first, alone, in a light that costs little to capture.
+/// The initial view of the exhibit at index `i`, alone, in light that is cheap to capture.
 struct Still {
     SceneState sceneState;
     PictureRequest request;
@@ -50,7 +50,7 @@ render::Image picture(const Museum& museum, render::RenderBackend& backend, cons
     return maker.picture();
 }
 
-/// The frame, over memory that holds `poison`.
+/// Returns the frame drawn over memory filled with `poison`.
 render::Image over(const Poison& poison, const Museum& museum, render::RenderBackend& backend, const Still& s)
 {
     (void)backend.draw(
@@ -59,7 +59,7 @@ render::Image over(const Poison& poison, const Museum& museum, render::RenderBac
     return backend.read("frame");
 }
 
-/// Asks every exhibit for a difference that may not be above `limit`, and keeps the largest.
+/// Computes a difference for every exhibit that must not exceed `limit`, and keeps the largest.
 template <typename Difference>
 StabilityResult overExhibits(const Museum& museum, std::string number, std::string what, double limit,
                              const Difference& differenceOf)
@@ -124,7 +124,7 @@ std::vector<StabilityResult> pictureCases(const Museum& museum, render::RenderBa
         const Still s = still(museum, i);
         return difference(picture(museum, backend, s), picture(museum, backend, s));
     }));
-    // Rays are the same to the bit; what is rasterized is interpolated over other corners, to less than half a level.
+    // Rays are bitwise equal. Rasterized surfaces are interpolated from other corners, within half a level.
     results.push_back(overExhibits(museum, "", "The same picture in tiles", 0.5 / 255, [&](std::size_t i) {
         Still s = still(museum, i);
         const render::Image whole = picture(museum, backend, s);

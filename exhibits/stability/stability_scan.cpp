@@ -17,9 +17,9 @@
 namespace vitrine {
 namespace {
 
-constexpr double farAway = 1e5;  ///< Meters: a float32 position there has steps of 8 mm.
+constexpr double farAway = 1e5;  ///< Meters; float32 positions there have steps of 8 mm.
 constexpr glm::ivec2 plainSize{24, 16};
-constexpr std::uint64_t sharedBy = 32;  ///< Neighboring seeds that share light and hall.
+constexpr std::uint64_t sharedBy = 32;  ///< Number of neighboring seeds that share light and hall.
 
 render::Camera randomCamera(const Subject& subject, const ParameterValues& values, RandomNumbers& random)
 {
@@ -39,7 +39,7 @@ render::Camera randomCamera(const Subject& subject, const ParameterValues& value
         camera.target = box.center();
         break;
     }
-    case 2:  // So far that it is a point.
+    case 2:  // So far away that the exhibit is a point.
         camera.eye = box.center() + random.direction() * farAway;
         camera.target = box.center();
         camera.fovY = std::numbers::pi / 180;
@@ -48,7 +48,7 @@ render::Camera randomCamera(const Subject& subject, const ParameterValues& value
         camera.eye = box.center() + glm::dvec3(0, 2 * reach, 0);
         camera.target = box.center();
         break;
-    default:  // Anywhere, through any lens.
+    default:  // Anywhere, with any field of view.
         camera.eye = box.center() + random.direction() * (reach * random.number(0.5, 5));
         camera.target = box.center() + random.direction() * (0.5 * reach);
         camera.fovY = random.number(1, 175) * std::numbers::pi / 180;
@@ -71,7 +71,7 @@ glm::ivec2 randomSize(RandomNumbers& random)
     return random.chance(0.3) ? odd[static_cast<std::size_t>(random.index(static_cast<int>(odd.size())))] : plainSize;
 }
 
-/// Where the exhibit is put, beyond its own place.
+/// Returns a random transform of the exhibit, in addition to its own place.
 glm::dmat4 randomPlace(RandomNumbers& random)
 {
     if (random.chance(0.75)) return glm::dmat4(1);
@@ -85,7 +85,7 @@ glm::dmat4 randomPlace(RandomNumbers& random)
     }
 }
 
-/// The camera in the space that the frame is drawn in, from the exhibit's own.
+/// Returns the camera transformed from exhibit space to the space in which the frame is drawn.
 render::Camera placed(const Museum& museum, const ScanCase& c, const render::Camera& camera)
 {
     if (c.exhibit == hallIndex) return camera;
@@ -94,7 +94,7 @@ render::Camera placed(const Museum& museum, const ScanCase& c, const render::Cam
     return camera.transformed(worldFromExhibit);
 }
 
-/// Initial values, in a light that costs little to capture.
+/// Returns initial values, in light that is cheap to capture.
 SceneState plainSceneState(const Museum& museum)
 {
     SceneState sceneState = museum.initialSceneState();
@@ -102,7 +102,7 @@ SceneState plainSceneState(const Museum& museum)
     return sceneState;
 }
 
-/// Any light; but maps and captures are as small as they get all but now and then.
+/// Returns random light, in which maps and captures are small except sometimes.
 ParameterValues randomLight(const Museum& museum, RandomNumbers& random)
 {
     const Parameters& table = museum.hall().parameters();
@@ -114,7 +114,7 @@ ParameterValues randomLight(const Museum& museum, RandomNumbers& random)
     return values;
 }
 
-/// "row value" for people, as `--set` takes it.
+/// Returns a setting in the form of `--set`: name and value.
 std::string settingText(const ParameterValues& values, std::size_t row)
 {
     return std::string(values.rows()[row].name) + ' ' + formatValue(values.rows()[row], values.row(row));
@@ -127,7 +127,7 @@ ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
     RandomNumbers random(seed);
     const Subject& subject = museum.subject(exhibit);
     ScanCase c{exhibit, plainSceneState(museum), {}};
-    // Light that changes has to be captured again, and so has a hall that comes and goes: neighbors share theirs.
+    // Changing light, and a hall that comes and goes, have to be captured again. So neighboring seeds share theirs.
     RandomNumbers shared(seed / sharedBy);
     const bool inHall = exhibit == hallIndex || shared.chance(0.15);
     if (exhibit != hallIndex && shared.chance(0.5)) c.sceneState.hall() = randomLight(museum, shared);
@@ -145,7 +145,7 @@ ScanCase scanCase(const Museum& museum, std::size_t exhibit, std::uint64_t seed)
     c.frame.raster.size = randomSize(random);
     c.frame.time = randomTime(random);
     c.frame.seed = static_cast<std::uint32_t>(random.index(1 << 30));
-    // As files are made and as the window is: two kinds, because every further one has all programs compiled again.
+    // Frames are as for files or as in the window. Each further kind would compile all programs again.
     const bool forFile = random.chance(0.6);
     c.frame.channels = {forFile, forFile};
     c.frame.averageIn = forFile ? AverageIn::radiance : AverageIn::display;
@@ -168,7 +168,7 @@ std::vector<std::string> causesOf(const Museum& museum, render::RenderBackend& b
 {
     std::vector<std::string> causes;
     const Subject& subject = museum.subject(c.exhibit);
-    // Each in turn is set back; where the fault stays away with it, it is a cause and stays as it was.
+    // Resets each setting in turn. If the fault disappears, the setting is a cause and keeps its value.
     const auto tryPlain = [&](const std::string& name, const std::function<void(ScanCase&)>& setBack) {
         ScanCase plain = c;
         setBack(plain);
