@@ -11,7 +11,8 @@ namespace {
 constexpr std::array colorMetrics{render::Metric::flip, render::Metric::rmse, render::Metric::psnr, render::Metric::max,
                                   render::Metric::beyond};
 
-/// A frame of several tiles took what they took together; what only ran for the first of them is a part of it.
+/// Adds a tile to the report of its frame: milliseconds are summed, and steps that ran for the first tile only are
+/// kept.
 void addTile(render::FrameReport& whole, const render::FrameReport& tile)
 {
     std::map<std::string, int> seen;
@@ -73,7 +74,7 @@ bool Comparison::step()
 double Comparison::progress() const
 {
     if (finished_) return 1;
-    // A timed frame is about one sample.
+    // A timed frame takes about as long as one sample.
     const double timed = request_.runs > 0 ? 2.0 * (request_.runs + 1) : 0;
     double all = timed, done = static_cast<double>(framesTimed_);
     for (std::size_t side = 0; side < 2; ++side) {
@@ -96,7 +97,7 @@ void Comparison::takePicture(std::size_t side)
 void Comparison::drawTimed(std::size_t side)
 {
     FrameRequest frame = request_.frame;
-    frame.cut = frame.finished = true;  // As the picture.
+    frame.cut = frame.finished = true;  // The same as for the picture.
     const glm::ivec2 size = frame.raster.size;
     const int largest = std::max(std::min(request_.largestTile, backend_.largestSide()), 1);
     std::optional<render::FrameReport> whole;
@@ -114,7 +115,7 @@ void Comparison::drawTimed(std::size_t side)
         }
     render::FrameReport& report = *whole;
     ComparedSide& compared = result_.sides[side];
-    if (framesTimed_ >= 2) {  // The first one of each builds programs.
+    if (framesTimed_ >= 2) {  // The first frame of each compiles programs.
         compared.milliseconds.push_back(report.milliseconds);
         std::map<std::string, int> seen;
         for (const render::StepReport& step : report.ran) {

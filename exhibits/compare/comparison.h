@@ -16,49 +16,49 @@
 
 namespace vitrine {
 
-/// Two settings of one museum, A and B, seen by one camera at one moment with one seed.
+/// Two settings of one museum, A and B, seen by one camera at one time with one seed.
 struct ComparisonRequest {
     std::array<SceneState, 2> settings;
-    FrameRequest frame;                ///< Camera, size, time and seed of both; the rest as in PictureRequest.
+    FrameRequest frame;                ///< Camera, size, time and seed of both; the rest is as in PictureRequest.
     std::array<int, 2> samples{4, 4};  ///< Supersamples per pixel.
-    /// Timed frames of each, after one that is not timed. A and B take turns, so that in every frame what the two do
-    /// not share (a shadow map of another size) is drawn anew, and what they share is kept, as between two frames of
-    /// either. Without any, the ledger is that of the pictures.
+    /// Number of timed frames of each, after one that is not timed. A and B alternate. So each frame draws again what
+    /// the two do not share (a shadow map of another size), and keeps what they share, as between two frames of either.
+    /// With 0, the frame report is that of the pictures.
     int runs = 5;
-    int largestTile = 2048;  ///< As PictureRequest's.
+    int largestTile = 2048;  ///< As in PictureRequest.
     double pixelsPerDegree = render::flipPixelsPerDegree;
 };
 
-/// What one of them looks like and costs.
+/// Picture and cost of one setting.
 struct ComparedSide {
-    render::Image picture;       ///< R, G, B, A: display-referred linear light.
-    render::FrameReport report;  ///< Of one frame of one sample; its steps' milliseconds are medians of the runs.
+    render::Image picture;       ///< R, G, B, A: linear light for display.
+    render::FrameReport report;  ///< Report of one frame of one sample; milliseconds of steps are medians of the runs.
     std::optional<render::Summary> time;  ///< Milliseconds of that frame over the runs.
-    std::vector<double> milliseconds;     ///< Run by run.
+    std::vector<double> milliseconds;     ///< One per run.
 };
 
 struct ComparisonResult {
     std::array<ComparedSide, 2> sides;
-    std::map<render::Metric, double> errors;  ///< Of B's colors, with A as the reference.
+    std::map<render::Metric, double> errors;  ///< Errors of B's colors relative to A.
     std::vector<DifferingRow> rows;
     std::vector<PassCost> passes;
     std::vector<CounterCost> counters;
 };
 
-/// Makes the pictures of two settings and measures both, step by step, so that a window can show progress and stop
+/// Makes the pictures of two settings and measures both. It works step by step, so a window can show progress and stop
 /// between steps.
 class Comparison {
 public:
-    /// Museum and backend must outlive it. Steps are timed one by one where the backend does that. Throws Failure
-    /// (Blame::usage) as PictureMaker does.
+    /// Museum and backend must outlive it. Each pass is timed if the backend supports it. Throws Failure (Blame::usage)
+    /// like PictureMaker.
     Comparison(const Museum&, render::RenderBackend&, ComparisonRequest);
 
-    /// Draws one sample of one tile, or times one frame. Returns false when all was done before.
+    /// Draws one sample of one tile, or times one frame. Returns false if everything is done.
     bool step();
     [[nodiscard]] double progress() const;  ///< 0 to 1.
     [[nodiscard]] bool finished() const { return finished_; }
     [[nodiscard]] const ComparisonRequest& request() const { return request_; }
-    /// Only when finished.
+    /// Valid once finished.
     [[nodiscard]] const ComparisonResult& result() const { return result_; }
 
 private:
@@ -72,9 +72,9 @@ private:
     ComparisonRequest request_;
     ComparisonResult result_;
     std::array<std::optional<PictureMaker>, 2> makers_;
-    // By pass, and its number among those of that name.
+    // Milliseconds by name of the step, and its index among those of that name.
     std::array<std::map<std::pair<std::string, int>, std::vector<double>>, 2> stepTimes_;
-    std::size_t framesTimed_ = 0;  // Of both, the first of each among them.
+    std::size_t framesTimed_ = 0;  // Frames of both, including the first of each.
     bool finished_ = false;
 };
 

@@ -5,7 +5,7 @@
 namespace vitrine {
 namespace {
 
-/// The row of the same name and kind.
+/// Returns the parameter of the same name and kind.
 std::optional<std::size_t> twinOf(const ParameterInfo& row, const ParameterValues& other)
 {
     const std::optional<std::size_t> found = other.table().find(row.name);

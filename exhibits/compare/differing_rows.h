@@ -9,24 +9,24 @@
 
 namespace vitrine {
 
-/// A row that two settings, A and B, have different values in.
+/// Parameter whose values in two settings, A and B, differ.
 struct DifferingRow {
-    std::size_t subject = 0;    ///< By its index in SceneState::values.
-    std::string name;           ///< Of the row: tables that files made tell their rows by name only.
-    ParameterInfo info;         ///< Of A, or of B where A has no such row; valid while the settings are.
-    std::optional<Value> a, b;  ///< Nothing: the table of that one lacks the row.
+    std::size_t subject = 0;    ///< Index in SceneState::values.
+    std::string name;           ///< Name of the parameter; tables made from files identify parameters by name only.
+    ParameterInfo info;         ///< A's parameter, or B's if A has none; valid as long as the settings.
+    std::optional<Value> a, b;  ///< Unset if the table of that setting lacks the parameter.
     bool actsInA = false, actsInB = false;
 };
 
-/// Every row in which the two differ, subject by subject in the order of the tables, those that only B has last. A row
-/// of another kind under the same name is another row. Both are of one museum.
+/// Returns every parameter in which the two differ, by subject and in the order of the tables, those of B alone last.
+/// Parameters with the same name but of different kind are different ones. Both must be of one museum.
 [[nodiscard]] std::vector<DifferingRow> differingRows(const SceneState& a, const SceneState& b);
 
-/// Gives `to` the value that `from` has in that row, or the nearest legal one there; files take their documents with
-/// them. Returns whether both tables have such a row.
+/// Copies a parameter's value from `from` to `to`, as the nearest legal value there. Documents of files are copied
+/// along. Returns whether both tables have the parameter.
 bool copyRow(const SceneState& from, SceneState& to, std::size_t subject, const std::string& name);
 
-/// A value with its unit, as `--set` takes it: "30°", "0.5", "hard".
+/// Returns a value with its unit, in the form of `--set`: "30°", "0.5", "hard".
 [[nodiscard]] std::string valueWithUnit(const ParameterInfo&, const Value&);
 
 }  // namespace vitrine

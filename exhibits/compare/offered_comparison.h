@@ -8,13 +8,13 @@
 
 namespace vitrine {
 
-/// What the subject offers to be compared with; empty where it offers nothing.
+/// Returns the comparisons that the subject offers; empty if none.
 [[nodiscard]] std::vector<OfferedComparison> offeredComparisons(const Subject&);
 
-/// The one of that name. Throws Failure (Blame::usage) with the names that there are.
+/// Returns the comparison of that name. Throws Failure (Blame::usage) that lists the names.
 [[nodiscard]] OfferedComparison offeredComparison(const Subject&, std::string_view name);
 
-/// B of the comparison: everything as in A but for the offered rows of that subject, which do not move.
+/// Returns B of the comparison: A with the offered values of that subject, without their motions.
 [[nodiscard]] SceneState otherSide(const SceneState& a, std::size_t subject, const OfferedComparison&);
 
 }  // namespace vitrine

@@ -10,7 +10,7 @@
 namespace vitrine {
 namespace {
 
-/// A frame's steps by name and number among those of that name.
+/// Name of a step, and its index among those of that name.
 using StepKey = std::pair<std::string, int>;
 struct LedgerLine {
     StepKey key;
@@ -43,7 +43,7 @@ std::vector<PassCost> passCosts(const render::FrameReport& a, const render::Fram
     std::vector<std::pair<StepKey, PassCost>> merged;
     for (LedgerLine& line : linesOf(a))
         merged.emplace_back(line.key, PassCost{line.key.first, line.work, std::move(line.side), {}});
-    std::size_t after = 0;  // What only B has goes here.
+    std::size_t after = 0;  // Position for passes of B alone.
     for (LedgerLine& line : linesOf(b)) {
         const auto found =
             std::find_if(merged.begin(), merged.end(), [&](const auto& known) { return known.first == line.key; });

@@ -9,15 +9,15 @@
 
 namespace vitrine {
 
-/// What became of a pass in one of two frames.
+/// State of a pass in one of two frames.
 struct PassSide {
     enum class State : std::uint8_t { ran, skipped, absent };
     State state = State::absent;
-    double milliseconds = -1;  ///< Negative where it was not measured.
+    double milliseconds = -1;  ///< Negative if not measured.
     std::string why = {};      ///< Why it ran or was skipped; empty when absent.
 };
 
-/// A pass, or step on the CPU, beside the same one of another frame.
+/// A pass, or a step on the CPU, in two frames.
 struct PassCost {
     std::string name;
     render::Work work = render::Work::raster;
@@ -29,16 +29,17 @@ struct PassCost {
     }
 };
 
-/// The ledgers of two frames side by side: in the order in which A ran them, what only B ran behind what B ran before
-/// it, then what neither ran. Passes are told by name; the n-th of one name belongs to the n-th of the other.
+/// Returns the frame reports of two frames side by side. Passes are in A's order. A pass that only B ran follows the
+/// one that B ran before it; passes that neither ran come last. Passes are matched by name, and the n-th of a name to
+/// the n-th of the other frame.
 [[nodiscard]] std::vector<PassCost> passCosts(const render::FrameReport& a, const render::FrameReport& b);
 
-/// A counter of two frames; nothing: that frame did not count it.
+/// Counter of two frames; unset if that frame did not count it.
 struct CounterCost {
     std::string name;
     std::optional<std::int64_t> a, b;
 };
-/// By name; those of the program's state are left out.
+/// Returns the counters by name, without those of the program's state.
 [[nodiscard]] std::vector<CounterCost> counterCosts(const render::FrameReport& a, const render::FrameReport& b);
 
 }  // namespace vitrine
