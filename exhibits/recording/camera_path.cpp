@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::size_t piecesOfLeg = 2048;
 constexpr double metersPerRadian = 1.5;
-/// The most that a look rises or falls, in radians: not quite straight up or down, where there is no bearing. The sine
-/// stays below the 0.99999 from which makeView turns the picture by another axis than the vertical.
+/// Largest elevation of the view direction, in radians: not quite vertical, where the bearing is undefined. Its sine
+/// stays below 0.99999, from which makeView uses another axis than the vertical.
 constexpr double steepest = 1.566;
 
 render::Camera cameraAt(const std::array<double, 7>& p)
@@ -66,7 +66,7 @@ CameraPath::CameraPath(const std::vector<render::Camera>& stops, bool closed) : 
         for (std::size_t i = 0; i < end.size(); ++i) beyond[i] = 2 * end[i] - inner[i];
         return beyond;
     };
-    // A closed path goes on as it began, its bearing whole turns on.
+    // A closed path continues as it began, with a bearing that differs by whole turns.
     const auto shifted = [&](Point p, double bearing) {
         p[3] += bearing;
         return p;
@@ -90,7 +90,7 @@ CameraPath::CameraPath(const std::vector<render::Camera>& stops, bool closed) : 
 
 CameraPath::Point CameraPath::onLeg(std::size_t leg, double part) const
 {
-    // Barry and Goldman's pyramid over four knots, whose distances are the square roots of those of the points.
+    // Barry and Goldman's pyramid over four knots, whose distances are the square roots of those between the points.
     std::array<Point, 4> p{};
     std::array<double, 4> knot{};
     for (std::size_t i = 0; i < 4; ++i) {
@@ -100,14 +100,14 @@ CameraPath::Point CameraPath::onLeg(std::size_t leg, double part) const
     const double t = knot[1] + part * (knot[2] - knot[1]);
     for (std::size_t level = 1; level < 4; ++level)
         for (std::size_t i = 0; i + level < 4; ++i) {
-            // The last level spans the two knots in the middle.
+            // The last level spans the two knots in the center.
             const double low = level == 3 ? knot[1] : knot.at(i);
             const double high = level == 3 ? knot[2] : knot.at(i + level);
             const double share = (t - low) / (high - low);
             for (std::size_t c = 0; c < p[0].size(); ++c)
                 p.at(i).at(c) = (1 - share) * p.at(i).at(c) + share * p.at(i + 1).at(c);
         }
-    // Here and not where the camera is made, so that the length knows where the look stands still.
+    // The clamp is here, and not where the camera is made, so the length accounts for it.
     p[0][4] = std::clamp(p[0][4], -steepest, steepest);
     return p[0];
 }

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largestFrame = std::size_t{1} << 30U;
 
-/// "%04d" or "%d" in a name: where it begins and ends, and how many digits at least.
+/// Position of "%04d" or "%d" in a name, and the least number of digits.
 struct NumberPlace {
     std::size_t begin = 0, end = 0;
     int digits = 1;
@@ -48,7 +48,7 @@ render::VideoSpec specOf(const RecordingRequest& request, render::VideoFormat fo
     return {format, frame.raster.size.x, frame.raster.size.y, request.framesPerSecond, frame.transparent, {}};
 }
 
-/// Whether a frame that says the same of itself is there.
+/// Returns whether a frame with the same preset and description exists.
 bool isThere(const fs::path& path, const std::string& preset, const std::string& line)
 {
     std::error_code ignored;
@@ -58,7 +58,7 @@ bool isThere(const fs::path& path, const std::string& preset, const std::string&
         return render::presetInPng(bytes, path.string()) == preset &&
                render::textInPng(bytes, "Description", path.string()) == line;
     } catch (const Failure&) {
-        return false;  // Not ours, or broken: it is drawn anew.
+        return false;  // Another program's file, or a broken one, is replaced.
     }
 }
 

@@ -13,41 +13,43 @@ class VideoFile;
 
 namespace vitrine {
 
-/// Throws Failure (Blame::usage) naming what to give instead when `out` is no name of a video (render::videoFormatOf)
-/// nor of frames, "folder/%04d.png", or the request's size, frame rate or transparency is not of that kind of video.
+/// Throws Failure (Blame::usage) that says what to give instead. `out` must be the name of a video
+/// (render::videoFormatOf) or of frames, "folder/%04d.png". The request's size, frame rate and transparency must suit
+/// that kind of video.
 void requireRecordable(const RecordingRequest&, const std::filesystem::path& out);
 
-/// The file of frame `k` (from 0), which is counted from 1: "folder/0001.png".
+/// Returns the file of frame `k` (from 0); names count from 1: "folder/0001.png".
 [[nodiscard]] std::filesystem::path framePath(const std::filesystem::path& pattern, int k);
 
-/// Of which frames a recording is made, where it is not drawn as a whole by one process.
+/// Frames that this process draws, if several make a recording.
 struct RecordingShare {
-    std::function<bool(int)> draws = {};  ///< Whether frame k (from 0) is drawn: of frames only. Empty: all are.
-    std::filesystem::path from = {};      ///< Frames that were drawn before, "folder/%04d.png": of a video only.
+    std::function<bool(int)> draws = {};  ///< Whether frame k (from 0) is drawn; for frames only. Empty: all are.
+    std::filesystem::path from = {};      ///< Frames drawn earlier, "folder/%04d.png"; for a video only.
 };
 
-/// Draws all frames into a video, or into PNG files, step by step. Each file carries the settings of everything as a
-/// preset, a frame with its own camera. A video that is not finished leaves nothing; frames stay as far as they are
-/// drawn, each of them whole, and those that are there already, made by the same settings and the same program, are
-/// kept.
+/// Draws all frames into a video, or into PNG files, step by step. Each file contains all settings as a preset; that of
+/// a frame includes its camera.
+///
+/// An unfinished video leaves no file. Frames remain as far as they are drawn, each of them complete. Existing frames
+/// made with the same settings and the same program are kept.
 class Recording {
 public:
-    /// Museum and backend must outlive it. Throws Failure as `requireRecordable`, render::VideoFile, and when the
-    /// frames' folder cannot be made.
+    /// Museum and backend must outlive it. Throws Failure like `requireRecordable` and render::VideoFile, and if the
+    /// frames' folder cannot be created.
     Recording(const Museum&, render::RenderBackend&, SceneState, std::size_t subject, RecordingRequest,
               std::filesystem::path out, RecordingShare = {});
     ~Recording();
     Recording(const Recording&) = delete;
     Recording& operator=(const Recording&) = delete;
 
-    /// As FrameMaker::step, and writes what is finished. Returns false when all was finished already. Throws Failure as
-    /// FrameMaker, render::VideoFile and render::writePicture; Blame::check where a frame that was drawn before is of
-    /// other settings.
+    /// Works like FrameMaker::step, and writes what is finished. Returns false if everything is finished. Throws
+    /// Failure like FrameMaker, render::VideoFile and render::writePicture, and Blame::check if a frame drawn earlier
+    /// has other settings.
     bool step();
     [[nodiscard]] double progress() const;  ///< 0 to 1.
     [[nodiscard]] bool finished() const { return finished_; }
-    [[nodiscard]] int drawn() const { return drawn_; }  ///< Frames, by this one.
-    [[nodiscard]] int kept() const { return kept_; }    ///< Frames that were there already.
+    [[nodiscard]] int drawn() const { return drawn_; }  ///< Frames that this object drew.
+    [[nodiscard]] int kept() const { return kept_; }    ///< Frames that existed already.
 
 private:
     [[nodiscard]] std::string presetAt(int k) const;
@@ -62,7 +64,7 @@ private:
     RecordingRequest request_;
     std::filesystem::path out_;
     RecordingShare share_;
-    std::unique_ptr<render::VideoFile> video_;  ///< Null: frames.
+    std::unique_ptr<render::VideoFile> video_;  ///< Null if frames are written.
     std::unique_ptr<FrameMaker> maker_;
     int next_ = 0, drawn_ = 0, kept_ = 0;
     bool finished_ = false;

@@ -9,38 +9,40 @@
 
 namespace vitrine {
 
-/// A film to make: every frame is a function of this and its number alone.
+/// Input of a recording. Every frame depends on this and on its index only.
 struct RecordingRequest {
-    PictureRequest picture;  ///< Of every frame; its time is that of the first one, its camera is not used.
+    PictureRequest picture;  ///< Request of every frame. Its time is that of the first frame; its camera is not used.
     CameraMotion camera;
     double seconds = 8;
     double framesPerSecond = 30;
-    bool closed = false;     ///< The frame after the last one would be the first again: it can be shown in a loop.
-    double shutter = 0;      ///< Share of a frame's time for which it is exposed, 0 to 1.
-    int shutterSamples = 8;  ///< Moments that are averaged over it; where the shutter is 0, one is drawn.
+    bool closed = false;     ///< Whether the frame after the last one equals the first, so the recording can be looped.
+    double shutter = 0;      ///< Share of a frame's duration for which it is exposed, 0 to 1.
+    int shutterSamples = 8;  ///< Number of averaged times within the exposure; 1 if the shutter is 0.
 
-    /// At least 1.
+    /// Returns the number of frames, at least 1.
     [[nodiscard]] int frames() const;
 };
 
-/// Where and when the moments of frame `k` are, in order: times begin at the request's plus k / framesPerSecond.
+/// Returns cameras and times of the samples of frame `k`, in order. Times begin at the request's plus k /
+/// framesPerSecond.
 [[nodiscard]] std::vector<Moment> momentsOf(const RecordingRequest&, int k);
 
-/// How the frame is made besides the settings of everything, one line: two frames of the same settings and the same
-/// line are the same picture.
+/// Returns one line on how the frame is made, besides the settings. Two frames with the same settings and the same line
+/// are the same picture.
 [[nodiscard]] std::string frameLine(const RecordingRequest&, int k);
 
 /// Makes one frame step by step, as PictureMaker makes a picture.
 class FrameMaker {
 public:
-    /// Museum and backend must outlive it. Throws Failure as PictureMaker.
+    /// Museum and backend must outlive it. Throws Failure like PictureMaker.
     FrameMaker(const Museum&, render::RenderBackend&, SceneState, const RecordingRequest&, int k);
 
-    /// Draws one sample of one tile of one moment. Returns false when it was already finished.
+    /// Draws one sample of one tile at one time. Returns false if the frame is finished.
     bool step();
     [[nodiscard]] double progress() const;  ///< 0 to 1.
     [[nodiscard]] bool finished() const { return done_ == moments_.size(); }
-    /// As PictureMaker::picture: the mean of the moments, colors weighed by their alpha. Only when finished.
+    /// Returns the mean of the samples in the format of PictureMaker::picture, with colors weighted by alpha. Valid
+    /// once finished.
     [[nodiscard]] const render::Image& picture() const { return sum_; }
 
 private:

@@ -69,7 +69,7 @@ Bookmark readBookmark(const JsonDocument& document, const Json& entry, std::size
     return bookmark;
 }
 
-/// Eyes on the way round, looking ahead.
+/// Returns cameras along a walked way, looking ahead.
 std::vector<render::Camera> walked(const std::vector<glm::dvec3>& way, const render::Camera& from,
                                    const render::Camera& to)
 {
@@ -88,13 +88,13 @@ std::vector<render::Camera> walked(const std::vector<glm::dvec3>& way, const ren
     return stops;
 }
 
-/// Where two stops of a path are, with what was put between them.
+/// Stops between two bookmarks, and the number of attempts.
 struct Leg {
     std::vector<render::Camera> between;
     int tries = 0;
 };
 
-/// Strides of the way round, of the first try, the second ...: the closer, the nearer the spline stays to it.
+/// Strides of the way for each attempt, meters: the shorter, the closer the spline follows it.
 constexpr std::array<double, 4> strides = {3, 1.2, 0.6, 0.3};
 
 CameraPath pathThrough(const Tour& tour, const std::vector<Leg>& legs, std::vector<std::size_t>& legOfStop)
@@ -162,7 +162,7 @@ std::string tourText(const Tour& tour)
 
 double firstCollision(const Obstacles& obstacles, const CameraMotion& motion)
 {
-    // Cameras look where they go: the eye's way counts, and it is short between two of these.
+    // The position of the eye decides, and it moves little between two times.
     constexpr int steps = 2000;
     glm::dvec3 before = motion(0).eye;
     for (int i = 0; i <= steps; ++i) {
@@ -182,7 +182,7 @@ CameraPath tourPath(const Obstacles& obstacles, const Tour& tour)
                                            "\" is inside of a wall or of what stands in the hall; move it.");
     const std::size_t count = tour.bookmarks.size();
     std::vector<Leg> legs(tour.closed ? count : count - 1);
-    // Where a visitor could not go straight, a camera would fly over plinths and through what stands on them.
+    // Where a user cannot walk straight, a camera would fly over plinths and through what stands on them.
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const render::Camera &from = tour.bookmarks[i].camera, &to = tour.bookmarks[(i + 1) % count].camera;
         if (!obstacles.walks(from.eye, to.eye))
@@ -217,7 +217,8 @@ Tour museumTour(const Museum& museum, const SceneState& sceneState)
     tour.bookmarks.push_back({std::string(museum.hall().title()), museum.bestView(hallIndex, sceneState.hall())});
     const auto add = [&](const std::string& name, const render::Camera& next) {
         if (!obstacles.cameraPasses(next.eye, next.eye)) return;
-        // On the way it steps back into the middle of the hall, and turns to what comes: walls are dull from near.
+        // On the way, the camera steps back to the middle of the hall and turns to the next view, since walls are dull
+        // when close.
         const render::Camera& before = tour.bookmarks.back().camera;
         const glm::dvec3 half = (before.eye + next.eye) / 2.0;
         const glm::dvec3 middle(half.x / 4, 1.65, half.z);

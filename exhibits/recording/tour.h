@@ -9,18 +9,18 @@
 
 namespace vitrine {
 
-/// A view that is kept under a name.
+/// A view with a name.
 struct Bookmark {
     std::string name;
-    render::Camera camera;  ///< In the world.
+    render::Camera camera;  ///< World space.
 
     bool operator==(const Bookmark&) const = default;
 };
 
-/// The version that is written; newer ones are refused.
+/// The version that is written; newer ones are rejected.
 inline constexpr int tourVersion = 1;
 
-/// Bookmarks in the order in which a camera passes them. As a file:
+/// Bookmarks in the order in which the camera passes them. The file format:
 ///
 ///     {
 ///       "format": "vitrine-tour",
@@ -36,28 +36,29 @@ inline constexpr int tourVersion = 1;
 struct Tour {
     std::string name;
     std::vector<Bookmark> bookmarks;
-    bool closed = false;  ///< Back to the first one.
+    bool closed = false;  ///< Whether the tour returns to the first bookmark.
     Pace pace = Pace::eased;
 
-    std::vector<std::string> notes = {};  ///< What reading changed or did not know, for people.
+    std::vector<std::string> notes = {};  ///< What reading changed or ignored, full sentences.
 };
 
-/// Throws Failure naming file, line and key for broken JSON, a missing key, a wrong type, another format, a newer
-/// version, or no bookmark. Fields of view and places out of range are clamped and unknown keys left out, with a note.
+/// Parses a tour. Throws Failure naming file, line and key for broken JSON, a missing key, a wrong type, another
+/// format, a newer version, or no bookmarks. Fields of view and positions out of range are clamped, and unknown keys
+/// are ignored, with a note.
 [[nodiscard]] Tour parseTour(std::string text, std::string fileName);
 [[nodiscard]] std::string tourText(const Tour&);
 
-/// A path through the bookmarks that runs into none of the obstacles (`Museum::obstacles`). Where the smooth way
-/// between two of them would, it is led round by a way that a visitor can walk, looking ahead. Throws Failure
-/// (Blame::file) naming the two where there is none, or the one that is itself inside of an obstacle.
+/// Returns a path through the bookmarks that passes all obstacles (`Museum::obstacles`). If the smooth way between two
+/// bookmarks is blocked, it follows a way that a user can walk, looking ahead. Throws Failure (Blame::file) that names
+/// the two if there is none, or a bookmark inside an obstacle.
 [[nodiscard]] CameraPath tourPath(const Obstacles&, const Tour&);
 
-/// Past the best views of all exhibits in the museum's order, from the hall's own and back to it. Views that an object
-/// of the visitor's own stands in are left out.
+/// Returns a tour of the best views of all exhibits in the museum's order, starting and ending at the hall's. Views
+/// from inside a user's object are left out.
 [[nodiscard]] Tour museumTour(const Museum&, const SceneState&);
 
-/// The share of a motion (0 to 1) at which the camera first runs into something; negative: nowhere. Looks at it every
-/// `longestStep` meters or closer.
+/// Returns the part of a motion (0 to 1) at which the camera first hits an obstacle; negative if it does not. Tests the
+/// straight lines between 2001 times.
 [[nodiscard]] double firstCollision(const Obstacles&, const CameraMotion&);
 
 }  // namespace vitrine

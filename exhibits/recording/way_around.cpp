@@ -12,8 +12,8 @@ namespace {
 
 constexpr double gridStep = 0.25;
 constexpr double walkingHeight = 1.65;
-constexpr double farthestStart = 2.5;       ///< From an end to where a visitor can stand.
-constexpr std::size_t mostCells = 100'000;  ///< The house has fewer.
+constexpr double farthestStart = 2.5;       ///< Meters from an end to a place where one can walk.
+constexpr std::size_t mostCells = 100'000;  ///< The building has fewer.
 
 using Cell = std::pair<int, int>;
 
@@ -22,7 +22,7 @@ glm::dvec3 placeOf(const Cell& cell)
     return {cell.first * gridStep, walkingHeight, cell.second * gridStep};
 }
 
-/// With room around it, so that a smooth way near to it is free, too.
+/// Returns whether a camera passes with a margin, so a smooth path near the line is free, too.
 bool passesWithRoom(const Obstacles& obstacles, const glm::dvec3& from, const glm::dvec3& to)
 {
     constexpr double room = 0.12;
@@ -36,7 +36,7 @@ bool passesWithRoom(const Obstacles& obstacles, const glm::dvec3& from, const gl
     return true;
 }
 
-/// A way of cells under search.
+/// State of an A* search over cells.
 struct Search {
     const Obstacles& obstacles;
     glm::dvec3 goal;
@@ -73,7 +73,7 @@ struct Search {
             }
     }
 
-    /// The cell from which the goal can be reached straight; nothing when there is none.
+    /// Returns the cell from which the goal can be reached straight; nothing if there is none.
     std::optional<Cell> run(bool withRoom)
     {
         while (!open.empty() && traveled.size() < mostCells) {
@@ -81,7 +81,7 @@ struct Search {
             open.pop();
             const glm::dvec3 p = placeOf(cell);
             const double length = traveled[cell];
-            if (estimate > length + left(p) + 1e-9) continue;  // A shorter way was found meanwhile.
+            if (estimate > length + left(p) + 1e-9) continue;  // A shorter way to the cell was found meanwhile.
             if (left(p) < farthestStart && reaches(p, goal, withRoom)) return cell;
             for (int dz = -1; dz <= 1; ++dz)
                 for (int dx = -1; dx <= 1; ++dx) {
@@ -98,7 +98,7 @@ struct Search {
     }
 };
 
-/// Cells from one that can be reached from `from` to one from which `to` can be; empty: there are none.
+/// Returns cells from one reachable from `from` to one from which `to` is reachable; empty if there are none.
 std::vector<glm::dvec3> cellsBetween(const Obstacles& obstacles, const glm::dvec3& from, const glm::dvec3& to,
                                      bool withRoom)
 {
@@ -131,7 +131,7 @@ std::vector<glm::dvec3> wayAround(const Obstacles& obstacles, const glm::dvec3& 
         const int pieces = std::max(static_cast<int>(std::ceil(glm::length(step) / stride)), 1);
         for (int k = 1; k <= pieces; ++k) way.push_back(corners[i - 1] + step * (static_cast<double>(k) / pieces));
     }
-    way.pop_back();  // The end itself.
+    way.pop_back();  // The end itself is excluded.
     return way;
 }
 

@@ -8,10 +8,11 @@
 
 namespace vitrine {
 
-/// Places between `from` and `to`, at most `stride` meters apart, by which a camera gets round what stands between
-/// them: as a visitor walks, at his height, where it can. The ends are not among them and need only be near to where he
-/// can stand. Empty: there is no such way. The shortest over a grid of 0.25 m (A*: Hart, Nilsson and Raphael 1968),
-/// without the corners that can be cut.
+/// Returns places between `from` and `to`, at most `stride` meters apart, along which a camera avoids obstacles: at a
+/// walking user's height, where one can walk. The ends are excluded, and may be up to 2.5 m from such a place. Empty if
+/// there is no way.
+///
+/// It is the shortest way over a grid of 0.25 m (A*: Hart, Nilsson and Raphael 1968), with corners cut where possible.
 [[nodiscard]] std::vector<glm::dvec3> wayAround(const Obstacles&, const glm::dvec3& from, const glm::dvec3& to,
                                                 double stride);
 
