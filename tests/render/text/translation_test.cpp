@@ -74,11 +74,11 @@ TEST(Translation, TakesSentencesAndLinesOneByOne)
 TEST(Translation, IsOfTheWholeTextOrNone)
 {
     for (const char* text : {
-             "moving: 50% of full resolution",                      // "{1} of {2}" is no sentence of it.
-             "Cannot read a.png: the light went out",               // "{1} of {2}" does not match this sentence.
-             "a.json, line 1: it was eaten; correct it there.",     // Unknown cause.
-             "It is left out until it can be read. Nobody knows.",  // An unknown second sentence,
-             "Roughness\nis a word\nRoughness",                     // Unknown second sentence,
+             "moving: 50% of full resolution",                      // "{1} of {2}" does not match this sentence.
+             "Cannot read a.png: the light went out",               // Unknown cause.
+             "a.json, line 1: it was eaten; correct it there.",     //
+             "It is left out until it can be read. Nobody knows.",  // Unknown second sentence,
+             "Roughness\nis a word\nRoughness",                     // or line.
          })
         EXPECT_EQ(german().translated(text), text);
     // Names, numbers and quoted texts are not translated.
