@@ -13,7 +13,7 @@ namespace vitrine::test {
 
 namespace {
 
-/// Makes this process, a child, the program with these arguments; ends it with 127 where that cannot be.
+/// Replaces this child process by the program with these arguments. Exits with 127 if that fails.
 [[noreturn]] void becomeProgram(const std::vector<std::string>& arguments)
 {
     std::vector<std::string> words{VITRINE_PROGRAM};

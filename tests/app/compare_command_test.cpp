@@ -1,4 +1,4 @@
-// `vitrine compare`: distances, limits, heat maps, and what it says of pictures that it cannot compare.
+// `vitrine compare`: differences, limits, heat maps, and errors for pictures that cannot be compared.
 
 #include "render/image/image_io.h"
 #include "tests/app/child_process.h"
@@ -11,7 +11,7 @@ namespace {
 
 using test::Ended;
 
-/// Two pictures of linear light 1/8 apart, exactly, as float files.
+/// Two pictures of linear light that differ by exactly 1/8, as float files.
 struct Pair {
     test::TemporaryFolder folder;
     std::string a = folder / "a.exr";
@@ -42,7 +42,7 @@ TEST(Compare, BeyondTheLimitIsAFailedCheck)
     const Ended beyond = test::vitrine({"compare", pair.a, pair.b, "--max", "0.124"});
     EXPECT_EQ(beyond.code, 1);
     EXPECT_NE(beyond.err.find("0.124"), std::string::npos) << beyond.err;
-    // Less noise is more decibels: the limit of that metric is a least one.
+    // Less noise means more decibels, so the limit of this metric is a lower one.
     EXPECT_EQ(test::vitrine({"compare", pair.a, pair.b, "--metric", "psnr", "--max", "18"}).code, 0);
     EXPECT_EQ(test::vitrine({"compare", pair.a, pair.b, "--metric", "psnr", "--max", "19"}).code, 1);
 }

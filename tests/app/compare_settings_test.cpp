@@ -1,4 +1,4 @@
-// `vitrine compare-settings`: the page that it writes, and what it says of what it cannot compare.
+// `vitrine compare-settings`: its page, and errors for settings that cannot be compared.
 
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
@@ -40,7 +40,7 @@ protected:
     {
         return render::readImage(out_ + "/pictures/" + name);
     }
-    /// Besides the folder itself and presets, nothing lies beside it.
+    /// Returns whether the parent folder has only the result and presets.
     [[nodiscard]] bool nothingElseStayed() const
     {
         for (const auto& entry : std::filesystem::directory_iterator(folder_.path()))
@@ -65,7 +65,7 @@ TEST_F(CompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
     EXPECT_EQ(json["rows"][0]["b"], 0.9);
     EXPECT_EQ(json["ms"]["b"]["runs"], 2);
 
-    // What the file says of the pictures is what the pictures say.
+    // The report's errors must be those of the pictures.
     const render::Image first = picture("a.png"), second = picture("b.png");
     ASSERT_EQ(first.width, 48);
     EXPECT_GT(json["errors"]["flip"].get<double>(), 0.002);
@@ -87,7 +87,7 @@ TEST_F(CompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
     for (const char* network : {"http://", "https://", "@import"}) EXPECT_EQ(page.find(network), std::string::npos);
     EXPECT_TRUE(nothingElseStayed());
 
-    // Each picture brings its settings back: compared with one of them, the file it came from differs in nothing.
+    // Each picture restores its settings: compared with the file that it was made from, nothing differs.
     const std::string kept = folder_ / "kept.png";
     std::filesystem::copy_file(out_ + "/pictures/b.png", kept);
     std::ofstream(out_ + "/notes.txt") << "mine";
@@ -120,7 +120,7 @@ TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
         for (const render::Json& row : json["rows"]) rows[row["name"]] = row;
         return rows;
     };
-    // An exhibit by its name: its initial values.
+    // The name of an exhibit stands for its initial values.
     const Ended field = with("sdf_morph", {"--with", "mesh"});
     ASSERT_EQ(field.code, 0) << field.err;
     auto rows = rowsThatDiffer();
@@ -128,7 +128,7 @@ TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
     EXPECT_EQ(rows["shownAs"]["b"], "mesh");
     EXPECT_NE(text("index.html").find("The rasterized mesh"), std::string::npos);
     const render::Image marched = picture("a.png"), mesh = picture("b.png");
-    // Settings of an exhibit: whose they are is what they change.
+    // The exhibit of settings in a file is the one that they change.
     const Ended changed = with(preset("mesh.json", R"({"shownAs": "mesh"})"), {"--with", "field"});
     ASSERT_EQ(changed.code, 0) << changed.err;
     rows = rowsThatDiffer();
@@ -136,7 +136,7 @@ TEST_F(CompareSettings, ComparesWithWhatTheExhibitOffers)
     EXPECT_EQ(rows["shownAs"]["a"], "mesh");
     EXPECT_EQ(render::colorDifference(picture("a.png"), mesh).rmse, 0) << "A there is B here";
     EXPECT_EQ(render::colorDifference(picture("b.png"), marched).rmse, 0);
-    // And a shipped preset by its name.
+    // A shipped preset can be given by name.
     const Ended shipped = with("gathered-in-screen-space", {"--exhibit", "crepuscular_rays", "--with", "air"});
     ASSERT_EQ(shipped.code, 0) << shipped.err;
     EXPECT_EQ(rowsThatDiffer()["technique"]["b"], "volume");

@@ -1,4 +1,4 @@
-// `vitrine compare-studies`: the page that it writes of studies, and what it says of what cannot be compared.
+// `vitrine compare-studies`: its page, and errors for studies that cannot be compared.
 
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
@@ -15,7 +15,7 @@ namespace {
 using render::Json;
 using test::Ended;
 
-/// Two small studies of one exhibit, measured once for all cases.
+/// Two small studies of one exhibit, measured once for all tests.
 class CompareStudies : public testing::Test {
 protected:
     static void SetUpTestSuite()
@@ -33,7 +33,7 @@ protected:
     static void TearDownTestSuite() { delete measured; }
 
     [[nodiscard]] static std::string file(const char* name) { return (*measured / name / "study.json").string(); }
-    /// A copy of the second study, changed.
+    /// Returns a changed copy of the second study.
     [[nodiscard]] std::string changed(const char* pointer, const Json& value) const
     {
         Json json = render::readJson(file("steps"), {}).root();
@@ -68,7 +68,7 @@ TEST_F(CompareStudies, OneChartOneTableOnePage)
     ASSERT_EQ(json["studies"].size(), 2U);
     EXPECT_EQ(json["studies"][0]["name"], "tolerance");
     EXPECT_EQ(json["studies"][1]["name"], "steps");
-    // Counted per pixel: what the study itself counts, over its pixels.
+    // Counts per pixel: the study's own counts, divided by its pixels.
     const Json study = render::readJson(file("tolerance")).root();
     std::vector<double> costs;
     for (const Json& point : study["points"])
@@ -84,11 +84,11 @@ TEST_F(CompareStudies, OneChartOneTableOnePage)
         EXPECT_NE(page.find(part), std::string::npos) << part;
     EXPECT_NE(test::bytesOf(out_ + "/study-comparison.csv").find("\ntolerance,"), std::string::npos);
 
-    // The page has the times, too.
+    // The page also has the times.
     for (const char* part : {"milliseconds of a picture", "<button data-cost=\"ms\"", "data-with-cost=\"ms\" hidden"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
 
-    // The same bytes again, in place of the old ones; times where the clock is trusted and nothing is asked for.
+    // A second run writes the same bytes again. Without --cost, times are used if the clock is exact enough.
     ASSERT_EQ(compare(file("tolerance"), file("steps"), {"--cost", "evaluations"}).code, 0);
     EXPECT_EQ(test::bytesOf(out_ + "/index.html"), page);
     ASSERT_EQ(compare(file("tolerance"), file("steps")).code, 0);

@@ -1,4 +1,4 @@
-// The languages of the command line: errors by the locale, pictures by --language alone, files always English.
+// Languages of the command line: errors follow the locale, pictures follow --language only, files are always English.
 
 #include "tests/app/child_process.h"
 #include "tests/support/temporary_folder.h"
@@ -16,7 +16,7 @@ const test::Environment german{{"LC_ALL", "de_DE.UTF-8"}};
 
 using Words = std::vector<std::string>;
 
-/// Every kind of error that the command line makes by itself, and files of each kind that cannot be read.
+/// Returns calls with every kind of error of the command line itself, and with unreadable files of each kind.
 std::vector<Words> wrongCalls(const test::TemporaryFolder& folder)
 {
     test::writeBytes(folder / "broken.png", "\x89PNG\r\n\x1a\n");
@@ -108,7 +108,7 @@ std::vector<Words> wrongCalls(const test::TemporaryFolder& folder)
     return calls;
 }
 
-/// Words of a sentence that the other language does not have; what is quoted, an option, or a file's name is in none.
+/// Removes the parts of a sentence that are equal in both languages: quoted texts, options and file names.
 std::string wordsOf(const char* language, std::string text)
 {
     for (const char* untranslated : {"\"[^\"]*\"", "`[^`]*`", "„[^“]*“", "--[a-z-]+", "[^ ]*/[^ ]*",
@@ -159,7 +159,7 @@ TEST(LanguageOfTheCommandLine, ListsAndPicturesAreTheSameInEveryLocale)
 {
     const test::TemporaryFolder folder;
     EXPECT_EQ(test::vitrine({"list", "--json"}, german).out, test::vitrine({"list", "--json"}).out);
-    // Straight at the plaque of the first exhibit.
+    // The camera looks straight at the plaque of the first exhibit.
     const auto drawn = [&](const char* name, std::vector<std::string> before, const test::Environment& changes) {
         const std::string file = folder / name;
         for (const char* word : {"render", "hall", "--size", "96x64", "--samples", "1", "--out"})

@@ -117,7 +117,7 @@ TEST(DoctorStability, TriesTheHardCasesOnTheDriver)
 {
     const Ended ended = test::vitrine({"doctor", "--stability", "--presets", "2", "--json"});
     EXPECT_EQ(ended.code, 0) << ended.out << ended.err;
-    // Nothing but how far it is; how often that is said depends on the time that it takes.
+    // Only progress is printed; the number of lines depends on the time.
     const std::regex progress("vitrine: trying the hard cases, then 2 random settings of each exhibit\\.\n"
                               "(vitrine: hard cases and random settings \\d+ %(, \\d+:\\d\\d left)?\n)*");
     EXPECT_TRUE(std::regex_match(ended.err, progress)) << ended.err;

@@ -1,4 +1,4 @@
-// Rows that a file gives, on the command line: `--set`, presets and studies.
+// Parameters added by files, on the command line: `--set`, presets and studies.
 
 #include "app/picture_options.h"
 #include "app/study/study_options.h"
@@ -15,7 +15,8 @@ namespace {
 
 using test::rowOf;
 
-/// The more rings a red ball has, the smaller the error of its picture, and the more it costs.
+/// Exhibit with known errors and costs: the more rings a red ball has, the smaller the error of its picture, and the
+/// higher the cost.
 class KnownBalls final : public test::BallsExhibit {
 public:
     void plan(const PlanContext& context, render::FramePlan& plan) const override

@@ -1,4 +1,4 @@
-// Memory that comes to its end at any place: one sentence, exit code 2, and files as they were.
+// Failing allocations at any place: one sentence, exit code 2, and unchanged files.
 
 #include "tests/app/child_process.h"
 #include "tests/support/temporary_folder.h"
@@ -11,7 +11,7 @@ namespace {
 using test::Ended;
 using test::TemporaryFolder;
 
-/// Runs the program with memory for so many allocations.
+/// Runs the program with memory for `count` allocations.
 Ended withAllocations(long count, const std::vector<std::string>& words)
 {
     return test::vitrine(words, {{"LD_PRELOAD", VITRINE_FAILING_MEMORY},

@@ -1,4 +1,4 @@
-// Work that is split into parts and put together again: `--shard` and `vitrine merge`.
+// Jobs that are split into parts and merged: `--shard` and `vitrine merge`.
 
 #include "render/files/strict_json.h"
 #include "tests/app/child_process.h"
@@ -138,7 +138,7 @@ TEST(MergeCommand, PartsThatAreMissingFailedOrDamagedAreNamedAndNothingChanges)
     ASSERT_EQ(test::vitrine({"merge", out}).code, 0);
     EXPECT_NE(test::bytesOf(out), "the old film");
 
-    // Parts of different machines' renderers are no one film.
+    // Parts drawn by different renderers must not be merged.
     render::Json report = render::Json::parse(test::bytesOf(parts / "part_2.json"));
     report["renderer"] = "another card";
     test::writeBytes(parts / "part_2.json", report.dump());
@@ -221,7 +221,7 @@ TEST(MergeCommand, PartsThatBeginAtOnceShareOneFolder)
         const auto merged = test::vitrine({"merge", out});
         EXPECT_EQ(merged.code, 0) << merged.err;
     }
-    // Nothing is left beside the films and their parts.
+    // No other file is left beside the recordings and their parts.
     for (const auto& file : fs::directory_iterator(folder / ""))
         EXPECT_TRUE(file.path().extension() == ".apng" || file.path().extension() == ".parts") << file.path();
 }
@@ -229,7 +229,7 @@ TEST(MergeCommand, PartsThatBeginAtOnceShareOneFolder)
 TEST(MergeCommand, TheScriptForSlurmMakesTheSameFilmAndNamesAPartThatFailed)
 {
     const TemporaryFolder folder;
-    // Does at once what Slurm does in its own time: all tasks of the array, then the job that depends on it.
+    // Does at once what Slurm does later: all tasks of the array, then the job that depends on it.
     test::writeBytes(folder / "sbatch",
                      "#!/bin/sh\n"
                      "last=\nfor word in \"$@\"; do case $word in\n"

@@ -31,7 +31,7 @@ Words operator+(Words a, const Words& b)
     return a;
 }
 
-/// A print of 61 x 41 lenses, each of which shows exactly one pixel of a view of 61 x 41.
+/// Returns the command for a print of 61 x 41 lenses, each of which shows exactly one pixel of a view of 61 x 41.
 Words printing(const std::string& out, const Words& more = {})
 {
     return Words{"print",  "--lpi",       "40",     "--dpi", "600", "--width-mm",
@@ -43,7 +43,7 @@ const Words theMug{
     "--exhibit", "sdf_morph",   "--set", "hall.probeSize=32", "--set", "hall.shadowMapSize=512", "--samples",
     "1",         "--view-size", "61x41"};
 
-/// Mean over pixels and colors, of linear light.
+/// Returns the mean difference over pixels and colors, in linear light.
 double difference(const render::Image& a, const render::Image& b)
 {
     EXPECT_EQ(a.width, b.width);
@@ -76,8 +76,8 @@ TEST(PrintExhibit, LooksThroughItsSheetLikeTheViewThatWasRenderedForThatAngle)
                       .code,
                   0);
         const render::Image seen = render::readImage(folder / "seen.png");
-        // Rows of the print are interpolated between rows of the view, which softens it along the lens; the views'
-        // cross-talk and two roundings to 8 bits are small beside that.
+        // Rows of the print are interpolated between rows of the view, which blurs it along the lens. Crosstalk of the
+        // views and two roundings to 8 bits have less effect.
         const double own = difference(seen, render::readImage(folder / viewName(k)));
         EXPECT_LT(own, 0.02) << k;
         for (int other = 0; other < 4; ++other) {
@@ -95,7 +95,7 @@ TEST(PrintExhibit, CarriesWhatBringsItsViewsBack)
         printing(folder / "p.png", theMug + Words{"--count", "3", "--baseline-scale", "fit", "--save-views",
                                                   folder / "views", "--sweep", "morph=0..1", "--seed", "5"}));
     ASSERT_EQ(ended.code, 0) << ended.err;
-    EXPECT_EQ(test::withoutProgress(ended.err), "");  // What fits needs no warning.
+    EXPECT_EQ(test::withoutProgress(ended.err), "");  // A valid print prints no warning.
     const render::JsonDocument description = render::readJson(folder / "p.png.json");
     const render::Json& scene = description.root().at("scene");
     EXPECT_EQ(scene.at("exhibit"), "sdf_morph");
@@ -183,7 +183,7 @@ TEST(PrintExhibit, StoppedByCtrlCLeavesNothing)
     const Words words = printing(folder / "p.tif", {"--exhibit", "sdf_morph", "--count", "4", "--samples", "4096",
                                                     "--view-size", "900x600", "--save-views", views});
     const pid_t child = test::startProgram(words);
-    // It has begun when the folder is there; 16000 samples are left then.
+    // The command has begun once the folder exists; 16000 samples are left then.
     for (int i = 0; i < 6000 && !std::filesystem::exists(views); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ASSERT_TRUE(std::filesystem::exists(views));
@@ -196,13 +196,13 @@ TEST(PrintExhibit, StoppedByCtrlCLeavesNothing)
     EXPECT_FALSE(std::filesystem::exists(views));
 }
 
-/// View `k` of `count`, of one level of light.
+/// Returns view `k` of `count`, with a uniform level of light.
 render::Image level(int k, int count, int width = 30, int height = 20)
 {
     return render::Image(width, height, 3, static_cast<float>(k + 1) / static_cast<float>(count + 1));
 }
 
-/// The number of the view that the middle of a print shows from the angle of view `k`.
+/// Returns the number of the view that the center of a print shows from the angle of view `k`.
 double viewShown(const TemporaryFolder& folder, int k, int count)
 {
     const printing::PrintLayout layout(printing::settingsFromJson(render::readJson(folder / "p.tif.json")));
@@ -263,7 +263,8 @@ TEST(PrintQuilt, ThatDoesNotDivideIsCutFromTheBottomLeftAndSaysSo)
 TEST(PrintPictures, OfAnotherShapeAreCroppedFittedOrStretchedAndThatIsSaid)
 {
     const TemporaryFolder folder;
-    // White with a black half in the middle: what is seen at the edge tells what was done. 2.98:1, for 1.49:1.
+    // White with a black half in the middle, so that the edge of the print shows how the view was fitted. Aspect ratio
+    // 2.98:1 for 1.49:1.
     render::Image wide(119, 40, 3, 1.0F);
     for (int y = 0; y < 40; ++y)
         for (int x = 30; x < 90; ++x)
@@ -300,7 +301,7 @@ TEST(PrintPictures, AreTurnedAndMovedByHand)
     };
     const render::Image plain = printed({});
     EXPECT_LT(plain.at(3, plain.height / 2), 0.05);
-    // Both move to the right by a quarter of their width, which leaves white at the left.
+    // Both move to the right by a quarter of their width, so that white is at the left.
     const render::Image moved = printed({"--place", "1:0,25,0", "2:0,25,0"});
     EXPECT_GT(moved.at(moved.width / 8, moved.height / 2), 0.9);
     EXPECT_LT(moved.at(moved.width * 3 / 8, moved.height / 2), 0.05);
@@ -352,7 +353,7 @@ TEST(PrintPictures, TakesASequenceBackAndForthInTheOrderOfItsNumbers)
                              render::PictureFormat::png16);
     const Words clip{"--views", folder / "clip"};
     ASSERT_EQ(test::vitrine(printing(folder / "p.tif", clip + Words{"--every", "4", "--ping-pong"})).code,
-              0);  // 0 4 8 4
+              0);  // Pictures 0 4 8 4.
     EXPECT_NEAR(viewShown(folder, 0, 12), 0, 0.5);
     EXPECT_NEAR(viewShown(folder, 1, 12), 4, 0.5);
     EXPECT_NEAR(viewShown(folder, 2, 12), 8, 0.5);

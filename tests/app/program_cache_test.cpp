@@ -1,4 +1,4 @@
-// The cache of linked programs: whatever lies in its folder, pictures are the same and no command waits.
+// Cache of linked programs: whatever its folder contains, pictures are the same and no command waits.
 
 #include "tests/app/child_process.h"
 #include "tests/support/temporary_folder.h"
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Bytes of a small picture that is drawn with the cache in `folder`.
+/// Returns the bytes of a small picture drawn with the cache in `folder`.
 std::string drawn(const test::TemporaryFolder& folder)
 {
     const fs::path out = folder / "picture.png";
@@ -43,7 +43,7 @@ TEST(ProgramCache, NoticesExchangedFilesAndReadsNoPipes)
     ASSERT_GE(files.size(), 2U);
     EXPECT_EQ(drawn(folder), picture) << "from the cache";
 
-    // Each file under the name of the next one.
+    // Each file gets the name of the next one.
     fs::rename(files.back(), folder / "aside");
     for (std::size_t i = files.size() - 1; i > 0; --i) fs::rename(files[i - 1], files[i]);
     fs::rename(folder / "aside", files.front());

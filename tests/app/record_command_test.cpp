@@ -1,4 +1,4 @@
-// `vitrine record` as its users call it.
+// `vitrine record`, as users call it.
 
 #include "exhibits/recording/tour.h"
 #include "render/image/image_io.h"
@@ -37,7 +37,7 @@ Words recording(const std::string& subject, const std::string& out, const Words&
     return words;
 }
 
-/// Mean over pixels and colors, of linear light.
+/// Returns the mean difference over pixels and colors, in linear light.
 double differenceOf(const render::Image& a, const render::Image& b)
 {
     EXPECT_EQ(a.pixels.size(), b.pixels.size());
@@ -66,7 +66,7 @@ TEST(RecordCommand, AFramesTimeIsItsNumberOverTheRateAndItsPresetBringsItBack)
     const test::Ended ended = test::vitrine(recording("sdf_morph", folder / "f/%03d.png", film));
     ASSERT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(folder.files(), (Words{"f/001.png", "f/002.png", "f/003.png", "f/004.png"}));
-    // The third one, at 2 / 4 s: a picture of that moment, and one of its preset.
+    // The third frame, at 2 / 4 s, compared with pictures of that time and of the preset inside it.
     const Words picture{"render", "sdf_morph", "--alone", "--size", "32x18", "--samples", "1", "--time", "1.5"};
     Words plain = picture, preset = picture;
     plain.insert(plain.end(), {"--set", "animate=on", "--out", folder / "plain.png"});
@@ -77,7 +77,7 @@ TEST(RecordCommand, AFramesTimeIsItsNumberOverTheRateAndItsPresetBringsItBack)
     const render::Image third = render::readImage(folder / "f/003.png");
     EXPECT_EQ(differenceOf(third, render::readImage(folder / "plain.png")), 0);
     EXPECT_LT(differenceOf(third, render::readImage(folder / "preset.png")),
-              1e-3);  // Its camera went through the hall.
+              1e-3);  // Its camera was converted to the hall's space and back.
     EXPECT_GT(differenceOf(third, render::readImage(folder / "f/001.png")), 1e-3) << "the control: it melts";
 }
 
@@ -120,7 +120,7 @@ TEST(RecordCommand, WhatCannotBeRecordedIsUsage)
 TEST(RecordCommand, StoppedByCtrlCLeavesWholeFramesAndGoesOnLater)
 {
     const TemporaryFolder folder;
-    // As many frames as nobody waits for.
+    // So many frames that the recording cannot end before it is stopped.
     const Words words = recording("sdf_morph", folder / "%04d.png", {"--alone", "--seconds", "9000"});
     const pid_t child = test::startProgram(words);
     for (int i = 0; i < 6000 && !std::filesystem::exists(folder / "0003.png"); ++i)

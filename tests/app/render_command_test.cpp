@@ -195,7 +195,7 @@ TEST(RenderCommand, APictureBringsItsLookBack)
 TEST(RenderCommand, SixteenBitsOfAnOpenExrAreHalfFloats)
 {
     const TemporaryFolder folder;
-    // OpenEXR's list of channels: a name, a zero byte, and the type, 1 for half floats and 2 for floats.
+    // OpenEXR's list of channels: name, zero byte, and type, which is 1 for half floats and 2 for floats.
     const auto typeOf = [&](const Words& more) {
         const Ended made = test::vitrine(rendering("sdf_morph", folder / "a.exr", more));
         EXPECT_EQ(made.code, 0) << made.err;
@@ -239,7 +239,7 @@ TEST(RenderCommand, APictureAtItsPlaceBringsTheHallTheTimeAndTheTurnBack)
     const Ended ended = test::vitrine({"render", "sdf_morph", "--preset", first, "--out", folder / "again.png"});
     ASSERT_EQ(ended.code, 0) << ended.err;
     EXPECT_TRUE(sameBytes(first, folder / "again.png"));
-    // The control: with its settings alone it is another picture.
+    // Control: with its settings alone, the picture differs.
     ASSERT_EQ(test::vitrine({"render", "sdf_morph", "--preset", first, "--settings-only", "--size", "48x27",
                              "--samples", "1", "--out", folder / "settings.png"})
                   .code,
@@ -261,7 +261,7 @@ TEST(RenderCommand, ARowThatMovesIsWhereTheTimeSays)
     const Words moving{"--animate", "morph=triangle:0:1:ease=linear:period=8"};
     EXPECT_EQ(render("a.png", moving), render("still-a.png", {"--set", "morph=0.25"}));
     EXPECT_EQ(render("b.png", moving), render("bs.png", {"--set", "morph=0.75"}));
-    // The picture keeps how it moves.
+    // The picture contains the animation.
     EXPECT_EQ(render("again.png", {"--preset", folder / "a.png"}),
               render("still.png", {"--preset", folder / "still-a.png"}));
     EXPECT_EQ(render("b-again.png", {"--preset", folder / "a.png"}),
@@ -327,7 +327,7 @@ TEST(RenderCommand, WhatCannotBeWrittenIsExit5AndNothingIsLeft)
     EXPECT_TRUE(folder.files().empty());
     const Ended device = test::vitrine(rendering("sdf_morph", "/dev/full/x.png", {"--alone"}));
     EXPECT_EQ(device.code, 5);
-    // The report cannot be written: said, too.
+    // A report that cannot be written is also an error.
     const Ended report =
         test::vitrine(rendering("sdf_morph", folder / "x.png", {"--alone", "--report", folder / "no/r.json"}));
     EXPECT_EQ(report.code, 5);
@@ -346,7 +346,7 @@ TEST(RenderCommand, WhatCannotBeReadIsExit5)
         EXPECT_EQ(ended.code, 5) << more[1];
         test::expectOneSentence(ended, {std::filesystem::path(more[1]).filename().string()});
     }
-    // Nor is an exhibit drawn without the file that it is to show.
+    // An exhibit is not drawn without the file that it needs.
     for (const auto& [exhibit, row] : {std::pair{"fur", "ringModel"}, {"lenticular", "frontPrint"}}) {
         const Ended ended = test::vitrine(
             rendering(exhibit, folder / "x.png", {"--set", std::string(row) + "=" + (folder / "broken.glb").string()}));
@@ -430,7 +430,7 @@ TEST(PresetCheck, TellsGoodFilesFromBad)
         EXPECT_EQ(ended.out, "");
         EXPECT_NE(ended.err.find(name + ".json, line 1"), std::string::npos) << ended.err;
     }
-    // One bad file among good ones fails the check, and the good ones are still said to be good.
+    // One invalid file fails the check. Valid files are still reported as good.
     const Ended both = test::vitrine({"preset", "check", folder / "good.json", folder / "type.json"});
     EXPECT_EQ(both.code, 1);
     EXPECT_NE(both.out.find("good.json: good"), std::string::npos);

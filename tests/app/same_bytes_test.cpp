@@ -1,5 +1,5 @@
-// The same inputs give the same bytes, whatever the clock says: each file is made twice, a day and some seconds apart
-// by the program's clock, in one piece and in parts.
+// Equal inputs give equal bytes, whatever the time: each file is made twice, with the program's clock set a day and
+// some seconds apart, at once and in parts.
 
 #include "tests/app/child_process.h"
 #include "tests/support/temporary_folder.h"
@@ -34,7 +34,7 @@ const CommandWords ofPrint{"print",      "--exhibit",   "sdf_morph",   "--alone"
                            "3",          "--view-size", "32x24",       "--lpi",   "40",        "--dpi", "300",
                            "--width-mm", "20",          "--height-mm", "15",      "--out"};
 
-/// Makes `name` by two clocks and compares all that is written.
+/// Makes `name` with two clocks and compares all written files.
 void expectSameBytes(const CommandWords& command, const std::string& name, const CommandWords& more = {})
 {
     const TemporaryFolder a, b;
@@ -108,7 +108,7 @@ TEST(SameBytes, OfAPrintInPartsAndInOnePieceWhateverTheClock)
 
 TEST(SameBytes, TheOtherClockIsAnother)
 {
-    // The control: without it, all of the above would compare one moment with itself.
+    // Control: without the other clock, the tests above would compare equal times.
     const TemporaryFolder folder;
     const std::string command = std::string("VITRINE_TEST_CLOCK=86400 LD_PRELOAD=") + VITRINE_OTHER_CLOCK +
                                 " date +%s > " + (folder / "ahead").string() + "; date +%s > " +

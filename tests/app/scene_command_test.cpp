@@ -1,5 +1,4 @@
-// `vitrine scene check` and `vitrine scene mesh`: what they find, what they write, and what they leave when they
-// cannot.
+// `vitrine scene check` and `vitrine scene mesh`: findings, written files, and the files left after errors.
 
 #include "render/files/strict_json.h"
 #include "render/scene/gltf.h"
@@ -38,7 +37,7 @@ std::string sceneText(const std::string& root, const std::string& head = "")
     return "{\"format\": \"vitrine-scene\", \"version\": 1, \"name\": \"test\",\n" + head + "\"root\": " + root + "}\n";
 }
 
-/// A file in a folder, with a ball of a radius that can be set.
+/// Writes a scene file with a ball whose radius is a parameter.
 std::string ballIn(const TemporaryFolder& folder)
 {
     const std::string file = folder / "ball.json";
@@ -99,7 +98,8 @@ struct Soup {
     std::vector<std::array<Corner, 3>> triangles;
 };
 
-/// Volume of a body whose every edge, found by positions, is run along once in each direction; NaN of any other.
+/// Returns the volume of a closed body, in which every edge, identified by positions, occurs once in each direction;
+/// NaN for other bodies.
 double volumeOf(const Soup& soup)
 {
     std::map<std::pair<Corner, Corner>, int> edges;
@@ -132,7 +132,7 @@ Soup readStl(const std::string& file)
     return soup;
 }
 
-/// With the color of the first vertex.
+/// Reads a PLY file, with the color of the first vertex.
 Soup readPly(const std::string& file, std::array<std::uint8_t, 3>& color)
 {
     const std::string bytes = test::bytesOf(file);
@@ -256,7 +256,7 @@ TEST(SceneMeshCommand, WhatCannotBeMeshedIsSaidAndLeavesTheOldFile)
     refused({folder / "sheet.json", "--out", out}, 1, {"thickness"});
 }
 
-/// Runs the program with its standard error in a file, as `before` left the process.
+/// Starts the program with its standard error in a file. `before` is called in the child process first.
 template <typename Before> pid_t started(const Words& words, const std::string& err, const Before& before)
 {
     const pid_t child = ::fork();
@@ -277,7 +277,7 @@ TEST(SceneMeshCommand, AFullDiskLeavesTheOldFile)
     const std::string ball = ballIn(other);
     test::writeBytes(folder / "a.glb", "old");
     const pid_t child = started({"scene", "mesh", ball, "--cell", "2cm", "--out", folder / "a.glb"}, other / "err", [] {
-        const rlimit limit{100'000, 100'000};  // A file of this cell has more than that.
+        const rlimit limit{100'000, 100'000};  // A file with these cells is larger.
         ::setrlimit(RLIMIT_FSIZE, &limit);
     });
     int status = 0;
@@ -295,7 +295,7 @@ TEST(SceneMeshCommand, StoppedByCtrlCLeavesTheOldFile)
     const pid_t child = started({"scene", "mesh", scenes + "waves.json", "--cell", "5mm", "--low=-6,-6,-6",
                                  "--high=6,6,6", "--memory-mb", "1e6", "--out", folder / "a.glb"},
                                 other / "err", [] {});
-    // Its first line comes after a second; minutes are left then.
+    // Its first progress line comes after a second, when minutes of work are left.
     for (int i = 0; i < 6000 && (!std::filesystem::exists(other / "err") || test::bytesOf(other / "err").empty()); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     ::kill(child, SIGINT);
@@ -323,7 +323,7 @@ TEST(SceneMeshCommand, TakesNoMoreMemoryThanItSaid)
         return 1024e-6 * static_cast<double>(usage.ru_maxrss);
     };
     double saidOfSmall = 0, said = 0;
-    const double small = peak("5cm", saidOfSmall);  // The program itself.
+    const double small = peak("5cm", saidOfSmall);  // Memory of the program itself.
     const double large = peak("3mm", said);
     EXPECT_GT(said, 80);
     EXPECT_LT(large - small, said);

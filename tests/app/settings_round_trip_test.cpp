@@ -1,4 +1,4 @@
-// Every writer of settings against every reader, by random settings: what comes back is the same to the bit.
+// All writers of settings with all readers, on random settings: the values read are exactly those written.
 
 #include "app/picture_options.h"
 #include "exhibits/exhibits.h"
@@ -29,7 +29,7 @@ const Museum& museum()
     return all;
 }
 
-/// A random motion of a row that may move.
+/// Returns a random animation of a parameter.
 Motion randomMotion(const ParameterInfo& row, RandomNumbers& random)
 {
     Motion motion;
@@ -58,7 +58,7 @@ render::Camera randomCamera(RandomNumbers& random)
     return camera;
 }
 
-/// Values of every row of every table, and rows that move.
+/// Returns random values of all parameters of all tables, with some animations.
 SceneState randomState(RandomNumbers& random)
 {
     SceneState state = museum().initialSceneState();
@@ -73,7 +73,7 @@ SceneState randomState(RandomNumbers& random)
     return state;
 }
 
-/// A picture of that subject, however it may be taken.
+/// Returns a random request for a picture of the subject.
 PictureRequest randomRequest(std::size_t subject, RandomNumbers& random)
 {
     PictureRequest request;
@@ -96,7 +96,7 @@ PictureRequest randomRequest(std::size_t subject, RandomNumbers& random)
     return request;
 }
 
-/// What the command line makes of a file: the same picture.
+/// Expects that the command line makes the same picture from a file.
 void expectSamePicture(const std::string& file, std::size_t subject, const SceneState& state,
                        const PictureRequest& request)
 {
@@ -122,7 +122,7 @@ void expectSamePicture(const std::string& file, std::size_t subject, const Scene
     EXPECT_EQ(again.request.samples, request.samples) << file;
 }
 
-/// What the window makes of a text.
+/// Expects that the window reads the same state from a text.
 void expectSameState(const std::string& text, const SceneState& state, const render::Camera& camera)
 {
     std::vector<std::string> notes;
@@ -132,7 +132,7 @@ void expectSameState(const std::string& text, const SceneState& state, const ren
     EXPECT_TRUE(notes.empty()) << notes.front();
 }
 
-/// The words of a line that `render::shellWord` quoted.
+/// Splits a command line quoted by `render::shellWord` into words.
 std::vector<std::string> wordsOf(const std::string& line)
 {
     std::vector<std::string> words(1);
@@ -226,7 +226,7 @@ TEST(SettingsRoundTrip, TheCopiedCommandLineSetsAndMovesEverything)
         const SceneState state = randomState(random);
         PictureRequest request = randomRequest(hallIndex, random);
         request.frame.transparent = false;
-        request.frame.camera.lensShift = {};  // Of prints' views only.
+        request.frame.camera.lensShift = {};  // Used for views of prints only.
         app::PictureOptions options;
         options.subject = "hall";
         const std::vector<std::string> words =
@@ -251,7 +251,7 @@ TEST(SettingsRoundTrip, TheCopiedCommandLineSetsAndMovesEverything)
         const app::RequestedPicture again = app::requestedPicture(museum(), options);
         for (std::size_t s = 0; s < state.values.size(); ++s)
             EXPECT_TRUE(again.sceneState.values[s] == state.values[s]) << museum().subject(s).name();
-        // Degrees have no number for each angle in radians: two in ten come back one rounding apart.
+        // Converting radians to degrees and back is not exact: two in ten angles differ by one rounding.
         EXPECT_DOUBLE_EQ(again.request.frame.camera.fovY, request.frame.camera.fovY);
         render::Camera camera = again.request.frame.camera;
         camera.fovY = request.frame.camera.fovY;
@@ -298,7 +298,7 @@ TEST(SettingsRoundTrip, WhatTheCommandLineSaysTakesPrecedenceAndSettingsOnlyLeav
     EXPECT_FALSE(only.request.frame.alone);
     EXPECT_EQ(only.request.frame.raster.size, glm::ivec2(640, 360));
     EXPECT_EQ(only.request.frame.time, 0);
-    // Of another exhibit, its settings count, and it is said that nothing else does.
+    // For another exhibit only the settings are applied, and a note says so.
     settings.subject = "fur";
     settings.settingsOnly = false;
     const app::RequestedPicture other = app::requestedPicture(museum(), settings);

@@ -1,4 +1,4 @@
-// `vitrine sprite`: sheets as another reader finds them, and what is refused.
+// `vitrine sprite`: sprite sheets read by another reader, and refused input.
 
 #include "render/image/image_io.h"
 #include "render/image/srgb.h"
@@ -25,7 +25,7 @@ nlohmann::json readJson(const std::string& file)
     return nlohmann::json::parse(in);
 }
 
-/// A triangle without normals whose only morph target lifts its tip; it plays for a second.
+/// Writes a triangle without normals, whose only morph target lifts its tip during a second.
 std::string liftedIn(const TemporaryFolder& folder)
 {
     test::GltfBuilder b;

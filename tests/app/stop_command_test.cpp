@@ -1,4 +1,4 @@
-// Ctrl-C and SIGTERM: every command ends with 130 and leaves nothing half made.
+// Ctrl-C and SIGTERM: every command ends with 130 and leaves no unfinished file.
 
 #include "render/image/image_io.h"
 #include "tests/app/child_process.h"
@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 using test::TemporaryFolder;
 using Typed = std::vector<std::string>;
 
-/// Whether the name is that of something being made.
+/// Returns whether the name is that of an unfinished file.
 bool isPart(const fs::path& path)
 {
     const std::string name = path.filename().string();
@@ -35,7 +35,7 @@ bool holdsPart(const fs::path& folder)
     return false;
 }
 
-/// Stops the command by `signal` as soon as something is being made, or after `most`, and returns its exit code.
+/// Sends `signal` to the command once an unfinished file exists, or after `most`. Returns its exit code.
 int stoppedBy(int signal, const Typed& arguments, const fs::path& folder, std::chrono::milliseconds most)
 {
     const pid_t child = test::startProgram(arguments);
@@ -73,7 +73,7 @@ TEST(StopCommand, EveryCommandEndsWith130AndLeavesNothingHalfMade)
             const std::string end = words.back().substr(3);
             words.back() = folder / ("out" + end);
             const int code = stoppedBy(signal, words, folder.path(), std::chrono::milliseconds(most));
-            const bool done = code == 0;  // It was faster.
+            const bool done = code == 0;  // The command finished first.
             EXPECT_TRUE(done || code == 130) << command.front() << " ended with " << code;
             EXPECT_FALSE(holdsPart(folder.path())) << command.front();
             if (!done && command.front() != "tour") {
@@ -91,7 +91,7 @@ TEST(StopCommand, AKilledStudysFolderIsClearedByTheNextOneAndTheOldOneStands)
     ASSERT_EQ(test::vitrine(study).code, 0);
     test::writeBytes(folder / "study/notes.txt", "a user's own");
     const std::string before = test::bytesOf(folder / "study/study.json");
-    // Killed as soon as it makes its folder.
+    // Killed as soon as it has made its folder.
     const pid_t child = test::startProgram(study);
     int status = 0;
     while (!holdsPart(folder.path()) && ::waitpid(child, &status, WNOHANG) == 0)

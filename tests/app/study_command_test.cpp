@@ -1,4 +1,4 @@
-// `vitrine study`: what it writes, what it chooses, and what it says of what it cannot measure.
+// `vitrine study`: written files, chosen settings, and errors for what cannot be measured.
 
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
@@ -24,7 +24,7 @@ std::string textOf(const std::string& file)
     return text.str();
 }
 
-/// A small study that takes a second or two.
+/// Runs a small study that takes a second or two.
 Ended study(const std::string& out, std::vector<std::string> more)
 {
     std::vector<std::string> words{"study",  "sdf_morph", "--size",           "48x27",   "--views", "2",
@@ -50,7 +50,7 @@ TEST(StudyCommand, WritesWhatItMeasuredAndAPageThatShowsIt)
     ASSERT_EQ(json["points"].size(), 3U);
     double lastError = -1;
     double lastCost = 1e18;
-    for (const render::Json& point : json["points"]) {  // A wider tolerance: more error, less work.
+    for (const render::Json& point : json["points"]) {  // A larger tolerance has more error and less work.
         EXPECT_GT(point["error"].get<double>(), lastError);
         EXPECT_LT(point["cost"].get<double>(), lastCost);
         lastError = point["error"].get<double>();
@@ -61,7 +61,7 @@ TEST(StudyCommand, WritesWhatItMeasuredAndAPageThatShowsIt)
     }
     EXPECT_TRUE(json["points"][1]["present"].get<bool>());
 
-    // A head and a line for every point and view.
+    // A header and a line for every point and view.
     const std::string csv = textOf(out + "/study.csv");
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 3 * 2);
     EXPECT_EQ(csv.rfind("hitTolerance,view,rmse,", 0), 0U) << csv.substr(0, 60);
@@ -73,13 +73,13 @@ TEST(StudyCommand, WritesWhatItMeasuredAndAPageThatShowsIt)
     for (const char* part : {"<svg", "pictures/reference-", "data-point=\"2\"", "Hit tolerance"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     for (const char* network : {"http://", "https://", "//cdn", "@import"}) {
-        // Names of XML vocabularies are no addresses that a page opens.
+        // Names of XML namespaces are not loaded by the page.
         for (std::size_t at = page.find(network); at != std::string::npos; at = page.find(network, at + 1))
             EXPECT_EQ(page.substr(at, 18), "http://www.w3.org/") << page.substr(at, 60);
     }
 }
 
-/// What an SVG writes, in its order.
+/// Returns the texts of an SVG in their order.
 std::string textsOf(const std::string& svg)
 {
     std::string texts;
@@ -102,7 +102,7 @@ TEST(StudyCommand, ChartsShowMillisecondsWhereTheClockIsTrustedAndWorkWhereItIsA
     };
     EXPECT_EQ(has("/chart.svg", "milliseconds of a picture"), trusted);
     EXPECT_EQ(has("/chart.svg", "field evaluations in all views"), !trusted);
-    // The page has both, one of them hidden, and a button for each.
+    // The page has both charts, one of them hidden, and a button for each.
     const std::string page = textOf(out + "/index.html");
     EXPECT_TRUE(has("/index.html", "milliseconds of a picture"));
     EXPECT_TRUE(has("/index.html", "field evaluations in all views"));

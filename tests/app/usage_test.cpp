@@ -1,4 +1,4 @@
-// What is typed wrongly: exit code 2 and one sentence that says what to type.
+// Usage errors: exit code 2 and one sentence that says what to type.
 
 #include "tests/app/child_process.h"
 #include "tests/support/temporary_folder.h"
@@ -17,7 +17,7 @@ using test::expectOneSentence;
 
 TEST(Usage, HelpNeedsNeitherDisplayNorOpenGl)
 {
-    // With a driver that does not exist, anything that touches OpenGL would fail.
+    // With a driver that does not exist, any use of OpenGL would fail.
     const test::Environment noGl{
         {"GALLIUM_DRIVER", "none"}, {"MESA_LOADER_DRIVER_OVERRIDE", "none"}, {"QT_QPA_PLATFORM", "none"}};
     const Ended help = test::vitrine({"--help"}, noGl);
@@ -59,7 +59,7 @@ TEST(Usage, WhatIsUnknownIsUsage)
     }
 }
 
-/// Renders with a few more arguments; the picture must not be there afterwards.
+/// Runs `render` with a few more arguments, and expects that no picture is written.
 Ended refused(std::vector<std::string> more, const std::string& exhibit = "sdf_morph")
 {
     const test::TemporaryFolder folder;
@@ -143,7 +143,7 @@ TEST(Usage, TheHallCannotBeAlone)
     expectOneSentence(ended, {"--alone"});
 }
 
-/// Names in the list of sub-commands of a help text.
+/// Returns the commands listed in a help text.
 std::vector<std::string> commandsIn(const std::string& help)
 {
     std::vector<std::string> names;
@@ -160,7 +160,7 @@ struct NumberOption {
     std::string name;
 };
 
-/// Every option of every command that takes a number, as the help texts have them.
+/// Returns all options of all commands that take a number, from their help texts.
 std::vector<NumberOption> numberOptions()
 {
     std::vector<std::vector<std::string>> commands{{}};
@@ -255,7 +255,7 @@ TEST(UsageOfNumbers, OfPrintsAreThoseOfTheWindow)
     expectOneSentence(quilt, {"--quilt 8x6 quilt.png"});
 }
 
-/// The views are not there: a size that is refused only after they are read would be told as a missing folder.
+/// The views do not exist: a size that is checked only after reading them would be reported as a missing folder.
 TEST(UsageOfNumbers, TooLargeForAFileIsRefusedBeforeAnythingIsReadOrDrawn)
 {
     const test::TemporaryFolder folder;
@@ -271,9 +271,9 @@ TEST(UsageOfNumbers, TooLargeForAFileIsRefusedBeforeAnythingIsReadOrDrawn)
     expectRefused(
         "x.tif", {"--width-mm", "30", "--height-mm", "30", "--bleed-mm", "999", "--border-mm", "999", "--dpi", "99999"},
         2, "which ends at 1048576 per side");
-    // 2362181 x 2362181 pixels of 3 bytes, of which a quarter is asked for, and a tenth more: 4.6e12 bytes.
+    // 2362181 x 2362181 pixels of 3 bytes, a quarter of which is needed, plus a tenth: 4.6e12 bytes.
     expectRefused("x.png", {"--width-mm", "99999", "--height-mm", "99999"}, 5, "it needs 46034");
-    // 2362181 x 236197 pixels of 3 bytes, and a tenth more: 1.8412e12 bytes.
+    // 2362181 x 236197 pixels of 3 bytes plus a tenth: 1.8412e12 bytes.
     expectRefused("x.tif", {"--width-mm", "99999", "--height-mm", "9999", "--tile-mm", "30"}, 5, "it needs 18412");
     const Ended sprite = test::vitrine({"sprite", "none.glb", "--size", "20000x20", "--out", folder / "s.png"});
     EXPECT_EQ(sprite.code, 2);

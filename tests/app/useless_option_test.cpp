@@ -1,4 +1,4 @@
-// Options that change nothing beside the others are refused, by every command in the same way.
+// Options without effect are refused by all commands in the same way.
 
 #include "tests/app/child_process.h"
 #include "tests/support/temporary_folder.h"

@@ -1,4 +1,5 @@
-// Whatever a client of `vitrine serve` sends: it is answered in one sentence, the server goes on, and so do the others.
+// Invalid input from clients of `vitrine serve`: it is answered with one sentence, and the server and other clients go
+// on.
 
 #include "tests/app/serve/served_program.h"
 #include "tests/support/random.h"
@@ -33,7 +34,7 @@ protected:
 };
 std::unique_ptr<ServedProgram> ServeHostile::hostile_;
 
-/// A request in which the params stand as written.
+/// Returns a request with the params as written.
 std::string asking(const std::string& method, const std::string& params)
 {
     return R"({"jsonrpc":"2.0","id":1,"method":")" + method + R"(","params":)" + params + '}';
@@ -42,7 +43,7 @@ std::string asking(const std::string& method, const std::string& params)
 struct HostileLine {
     std::string line;
     int code;
-    std::string part;  ///< Of the message.
+    std::string part;  ///< Part of the expected message.
 };
 
 std::vector<HostileLine> linesThatAreNoRequests()
@@ -179,7 +180,7 @@ TEST_F(ServeHostile, ALineThatIsTooLongIsLeftOutAndTheNextIsRead)
     EXPECT_EQ(refused["error"]["code"], -32600);
     EXPECT_NE(refused["error"]["message"].get<std::string>().find("1048576"), std::string::npos) << refused;
     EXPECT_EQ(client.read()["id"], 2);
-    // Just as long as may be, and one longer.
+    // A line of the largest allowed size, and one that is longer by a byte.
     std::string longest = test::requestLine(3, "list", Json::object());
     longest.insert(longest.size() - 1, (1U << 20U) + 1 - longest.size(), ' ');
     client.send(longest);
@@ -229,7 +230,7 @@ TEST_F(ServeHostile, RandomBytesAndBrokenRequestsForAWhile)
             }
             if (!client.send(line + (random.below(8) == 0 ? "" : "\n"))) break;
         }
-        if (random.below(2) == 0) {  // Half of them listen to the end.
+        if (random.below(2) == 0) {  // Half of the clients read until the end.
             client.endInput();
             while (const auto answer = client.readLine()) {
                 EXPECT_NO_THROW(static_cast<void>(render::parseJson(*answer, "answer"))) << *answer;
@@ -252,7 +253,7 @@ TEST_F(ServeHostile, WhoDoesNotReadItsAnswersIsReadNoFurther)
     RpcClient deaf(hostile_->socket());
     std::string many;
     for (int i = 0; i < 100; ++i) many += line;
-    // Answers of half a megabyte: it must not keep them all.
+    // Answers have half a megabyte: the server must not keep all of them.
     std::size_t sent = deaf.sendSome(many);
     for (int i = 0; i < 20; ++i) EXPECT_TRUE(bystander_.call("get", {{"exhibit", "fur"}}).contains("result"));
     sent += deaf.sendSome(std::string_view(many).substr(sent));
@@ -268,7 +269,7 @@ TEST_F(ServeHostile, WhoDoesNotReadItsEventsIsDroppedWithAReason)
 {
     RpcClient deaf(hostile_->socket());
     static_cast<void>(deaf.result("events"));
-    for (int i = 0; i < 12; ++i) {  // An event of 300 kB each.
+    for (int i = 0; i < 12; ++i) {  // Each event has 300 kB.
         const Json values{{"environment", std::string(300'000, static_cast<char>('a' + i)) + ".hdr"}};
         ASSERT_TRUE(bystander_.call("set", {{"exhibit", "hall"}, {"values", values}}).contains("result"));
     }
@@ -285,7 +286,7 @@ TEST_F(ServeHostile, WhoDoesNotReadItsEventsIsDroppedWithAReason)
 TEST_F(ServeHostile, OneConnectionTooManyIsToldSo)
 {
     std::vector<std::unique_ptr<RpcClient>> clients;
-    for (int i = 0; i < 15; ++i) {  // And the bystander.
+    for (int i = 0; i < 15; ++i) {  // One place is taken by the bystander.
         clients.push_back(std::make_unique<RpcClient>(hostile_->socket()));
         ASSERT_TRUE(clients.back()->call("get", {{"exhibit", "fur"}}).contains("result")) << i;
     }
@@ -293,7 +294,7 @@ TEST_F(ServeHostile, OneConnectionTooManyIsToldSo)
     EXPECT_EQ(oneMore.read()["error"]["code"], -32011);
     EXPECT_EQ(oneMore.readLine(), std::nullopt);
     clients.pop_back();
-    bool served = false;  // As soon as the server has seen that the other is gone.
+    bool served = false;  // The server accepts it once it has noticed that the other client has gone.
     for (int i = 0; i < 100 && !served; ++i)
         served = RpcClient(hostile_->socket()).ask(asking("get", R"({"exhibit":"fur"})")).contains("result");
     EXPECT_TRUE(served);
@@ -307,7 +308,7 @@ TEST(ServeIdle, AConnectionThatIsSilentGivesWayWhenAllPlacesAreTaken)
         silent.push_back(std::make_unique<RpcClient>(served.socket()));
         ASSERT_TRUE(silent.back()->call("get", {{"exhibit", "fur"}}).contains("result")) << i;
     }
-    // Nobody has been silent for long: the seventeenth is turned away, as by a server without that limit.
+    // No client has been silent for long, so the seventeenth is refused, as by a server without the limit.
     EXPECT_EQ(RpcClient(served.socket()).read()["error"]["code"], -32011);
     std::this_thread::sleep_for(std::chrono::milliseconds(1200));
     for (std::size_t i = 1; i < silent.size(); ++i)
@@ -320,7 +321,7 @@ TEST(ServeIdle, AConnectionThatIsSilentGivesWayWhenAllPlacesAreTaken)
     EXPECT_TRUE(silent[1]->call("get", {{"exhibit", "fur"}}).contains("result")) << "who spoke last keeps the place";
 }
 
-/// A client waits for the answer to its id, whatever is wrong with the rest of its line.
+/// An invalid line is answered with its id if it can be found, because the client waits for it.
 TEST_F(ServeHostile, ALineThatIsNotReadIsAnsweredWithItsId)
 {
     const std::string zero(1, '\0');

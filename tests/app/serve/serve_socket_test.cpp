@@ -1,4 +1,4 @@
-// The socket of `vitrine serve`: whose it is, what it replaces, and that it goes with the server. And the example.
+// Socket of `vitrine serve`: its permissions, replacing an old one, removal with the server; and the example script.
 
 #include "render/image/image_io.h"
 #include "tests/app/serve/served_program.h"
@@ -29,7 +29,7 @@ TEST(ServeSocket, IsItsOwnersAloneAndGoesWithTheServer)
         ASSERT_EQ(::lstat(server.socket().c_str(), &socket), 0);
         EXPECT_EQ(socket.st_mode & 07777U, 0600U);
         EXPECT_TRUE(S_ISSOCK(socket.st_mode));
-        // It ends at once, in the middle of work too, and says so.
+        // The server stops at once, even during work, and says so.
         RpcClient client(server.socket());
         static_cast<void>(client.result("events"));
         client.send(test::requestLine(
@@ -85,7 +85,7 @@ TEST(ServeSocket, NothingElseIsReplaced)
     expectRefused(folder / std::string(200, 'x'), 2, "107 bytes");
     expectRefused("", 2, "bytes");
     EXPECT_EQ(test::vitrine({"serve"}).code, 2);
-    // Without OpenGL there is no server, and no socket of it.
+    // Without OpenGL there is neither a server nor its socket.
     const Ended old = test::vitrine({"serve", "--socket", folder / "socket"}, {{"MESA_GL_VERSION_OVERRIDE", "3.3"}});
     EXPECT_EQ(old.code, 3);
     EXPECT_FALSE(fs::exists(folder / "socket"));
@@ -113,7 +113,7 @@ TEST(ServeSocket, StrangersAreTurnedAwayEvenWhereTheModeLetsThemIn)
         return status != 0;
     };
     EXPECT_FALSE(strangerIsServed());
-    EXPECT_EQ(server.log(), "");  // The file system did that.
+    EXPECT_EQ(server.log(), "");  // The file system refused the connection.
     fs::permissions(server.socket(), fs::perms(0666));
     EXPECT_FALSE(strangerIsServed());
     EXPECT_NE(server.log().find("user 65534 was turned away"), std::string::npos) << server.log();

@@ -1,4 +1,4 @@
-// `vitrine serve`: it answers what the command line says, to the byte; one server for all tests of a suite.
+// `vitrine serve`: its answers equal those of the command line exactly. One server for all tests of the suite.
 
 #include "app/serve/base64.h"
 #include "app/serve/json_rpc.h"
@@ -16,13 +16,13 @@ using test::Ended;
 using test::RpcClient;
 using test::ServedProgram;
 
-/// Of the answer to a request that was refused.
+/// Returns the error message of an answer.
 std::string messageOf(const Json& answer)
 {
     return answer.contains("error") ? answer["error"]["message"].get<std::string>() : answer.dump();
 }
 
-/// What the command line says of the same, as the service writes it.
+/// Converts the error of the command line to the service's form.
 std::string asServed(const Ended& ended)
 {
     EXPECT_EQ(ended.err.rfind("vitrine: ", 0), 0U) << ended.err;
@@ -72,7 +72,7 @@ TEST_F(Serve, SetsAndSaysWhatTheValuesAreThen)
     const Json got =
         client_.result("get", {{"exhibit", "sdf_morph"}, {"names", {"morph", "material", "hall.sunElevation"}}});
     EXPECT_EQ(got["values"], set["values"]);
-    // Another connection sees the same look.
+    // Another connection has the same scene state.
     RpcClient other(server_->socket());
     EXPECT_EQ(other.result("get", {{"exhibit", "sdf_morph"}, {"names", "morph"}})["values"]["morph"], 0.25);
     static_cast<void>(other.result("reset", {{"exhibit", "fur"}}));
@@ -102,13 +102,13 @@ TEST_F(Serve, BringsToTheNearestAndRefusesAsTheCommandLineDoes)
         EXPECT_EQ(answer["error"]["data"]["blame"], "usage");
         EXPECT_EQ(messageOf(answer), asServed(rendered(name + '=' + text)));
     }
-    // One that is wrong leaves the others unset.
+    // If one value is invalid, none is set.
     EXPECT_TRUE(
         client_.call("set", {{"exhibit", "sdf_morph"}, {"values", {{"morph", 0.1}, {"morf", 1}}}}).contains("error"));
     EXPECT_EQ(client_.result("get", {{"exhibit", "sdf_morph"}}), before);
 }
 
-/// Of RFC 4648; what is no digit is left out.
+/// Decodes base64 (RFC 4648); other characters are ignored.
 std::string decoded(const std::string& text)
 {
     const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -146,7 +146,7 @@ TEST_F(Serve, RendersTheBytesOfTheCommandLine)
     const Json inAnswer = client_.result("render", params);
     EXPECT_EQ(decoded(inAnswer["png"].get<std::string>()), bytes);
     EXPECT_EQ(inAnswer["size"], Json::array({32, 18}));
-    // What a request sets is its own; what `set` sets is everybody's.
+    // Values in a request apply to it alone; values of `set` apply to all clients.
     EXPECT_NE(client_.result("get", {{"exhibit", "sdf_morph"}, {"names", "morph"}})["values"]["morph"], 0.3);
     static_cast<void>(client_.result("set", {{"exhibit", "sdf_morph"}, {"values", {{"morph", "0.3"}}}}));
     params.erase("set");
@@ -176,7 +176,7 @@ TEST_F(Serve, LoadsPresetsByNameAndByFile)
     const Json params{{"exhibit", "sdf_morph"}, {"alone", true}, {"size", "32x18"}, {"samples", 1}, {"out", served}};
     static_cast<void>(client_.result("render", params));
     EXPECT_EQ(test::bytesOf(served), test::bytesOf(wanted));
-    // A picture brings back what it shows.
+    // A picture restores its settings.
     static_cast<void>(client_.result("reset"));
     static_cast<void>(client_.result("load", {{"exhibit", "sdf_morph"}, {"preset", wanted}}));
     const Json again = client_.result("get", {{"exhibit", "sdf_morph"}});
@@ -207,7 +207,7 @@ TEST_F(Serve, PlansWhatThenRuns)
     EXPECT_GT(plan["runs"].size(), 0U);
     EXPECT_GT(plan["skipped"].size(), 0U);
     for (const Json& pass : plan["skipped"]) EXPECT_FALSE(pass["reason"].get<std::string>().empty()) << pass;
-    // The ledger's switch.
+    // The run_everything switch of the frame report.
     params.erase("ledger");
     params["run_everything"] = true;
     EXPECT_GT(client_.result("plan", params)["runs"].size(), plan["runs"].size());
@@ -253,7 +253,7 @@ TEST_F(Serve, AnswersInTurnAndNotificationsNotAtAll)
     const Json second = client_.read();
     EXPECT_EQ(second["id"], 2.5);
     EXPECT_EQ(second["result"]["values"]["morph"], 0.75);
-    // Who has asked and says no more is answered all the same.
+    // A client that has closed its sending side still gets its answer.
     client_.send(test::requestLine(3, "list", Json::object()));
     client_.endInput();
     EXPECT_EQ(client_.read()["id"], 3);
@@ -284,7 +284,7 @@ TEST_F(Serve, TellsOthersWhatHasChanged)
     EXPECT_TRUE(client_.events.empty());
 }
 
-/// Half a minute of work and more, in short steps.
+/// Request with at least half a minute of work in short steps.
 const Json longWork{{"exhibit", "sdf_morph"}, {"alone", true}, {"size", "320x180"}, {"samples", 4096}};
 
 TEST_F(Serve, WorkTellsItsProgressAndIsCanceled)
@@ -301,7 +301,7 @@ TEST_F(Serve, WorkTellsItsProgressAndIsCanceled)
         EXPECT_GT(progress["params"]["part"].get<double>(), part);
         part = progress["params"]["part"].get<double>();
     }
-    // Another connection cannot.
+    // Another connection cannot cancel the work.
     RpcClient other(server_->socket());
     other.send(test::requestLine(1, "cancel", Json::object()));
     EXPECT_EQ(other.read()["result"]["canceled"], 0);
@@ -339,7 +339,7 @@ TEST_F(Serve, WorkOfAClosedConnectionStopsAndOthersWaitUntilThen)
 
 TEST(Base64, IsThatOfTheStandard)
 {
-    // RFC 4648, section 10.
+    // Examples of RFC 4648, section 10.
     const std::vector<std::pair<std::string, std::string>> known{{"", ""},
                                                                  {"f", "Zg=="},
                                                                  {"fo", "Zm8="},

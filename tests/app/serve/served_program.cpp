@@ -19,7 +19,7 @@ namespace {
 
 constexpr int minuteMilliseconds = 60'000;
 
-/// Throws when nothing happens for a minute.
+/// Waits for events of a descriptor. Throws after a minute.
 void waitFor(int descriptor, short events)
 {
     pollfd polled{descriptor, events, 0};
@@ -49,7 +49,7 @@ void ServedProgram::start(const Environment& changes, const std::vector<std::str
     if (::pipe2(out.data(), O_CLOEXEC) != 0) throw std::runtime_error("no pipe");
     child_ = ::fork();
     if (child_ == 0) {
-        ::umask(0);  // What the socket is not for does not hang on whoever starts the server.
+        ::umask(0);  // The permissions of the socket must not depend on the umask.
         for (const auto& [name, value] : changes) ::setenv(name.c_str(), value.c_str(), 1);
         ::dup2(out[1], 1);
         ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT, 0600), 2);

@@ -14,12 +14,12 @@
 
 namespace vitrine::test {
 
-/// `vitrine serve` in a folder of its own, as a child process.
+/// Child process that runs `vitrine serve` in a folder of its own.
 class ServedProgram {
 public:
-    /// Returns once it serves. Throws std::runtime_error, with what it said, when it ends instead.
+    /// Returns once the server is ready. Throws std::runtime_error with its output if it ends instead.
     explicit ServedProgram(const Environment& changes = {}, const std::vector<std::string>& options = {});
-    /// At a path of the caller's.
+    /// The same with a socket at this path.
     explicit ServedProgram(std::string socket, const Environment& changes = {});
     ~ServedProgram();
     ServedProgram(const ServedProgram&) = delete;
@@ -27,12 +27,12 @@ public:
 
     [[nodiscard]] const std::string& socket() const { return socket_; }
     [[nodiscard]] const TemporaryFolder& folder() const { return folder_; }
-    /// What it has said on standard error so far.
+    /// Returns its standard error so far.
     [[nodiscard]] std::string log() const { return bytesOf(folder_ / "err"); }
     [[nodiscard]] pid_t id() const { return child_; }
-    /// Sends the signal and waits; the exit code as Ended has it.
+    /// Sends the signal and waits. Returns the exit code as in Ended.
     int end(int signal);
-    /// Whether it still runs.
+    /// Returns whether the process is running.
     [[nodiscard]] bool alive() const;
 
 private:
@@ -43,26 +43,26 @@ private:
     pid_t child_ = -1;
 };
 
-/// A connection to it. What does not come within a minute is a failure of the test, by an exception.
+/// Connection to the server. Waiting for more than a minute throws an exception, which fails the test.
 class RpcClient {
 public:
     explicit RpcClient(const std::string& socket);
 
-    /// Sends the bytes as they are; false when the other end is closed.
+    /// Sends the bytes unchanged. Returns false if the other end is closed.
     bool send(std::string_view bytes);
-    /// As many as are taken at once.
+    /// Sends as many bytes as the socket accepts. Returns their number.
     std::size_t sendSome(std::string_view bytes);
-    /// No more will be sent.
+    /// Closes the sending side.
     void endInput();
-    /// The next line without its end; nothing: the other end was closed.
+    /// Returns the next line without its end; nullopt if the other end was closed.
     [[nodiscard]] std::optional<std::string> readLine();
-    /// The next line as JSON. Throws std::runtime_error when none comes.
+    /// Returns the next line as JSON. Throws std::runtime_error if there is none.
     [[nodiscard]] render::Json read();
-    /// Sends one line and returns the answer to it; events that come before it go to `events`.
+    /// Sends a line and returns the answer. Events that arrive before it are added to `events`.
     [[nodiscard]] render::Json ask(const std::string& line);
-    /// The answer to a request: an object with "result" or "error".
+    /// Returns the answer to a request: an object with "result" or "error".
     [[nodiscard]] render::Json call(const std::string& method, const render::Json& params = render::Json::object());
-    /// Its result; throws std::runtime_error with the message of an error.
+    /// Returns the result of a request. Throws std::runtime_error with the message of an error.
     [[nodiscard]] render::Json result(const std::string& method, const render::Json& params = render::Json::object());
 
     std::deque<render::Json> events;
@@ -73,7 +73,7 @@ private:
     int lastId_ = 0;
 };
 
-/// A request as a line.
+/// Returns a request as a line.
 [[nodiscard]] std::string requestLine(const render::Json& id, const std::string& method, const render::Json& params);
 
 }  // namespace vitrine::test
