@@ -1,5 +1,5 @@
-// Light that dust in the air scatters: the very source that the GPU runs, at float64 and at float32, against the
-// equation of radiative transport and the hard cases of fog.
+// Light scattered by dust in air: the GPU's source code, at float64 and float32, compared with the equation of
+// radiative transport, and in the stability cases of fog.
 
 #include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/rays_cpu32.h"
@@ -25,12 +25,12 @@ TEST(AirPhase, IntegratesToOneOverAllDirections)
     EXPECT_TRUE(std::isnan(naive(1, 1)));
     EXPECT_TRUE(std::isnan(naive(-1, -1)));
     for (const double g : {-0.999, -0.95, -0.5, 0.0, 0.3, 0.9, 0.999, 5.0}) {
-        // In the cosine's own variable the peak is resolved by a substitution towards it.
+        // A substitution concentrates the samples at the peak.
         double sum = 0;
         const int n = 400000;
         for (int i = 0; i < n; ++i) {
             const double u = (i + 0.5) / n;
-            const double toPeak = 2 * u * u * u * u;  // 1 - |cosine| side of the peak
+            const double toPeak = 2 * u * u * u * u;  // Distance of the cosine from the peak.
             const double cosine = g >= 0 ? 1 - toPeak : toPeak - 1;
             const double phase = r64::airPhase(cosine, g);
             EXPECT_TRUE(std::isfinite(phase));
@@ -51,7 +51,7 @@ TEST(AirOpticalDepth, IsTheIntegralOfTheDensity)
                 const int n = 4000;
                 for (int i = 0; i < n; ++i)
                     sum += 0.05 * std::exp(-thinning * (1.5 + slope * way * (i + 0.5) / n)) * way / n;
-                sum = std::min(sum, 1e4);  // Beyond this nothing comes through, and exp could overflow.
+                sum = std::min(sum, 1e4);  // Beyond this value no light is transmitted, and exp could overflow.
                 EXPECT_NEAR(r64::airOpticalDepth(1.5, slope, way, 0.05, thinning), sum, 1e-5 * (1 + sum))
                     << slope << ' ' << thinning << ' ' << way;
                 EXPECT_NEAR(r32::airOpticalDepth(1.5F, static_cast<float>(slope), static_cast<float>(way), 0.05F,
@@ -64,7 +64,7 @@ TEST(AirOpticalDepth, IsTheIntegralOfTheDensity)
 
 TEST(AirOpticalDepth, LetsThroughBetweenNothingAndAllForEveryInput)
 {
-    // With a slip of the sign, or a ray that enters behind where it leaves, light without end would come through.
+    // With a wrong sign, or a ray that enters behind its exit, the formula would give infinite light.
     const auto naive = [](float density, float way) { return std::exp(-density * way); };
     EXPECT_TRUE(std::isinf(naive(10, -10)));
     for (const double density : {0.0, 1e-12, 1e-6, 0.01, 10.0})
@@ -82,12 +82,12 @@ TEST(AirOpticalDepth, LetsThroughBetweenNothingAndAllForEveryInput)
                 }
 }
 
-/// Dust that thins with height, and a ray through it: told by its formula, so that nothing of the library is in it.
+/// Air with dust that thins with height, and a ray through it. Uses formulas of its own, and none of the library.
 struct Air {
     double density, thinning, from, slope, way;
 
     [[nodiscard]] double extinction(double t) const { return density * std::exp(-thinning * (from + slope * t)); }
-    /// The library's share of light that comes through the first `t` meters.
+    /// Returns the library's transmittance of the first `t` meters.
     [[nodiscard]] double through(double t) const
     {
         return std::exp(-r64::airOpticalDepth(from, slope, t, density, thinning));
@@ -97,8 +97,8 @@ struct Air {
 const Air airs[] = {{0.012, 0.08, 1.5, 0.3, 20}, {0.2, 0.1, 2, -0.2, 12}, {0.09, 0, 0, 1, 9},
                     {1, 0.3, 1, 0.4, 9},         {3, 2, 0.2, -0.01, 40},  {1e-6, 0.08, 1, 0, 10}};
 
-/// What comes out of the air at `first` of a light of `behind` that enters it at `last`, meters from the eye, while
-/// light of 1 falls on it from all sides and a share `albedo` of what it takes is scattered: by Runge and Kutta.
+/// Returns the radiance that leaves the air at `first` if `behind` enters it at `last`, in meters from the eye.
+/// Radiance of 1 arrives from all sides, and the share `albedo` of the extinction is scattered. Solved by Runge-Kutta.
 double transported(const Air& air, double first, double last, double behind, double albedo)
 {
     constexpr int steps = 20000;
@@ -119,7 +119,7 @@ double transported(const Air& air, double first, double last, double behind, dou
 TEST(AirScattering, OfALitStretchIsThatOfTheTransportEquationForAnyNumberOfSteps)
 {
     for (const Air& air : airs) {
-        // Lit between 30 % and 80 % of the way, as by a beam.
+        // Lit between 30 % and 80 % of the ray, as by a beam.
         const double first = 0.3 * air.way;
         const double last = 0.8 * air.way;
         const double exact = transported(air, 0, first, transported(air, first, last, 0, 1), 0);
@@ -141,7 +141,7 @@ TEST(AirScattering, ASingleStepBringsNoEnergy)
     const Air air = airs[1];
     const double exact = transported(air, 0, air.way, 0, 1);
     EXPECT_NEAR(r64::airScattered(1, air.through(air.way)), exact, 1e-9);
-    // Density times transmittance times length, at the beginning of each of two steps, makes far too much light.
+    // The left Riemann sum with two steps of density times transmittance gives far too much light.
     double naive = 0;
     for (int i = 0; i < 2; ++i) naive += air.extinction(6.0 * i) * air.through(6.0 * i) * 6;
     EXPECT_GT(naive / exact, 1.4);
@@ -149,8 +149,8 @@ TEST(AirScattering, ASingleStepBringsNoEnergy)
 
 TEST(AirScattering, AWhiteFurnaceStaysWhite)
 {
-    // Light of 1 from every side and behind, dust that swallows nothing: whatever is looked at is 1. Every direction
-    // is a sun of its own here, whose light the phase function sends to the eye.
+    // Furnace test: with radiance 1 from every side and from behind, and dust that absorbs nothing, every pixel is 1.
+    // Each direction acts as a sun, whose light the phase function scatters to the eye.
     for (const double anisotropy : {-0.9, 0.0, 0.42, 0.95}) {
         constexpr int cosines = 200000;
         double fromAll = 0;
@@ -165,11 +165,11 @@ TEST(AirScattering, AWhiteFurnaceStaysWhite)
                 scattered += r64::airScattered(through, throughEnd) * fromAll;
                 through = throughEnd;
             }
-            // What is left of the light behind, by an integration that knows nothing of ours.
+            // The transmitted light comes from an independent integration.
             EXPECT_NEAR(transported(air, 0, air.way, 1, 0) + scattered, 1, 5e-6) << air.density << ' ' << anisotropy;
         }
     }
-    // Dust that swallows half of it is no furnace.
+    // Dust that absorbs half of its extinction is darker.
     for (const Air& air : airs)
         EXPECT_NEAR(transported(air, 0, air.way, 1, 0.5),
                     air.through(air.way) + 0.5 * r64::airScattered(1, air.through(air.way)), 1e-9);
@@ -179,7 +179,7 @@ TEST(AirScattering, NoDustScattersNothingAndTheLeastOfItInProportion)
 {
     const auto naive = [](auto x) { return (1 - std::exp(-x)) / x; };
     EXPECT_TRUE(std::isnan(naive(0.0)));
-    EXPECT_EQ(naive(1e-8F), 0);  // It drowns in rounding long before.
+    EXPECT_EQ(naive(1e-8F), 0);  // Rounding destroys the result long before 0.
     EXPECT_EQ(r64::airMean(0), 1);
     for (int i = 0; i <= 1000; ++i) {
         const double sigma = i * 1e-9;
@@ -187,7 +187,7 @@ TEST(AirScattering, NoDustScattersNothingAndTheLeastOfItInProportion)
             EXPECT_NEAR(r64::airMean(sign * sigma), 1 - sign * sigma / 2, 1e-12);
             EXPECT_NEAR(r32::airMean(static_cast<float>(sign * sigma)), 1 - sign * sigma / 2, 1e-7);
         }
-        // Density, and the thinning that makes a quotient of its own: both from 0 to a millionth.
+        // Density, and the thinning, which has a quotient of its own: both from 0 to a millionth.
         for (const double thinning : {0.0, sigma}) {
             const double depth = r64::airOpticalDepth(2, 0.5, 10, sigma, thinning);
             EXPECT_NEAR(depth, 10 * sigma, 1e-4 * sigma);
@@ -226,7 +226,8 @@ TEST(AirBeam, HoldsExactlyThePointsThatTheLightReachesThroughTheOpening)
     EXPECT_GT(inside, 500);
 }
 
-/// What a ray scatters of a lit box of air, up to what it hits at `end`: as crepuscular_rays/march.frag does it.
+/// Returns the light that a ray scatters in a lit box of air, up to a surface at `end`, like
+/// crepuscular_rays/march.frag.
 template <typename Scalar, typename Vec3, typename Box, typename Depth, typename Scattered>
 Scalar marched(const Vec3& eye, const Vec3& direction, Scalar end, const Box& box, const Depth& opticalDepth,
                const Scattered& scattered)
@@ -248,7 +249,7 @@ Scalar marched(const Vec3& eye, const Vec3& direction, Scalar end, const Box& bo
 
 TEST(AirBox, RaysOfNoLengthWithoutEndAndAlongFacesAreDefined)
 {
-    // Slabs by division alone: 0/0 on a face and along it. And the depth of what never ends.
+    // The slab test with plain division gives 0/0 on a face and along it. Rays without a surface have infinite depth.
     const auto naive = [](float origin, float direction, float low) { return (low - origin) / direction; };
     EXPECT_TRUE(std::isnan(naive(-1, 0, -1)));
     const double infinity = std::numeric_limits<double>::infinity();
@@ -276,14 +277,15 @@ TEST(AirBox, RaysOfNoLengthWithoutEndAndAlongFacesAreDefined)
         EXPECT_NEAR(narrow, wide, 1e-5);
         return wide;
     };
-    const double whole = ours({0, 0, -5}, {0, 0, 1}, infinity);  // The sky.
-    EXPECT_NEAR(whole, -std::expm1(-0.3 * 2), 1e-12);            // Two meters of even height 0.
-    EXPECT_EQ(ours({0, 0, -5}, {0, 0, 1}, 0), 0);                // What stands at the eye.
+    const double whole = ours({0, 0, -5}, {0, 0, 1}, infinity);  // No surface: the sky.
+    EXPECT_NEAR(whole, -std::expm1(-0.3 * 2), 1e-12);            // Two meters at height 0.
+    EXPECT_EQ(ours({0, 0, -5}, {0, 0, 1}, 0), 0);                // A surface at the eye.
     EXPECT_EQ(ours({0, 0, 0}, {0, 0, 1}, 0), 0);
     EXPECT_EQ(ours({0, 0, -5}, {0, 0, 1}, 1e-30), 0);
     EXPECT_NEAR(ours({1, 0, -5}, {0, 0, 1}, infinity), whole, 1e-12);
     EXPECT_EQ(ours({0, 0, -5}, {0, 0, -1}, infinity), 0);
-    EXPECT_TRUE(std::isfinite(ours({0, 0, 0}, {0, 0, 0}, infinity)));  // No direction at all: still a number.
+    // Without a direction the result is still finite.
+    EXPECT_TRUE(std::isfinite(ours({0, 0, 0}, {0, 0, 0}, infinity)));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Sizes, blends and weights at the ends of their ranges. Each case first shows what the plain formula does.
+// Sizes, blends and weights at the ends of their ranges. Each test first shows the failure of the plain formula.
 
 #include "render/glsl/cpu.h"
 #include "render/glsl/cpu32.h"
@@ -21,7 +21,7 @@ using test::isFinite;
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
 
-/// Formulas as they are usually copied: the negative controls.
+/// Commonly used formulas, as negative controls.
 namespace naive {
 
 float smoothUnion(float a, float b, float k)
@@ -52,7 +52,7 @@ float cappedCone(vec3 p, float h, float r1, float r2)
 
 }  // namespace naive
 
-/// Largest number of evaluations that rays at a field of size zero take; every ray must end.
+/// Returns the largest number of evaluations of rays at a field of size zero; every ray must end.
 int longestMarch(const std::function<float(const vec3&)>& field)
 {
     f32::Tracer tracer{field};
@@ -116,8 +116,8 @@ TEST(DegenerateInput, TheEllipsoidIsDefinedAtItsCenterAndForFlatRadii)
 
 TEST(DegenerateInput, TheSteepEllipsoidCannotBeBlendedButItsBoundCan)
 {
-    // Along the flat direction, near the rim: the steep form claims ever more than the true distance
-    // changes, the bound never does.
+    // Along the flat direction, near the rim, the steep form changes by more than the true distance; the bound never
+    // does.
     const vec3 radii(0.7F, 0.1F, 0.5F);
     float steep = 0;
     float bound = 0;
@@ -137,7 +137,7 @@ TEST(DegenerateInput, TheSteepEllipsoidCannotBeBlendedButItsBoundCan)
 TEST(DegenerateInput, ConesWithoutHeightOrWithoutEndAreFinite)
 {
     EXPECT_TRUE(std::isnan(naive::cappedCone(vec3(1, 0, 0), 0, 0.5F, 0.5F)));
-    EXPECT_FLOAT_EQ(f32::sdfCappedCone(vec3(1, 0, 0), 0, 0.5F, 0.5F), 0.5F);  // A disk.
+    EXPECT_FLOAT_EQ(f32::sdfCappedCone(vec3(1, 0, 0), 0, 0.5F, 0.5F), 0.5F);  // A disk remains.
     EXPECT_FLOAT_EQ(f32::sdfCappedCone(vec3(0.2F, 1, 0), 0, 0.5F, 0.5F), 1.0F);
     EXPECT_FALSE(std::isfinite(naive::cappedCone(vec3(1, 1, 1), 1e25F, 0.5F, 0.2F)));
     for (const float height : {0.0F, 1e-30F, 1e-6F, 1.0F, 1e6F, 1e25F, 3e38F})
@@ -161,7 +161,7 @@ TEST(DegenerateInput, ACapsuleBetweenEqualPointsIsABall)
     const vec3 a(0.1F, 0.2F, 0.3F);
     EXPECT_TRUE(std::isnan(naive::capsule(vec3(1), a, a, 0.2F)));
     EXPECT_EQ(f32::sdfCapsule(vec3(1), a, a, 0.2F), f32::sdfSphere(vec3(1) - a, 0.2F));
-    // So near that the square of their distance underflows.
+    // So close that the square of their distance underflows.
     EXPECT_TRUE(std::isfinite(f32::sdfCapsule(vec3(1), vec3(0), vec3(1e-30F, 0, 0), 0.2F)));
 }
 
@@ -184,7 +184,7 @@ TEST(DegenerateInput, ABlendOfZeroIsTheHardOperationBitwise)
 
 TEST(DegenerateInput, BlendsStayWithinTheirBoundsForEveryWidth)
 {
-    EXPECT_LT(naive::smoothUnion(0.1F, 0.2F, 1e30F), -1e28F);  // The field collapses.
+    EXPECT_LT(naive::smoothUnion(0.1F, 0.2F, 1e30F), -1e28F);  // The field has collapsed.
     for (const float k : {1e-38F, 1e-30F, 1e-10F, 1e-3F, 1.0F, 1e3F, 1e30F, infinity})
         for (const float a : {-1e9F, -1.0F, 0.0F, 1e-9F, 0.5F, 1e9F})
             for (const float b : {-1.0F, 0.0F, 0.5F, 1e9F}) {
@@ -233,10 +233,10 @@ TEST(DegenerateInput, MixedFieldsEndExactlyOnTheirEnds)
 {
     const float a = 1e9F;
     const float b = 0.123456F;
-    EXPECT_NE(a + (b - a) * 1.0F, b);  // How some drivers write mix.
+    EXPECT_NE(a + (b - a) * 1.0F, b);  // Some drivers implement mix in this way.
     EXPECT_EQ(f32::sdfMix(a, b, 0), a);
     EXPECT_EQ(f32::sdfMix(a, b, 1), b);
-    EXPECT_EQ(f32::sdfMix(infinity, b, 1), b);  // inf * 0 is NaN.
+    EXPECT_EQ(f32::sdfMix(infinity, b, 1), b);  // The product inf * 0 would be NaN.
     EXPECT_EQ(f32::lerpExact(a, b, 1), b);
 }
 
@@ -270,10 +270,10 @@ TEST(DegenerateInput, FieldsWithoutASurfaceGiveBackgroundInFewSteps)
         EXPECT_FALSE(march.hit);
         EXPECT_EQ(march.evaluations, 1);
     }
-    // Subtracting from nothing.
+    // Subtraction from an empty field.
     f32::Tracer hollow{[](const vec3& p) { return f32::sdfSubtraction(1e9F, f32::sdfSphere(p, 1)); }};
     EXPECT_FALSE(hollow.sphereTrace(vec3(0, 0, 3), vec3(0, 0, -1), hollow.marchSettings(0, 100, 0.001F)).hit);
-    // A field that is NaN everywhere is background as well, and ends.
+    // A field that is NaN everywhere is background, and tracing it ends.
     f32::Tracer broken{[](const vec3&) { return std::numeric_limits<float>::quiet_NaN(); }};
     EXPECT_FALSE(broken.sphereTrace(vec3(0), vec3(0, 0, 1), broken.marchSettings(0, 100, 0.001F)).hit);
 }
@@ -292,7 +292,7 @@ TEST(DegenerateInput, SolidsAtFloat32AgreeWithFloat64)
         compare(f32::sdfCappedCone(p, 0.5F, 0.75F, 0.25F), f64::sdfCappedCone(q, 0.5, 0.75, 0.25));
         compare(f32::sdfHexPrism(p, 0.5F, 0.25F), f64::sdfHexPrism(q, 0.5, 0.25));
     }
-    EXPECT_GT(worst, 0);  // It is float32 that runs.
+    EXPECT_GT(worst, 0);  // The computation really uses float32.
     EXPECT_LT(worst, 1e-6F);
 }
 

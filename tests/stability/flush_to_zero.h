@@ -6,7 +6,7 @@
 
 namespace vitrine::test {
 
-/// Whether `FlushToZero` does anything here.
+/// Returns whether `FlushToZero` has an effect on this machine.
 [[nodiscard]] constexpr bool canFlushToZero()
 {
 #if defined(__SSE2__)
@@ -16,8 +16,7 @@ namespace vitrine::test {
 #endif
 }
 
-/// While it lives, numbers below the normal range of floating point count as zero, going in and coming out,
-/// as on GPUs.
+/// While an object exists, denormal numbers count as zero, as operands and as results, like on GPUs.
 class FlushToZero {
 public:
 #if defined(__SSE2__)

@@ -1,4 +1,4 @@
-// That the files which C++ has just compiled are GLSL as well.
+// Files that C++ has compiled must also be valid GLSL.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file with its includes put in, each once, as the engine's loader does.
+/// Returns the file with its includes inserted, each once, like the renderer's loader.
 std::string flattened(const std::string& name, std::set<std::string>& done)
 {
     if (!done.insert(name).second) return {};
@@ -31,7 +31,7 @@ std::string flattened(const std::string& name, std::set<std::string>& done)
     return text;
 }
 
-/// A shader that uses the library as an exhibit would.
+/// Returns a shader that uses the library like an exhibit.
 std::string fragmentShader()
 {
     std::set<std::string> done;
@@ -79,7 +79,7 @@ TEST(Library, CompilesAsGlslThatTheReferenceCompilerAccepts)
     fs::remove_all(folder);
 }
 
-/// The shader files that render/glsl/cpu.h and the exhibits' *_cpu.h compile as C++, too. The rest is GLSL alone.
+/// Returns the shader files that render/glsl/cpu.h and the exhibits' *_cpu.h compile as C++. All others are GLSL only.
 std::vector<fs::path> sharedWithCpp()
 {
     const fs::path root(VITRINE_SOURCE_DIR);
@@ -100,7 +100,7 @@ std::vector<fs::path> sharedWithCpp()
     return files;
 }
 
-/// The rules that keep one source in two languages, where a compiler of one of them would not object.
+/// Rules for sources in both languages that neither compiler checks.
 TEST(Library, KeepsToTheSubsetThatIsBothLanguages)
 {
     const std::vector<fs::path> shared = sharedWithCpp();

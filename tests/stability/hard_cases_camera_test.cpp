@@ -1,4 +1,4 @@
-// Depth and cameras at the ends of their ranges. Each case first shows what the plain formula does.
+// Depth and cameras at the ends of their ranges. Each test first shows the failure of the plain formula.
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/scene_lighting.h"
@@ -27,8 +27,8 @@ float asHalf(double x)
 
 TEST(HardCases, NormalsFromHalfFloatDepthAreStairsAndNoDepthHereIsHalf)
 {
-    // A floor seen at 20 degrees, 3 to 12 m away; the slope of its depth between neighboring lines of a picture of
-    // 720, from depth kept as it is and from a copy in half precision.
+    // A floor seen at 20 degrees, 3 to 12 m away: slope of its depth between neighboring lines of a picture with 720,
+    // from the original depth and from a half-precision copy.
     const double tilt = glm::radians(20.0);
     std::vector<double> half, full;
     for (int line = 0; line < 400; ++line) {
@@ -51,7 +51,7 @@ TEST(HardCases, NormalsFromHalfFloatDepthAreStairsAndNoDepthHereIsHalf)
     EXPECT_GT(half[half.size() / 2], 1);
     EXPECT_LT(full[full.size() * 99 / 100], 0.2);
 
-    // Every image that any plan attaches as depth, or that exhibits share as depth.
+    // All images that any plan attaches as depth, or that exhibits share as depth.
     const Museum museum{allExhibits()};
     const SceneState sceneState = museum.initialSceneState();
     int depths = 0;
@@ -74,7 +74,7 @@ TEST(HardCases, OrthographicDepthIsLinearAndTheSunsMapIsReadThatWay)
     const render::Box box{{-2, 0, -1}, {2, 3, 1}};
     const dvec3 towardsLight = glm::normalize(dvec3(0.3, 0.5, 0.8));
     const render::View sun = lightView(box, towardsLight, {512, 512}, 30);
-    // The depth at which the box begins and ends, and those between, by the matrices.
+    // Depth of the beginning and end of the box, and between them, from the matrices.
     const auto depthAt = [&](const dvec3& world) {
         const dvec4 clip = sun.clipFromWorld * dvec4(world, 1);
         EXPECT_DOUBLE_EQ(clip.w, 1);
@@ -89,7 +89,7 @@ TEST(HardCases, OrthographicDepthIsLinearAndTheSunsMapIsReadThatWay)
     for (int i = 1; i < 10; ++i) {
         const double stored = static_cast<double>(static_cast<float>(depthAt(start - towardsLight * double(i))));
         worst = std::max(worst, std::abs((near - stored) / (near - far) * 10 - i));
-        // What a perspective reconstruction makes of it: distance in proportion to 1 / depth.
+        // A perspective reconstruction assumes distance proportional to 1 / depth.
         naiveWorst = std::max(naiveWorst, std::abs((1 / stored - 1 / near) / (1 / far - 1 / near) * 10 - i));
     }
     EXPECT_LT(worst, 1e-4);
@@ -112,7 +112,7 @@ TEST(HardCases, AMillionTurnsLeaveTheViewOrthonormal)
     for (int i = 0; i < turns; ++i) naive = step * naive;
     EXPECT_GT(skew(naive), 1e-3);
 
-    // The same drift in where the camera looks: the view is built from the direction, so it cannot drift.
+    // The same drift in the view direction: the view is built from the direction, so it stays orthogonal.
     const render::View view = render::makeView({.eye = {1, 2, 3}, .target = dvec3(1, 2, 3) - dvec3(naive[2])}, {});
     EXPECT_LT(skew(glm::dmat3(view.viewFromWorld)), 1e-12);
 }

@@ -1,4 +1,4 @@
-// Values that no table allows, in files. Each case first shows what they would do, were they let in.
+// Illegal values in files. Each test first shows their effect if they were accepted.
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/preset.h"
@@ -38,9 +38,9 @@ Preset read(const std::string& values)
 
 TEST(HardCases, ANegativeSizeInAPresetIsBroughtIntoRangeAndSaid)
 {
-    // Inside out: the far corner of the world is "inside" a box of negative size.
+    // Inverted sizes: a distant point is inside of a box of negative size.
     EXPECT_GT(f32::sdfTorus(vec3(0.35F, 0, 0), 0.35F, -0.12F), 0);                     // No surface is left ...
-    EXPECT_LT(f32::sdfBox(vec3(9, 0, 0), vec3(10, -1, -1)) + f32::sdfOnion(2, 5), 9);  // ... and bounds lie.
+    EXPECT_LT(f32::sdfBox(vec3(9, 0, 0), vec3(10, -1, -1)) + f32::sdfOnion(2, 5), 9);  // ... and bounds are wrong.
     int sizes = 0;
     for (const ParameterInfo& row : table.rows()) {
         if (row.unit != Unit::meter) continue;
@@ -61,7 +61,7 @@ TEST(HardCases, ANegativeSizeInAPresetIsBroughtIntoRangeAndSaid)
 
 TEST(HardCases, NumbersThatAreNoneAreRefusedForEveryRowOfEveryExhibit)
 {
-    // A clamp alone would let NaN through.
+    // A clamp alone would accept NaN.
     const double infinity = std::numeric_limits<double>::infinity();
     const auto exhibits = allExhibits();
     int rows = 0;
@@ -96,7 +96,7 @@ TEST(HardCases, NumbersThatAreNoneAreRefusedForEveryRowOfEveryExhibit)
 
 TEST(HardCases, ARefractiveIndexThatNoGlassHasIsRefusedOrBroughtIntoRange)
 {
-    // One over an index of 0 is infinite, and what it refracts is NaN.
+    // The inverse of an index of 0 is infinite, and refracted directions are NaN.
     for (const char* bad : {"0", "-1.5", "0.2", "1e300"}) {
         const Preset preset = read("\"refractiveIndex\": " + std::string(bad));
         const double index = preset.values[table.refractiveIndex];
@@ -107,7 +107,7 @@ TEST(HardCases, ARefractiveIndexThatNoGlassHasIsRefusedOrBroughtIntoRange)
     }
     for (const char* bad : {"NaN", "null", "\"1.5\"", "1e400", "Infinity", "[1.5]", "true"})
         EXPECT_FAILURE(read("\"refractiveIndex\": " + std::string(bad)), "x.json, line 2");
-    // The same for every number of the table, by code that knows only the rows.
+    // The same for every number of the table, without knowing its meaning.
     ParameterValues values = table.initial();
     const double nan = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
@@ -133,7 +133,7 @@ TEST(HardCases, AScaleOfZeroLeavesNormalsThatAreNumbers)
         EXPECT_TRUE(finite(ours));
         EXPECT_NEAR(std::max({glm::length(ours[0]), glm::length(ours[1]), glm::length(ours[2])}), 1, 1e-6);
     }
-    // What is flat along y faces along y; what is not flat has the inverse transpose's directions.
+    // A surface that is flat along y has its normal along y. Others use the inverse transpose.
     EXPECT_EQ(glm::normalize(normalMatrix(glm::dmat3(1, 0, 0, 0, 0, 0, 0, 0, 1)) * glm::dvec3(0.6, 0.8, 0)),
               glm::dvec3(0, 1, 0));
     test::Random random(4);
@@ -143,7 +143,7 @@ TEST(HardCases, AScaleOfZeroLeavesNormalsThatAreNumbers)
         EXPECT_GT(glm::dot(glm::normalize(normalMatrix(m) * n), glm::normalize(glm::inverseTranspose(m) * n)),
                   1 - 1e-9);
     }
-    // A number that is none does not come that far.
+    // NaN is refused while reading.
     EXPECT_FAILURE(read("\"boxSize\": NaN"), "x.json, line 2");
     test::GltfBuilder builder;
     builder.node(
@@ -162,7 +162,7 @@ TEST(HardCases, AChainOfTenThousandIsRefusedWithoutAStack)
         text += '1';
         return text.append(static_cast<std::size_t>(depth), '}');
     };
-    // What a reader that calls itself once per level needs of the stack: some hundred bytes each time.
+    // Stack use of a recursive reader: some hundred bytes for each level.
     const std::function<int(const std::string&, std::size_t)> naive = [&naive](const std::string& text,
                                                                                std::size_t at) -> int {
         return at < text.size() && text[at] == '{' ? 1 + naive(text, at + 8) : 0;

@@ -1,4 +1,4 @@
-// Arithmetic that every exhibit leans on. Each case first shows what the plain formula does.
+// Arithmetic that all exhibits depend on. Each test first shows the failure of the plain formula.
 
 #include "exhibits/sdf_morph/sdf_morph.h"
 #include "render/glsl/cpu.h"
@@ -25,7 +25,7 @@ namespace f32 = glsl32;
 
 TEST(HardCases, TotalReflectionIsAllTheLightAndNoDirectionIsNaN)
 {
-    // From glass into air. refract() has no direction to give beyond the critical angle.
+    // From glass into air. refract() has no result beyond the critical angle.
     const vec3 normal(0, 1, 0);
     int total = 0;
     for (int i = 0; i <= 2000; ++i) {
@@ -43,7 +43,7 @@ TEST(HardCases, TotalReflectionIsAllTheLightAndNoDirectionIsNaN)
             continue;
         }
         EXPECT_NEAR(glm::length(through), 1, 1e-5);
-        // What goes through, from the amplitudes of the two polarizations (Fresnel 1823) and not as 1 - R.
+        // Transmitted light from the amplitudes of the two polarizations (Fresnel 1823), and not as 1 - R.
         const double behind = std::sqrt(std::max(1 - 2.25 * sine * sine, 0.0));
         const double s = 2 * 1.5 * cosine / (1.5 * cosine + behind);
         const double p = 2 * 1.5 * cosine / (cosine + 1.5 * behind);
@@ -57,7 +57,7 @@ TEST(HardCases, TotalReflectionIsAllTheLightAndNoDirectionIsNaN)
 
 TEST(HardCases, ADayLaterTimeStillMovesSixtyTimesASecond)
 {
-    // A float of a million seconds moves in steps of a sixteenth of a second.
+    // Around a million seconds, a float has steps of a sixteenth of a second.
     std::set<float> naive;
     std::set<double> ours;
     std::set<float> oursAsUniform;
@@ -70,7 +70,7 @@ TEST(HardCases, ADayLaterTimeStillMovesSixtyTimesASecond)
     EXPECT_LT(naive.size(), 20U);
     EXPECT_EQ(ours.size(), 60U);
     EXPECT_EQ(oursAsUniform.size(), 60U);
-    // A whole number of periods later (12.5 s at 0.08 Hz) it is where it was.
+    // After a whole number of periods (12.5 s at 0.08 Hz) the value is the same.
     for (const double time : {0.1, 3.7, 12.0})
         EXPECT_NEAR(morphAt(0.3, 0.08, 1e6 + time), morphAt(0.3, 0.08, time), 1e-9);
 }
@@ -78,14 +78,14 @@ TEST(HardCases, ADayLaterTimeStillMovesSixtyTimesASecond)
 TEST(HardCases, NumbersThatGpusFlushToZeroMakeNoDifference)
 {
     if (!test::canFlushToZero()) GTEST_SKIP() << "this processor keeps denormal numbers";
-    // What a GPU does and a CPU does not: a product below the normal range.
+    // A product below the normal range: GPUs flush it to zero, CPUs do not.
     volatile float tiny = 1e-20F;
     EXPECT_NE(tiny * tiny, 0);
     {
         const test::FlushToZero asOnTheGpu;
         EXPECT_EQ(tiny * tiny, 0);
     }
-    // Sizes and distances so small, in every function that divides by what may underflow.
+    // Sizes and distances of this magnitude, in all functions that divide by values which may underflow.
     const auto answers = [&] {
         std::vector<float> found;
         const float t = tiny;

@@ -1,4 +1,4 @@
-// Hard cases that need a picture: history, accumulators, giant windows, visitors' models that are not sound.
+// Stability cases that need a picture: histories, accumulators, very wide windows, invalid models of visitors.
 
 #include "exhibits/hall/hall_model.h"
 #include "shaders/lib/bindings.glsl"
@@ -21,7 +21,7 @@ using test::Shot;
 
 class HardCases : public test::GlTest {};
 
-/// Sample `i` of `n` of a shot, as the window draws it: the mean of the samples so far, in "frame".
+/// Draws sample `i` of `n` of a shot, like the window: "frame" is the mean of the samples so far.
 render::Image sample(const Shot& shot, int i, int n)
 {
     FrameRequest frame = shot.request.frame;
@@ -32,7 +32,7 @@ render::Image sample(const Shot& shot, int i, int n)
     return gallery().renderer.read("frame");
 }
 
-/// A plan of the museum whose last pass makes all of "frame" NaN.
+/// Returns a plan of the museum whose last pass sets all of "frame" to NaN.
 render::FramePlan spoiled(const Shot& shot, int i, int n)
 {
     FrameRequest frame = shot.request.frame;
@@ -54,7 +54,7 @@ TEST_F(HardCases, ASampleThatIsNaNIsGoneWithTheNextPicture)
     Shot shot;
     const render::Image clean = sample(shot, 0, 4);
     (void)gallery().renderer.draw(spoiled(shot, 1, 4));
-    // What goes on averaging keeps it for ever.
+    // A mean that goes on keeps NaN.
     EXPECT_NE(test::notFinite(sample(shot, 2, 4), 4), "");
     EXPECT_NE(test::notFinite(sample(shot, 3, 4), 4), "");
     EXPECT_EQ(test::largestDifference(sample(shot, 0, 4), clean), 0);
@@ -68,7 +68,7 @@ TEST_F(HardCases, AfterACutNothingOfTheOldViewRemains)
     after.see({-1.2, 0.3, -0.9}, {0, 0, 0});
     const render::Image fresh = sample(after, 0, 8);
     for (int i = 0; i < 4; ++i) (void)sample(before, i, 8);
-    // The ghost of the old view, if the mean goes on.
+    // A mean that goes on shows a ghost of the old view.
     EXPECT_GT(test::largestDifference(sample(after, 4, 8), fresh), 0.05);
     for (int i = 0; i < 4; ++i) (void)sample(before, i, 8);
     EXPECT_EQ(test::largestDifference(sample(after, 0, 8), fresh), 0);
@@ -79,7 +79,7 @@ TEST_F(HardCases, APictureWiderThanAnyTextureIsDrawnInTiles)
     Shot shot;
     shot.object().set(sdfTable().conePrepass, false);
     shot.size(20000, 2);
-    ASSERT_GT(20000, gallery().renderer.largestSide());  // In one piece, it could not be drawn.
+    ASSERT_GT(20000, gallery().renderer.largestSide());  // Too wide to be drawn in one piece.
     const Picture wide = shot.take();
     EXPECT_EQ(wide.width(), 20000);
     EXPECT_EQ(test::notFinite(wide.image, 4), "");
@@ -123,10 +123,10 @@ TEST_F(HardCases, FourThousandSamplesOfOneAverageToOne)
         plan.add(std::move(average));
     }
     (void)gallery().renderer.draw(plan);
-    EXPECT_EQ(gallery().renderer.read("sum").at(0, 0, 0), 2048);  // One more is lost in rounding.
+    EXPECT_EQ(gallery().renderer.read("sum").at(0, 0, 0), 2048);  // One more would be lost in rounding.
     EXPECT_NEAR(gallery().renderer.read("mean").at(0, 0, 0), 1, 1e-6);
 
-    // And the mean that the museum keeps is of that kind, in light for the eye and for files.
+    // The museum's mean is of this kind, in display and linear light.
     for (const AverageIn in : {AverageIn::display, AverageIn::radiance}) {
         Shot shot;
         shot.request.frame.averageIn = in;
@@ -137,7 +137,7 @@ TEST_F(HardCases, FourThousandSamplesOfOneAverageToOne)
     }
 }
 
-/// The visitor's plinth with this file on it, seen from in front.
+/// Draws the visitor's plinth with this file on it, from the front.
 Picture visitorsModel(const std::string& glb, AverageIn in = AverageIn::radiance)
 {
     const test::TemporaryFolder folder;
@@ -152,13 +152,13 @@ Picture visitorsModel(const std::string& glb, AverageIn in = AverageIn::radiance
     shot.see(glm::dvec3(place * glm::dvec4(0.3, 0.7, 2, 1)), glm::dvec3(place * glm::dvec4(0, 0.3, 0, 1)));
     shot.size(64, 48);
     Picture picture = shot.take();
-    // Read once more without it, so that no other test finds it in the hall's cache.
+    // Drawn once more without the file, so that no other test finds it in the hall's cache.
     shot.hall().set(hallTable().objects.front().model, std::string());
     (void)shot.take();
     return picture;
 }
 
-/// A quad of 1 m that faces +z, with this normal at every corner.
+/// Returns a quad of 1 m that faces +z, with this normal at every corner.
 test::GltfBuilder quad(float nx, float ny, float nz)
 {
     test::GltfBuilder builder;
@@ -183,7 +183,7 @@ int whitePixels(const Picture& p)
 
 TEST_F(HardCases, NormalsWithoutLengthInAVisitorsFileLeaveNumbersInThePicture)
 {
-    // Normalized as they are, these normals would be NaN.
+    // Normalizing these normals would give NaN.
     const auto lit = [](float x, float y, float z) {
         test::GltfBuilder builder = quad(x, y, z);
         builder.node({{"name", "quad"}, {"mesh", 0}});

@@ -12,38 +12,38 @@
 
 namespace vitrine::test {
 
-/// What a field of the library says of itself.
+/// Property that the library documents for a field.
 enum class Claim {
-    exact,         ///< The Euclidean distance; 1-Lipschitz.
-    exactOutside,  ///< The same where it is positive.
-    bound,         ///< Never farther than the surface; 1-Lipschitz.
+    exact,         ///< Euclidean distance; 1-Lipschitz.
+    exactOutside,  ///< Exact where it is positive.
+    bound,         ///< At most the distance to the surface; 1-Lipschitz.
     steep,         ///< Changes faster than the distance: by up to `slope`.
 };
 
-/// One solid or operator with sizes; `Number` is double or float.
+/// Solid or operator with sizes; `Number` is double or float.
 template <typename Number> struct LibraryField {
     using Point = glm::vec<3, Number>;
     std::string name;
     Claim claim;
     std::function<Number(const Point&)> field;
-    double slope = 1;  ///< The most that it may change per meter.
+    double slope = 1;  ///< Largest change per meter.
 };
 
-/// Sizes for a list of fields: those written there, or random ones. The same for both precisions: every
-/// value is one of float32.
+/// Source of sizes for a list of fields: the given ones, or random ones. Equal for both precisions, because every value
+/// is one of float32.
 class Sizes {
 public:
     Sizes() = default;
     explicit Sizes(std::uint64_t seed) : random_(seed), fixed_(false) {}
 
-    /// As written, or between nothing and twice as much; nothing at all in one of eight.
+    /// Returns the given size, or a random one from 0 to twice as much; in one of eight cases 0.
     double size(double written)
     {
         if (fixed_) return rounded(written);
         const double share = random_.number(0, 2);
         return random_.number(0, 1) < 0.125 ? 0 : rounded(written * share);
     }
-    /// As written, or anything in [low, high]; one of the two ends in one of eight.
+    /// Returns the given value, or a random one in [low, high]; in one of eight cases an end.
     double between(double low, double high, double written)
     {
         if (fixed_) return rounded(written);
@@ -59,11 +59,11 @@ private:
     bool fixed_ = true;
 };
 
-// The functions of both precisions have the same names and differ in the types of their arguments.
+// Functions of both precisions have equal names and differ in their argument types.
 using namespace glsl;    // NOLINT
 using namespace glsl32;  // NOLINT
 
-/// Every solid of shaders/lib/sdf.glsl, profiles as the endless prisms over them.
+/// Returns all solids of shaders/lib/sdf.glsl. Profiles are infinite prisms.
 template <typename Number> std::vector<LibraryField<Number>> librarySolids(Sizes sizes = {})
 {
     using V3 = glm::vec<3, Number>;
@@ -89,7 +89,7 @@ template <typename Number> std::vector<LibraryField<Number>> librarySolids(Sizes
     const V3 box = v(0.5, 0.3, 0.8), frame = v(0.6, 0.5, 0.8);
     const V2 rectangle(b, c);
     add("sphere", Claim::exact, [=](const V3& p) { return sdfSphere(p, r); });
-    const V3 up = V3(Number(2), Number(6), Number(-3)) / Number(7);  // A unit vector at both precisions.
+    const V3 up = V3(Number(2), Number(6), Number(-3)) / Number(7);  // Unit vector at both precisions.
     add("plane", Claim::exact, [=](const V3& p) { return sdfPlane(p, up, c); });
     add("boxCorner", Claim::exact, [](const V3& p) { return sdfBoxCorner(p); });
     add("box", Claim::exact, [=](const V3& p) { return sdfBox(p, box); });
@@ -112,7 +112,7 @@ template <typename Number> std::vector<LibraryField<Number>> librarySolids(Sizes
     add("cone", Claim::exact, [=](const V3& p) { return sdfCone(p, a, r); });
     add("roundCone", Claim::exact, [=](const V3& p) { return sdfRoundCone(p, b, tube, height); });
     const V3 flat = V3(Number(0.7F), Number(0.1F), Number(0.5F)), radii = v(0.7, 0.1, 0.5);
-    // Outside, where it may be used; 14.6 is the most that three million points showed.
+    // Only outside, where it may be used. Three million points had a slope of at most 14.6.
     add(
         "ellipsoid, outside", Claim::steep, [=](const V3& p) { return std::max(sdfEllipsoid(p, flat), Number(0)); },
         15);
@@ -146,7 +146,7 @@ template <typename Number> std::vector<LibraryField<Number>> librarySolids(Sizes
     return list;
 }
 
-/// Every operator of shaders/lib/sdf_operators.glsl, on a box and a ball that overlap.
+/// Returns all operators of shaders/lib/sdf_operators.glsl, on an overlapping box and ball.
 template <typename Number> std::vector<LibraryField<Number>> libraryOperators(Sizes sizes = {})
 {
     using V3 = glm::vec<3, Number>;

@@ -1,5 +1,5 @@
-// Every field that calls itself 1-Lipschitz or exact, tried at random, at float64 and as the GPU rounds. The
-// offenders that the library marks as such are tried too: a fuzz that could not catch them would prove nothing.
+// All fields that are documented as 1-Lipschitz or exact, at random points, at float64 and float32. Fields that are
+// documented as steeper are included, to show that the test would detect a violation.
 
 #include "tests/stability/library_fields.h"
 
@@ -39,7 +39,7 @@ std::vector<LibraryField<float>> everything32(const Sizes& sizes = {})
     return all;
 }
 
-/// Largest |f(p) - f(q)| / |p - q| over near and far pairs.
+/// Returns the largest |f(p) - f(q)| / |p - q| over near and distant pairs.
 double steepest(const std::function<double(const dvec3&)>& field, int pairs, std::uint64_t seed)
 {
     test::Random random(seed);
@@ -75,7 +75,7 @@ TEST(Lipschitz, EverySolidAndOperatorIsAsSteepAsItSaysAndNotSteeper)
     }
 }
 
-/// What the library's corrections are for: each of these has the slope that is worked out beside it.
+/// Naive forms that the library corrects: each has the slope computed beside it.
 TEST(Lipschitz, TheNaiveFormsAreCaught)
 {
     const auto a = [](const dvec3& p) { return glsl::sdfBox(p - dvec3(0.2, 0, 0), dvec3(0.5, 0.3, 0.4)); };
@@ -98,8 +98,8 @@ TEST(Lipschitz, ExactFieldsLeadToTheSurfaceInOneStep)
     for (const LibraryShape& named : everything()) {
         if (named.claim != Claim::exact && named.claim != Claim::exactOutside) continue;
         SCOPED_TRACE(named.name);
-        // Going the distance down the gradient ends on the surface, for all points but those (of measure
-        // zero, plus the width of the difference) where the nearest point is not unique.
+        // A step by the distance against the gradient ends on the surface. Exceptions are points without a unique
+        // nearest point, which have measure zero plus the width of the difference.
         test::Random random(11);
         int tried = 0;
         int wrong = 0;
@@ -126,8 +126,8 @@ TEST(Lipschitz, HoldsForEverySizeDownToNothing)
     }
 }
 
-/// At float32 a field may differ from itself at float64 by what rounding its steps takes away, a dozen half
-/// units in the last place of 4 (the largest coordinate), and hence from a 1-Lipschitz field by no more.
+/// At float32 a field may differ from float64 by the rounding of its steps, a dozen half units in the last place of 4
+/// (the largest coordinate). Its slope may exceed 1 by no more.
 TEST(Lipschitz, AtFloat32EveryFieldIsFiniteNearFloat64AndNoSteeper)
 {
     constexpr double rounding = 12 * 0x1p-24 * 4;
@@ -159,7 +159,7 @@ TEST(Lipschitz, SubtractingMoreThanThereIsLeavesABoundAndNoSurface)
 {
     const auto solid = [](const dvec3& p) { return glsl::sdfBox(p, dvec3(0.5)); };
     const auto larger = [](const dvec3& p) { return glsl::sdfSphere(p, 3); };
-    // The naive form takes the inside of the cutter to be all that counts there: it jumps at the cutter's face.
+    // The naive form considers only the cutter inside of it, so it jumps at the cutter's face.
     const auto naive = [&](const dvec3& p) { return larger(p) < 0 ? -larger(p) : solid(p); };
     const auto ours = [&](const dvec3& p) { return glsl::sdfSubtraction(solid(p), larger(p)); };
     double naiveSlope = 0;
@@ -178,8 +178,7 @@ TEST(Lipschitz, SubtractingMoreThanThereIsLeavesABoundAndNoSurface)
     EXPECT_FALSE(tracer.sphereTrace(dvec3(0, 0, 6), dvec3(0, 0, -1), tracer.marchSettings(0, 20, 1e-3)).hit);
 }
 
-/// The ends of each solid's extent, worked out by hand: |gradient| = 1 alone would not notice a solid of
-/// the wrong size.
+/// Ends of each solid's extent, computed by hand: |gradient| = 1 alone would not detect a wrong size.
 TEST(Lipschitz, SolidsHaveTheSizesTheyAreGiven)
 {
     using namespace glsl;

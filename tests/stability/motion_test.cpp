@@ -1,5 +1,5 @@
-// The hard cases of motion: clocks that stop, jump and run backwards, springs and rotations where their formulas divide
-// by zero, and coming to rest. Each shows what the plain formula does beside what ours does.
+// Stability cases of motion: clocks that stop, jump and run backwards, springs and rotations at singularities of their
+// formulas, and coming to rest. Each test compares the plain formula with ours.
 
 #include "exhibits/fur/rigid_bodies.h"
 #include "exhibits/fur/spring.h"
@@ -33,11 +33,11 @@ const glm::dvec3 target(0.1, -0.3, 0);
 
 TEST(Spring, LeavesItsStateAloneWhenTheClockIsBroken)
 {
-    // Speed as way by time: nothing by nothing in a paused frame, and no number ever after.
+    // Speed as distance by time is 0/0 in a paused frame, and NaN from then on.
     const auto speed = [](double way, double seconds) { return way / seconds; };
     EXPECT_TRUE(std::isnan(speed(0, 0)));
     EXPECT_TRUE(std::isinf(speed(1e-3, 5e-324)));
-    // A clock that runs backwards makes a damped spring an engine; one that is no number stays in the state.
+    // A clock that runs backwards adds energy to a damped spring. A time that is NaN stays in the state.
     const Spring spring{14, 0.3};
     const auto naive = [&](SpringState s, double h) {
         s.rate -= (spring.omega * spring.omega * s.value + 2 * spring.zeta * spring.omega * s.rate) * h;
@@ -53,7 +53,7 @@ TEST(Spring, LeavesItsStateAloneWhenTheClockIsBroken)
                                  -std::numeric_limits<double>::infinity()})
         for (const FurSpring method : {closed, FurSpring::semiImplicit, FurSpring::explicitEuler})
             EXPECT_EQ(advance(start, target, spring, seconds, method), start) << seconds;
-    // Below the normal numbers, whether they are kept or flushed to zero.
+    // Denormal times, both kept and flushed to zero.
     const auto expectStill = [&] {
         const SpringState after = advance(start, target, spring, 5e-324, closed);
         EXPECT_EQ(after.value, start.value);
@@ -79,10 +79,10 @@ TEST(Spring, BreaksInTheSemiImplicitMethodWhereTheoryPutsIt)
         EXPECT_LT(after(0.98 * limit), 2);
         EXPECT_GT(after(1.02 * limit), 10);
     }
-    // Published: 26 ms at 5 Hz and 13 ms at 10 Hz, both critically damped.
+    // Published values: 26 ms at 5 Hz and 13 ms at 10 Hz, both critically damped.
     EXPECT_NEAR(longestSemiImplicitStep({2 * pi * 5, 1}), 0.026, 0.0005);
     EXPECT_NEAR(longestSemiImplicitStep({2 * pi * 10, 1}), 0.013, 0.0003);
-    // A breakpoint of ten seconds: it throws the fur out of the world, the closed form brings it to rest.
+    // A pause of ten seconds in a debugger: the semi-implicit method diverges, the closed form comes to rest.
     const Spring spring{2 * pi * 10, 1};
     EXPECT_GT(glm::length(advance(start, target, spring, 10, FurSpring::semiImplicit).value), 1e5);
     EXPECT_LT(glm::length(advance(start, target, spring, 10, closed).value - target), 1e-9);
@@ -90,7 +90,7 @@ TEST(Spring, BreaksInTheSemiImplicitMethodWhereTheoryPutsIt)
 
 TEST(Spring, TakesOneStepOfASecondLikeSixHundred)
 {
-    // By the closed form: 4 Hz, damping 0.15, from 1 at rest: 0.02115 after a second.
+    // Closed form: 4 Hz, damping 0.15, from 1 at rest: 0.02115 after a second.
     const Spring spring{2 * pi * 4, 0.15};
     EXPECT_NEAR(advance({{1, 0, 0}, {}}, {}, spring, 1, closed).value.x, 0.02115, 5e-6);
     for (const int steps : {30, 60, 240, 600}) {
@@ -99,14 +99,14 @@ TEST(Spring, TakesOneStepOfASecondLikeSixHundred)
         EXPECT_LT(glm::length(many.value - one.value), 1e-12) << steps;
         EXPECT_LT(glm::length(many.rate - one.rate), 1e-10) << steps;
     }
-    // The methods that the visitor may choose instead are not like that.
+    // The other methods that the visitor can choose depend on the step.
     EXPECT_GT(glm::length(stepped(start, target, spring, 1, 60, FurSpring::explicitEuler).value), 1);
     EXPECT_GT(std::abs(stepped({{1, 0, 0}, {}}, {}, spring, 1, 60, FurSpring::semiImplicit).value.x - 0.02115), 0.005);
 }
 
 TEST(Spring, ChangesSmoothlyThroughCriticalDamping)
 {
-    // The sine's share by its formula: 0/0 at critical damping, the root of a negative number a billionth beyond.
+    // The plain factor of the sine is 0/0 at critical damping, and the root of a negative number slightly beyond.
     const auto naive = [](double zeta, double omega, double t) {
         const double w = omega * std::sqrt(1 - zeta * zeta);
         return std::exp(-zeta * omega * t) * std::sin(w * t) / w;
@@ -130,7 +130,7 @@ TEST(Spring, ChangesSmoothlyThroughCriticalDamping)
 
 TEST(Spring, StaysFiniteWithoutStiffnessOrDampingAndWithFarTooMuch)
 {
-    // The damping ratio of no stiffness, or of no mass: c / (2 sqrt(k m)) without damping either.
+    // The damping ratio without stiffness or mass: c / (2 sqrt(k m)), also without damping.
     const auto ratio = [](double c, double k, double m) { return c / (2 * std::sqrt(k * m)); };
     EXPECT_TRUE(std::isnan(ratio(0, 0, 1)));
     EXPECT_TRUE(std::isinf(ratio(1, 4, 0)));
@@ -173,29 +173,30 @@ TEST(Spring, KeepsItsLimit)
         s = limited(advance(s, target, {14, 0.1}, 1.0 / 60, closed), 1.5);
         ASSERT_LE(glm::length(s.value), 1.5 * (1 + 1e-12));
     }
-    // A teleport by 1000 km, and numbers that have blown up.
+    // A teleport by 1000 km, and diverged numbers.
     EXPECT_LE(glm::length(limited({{1e6, 0, 0}, {1e9, 0, 0}}, 2).value), 2 * (1 + 1e-12));
     EXPECT_EQ(limited({{std::nan(""), 0, 0}, {}}, 2), SpringState{});
     const SpringState atLimit = limited({{3, 0, 0}, {5, 1, 0}}, 2);
-    EXPECT_EQ(atLimit.rate, glm::dvec3(0, 1, 0));  // Nothing leads further out, what leads along stays.
+    // The outward part of the speed is removed, the tangential one stays.
+    EXPECT_EQ(atLimit.rate, glm::dvec3(0, 1, 0));
 }
 
 TEST(Spring, CatchesUpAnHourInOneStep)
 {
-    const Spring spring{2 * pi * 2.2, 0.0002};  // Still swinging after an hour.
+    const Spring spring{2 * pi * 2.2, 0.0002};  // Still oscillating after an hour.
     constexpr int missed = 3600 * 60;
     const SpringState hour = advance(start, target, spring, 3600, closed);
     const SpringState many = stepped(start, target, spring, 3600, missed, closed);
     EXPECT_LT(glm::length(hour.value - many.value), 1e-9);
     EXPECT_GT(glm::length(hour.rate), 1e-9);
-    // The other methods would have to take all the steps: in one, they leave the numbers that make sense.
+    // The other methods need all steps. In one step, they diverge.
     EXPECT_GT(glm::length(advance(start, target, spring, 3600, FurSpring::semiImplicit).value), 1e6);
     EXPECT_GT(glm::length(advance(start, target, spring, 3600, FurSpring::explicitEuler).rate), 1e5);
 }
 
 TEST(Rotation, IsTheSameForAQuaternionAndItsNegative)
 {
-    // Axis and angle as every text book has them go the long way round for one of the two.
+    // The textbook conversion to axis and angle takes the long way for one of q and -q.
     const auto naive = [](const glm::dquat& q) { return 2 * std::acos(q.w); };
     const glm::dquat small = glm::angleAxis(0.1, glm::dvec3(0, 1, 0));
     EXPECT_NEAR(naive(small), 0.1, 1e-9);
@@ -209,7 +210,7 @@ TEST(Rotation, IsTheSameForAQuaternionAndItsNegative)
     EXPECT_EQ(rotationVector(half), rotationVector(-half));
 }
 
-/// Points spread evenly over a sphere: Fibonacci's spiral (Gonzalez 2010).
+/// Returns evenly distributed points on a sphere: Fibonacci spiral (Gonzalez 2010).
 dvec3 onSphere(int i, int n)
 {
     const double y = 1 - 2 * (i + 0.5) / n;
@@ -239,7 +240,7 @@ TEST(Bending, KeepsTheLengthWithinOnePercentAtEveryAngle)
         for (const double curvature : {0.0, 0.5, 0.8, 1.0, 2.0, 5.0})
             EXPECT_NEAR(lengthOf(root, tip, curvature, glsl::STRAND_SLERP), 1, 0.01) << degrees << ' ' << curvature;
     }
-    // The mix of the source loses 13 % of a strand's middle at 60 degrees, half of it at 120 (the chord).
+    // The linear mix of the reference shortens a strand's middle by 13 % at 60 degrees and by half at 120 (the chord).
     const auto shortest = [&](double a) {
         return glm::length(
             glsl::strandDirection(root, dvec3(std::sin(a), std::cos(a), 0), 0.5, glsl::STRAND_MATRIX_MIX));
@@ -251,12 +252,12 @@ TEST(Bending, KeepsTheLengthWithinOnePercentAtEveryAngle)
 
 TEST(Bending, IsDefinedAtNothingAndAtHalfATurn)
 {
-    // Spherical interpolation by its formula: nearly equal directions have a sine of zero.
+    // The plain spherical interpolation divides by a sine of zero for nearly equal directions.
     const auto naive = [](float cosine, float k) {
         return std::sin(k * std::acos(cosine)) / std::sin(std::acos(cosine));
     };
     EXPECT_TRUE(std::isnan(naive(1, 0.5F)));
-    EXPECT_TRUE(std::isnan(naive(std::cos(1e-4F), 0.5F)));  // Its cosine is 1 already.
+    EXPECT_TRUE(std::isnan(naive(std::cos(1e-4F), 0.5F)));  // Its cosine is rounded to 1.
     for (int i = 0; i < 200; ++i) {
         const dvec3 n = onSphere(i, 200);
         for (const double k : {0.0, 0.25, 0.5, 1.0}) {
@@ -267,7 +268,7 @@ TEST(Bending, IsDefinedAtNothingAndAtHalfATurn)
         }
         EXPECT_LT(glm::length(glsl::strandDirection(n, -n, 1, glsl::STRAND_SLERP) + n), 1e-9);
     }
-    // Angles that float arc cosines lose.
+    // Angles for which a float arc cosine gives 0.
     for (const double a : {1e-12, 1e-9, 1e-6, 1e-3}) {
         const dvec3 root(0, 1, 0);
         const dvec3 d = glsl::strandDirection(root, dvec3(std::sin(a), std::cos(a), 0), 0.5, glsl::STRAND_SLERP);
@@ -284,7 +285,7 @@ TEST(Bodies, ComeToRestOnTheFloorAndSleepUntilTheyAreDisturbed)
     const int ball = world.add(BallShape{0.3}, {{0, 0.5, 0}}, 1);
     const int roll = world.add(RollShape{0.2, 0.2}, {{0.8, 0.4, 0}}, 1);
     const int ring = world.add(RingShape{0.35, 0.15}, {{-0.8, 0.4, 0}}, 1);
-    // Who waits until nothing moves to the bit draws for minutes: what is left of a spring only ever grows less.
+    // Waiting for exact rest would take minutes, because a spring's motion decays without an end.
     EXPECT_NE(stepped({{1, 0, 0}, {}}, {}, {14, 0.3}, 60, 3600, closed).value, dvec3(0));
     for (int i = 0; i < 240 * 15 && !(world.asleep(ball) && world.asleep(roll) && world.asleep(ring)); ++i)
         world.step(1.0 / 240);

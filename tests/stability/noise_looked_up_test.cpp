@@ -1,4 +1,4 @@
-// How far noise is off that is looked up between texels, against the bound that rays trust.
+// Error of noise interpolated between texels, compared with the bound that rays rely on.
 
 #include "render/glsl/cpu.h"
 #include "tests/stability/fields.h"
@@ -16,7 +16,7 @@ namespace n64 = vitrine::glsl;
 using glm::dvec3;
 using glm::ivec3;
 
-constexpr int texels = 8;  ///< Along a cell.
+constexpr int texels = 8;  ///< Texels along a cell.
 
 double lookedUp(int kind, const dvec3& p)
 {
@@ -47,7 +47,8 @@ TEST(NoiseLookedUp, IsOffByNoMoreThanItsBound)
     }
 }
 
-/// A lattice point's weight along an axis, and that times the way from it: exact, and between two texels.
+/// Weight of a lattice point along an axis, and its product with the offset: exact, and interpolated between two
+/// texels.
 struct AxisPart {
     double weight, ramp, weightLooked, rampLooked;
 };
@@ -60,7 +61,8 @@ AxisPart axisPart(int texel, double share, int lattice)
             weight(a) * a * (1 - share) + weight(b) * b * share};
 }
 
-/// The most that any choice at the lattice points around can be off at this place: of value and gradient noise.
+/// Returns the largest possible errors of value and gradient noise at this place, over all choices at the surrounding
+/// lattice points.
 std::array<double, 2> worstAt(const ivec3& texel, const dvec3& share)
 {
     double value = 0, gradient = 0;
@@ -74,7 +76,7 @@ std::array<double, 2> worstAt(const ivec3& texel, const dvec3& share)
             std::abs(x.weight * y.ramp * z.weight - x.weightLooked * y.rampLooked * z.weightLooked),
             std::abs(x.weight * y.weight * z.ramp - x.weightLooked * y.weightLooked * z.rampLooked)};
         std::sort(along.begin(), along.end());
-        gradient += n64::GRADIENT_SCALE_3 * (along[1] + along[2]);  // Slopes lie along two axes.
+        gradient += n64::GRADIENT_SCALE_3 * (along[1] + along[2]);  // Gradients lie along two axes.
     }
     return {value, gradient};
 }
@@ -83,7 +85,7 @@ TEST(NoiseLookedUp, IsOffByNoMoreForTheWorstChoiceAtAllLatticePoints)
 {
     constexpr int steps = 6;
     std::array<double, 2> worst{};
-    // By symmetry, a half of the cell, sorted by axes, is enough.
+    // By symmetry, half of the cell with sorted axes is sufficient.
     for (int x = 0; x <= texels / 2; ++x)
         for (int y = 0; y <= x; ++y)
             for (int z = 0; z <= y; ++z)
@@ -92,11 +94,11 @@ TEST(NoiseLookedUp, IsOffByNoMoreForTheWorstChoiceAtAllLatticePoints)
                     const std::array<double, 2> at = worstAt({x, y, z}, share);
                     for (std::size_t k = 0; k < 2; ++k) worst[k] = std::max(worst[k], at[k]);
                 }
-    // What is left is for texels of half precision and for filters.
+    // The margin of 0.003 is for half-precision texels and for filters.
     EXPECT_LT(worst[0], n64::noiseLookedUpError(n64::NOISE_VALUE) - 0.003);
     EXPECT_LT(worst[1], n64::noiseLookedUpError(n64::NOISE_GRADIENT) - 0.003);
     EXPECT_GT(worst[1], 0.8 * n64::noiseLookedUpError(n64::NOISE_GRADIENT));
-    // Of simplex noise by its curvature, of cellular noise by its slope.
+    // Bounds of simplex noise by its curvature, of cellular noise by its slope.
     EXPECT_LT(3 * n64::noiseMostCurved(n64::NOISE_SIMPLEX) / (8 * texels * texels),
               n64::noiseLookedUpError(n64::NOISE_SIMPLEX) - 0.003);
     EXPECT_LT(n64::noiseSteepest(n64::NOISE_CELLULAR) * std::sqrt(3.0) / 2 / texels,

@@ -1,4 +1,4 @@
-// Sums of octaves of noise, the very source that the GPU runs, at float64.
+// Sums of octaves of noise: the GPU's source code, at float64.
 
 #include "render/glsl/cpu.h"
 #include "tests/stability/fields.h"
@@ -42,7 +42,7 @@ TEST(NoiseSums, HaveTheDerivativeThatDifferencesShow)
                     }
                 }
             }
-            // Absolute values have creases.
+            // Absolute values have kinks.
             EXPECT_LE(wrong, sum == n64::NOISE_FBM ? 0 : 8) << "sum " << sum << " of kind " << kind;
         }
     }
@@ -113,7 +113,7 @@ TEST(NoiseSums, LeaveOutOctavesFinerThanAPixelWithoutAStep)
     EXPECT_EQ(n64::noiseSum(s, p, 0.5).value, 0);
     n64::NoiseSum one = s;
     one.octaves = 1;
-    // Two pixels in three cells of the first octave: the second has none left.
+    // With two pixels in three cells of the first octave, the second octave is filtered out.
     EXPECT_NEAR(n64::noiseSum(s, p, 0.25).value * (1 + 0.5 + 0.25 + 0.125 + 0.0625), n64::noiseSum(one, p, 0.0).value,
                 1e-3);
     double last = n64::noiseSum(s, p, 0.0).value;

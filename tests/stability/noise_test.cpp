@@ -1,5 +1,4 @@
-// The noise library, the very source that the GPU runs, at float64: what each kind promises of its values, derivatives,
-// periods and spectrum.
+// Noise library: the GPU's source code, at float64. Values, derivatives, periods and spectrum of each kind.
 
 #include "render/glsl/cpu.h"
 #include "render/glsl/cpu32.h"
@@ -25,13 +24,13 @@ using glm::dvec2;
 using glm::dvec3;
 using glm::dvec4;
 
-/// One kind of noise in as many dimensions as `V` has.
+/// Kind of noise in the dimensions of `V`.
 template <typename V, typename I> struct Kind {
     std::string name;
     std::function<std::pair<double, V>(const I&, const V&, const I&, glm::uint)> at;
     bool zeroOnLattice = false;
     double steepest = 0;
-    /// Half the width of a cell's kink: cellular noise has a derivative only where one point is nearest.
+    /// False for cellular noise, which has no derivative where two points are equally near.
     bool smooth = true;
 
     [[nodiscard]] std::pair<double, V> point(const V& p, glm::uint seed = 1, const I& period = I(0)) const
@@ -91,7 +90,7 @@ template <typename V> V anyPoint(test::Random& random, double halfSize)
     return p;
 }
 
-/// Values within [-1, 1] that come near neither of them by chance alone; mean and spread.
+/// Expects values within [-1, 1] that use much of this range, slopes within the stated bound, and a mean of 0.
 template <typename V, typename I> void expectRange(const std::vector<Kind<V, I>>& kinds)
 {
     for (const Kind<V, I>& k : kinds) {
@@ -126,7 +125,7 @@ TEST(Noise, StaysInItsRangeAndIsNeverSteeperThanItSays)
     expectRange(kinds4());
 }
 
-/// Central differences at float64 against the derivative.
+/// Compares derivatives with central differences at float64.
 template <typename V, typename I> void expectSlopes(const std::vector<Kind<V, I>>& kinds)
 {
     constexpr double step = 1e-5;
@@ -155,7 +154,7 @@ TEST(Noise, HasTheDerivativeThatDifferencesShow)
     expectSlopes(kinds4());
 }
 
-/// No step from one cell, simplex or nearest point to the next.
+/// Expects no jump between cells, simplices or nearest points.
 template <typename V, typename I> void expectContinuous(const std::vector<Kind<V, I>>& kinds)
 {
     for (const Kind<V, I>& k : kinds) {
@@ -240,7 +239,8 @@ TEST(Noise, OfAnotherSeedIsUnrelated)
     }
 }
 
-/// Of noise along lines of 64 cells in direction `d`: share of its power by frequency, in steps of 1/64 per cell.
+/// Returns the share of the noise's power by frequency along lines of 64 cells in direction `d`, in steps of 1/64 per
+/// cell.
 std::vector<double> powerAlong(const Kind3& k, const dvec3& d)
 {
     constexpr int samples = 512;
@@ -281,7 +281,8 @@ double shareBetween(const std::vector<double>& power, double low, double high)
     return share;
 }
 
-/// Mean square of the mean over cubes of four cells, over that of the noise: what lies far below its band.
+/// Returns the mean square of means over cubes of four cells, relative to that of the noise: the power far below its
+/// band.
 double slowShare(const Kind3& k)
 {
     constexpr int side = 16;
@@ -309,13 +310,15 @@ TEST(Noise, HasASpectrumThatFallsOutsideItsBand)
     const auto value = spectrum(0), gradient = spectrum(1), simplex = spectrum(2);
     for (const auto* power : {&value, &gradient}) EXPECT_LT(shareBetween(*power, 2, 4), 0.001);
     EXPECT_LT(shareBetween(simplex, 3, 4), 0.001);
-    // A line through a volume has slow waves even where the volume has none: below the band, means over blocks tell.
+    // A line through a volume has slow waves even if the volume has none. Below the band, means over blocks are used
+    // instead.
     EXPECT_GT(slowShare(kinds[0]), 0.008);
     EXPECT_LT(slowShare(kinds[1]), 0.1 * slowShare(kinds[0]));
     EXPECT_LT(slowShare(kinds[2]), 0.1 * slowShare(kinds[0]));
 }
 
-/// Largest over smallest mean square of the derivative along directions of the lattice and between them.
+/// Returns the largest mean square of the derivative, relative to the smallest, along directions of the lattice and
+/// between them.
 double anisotropy(const Kind3& k)
 {
     const std::array<dvec3, 5> directions{dvec3(1, 0, 0), dvec3(0, 0, 1), glm::normalize(dvec3(1, 1, 0)),
@@ -325,7 +328,7 @@ double anisotropy(const Kind3& k)
     for (int i = 0; i < 60000; ++i) {
         const dvec3 p = random.point(500);
         for (std::size_t d = 0; d < directions.size(); ++d) {
-            // Over half a cell: the derivative alone is even for every noise whose axes are alike.
+            // Differences over half a cell, because the derivative alone is isotropic for every noise with equal axes.
             const double difference = k.point(p + 0.25 * directions[d]).first - k.point(p - 0.25 * directions[d]).first;
             power[d] += difference * difference;
         }
@@ -341,7 +344,8 @@ TEST(Noise, ChangesAlikeInEveryDirection)
     EXPECT_LT(anisotropy(kinds[3]), 1.12);
 }
 
-/// Mean square of the noise on planes of the lattice over that between them; 1 where the lattice cannot be seen.
+/// Returns the mean square of the noise on planes of the lattice relative to that between them; 1 if the lattice is
+/// invisible.
 double onPlanes(const Kind3& k)
 {
     test::Random random(18);

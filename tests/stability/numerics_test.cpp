@@ -35,9 +35,9 @@ TEST(Numerics, FresnelOfClearSurfacesIsThatOfTheTwoPolarizations)
         for (int i = 1; i <= 1000; ++i) {
             const double cosine = i / 1000.0;
             const double sineBehind = std::sqrt(1 - cosine * cosine) / index;
-            double expected = 1;  // Total reflection.
+            double expected = 1;  // Total internal reflection.
             if (sineBehind < 1) {
-                // Fresnel 1823, amplitudes of either polarization.
+                // Amplitudes of both polarizations (Fresnel 1823).
                 const double behind = std::sqrt(1 - sineBehind * sineBehind);
                 const double s = (cosine - index * behind) / (cosine + index * behind);
                 const double p = (index * cosine - behind) / (index * cosine + behind);
@@ -55,7 +55,7 @@ TEST(Numerics, FresnelOfClearSurfacesIsThatOfTheTwoPolarizations)
 
 TEST(Numerics, AnglesOfCosinesBeyondOneAreDefinedAndAccurate)
 {
-    // acos itself is NaN beyond 1, where rounding puts the product of two unit vectors.
+    // acos is NaN beyond 1, which rounding of the product of two unit vectors can reach.
     EXPECT_EQ(f32::safeAcos(1.0000001F), 0);
     EXPECT_FLOAT_EQ(f32::safeAcos(-1.0000001F), float(M_PI));
     for (int i = -1000; i <= 1000; ++i) {
@@ -67,7 +67,7 @@ TEST(Numerics, AnglesOfCosinesBeyondOneAreDefinedAndAccurate)
 TEST(Numerics, TheAngleOfTheOriginIsZero)
 {
     EXPECT_EQ(f32::angleOf(0, 0), 0);
-    EXPECT_EQ(f32::angleOf(-0.0F, -0.0F), 0);  // C says -pi.
+    EXPECT_EQ(f32::angleOf(-0.0F, -0.0F), 0);  // Standard C returns -pi.
     EXPECT_FLOAT_EQ(f32::angleOf(1, 0), float(M_PI) / 2);
     EXPECT_FLOAT_EQ(f32::angleOf(0, -1), float(M_PI));
 }
@@ -96,7 +96,7 @@ TEST(Numerics, PowersOfZeroAreDefined)
 
 TEST(Numerics, AStepBetweenEqualEdgesIsAHardStep)
 {
-    // GLSL leaves smoothstep between equal edges undefined: a driver gives 0, 1 or NaN.
+    // GLSL leaves smoothstep between equal edges undefined: drivers return 0, 1 or NaN.
     EXPECT_EQ(f32::smoothStep(0.5F, 0.5F, 0.49F), 0);
     EXPECT_EQ(f32::smoothStep(0.5F, 0.5F, 0.5F), 1);
     for (int i = -10; i <= 20; ++i)
@@ -125,7 +125,7 @@ TEST(Numerics, ValuesThatAreNotNumbersAreReplaced)
 
 TEST(Hash, LatticePointsFarFromTheOriginStayDistinct)
 {
-    // The sine hash that shaders copy from one another.
+    // Commonly copied hash that uses sin.
     const auto sine = [](float x, float y) {
         const float s = std::sin(x * 12.9898F + y * 78.233F) * 43758.5453F;
         return s - std::floor(s);
@@ -138,20 +138,20 @@ TEST(Hash, LatticePointsFarFromTheOriginStayDistinct)
             fromPcg.insert(f32::hashCell(glm::ivec3(1000000 + x, 1000000 + y, -5), 1).x);
         }
     EXPECT_LT(fromSine.size(), 2000U);
-    EXPECT_GE(fromPcg.size(), 4095U);  // 4096 draws of 32 bits: two equal once in 500 tries.
+    EXPECT_GE(fromPcg.size(), 4095U);  // Of 4096 draws of 32 bits, two are equal once in 500 tries.
 }
 
 TEST(Hash, NeighborsAreDistinctBeyondTheIntegersOfAFloat)
 {
     const int far = (1 << 24) + 1;
-    EXPECT_EQ(float(far), float(far - 1));  // As floats they are the same cell.
+    EXPECT_EQ(float(far), float(far - 1));  // Rounded to float they are the same cell.
     EXPECT_NE(f32::hashCell(glm::ivec3(far, 0, 0), 0), f32::hashCell(glm::ivec3(far - 1, 0, 0), 0));
     EXPECT_NE(f32::hashCell(glm::ivec3(-1, 0, 0), 0), f32::hashCell(glm::ivec3(0, 0, 0), 0));
 }
 
 TEST(Hash, PcgIsTheGeneratorOfItsPaper)
 {
-    // pcg(v) is one step of PCG RXS-M-XS-32; computed here from its definition in 64-bit arithmetic.
+    // pcg(v) is one step of PCG RXS-M-XS-32, computed here from its definition in 64-bit arithmetic.
     for (std::uint64_t v : {0ULL, 1ULL, 12345ULL, 0xffffffffULL}) {
         const std::uint64_t state = (v * 747796405ULL + 2891336453ULL) % 4294967296ULL;
         const std::uint64_t word = (((state >> ((state >> 28) + 4)) ^ state) * 277803737ULL) % 4294967296ULL;
@@ -167,7 +167,7 @@ TEST(Hash, BitsBecomeEvenlySpreadNumbersBelowOne)
     for (std::uint32_t i = 0; i < 160000; ++i) ++bins[int(f32::unitFromBits(f32::pcg(i)) * 16)];
     double chiSquare = 0;
     for (const int count : bins) chiSquare += (count - 10000.0) * (count - 10000.0) / 10000.0;
-    EXPECT_LT(chiSquare, 37.7);  // 15 degrees of freedom, one in a thousand.
+    EXPECT_LT(chiSquare, 37.7);  // 15 degrees of freedom, probability 1/1000.
 }
 
 }  // namespace

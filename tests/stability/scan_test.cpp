@@ -1,9 +1,7 @@
-// What `vitrine doctor --stability` runs on a user's driver, on this one: the library's numbers, promises about
-// pictures, and every exhibit with random settings at hostile times, places and sizes.
-//   VITRINE_SCAN_PRESETS=20000   more than the 1000 settings of each exhibit
-//   VITRINE_SCAN_SEED=123        begin with another seed than 1, as .ci/full does every day; a failure names the seed
-//   to
-//                                begin with
+// Runs the tests of `vitrine doctor --stability` on this driver: the library's arithmetic, promises about pictures, and
+// every exhibit with random settings at extreme times, places and sizes.
+//   VITRINE_SCAN_PRESETS=20000   number of random settings of each exhibit, instead of 1000
+//   VITRINE_SCAN_SEED=123        first seed, instead of 1; .ci/full sets another one every day, and a failure names it
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/random_values.h"
@@ -63,7 +61,7 @@ INSTANTIATE_TEST_SUITE_P(Exhibits, ScanOfExhibit, testing::ValuesIn(namesOfAll()
 
 TEST_F(StabilityScan, EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
 {
-    // How high layer 0 of a single one lies, as a share, would be 0/0.
+    // For a single layer, the relative height of layer 0 would be 0/0.
     const Museum& museum = gallery().museum;
     for (const auto& [i, exhibit] : museum.exhibits()) {
         const auto rows = exhibit.parameters().rows();
@@ -78,7 +76,8 @@ TEST_F(StabilityScan, EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
         plain.frame.averageIn = AverageIn::radiance;
         for (std::size_t row = 0; row < rows.size(); ++row) {
             if (rows[row].kind != Kind::real && rows[row].kind != Kind::count) continue;
-            // Above its initial value, a count that trades accuracy for time costs minutes.
+            // Counts that trade accuracy for time are limited to their initial values, because higher ones take
+            // minutes.
             const double high = rows[row].kind == Kind::count && rows[row].qualityReference
                                     ? std::get<double>(rows[row].initial)
                                     : rows[row].range.high;
@@ -93,8 +92,7 @@ TEST_F(StabilityScan, EveryRowOfEveryExhibitAtItsEndsGivesNumbers)
     }
 }
 
-/// An exhibit that draws nothing, NaN, or infinity by its settings: the scan must see each, and blame what it is due
-/// to.
+/// Exhibit whose settings make it draw nothing, NaN or infinity. The scan must find each case and name its cause.
 struct Broken final : Exhibit {
     struct Table final : Parameters {
         Real harmless = real("harmless", 0.5, none, {0, 1}, "Changes nothing.");
@@ -121,7 +119,7 @@ struct Broken final : Exhibit {
         plan.add(std::move(glow));
         if (!context.values[table.forgetful]) return;
         plan.image({.name = "broken.source", .format = render::Format::rgba16f});
-        render::Pass half;  // Writes nothing: there is nothing to draw.
+        render::Pass half;  // Draws nothing.
         half.name = "broken/half";
         half.shader = {"kit/depth.vert", "kit/depth.frag", "", {}};
         half.colors = {{"broken.source", render::Load::keep, {}, -1, 0}};
@@ -146,7 +144,7 @@ TEST_F(StabilityScan, FaultsAreSeenAndBlamedOnWhatCausesThem)
     c.sceneState.values[1] = table.initial();
     c.sceneState.values[1].set(table.harmless, 0.25);
     c.frame.alone = 1;
-    c.frame.transparent = true;  // Or the sky would cover it.
+    c.frame.transparent = true;  // Otherwise the sky would cover it.
     c.frame.camera = museum.exhibit(1).bestView(c.sceneState.values[1]);
     EXPECT_EQ(faultOf(museum, gallery().renderer, c), "");
 

@@ -1,4 +1,4 @@
-// Soft shadows and ambient occlusion against brute force at float64.
+// Soft shadows and ambient occlusion compared with brute force at float64.
 
 #include "render/glsl/cpu.h"
 #include "render/glsl/cpu32.h"
@@ -18,7 +18,7 @@ using glm::vec3;
 namespace f64 = glsl;
 namespace f32 = glsl32;
 
-/// A ball and a bar over a floor.
+/// Returns the distance to a ball and a bar over a floor.
 double scene(const dvec3& p)
 {
     return std::min({p.y, f64::sdfSphere(p - dvec3(0, 0.9, 0), 0.35),
@@ -72,14 +72,14 @@ TEST(Shadows, TheSignedMethodComesNearestToALightWithExtentAndCostsNoMore)
 
 TEST(Shadows, APointHalfBehindAStraightEdgeSeesHalfTheLight)
 {
-    // Closed form: a half-space whose edge passes through the middle of the light's disk.
+    // Closed form: a half-space whose edge passes through the center of the light's disk.
     f64::Tracer tracer{[](const dvec3& p) { return f64::sdfBox(p - dvec3(-5, 1.15, 0), dvec3(5, 0.15, 5)); }};
     const dvec3 up(0, 1, 0);
     EXPECT_NEAR(tracer.shadowSigned(dvec3(0), up, 0.1, 0.01, 5, 400).visibility, 0.5, 0.02);
     EXPECT_NEAR(tracer.shadowSigned(dvec3(-0.14, 0, 0), up, 0.1, 0.01, 5, 400).visibility, 0, 0.02);
     EXPECT_NEAR(tracer.shadowSigned(dvec3(0.14, 0, 0), up, 0.1, 0.01, 5, 400).visibility, 1, 0.02);
     EXPECT_NEAR(tracer.shadowArea(dvec3(0), up, 0.1, 0.01, 5, 400, 64, 0).visibility, 0.5, 0.05);
-    // The limit that the method documents: a sheet much thinner than the light lets half of it through.
+    // Documented limit of the method: a sheet much thinner than the light lets half of it through.
     f64::Tracer sheet{[](const dvec3& p) { return f64::sdfBox(p - dvec3(-5, 1, 0), dvec3(5, 0.001, 5)); }};
     EXPECT_NEAR(sheet.shadowSigned(dvec3(-1, 0, 0), up, 0.1, 0.01, 5, 400).visibility, 0.5, 0.05);
     EXPECT_EQ(sheet.shadowArea(dvec3(-1, 0, 0), up, 0.1, 0.01, 5, 400, 16, 0).visibility, 0);
@@ -88,7 +88,7 @@ TEST(Shadows, APointHalfBehindAStraightEdgeSeesHalfTheLight)
 TEST(Shadows, StartsAtZeroAndLightsWithoutExtentGiveNumbers)
 {
     f32::Tracer tracer{[](const vec3& p) { return float(scene(glm::dvec3(p))); }};
-    EXPECT_TRUE(std::isnan(0.0F / (0.06F * 0.0F)));  // h / (w t) at the start.
+    EXPECT_TRUE(std::isnan(0.0F / (0.06F * 0.0F)));  // The quotient h / (w t) at the start.
     test::Random random(3);
     for (int i = 0; i < 3000; ++i) {
         const vec3 p(random.point(1));
@@ -106,7 +106,7 @@ TEST(Shadows, StartsAtZeroAndLightsWithoutExtentGiveNumbers)
     }
     EXPECT_EQ(tracer.shadowArea(vec3(0), vec3(0, 1, 0), 0.1F, 0.01F, 3, 64, 0, 0).visibility, 1);
     EXPECT_EQ(tracer.shadowSigned(vec3(0, 5, 0), vec3(0, 1, 0), 0.1F, 0.01F, 0, 64).evaluations,
-              0);  // Nothing between p and the light.
+              0);  // Nothing is between p and the light.
 }
 
 TEST(Occlusion, IsOneWithoutARadiusAndStaysBetweenZeroAndOne)

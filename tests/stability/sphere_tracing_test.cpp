@@ -23,7 +23,7 @@ namespace f32 = glsl32;
 using Field = std::function<double(const dvec3&)>;
 using Field32 = std::function<float(const vec3&)>;
 
-constexpr double pixelCone = 0.5 / 180 * 0.9;  // Some 180 lines high.
+constexpr double pixelCone = 0.5 / 180 * 0.9;  // For pictures about 180 lines high.
 
 f64::TorusMug mug()
 {
@@ -36,13 +36,13 @@ struct Scene {
     Field exact;
 };
 
-/// The same field at both precisions, from one generic lambda that asks its point which it is.
+/// Returns a field at both precisions from one generic lambda, whose point type decides.
 template <typename Make> Scene scene(const char* name, Make make)
 {
     return {name, [make](const vec3& p) { return float(make(p)); }, [make](const dvec3& p) { return double(make(p)); }};
 }
 
-/// Fields with thin parts, creases, grazing planes and bounds that are not exact.
+/// Fields with thin parts, creases, grazing planes and inexact bounds.
 std::vector<Scene> scenes()
 {
     const auto shape64 = f64::torusMugShape(mug());
@@ -93,7 +93,7 @@ f64::Tracer<Field> exactTracer(const Field& field)
     return {field};
 }
 
-/// Hart's method with a tolerance far below a pixel.
+/// Returns whether a ray hits, by Hart's method with a tolerance far below a pixel.
 bool trulyHits(const Field& field, const dvec3& origin, const dvec3& direction, double end)
 {
     auto tracer = exactTracer(field);
@@ -183,13 +183,13 @@ TEST(RayBox, StartsWhereTheRayIsInsideWhereverTheCameraIs)
     expectSpan({0.999, 0, 10}, {0, 0, -1}, 7, 13);     // Along a face, inside.
     EXPECT_TRUE(misses({0, 0, 10}, {0, 0, 1}));        // Behind the camera.
     EXPECT_TRUE(misses({1.001, 0, 10}, {0, 0, -1}));   // Along a face, outside.
-    EXPECT_TRUE(std::isnan((1.0 - 1.0) * (1 / 0.0)));  // The plain slab test exactly on a face.
+    EXPECT_TRUE(std::isnan((1.0 - 1.0) * (1 / 0.0)));  // The plain slab test fails exactly on a face.
     for (const double x : {-1.0, 1.0}) {
         const dvec2 span = tracer.rayBox({x, 0, 10}, {0, 0, -1}, low, high);
         EXPECT_TRUE(test::isFinite(span.x) && test::isFinite(span.y));
     }
 
-    // Against brute force: points along the ray that are inside.
+    // Compared with brute force: points along the ray that are inside.
     test::Random random(8);
     for (int i = 0; i < 2000; ++i) {
         const dvec3 origin = random.point(5);
@@ -204,7 +204,7 @@ TEST(RayBox, StartsWhereTheRayIsInsideWhereverTheCameraIs)
     }
 }
 
-/// H1: the share of the picture that the mug covers while the camera is pushed through its box.
+/// H1: the area of the mug in the picture while the camera moves through its bounding box.
 TEST(RayBox, TheSilhouetteGrowsSteadilyWhileTheCameraPassesThroughTheBox)
 {
     const auto shape = f64::torusMugShape(mug());
@@ -220,7 +220,7 @@ TEST(RayBox, TheSilhouetteGrowsSteadilyWhileTheCameraPassesThroughTheBox)
             for (int x = 0; x < size; ++x) {
                 const dvec3 ray = camera.ray(x + 0.5, y + 0.5, size);
                 const dvec2 span = tracer.rayBox(camera.eye, ray, low, high);
-                // A rasterized front face is not there when the camera is past it.
+                // A rasterized front face is missing once the camera has passed it.
                 if (span.x > span.y || (frontFaces && span.x == 0)) continue;
                 count += tracer.sphereTrace(camera.eye, ray, tracer.marchSettings(span.x, span.y, 0.45 / size)).hit;
             }
@@ -228,7 +228,7 @@ TEST(RayBox, TheSilhouetteGrowsSteadilyWhileTheCameraPassesThroughTheBox)
     };
     const double face = high.z;
     EXPECT_GT(covered(face + 0.001, true), 0);
-    EXPECT_EQ(covered(face - 0.001, true), 0);  // The object vanishes.
+    EXPECT_EQ(covered(face - 0.001, true), 0);  // The object disappears.
     int previous = covered(face + 0.02, false);
     for (double z = face + 0.0175; z > face - 0.02; z -= 0.0025) {
         const int now = covered(z, false);
@@ -239,13 +239,14 @@ TEST(RayBox, TheSilhouetteGrowsSteadilyWhileTheCameraPassesThroughTheBox)
 
 TEST(RayBox, TheNearPlaneMakesNoDifference)
 {
-    // A start on the rasterized hull begins no nearer than the near plane; the analytic start does not know it.
+    // A ray that starts on the rasterized hull cannot start before the near plane. The analytic start has no such
+    // limit.
     auto tracer = exactTracer([](const dvec3& p) { return f64::sdfSphere(p, 0.5); });
     const dvec3 eye(0, 0, 0.8);
     const dvec3 ray(0, 0, -1);
     const auto fromHull = [&](double nearPlane) {
         const double hull = eye.z - 0.55;
-        if (hull < nearPlane) return false;  // Clipped: no fragment, a hole.
+        if (hull < nearPlane) return false;  // Clipped: no fragment, and a hole in the picture.
         return tracer.sphereTrace(eye, ray, tracer.marchSettings(hull, 5, 1e-3)).hit;
     };
     EXPECT_TRUE(fromHull(0.01));
@@ -257,7 +258,7 @@ TEST(RayBox, TheNearPlaneMakesNoDifference)
 TEST(SphereTracing, ACameraInsideTheSolidSeesItsInside)
 {
     const Field sphere = [](const dvec3& p) { return f64::sdfSphere(p, 0.5); };
-    // The plain loop walks backwards from where it is, without end.
+    // The plain loop walks backwards without an end.
     double t = 0;
     int steps = 0;
     for (; steps < 1000 && t > -100; ++steps) {
@@ -278,7 +279,7 @@ TEST(SphereTracing, ACameraInsideTheSolidSeesItsInside)
         ASSERT_NEAR(glm::length(origin + ray * march.t), 0.5, 2e-3);
         ASSERT_LT(march.evaluations, 60);
     }
-    // A box that cuts the solid shows the cut, not the far wall.
+    // A box that cuts the solid shows the cut, and not the far wall.
     const auto cut = tracer.sphereTrace(dvec3(0, 0, 3), dvec3(0, 0, -1), tracer.marchSettings(2.8, 6, 1e-3));
     EXPECT_TRUE(cut.hit);
     EXPECT_DOUBLE_EQ(cut.t, 2.8);
@@ -294,7 +295,7 @@ TEST(SphereTracing, ARayThatStartsOnTheSurfaceDoesNotHitItsOwnStart)
         const dvec3 normal = random.direction();
         const dvec3 origin = normal * 0.5;
         const dvec3 ray = random.direction();
-        if (std::abs(glm::dot(ray, normal)) < 0.05) continue;  // Grazing: neither answer is wrong.
+        if (std::abs(glm::dot(ray, normal)) < 0.05) continue;  // Grazing rays may have either result.
         const auto march = tracer.sphereTrace(origin, ray, tracer.marchSettings(0, 10, 1e-3));
         const bool outward = glm::dot(ray, normal) > 0;
         if (!outward) {
@@ -306,13 +307,13 @@ TEST(SphereTracing, ARayThatStartsOnTheSurfaceDoesNotHitItsOwnStart)
         EXPECT_TRUE(test::isFinite(tracer.fieldNormal(origin + ray * march.t, 3e-4, 2, -ray)));
     }
     EXPECT_GT(toOther, 20);
-    // The naive loop: a first distance of 0 is a hit at 0.
+    // The naive loop stops at once, because its first distance is 0.
     EXPECT_LE(tracer.fieldDistance(dvec3(0.5, 0, 0)), 0);
 }
 
 TEST(SphereTracing, GrazingFloorsGetNoHolesFromTheStepLimit)
 {
-    // Horizon to foreground over a floor with wires on it, 64 steps at most.
+    // From the horizon to the foreground over a floor with wires on it, at most 64 steps.
     const Field32 field = [](const vec3& p) {
         return std::min(p.y, f32::sdfCapsule(p, vec3(-20, 0.3F, -15), vec3(20, 0.3F, -15), 0.05F));
     };
@@ -345,7 +346,7 @@ TEST(SphereTracing, GrazingFloorsGetNoHolesFromTheStepLimit)
 
 TEST(SphereTracing, ThinWiresFarAwayAreNotLost)
 {
-    // A wire of 1 cm at 30 m, out in the world where float32 positions are coarse.
+    // A wire of 1 cm at 30 m, far from the origin, where float32 positions are coarse.
     const vec3 offset(3000, 1.5F, -4000);
     constexpr float cone = 0.4F / 600;
     int naive = 0;
@@ -358,12 +359,12 @@ TEST(SphereTracing, ThinWiresFarAwayAreNotLost)
         }};
         for (int x = -40; x <= 40; ++x) {
             const vec3 ray = glm::normalize(vec3(float(x) * cone * 0.05F, 0.013F, -1));
-            const double passes = std::abs(ray.x) / std::hypot(ray.x, ray.z) * away;  // Closest approach to the axis.
+            const double passes = std::abs(ray.x) / std::hypot(ray.x, ray.z) * away;  // Closest distance to the axis.
             if (passes >= 0.009) continue;
             ++truth;
             auto settings = tracer.marchSettings(0, 60, cone);
             found += tracer.sphereTrace(offset, ray, settings).hit;
-            // The loop as it is usually written: the distances that rounding leaves are never this small.
+            // The usual loop: because of rounding, distances never become this small.
             float t = 0;
             for (int i = 0; i < 128 && t < 60; ++i) {
                 const float d = tracer.fieldDistance(offset + ray * t);

@@ -1,5 +1,5 @@
-// The arithmetic of the sunbeams of the screen: weights along a line towards the light. The very source that the GPU
-// runs, at float64 and at float32. What air scatters is in air_test.cpp.
+// Arithmetic of screen-space sunbeams: weights along a line toward the light. The GPU's source code, at float64 and
+// float32. Light scattered by air is in air_test.cpp.
 
 #include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/rays_cpu32.h"
@@ -19,7 +19,7 @@ namespace r32 = vitrine::glsl32;
 const double decays[] = {0.0, 1e-6, 0.5, 0.9, 0.96, 0.99, 0.9999, 1 - 1e-6, 1.0};
 const double densities[] = {0.0, 1e-7, 1e-3, 0.1, 0.5, 0.95, 1.0};
 
-/// What the loop makes of a mask along the way, told by what remains of it.
+/// Returns the result of the loop for a mask along the ray, as a function of the remaining part.
 double gathered(int samples, double decay, double density, const std::function<double(double)>& mask)
 {
     const double exponent = r64::shaftExponent(decay);
@@ -46,7 +46,8 @@ TEST(ShaftWeights, OfALoopAddUpToOneForEverySetting)
                 }
                 EXPECT_NEAR(sum, 1, 1e-9) << n << ' ' << decay << ' ' << density;
                 EXPECT_NEAR(sum32, 1, 2e-4)
-                    << n << ' ' << decay << ' ' << density;  // Up to 1000 roundings, and 1 / n where all are alike.
+                    // Up to 1000 roundings, and 1 / n if all weights are equal.
+                    << n << ' ' << decay << ' ' << density;
             }
         }
     }
@@ -88,7 +89,7 @@ TEST(ShaftWeights, ThePlainSumIsTheClosedFormAlsoWhereItIsZeroOverZero)
 
 TEST(ShaftWeights, MoreSamplesMakeNothingBrighter)
 {
-    // A mask of bars: the mean over many lines must not move by half a percent from 8 to 512 samples.
+    // A mask of bars: the mean over many lines must change by less than half a percent from 8 to 512 samples.
     const auto mean = [](int samples, bool normalized) {
         double sum = 0;
         for (int line = 0; line < 400; ++line) {
@@ -103,14 +104,14 @@ TEST(ShaftWeights, MoreSamplesMakeNothingBrighter)
     const double reference = mean(4096, true);
     for (const int samples : {8, 16, 32, 64, 128, 216, 512})
         EXPECT_NEAR(mean(samples, true) / reference, 1, 0.005) << samples;
-    EXPECT_GT(std::abs(mean(8, false) / mean(512, false) - 1), 0.5);  // The original's sum does.
+    EXPECT_GT(std::abs(mean(8, false) / mean(512, false) - 1), 0.5);  // The reference's sum changes by more than half.
 }
 
 TEST(ShaftWeights, GeometricStepsHaveTheirMeanHoweverLongTheyAre)
 {
     for (const double ratio : {0.3, 0.7, 0.99}) {
         for (const double exponent : {1.0, 1.77, 30.0}) {
-            // Of the mask t, with the weight a t^(a-1), over the step from ratio to 1.
+            // Mean of the mask t with the weight a t^(a-1), over the step from ratio to 1.
             const double exact =
                 exponent / (exponent + 1) * (1 - std::pow(ratio, exponent + 1)) / (1 - std::pow(ratio, exponent));
             double mean = 0;
@@ -122,7 +123,7 @@ TEST(ShaftWeights, GeometricStepsHaveTheirMeanHoweverLongTheyAre)
                 mean += place / shares;
             }
             EXPECT_NEAR(mean, exact, 1e-5) << ratio << ' ' << exponent;
-            // The middle of the ratios is too near to the light where steps are long.
+            // The geometric middle is too near to the light for long steps.
             if (ratio < 0.5 && exponent == 1) {
                 EXPECT_LT(std::sqrt(ratio), 0.9 * exact);
             }
@@ -132,7 +133,7 @@ TEST(ShaftWeights, GeometricStepsHaveTheirMeanHoweverLongTheyAre)
 
 TEST(ShaftWeights, ADecayAboveOneIsNoBrighterThanTheMask)
 {
-    // The original's sum at a decay of 1.1: four and a half thousand times the mask.
+    // The reference's sum at a decay of 1.1 is 4500 times the mask.
     double naive = 0;
     for (int i = 0; i < 64; ++i) naive += std::pow(1.1, i);
     EXPECT_GT(naive, 4400);
@@ -152,7 +153,7 @@ TEST(ShaftWeights, ADecayAboveOneIsNoBrighterThanTheMask)
 
 TEST(ShaftWeights, WithoutAWayToGoTheMaskItselfIsSeen)
 {
-    // A step's share of nothing.
+    // A step's share of zero weight is 0/0.
     const auto naive = [](double i, double n, double density, double a) {
         return (std::pow(1 - density * i / n, a) - std::pow(1 - density * (i + 1) / n, a)) /
                (1 - std::pow(1 - density, a));
@@ -167,12 +168,12 @@ TEST(ShaftWeights, DensityBeyondOneDoesNotReachThroughTheLight)
 {
     for (const double density : {1.0, 1.5, 100.0})
         for (int i = 0; i < 8; ++i) EXPECT_GE(r64::shaftStep(i, 8, r64::shaftDensity(density, 1), 0.5), 0);
-    EXPECT_LT(r64::shaftStep(7, 8, 1.5, 0), 0);  // Unclamped, it would: rays mirrored beyond the sun.
+    EXPECT_LT(r64::shaftStep(7, 8, 1.5, 0), 0);  // Without the clamp, the rays would be mirrored beyond the sun.
 }
 
 TEST(ShaftWeights, ComposeExactlyOverPassesOfGeometricTaps)
 {
-    // Three passes of 4 taps are one of 64, for any mask.
+    // Three passes of 4 taps equal one of 64, for any mask.
     const double exponent = r64::shaftExponent(0.98);
     const double taps = 4;
     const double ratio = r64::shaftRatio(0.9, exponent, taps, 3);
@@ -188,12 +189,12 @@ TEST(ShaftWeights, ComposeExactlyOverPassesOfGeometricTaps)
     double whole = 0;
     for (double i = 0; i < 64; ++i) whole += mask(std::pow(ratio, i)) * r64::shaftTapWeight(i, 64, ratio, exponent);
     EXPECT_NEAR(pass(1, 2), whole, 1e-12);
-    EXPECT_GE(std::pow(ratio, 64), 0.1 - 1e-12);  // And no tap looks beyond the density's share of the way.
+    EXPECT_GE(std::pow(ratio, 64), 0.1 - 1e-12);  // No tap is beyond the part of the ray that the density allows.
 }
 
 TEST(ShaftWeights, AllMethodsConvergeToTheIntegral)
 {
-    // A disk around the light of a quarter of the way: the integral of a t^(a-1) from 0 to 1/4 is (1/4)^a.
+    // A disk around the light with a quarter of the ray: the integral of a t^(a-1) from 0 to 1/4 is (1/4)^a.
     for (const double decay : {0.99, 0.995, 1.0}) {
         const double exponent = r64::shaftExponent(decay);
         const double exact = std::pow(0.25, exponent);
@@ -202,7 +203,7 @@ TEST(ShaftWeights, AllMethodsConvergeToTheIntegral)
         double sum = 0;
         for (double i = 0; i < 216000; ++i)
             sum += (std::pow(ratio, i + 0.5) < 0.25 ? 1.0 : 0.0) * r64::shaftTapWeight(i, 216000, ratio, exponent);
-        EXPECT_NEAR(sum, exact, 0.004);  // What is left out next to the light: two thousandths of the weight.
+        EXPECT_NEAR(sum, exact, 0.004);  // Two thousandths of the weight, next to the light, are left out.
         // The running sum outwards.
         const double keep = std::pow(0.999, exponent);
         double mean = 1;
@@ -213,7 +214,7 @@ TEST(ShaftWeights, AllMethodsConvergeToTheIntegral)
 
 TEST(ShaftWeights, AreTheOriginalsNearThePixel)
 {
-    // decay^(128 s) and (1 - s)^(a - 1), s the share of the way gone: equal to first order.
+    // decay^(128 s) and (1 - s)^(a - 1), where s is the traveled share of the ray, are equal to first order.
     for (const double decay : {0.95, 0.98, 0.995}) {
         const double s = 1e-4;
         EXPECT_NEAR(std::pow(decay, 128 * s), std::pow(1 - s, r64::shaftExponent(decay) - 1), 1e-6);

@@ -25,7 +25,7 @@ f32::TorusMug sizes32(float morph)
     return {morph, 0.35F, 0.12F, 0.28F, 0.66F, 0.045F, 0.165F, 0.09F, 0.06F};
 }
 
-/// Shapes as sliders may leave them: thin, fat, small, large, within what makes a mug.
+/// Returns random sizes within the sliders' ranges: thin, thick, small, large.
 f64::TorusMug randomSizes(test::Random& random, double morph)
 {
     const double mug = random.number(0.2, 0.4);
@@ -56,7 +56,7 @@ TEST(TorusMug, EndsBitwiseOnThePureShapes)
         EXPECT_EQ(f32::sdfTorusMug(p, torus), f32::sdfTorus(vec3(p.x, p.z, p.y), 0.35F, 0.12F));
         EXPECT_EQ(f32::sdfTorusMug(p, torus), f32::sdfUprightTorus(p, sizes32(0.5F)));
         EXPECT_EQ(f32::sdfTorusMug(p, mug), f32::sdfMug(p, sizes32(0.5F)));
-        // Morphs out of range are the nearest end.
+        // Values of morph out of range count as the nearest end.
         EXPECT_EQ(f32::sdfTorusMug(p, f32::torusMugShape(sizes32(-0.25F))), f32::sdfTorusMug(p, torus));
         EXPECT_EQ(f32::sdfTorusMug(p, f32::torusMugShape(sizes32(1.25F))), f32::sdfTorusMug(p, mug));
     }
@@ -64,9 +64,9 @@ TEST(TorusMug, EndsBitwiseOnThePureShapes)
 
 TEST(TorusMug, MeltsWithoutAJump)
 {
-    // A sudden change would show as a pop. The fastest point moves by 3.5 m per unit of morph; a jump would
-    // not shrink with the step. At the torus's end the field is compared near the solid only: far inside, the
-    // pure torus is exact and the union is a bound.
+    // A jump would be visible. The fastest point moves by 3.5 m per unit of morph, and a jump would not shrink with the
+    // step. At the torus's end the field is compared near the solid only, because far inside the pure torus is exact
+    // and the union is a bound.
     test::Random random(2);
     std::vector<dvec3> points;
     for (int i = 0; i < 2000; ++i) points.push_back(random.point(0.7));
@@ -102,8 +102,8 @@ TEST(TorusMug, IsOneLipschitzAtEveryMoment)
     }
 }
 
-/// The solid as voxels: how many pieces, how many closed bubbles, and its Euler characteristic
-/// (pieces - holes + bubbles), counted from corners, edges, faces and cubes.
+/// Topology of the solid as voxels: numbers of pieces and closed bubbles, and its Euler characteristic (pieces - holes
+/// + bubbles), counted from corners, edges, faces and cubes.
 struct Topology {
     int pieces = 0;
     int bubbles = 0;
@@ -114,7 +114,7 @@ struct Topology {
 
 template <typename Field> Topology topology(const Field& field, const dvec3& center, const dvec3& halfSize, int n)
 {
-    const int side = n + 2;  // One layer of air around.
+    const int side = n + 2;  // One layer of empty cubes around.
     const auto index = [&](int x, int y, int z) { return std::size_t((z * side + y) * side + x); };
     std::vector<char> solid(std::size_t(side * side * side), 0);
     for (int z = 1; z <= n; ++z)
@@ -123,8 +123,8 @@ template <typename Field> Topology topology(const Field& field, const dvec3& cen
                 solid[index(x, y, z)] = field(center + halfSize * ((dvec3(x, y, z) - 0.5) / double(n) * 2.0 - 1.0)) < 0;
 
     Topology found;
-    // A cell of the complex exists if any cube around it is solid. Cell (a, b, c) spans the axes whose
-    // bit of `kind` is set; its sign is (-1)^dimension.
+    // A cell of the complex exists if any cube around it is solid. Cell (a, b, c) spans the axes whose bit of `kind` is
+    // set; its sign is (-1)^dimension.
     for (int z = 1; z < side; ++z)
         for (int y = 1; y < side; ++y)
             for (int x = 1; x < side; ++x)
@@ -136,7 +136,7 @@ template <typename Field> Topology topology(const Field& field, const dvec3& cen
                     if (exists) found.euler += __builtin_popcount(unsigned(kind)) % 2 == 0 ? 1 : -1;
                 }
 
-    // Flood fill: solid across corners as in the complex (26 neighbors), air across faces (6).
+    // Flood fill: solid cubes connect across corners as in the complex (26 neighbors), empty ones across faces (6).
     std::vector<char> seen(solid.size(), 0);
     std::vector<std::array<int, 3>> open;
     int airPieces = 0;
@@ -169,15 +169,14 @@ template <typename Field> Topology topology(const Field& field, const dvec3& cen
 
 TEST(TorusMug, IsOneBodyWithOneHoleAtEveryMoment)
 {
-    // The counting itself, on solids whose topology is known.
+    // The counting is checked on solids of known topology.
     const auto ball = topology([](const dvec3& p) { return f64::sdfSphere(p, 0.8); }, dvec3(0), dvec3(1), 24);
     EXPECT_EQ(ball.holes(), 0);
     const auto shell =
         topology([](const dvec3& p) { return f64::sdfOnion(f64::sdfSphere(p, 0.7), 0.3); }, dvec3(0), dvec3(1), 24);
     EXPECT_EQ(shell.bubbles, 1);
     EXPECT_EQ(shell.holes(), 0);
-    // What mixing the two fields would do, the negative control: the wall of the cup breaks into pieces,
-    // or its hole closes, somewhere on the way.
+    // Negative control: mixing the two fields breaks the wall of the cup, or closes its hole, somewhere on the way.
     const auto mug = f64::torusMugShape(sizes(1));
     const auto box = f64::torusMugBoxOverMorph(sizes(0));
     bool broken = false;
@@ -229,15 +228,15 @@ TEST(TorusMug, ALookThroughTheHoleIsFreeAtEveryMoment)
 
 TEST(TorusMug, TheWallOfTheCupIsThereAndAsThickAsAsked)
 {
-    // The wall opposite the handle, halfway up: where the field changes sign along -x.
+    // Wall opposite the handle, at half height: sign changes of the field along -x.
     const auto m = sizes(1);
     const auto shape = f64::torusMugShape(m);
     const auto at = [&](double x) { return f64::sdfTorusMug(shape.bodyCenter + dvec3(-x, 0.1, 0), shape); };
     EXPECT_NEAR(at(m.mugRadius), 0, 1e-12);
     EXPECT_NEAR(at(m.mugRadius - m.wallThickness), 0, 1e-12);
     EXPECT_LT(at(m.mugRadius - 0.5 * m.wallThickness), -0.2 * m.wallThickness);
-    EXPECT_GT(at(0), 0.2);  // One could pour coffee into it.
-    // And its height, ground to lip; the blend rounds a little off the lip.
+    EXPECT_GT(at(0), 0.2);  // The cup is hollow.
+    // Height from bottom to lip; the blend rounds the lip a little.
     double low = 1;
     double high = -1;
     for (double y = -0.6; y < 0.4; y += 0.0005)
@@ -274,7 +273,7 @@ TEST(TorusMug, StandsOnItsGroundAndFillsItsBoxAtEveryMoment)
                 EXPECT_LE(box.center[axis] + box.halfSize[axis],
                           everything.center[axis] + everything.halfSize[axis] + 1e-9)
                     << "morph " << moment(i);
-                // Tight: within the bulge allowed for the joint, the dent and the coarseness of the sampling.
+                // Tight up to the bulge of the joint, the dent and the spacing of the samples.
                 EXPECT_LT(box.halfSize[axis] * 2 - (high[axis] - low[axis]), 0.5 * shape.joint + 0.13)
                     << "morph " << moment(i);
             }
@@ -291,7 +290,7 @@ TEST(TorusMug, NormalsAreUnitVectorsOnTheSaddlesAndEverywhere)
         const auto shape = f32::torusMugShape(sizes32(float(moment(i))));
         f32::Tracer tracer{[&](const vec3& p) { return f32::sdfTorusMug(p, shape); }};
         for (int j = 0; j < 2000; ++j) {
-            // Half of the points on planes of symmetry, where slopes cancel.
+            // Half of the points are on planes of symmetry, where slopes cancel.
             vec3 p(random.point(0.6));
             if (j % 2 == 0) p.z = 0;
             if (j % 4 == 0) p.x = shape.bodyCenter.x;
@@ -299,11 +298,11 @@ TEST(TorusMug, NormalsAreUnitVectorsOnTheSaddlesAndEverywhere)
             ASSERT_NEAR(length, 1, 1e-5);
         }
     }
-    // Where it is zero: the center of a ball.
+    // Zero gradient: the center of a ball.
     f32::Tracer ball{[](const vec3& p) { return f32::sdfSphere(p, 0.5F); }};
     EXPECT_EQ(ball.fieldNormal(vec3(0), 1e-3F, ball.NORMAL_TETRAHEDRON, vec3(0, 0, 1)), vec3(0, 0, 1));
     EXPECT_EQ(ball.fieldNormal(vec3(0), 1e-3F, ball.NORMAL_CENTRAL, vec3(0, 0, 1)), vec3(0, 0, 1));
-    // Normalized without the fallback, it would be NaN.
+    // Without the fallback, normalizing would give NaN.
 }
 
 TEST(TorusMug, AtFloat32DiffersFromFloat64ByRoundingOnly)

@@ -1,4 +1,4 @@
-// What is read off a traced surface: normals, and rays that go on from it.
+// Normals of traced surfaces, and rays that start on them.
 
 #include "render/glsl/cpu.h"
 #include "render/glsl/cpu32.h"
@@ -23,7 +23,7 @@ using Field = std::function<double(const dvec3&)>;
 
 TEST(Normals, StayAccurateFarAway)
 {
-    // A sphere at 200 m: a step of 1e-5 m drowns in the rounding of positions.
+    // A sphere at 200 m: rounding of positions exceeds a step of 1e-5 m.
     const vec3 center(0, 0, -200);
     f32::Tracer tracer{[=](const vec3& p) { return f32::sdfSphere(p - center, 20); }};
     const auto settings = tracer.marchSettings(0, 400, 0.4F / 600);
@@ -60,8 +60,8 @@ TEST(Normals, AllMethodsAgreeOnSmoothFieldsAndCentralOnesLeanLeastAtCreases)
         for (int method = 0; method < 3; ++method)
             EXPECT_GT(glm::dot(ball.fieldNormal(p, 1e-4, method, dvec3(0, 0, 1)), p / 0.7), 1 - 1e-7);
     }
-    // On a face near an edge. Farther from it than the step, differences along the axes do not see the edge;
-    // nearer, they lean, and central ones lean least.
+    // On a face near an edge. Differences along the axes ignore an edge that is farther away than the step. Nearer to
+    // it they tilt, central ones the least.
     const dvec3 up(0, 0, 1);
     const double h = 1e-4;
     double lean[3] = {};
@@ -77,7 +77,7 @@ TEST(Normals, AllMethodsAgreeOnSmoothFieldsAndCentralOnesLeanLeastAtCreases)
 
 TEST(Reflection, APlaneInAConstantSceneReflectsWithoutAcne)
 {
-    // Mirror floor under a white sky: each reflected ray must leave.
+    // Mirror floor under a white sky: each reflected ray must leave the floor.
     f32::Tracer tracer{[](const vec3& p) { return p.y; }};
     int acne = 0;
     int naive = 0;
@@ -97,7 +97,7 @@ TEST(Reflection, APlaneInAConstantSceneReflectsWithoutAcne)
         again.traveled = march.t;
         again.stepLimit = 500;
         acne += tracer.sphereTrace(p, reflected, again).hit;
-        naive += tracer.fieldDistance(p) < tracer.hitTolerance(march.t, settings);  // Hits where it starts.
+        naive += tracer.fieldDistance(p) < tracer.hitTolerance(march.t, settings);  // The ray hits at its start.
     }
     EXPECT_GT(naive, 4000);
     EXPECT_EQ(acne, 0);
@@ -105,8 +105,8 @@ TEST(Reflection, APlaneInAConstantSceneReflectsWithoutAcne)
 
 TEST(Reflection, ACorridorOfMirrorsAddsNoEnergy)
 {
-    // Two facing mirrors, white sky at the open ends: with reflectance 1 the light is 1 after any number of
-    // bounces, with Schlick's it is at most 1.
+    // Two facing mirrors with a white sky at the open ends. With reflectance 1 the light is 1 after any number of
+    // bounces; with Schlick's it is at most 1.
     f32::Tracer tracer{[](const vec3& p) { return 1 - std::abs(p.x); }};
     test::Random random(17);
     for (int i = 0; i < 300; ++i) {
