@@ -14,7 +14,7 @@ namespace {
 
 struct Letter {
     char name;
-    std::array<unsigned char, 7> rows;  ///< Five cells a row, the left one in bit 4.
+    std::array<unsigned char, 7> rows;  ///< Five cells per row, the left one in bit 4.
 };
 
 constexpr std::array<Letter, 41> letters{{
@@ -56,9 +56,9 @@ bool textCell(const std::string& text, int column, int row)
 namespace {
 
 constexpr double margin = 10;     ///< Millimeters of paper around the bands, for ruler, title and marks.
-constexpr double bandHeight = 8;  ///< Of which `gap` is paper that carries the band's value.
+constexpr double bandHeight = 8;  ///< Millimeters, of which `gap` is paper with the band's value.
 constexpr double gap = 3;
-constexpr double cell = 0.25;  ///< Of a letter, millimeters: letters are 1.75 high.
+constexpr double cell = 0.25;  ///< Size of a letter's cell, millimeters; letters are 1.75 mm high.
 constexpr int pitchBands = 11;
 
 std::string fixed(double value, int digits)
@@ -74,17 +74,17 @@ PrintLayout changed(const PrintLayout& layout, double lpi, double phase, int vie
     s.visualLpi = lpi;
     s.phase = phase;
     s.views = views;
-    if (s.method == Method::nearest) s.method = Method::area;  // A jumping edge is what a chart must not have.
+    if (s.method == Method::nearest) s.method = Method::area;  // A chart must not have jumping edges.
     return PrintLayout(s);
 }
 
-/// Ink of a text whose top left corner is at (0, 0), in millimeters.
+/// Returns the ink of a text whose top left corner is at (0, 0), in millimeters.
 bool textInk(const std::string& text, double x, double y)
 {
     return textCell(text, static_cast<int>(std::floor(x / cell)), static_cast<int>(std::floor(y / cell)));
 }
 
-/// A ruler from its zero, ticks of 1, 5 and 10 mm; `depth` is the distance from the paper's edge.
+/// Returns the ink of a ruler with ticks of 1, 5 and 10 mm; `depth` is the distance from the paper's edge.
 bool rulerInk(double at, double depth)
 {
     const double nearest = std::round(at);
@@ -166,7 +166,7 @@ double Chart::level(double x, double y, std::vector<Tap>& taps) const
     const PrintSettings& s = layout_.settings();
     const double mmX = x / s.dpiX * mmPerInch;
     const double mmY = y / s.dpiY * mmPerInch;
-    // Upright letters for upright lenses; for the others everything is turned, so that it reads along the ruler.
+    // Letters are upright for vertical lenses. For horizontal ones everything is rotated, so it reads along the ruler.
     const double along = upright_ ? mmY : mmX;
     const double across = upright_ ? mmX : mmY;
     if (across >= margin && across < across_ - margin) {

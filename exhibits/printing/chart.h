@@ -9,24 +9,24 @@
 namespace vitrine::printing {
 
 enum class ChartKind : std::uint8_t {
-    pitch,     ///< Bands of black and white views at LPI around the sheet's: the right one is evenly lit.
+    pitch,     ///< Bands of black and white views at LPI around the sheet's; the correct one is evenly lit.
     phase,     ///< Bands at phases 0 to 1.
-    views,     ///< Bands of 1 to N views, one of them white: as many as still show apart can be used.
-    rotation,  ///< The middle view black and all others white over the full height: uniform when straight.
+    views,     ///< Bands of 1 to N views, one of them white; the largest number still distinguishable is usable.
+    rotation,  ///< The middle view black and all others white over the full height: uniform if the sheet is straight.
 };
 
-/// A sheet to print and lay the lenses on. Its patterns come from the same weights as prints, so that they
-/// show the printer and the sheet, not the drawing of the chart.
+/// A calibration chart to print and lay the lenses on. Its patterns use the same weights as prints, so they show the
+/// printer and the sheet, not the drawing of the chart.
 ///
-/// Each band carries its value in ink at both ends and in the middle. Around the bands: lines that are not at
-/// lens pitch, to square the sheet by; a ruler in millimeters along both sides, to see whether the printer
-/// scaled; the two feed directions to tick one of, since a printer's scale
-/// differs between them: print the chart once each way.
+/// Each band carries its value in ink at both ends and in the middle. Around the bands are lines that are not at lens
+/// pitch, to square the sheet by. A ruler in millimeters along both sides shows whether the printer scaled. The two
+/// feed directions are printed to tick one, since a printer's scale differs between them: print the chart once each
+/// way.
 class Chart {
 public:
-    /// Makes a chart of the layout's size, sheet, direction and (for views and rotation) number of views.
-    /// `span` is how far the LPI of a pitch chart goes each way, 0.01 for 1 %. Throws Failure (Blame::usage)
-    /// when the print is too small for it.
+    /// Makes a chart of the layout's size, sheet, direction and (for views and rotation) number of views. `span` is the
+    /// range of LPI of a pitch chart in each direction, 0.01 for 1 %. Throws Failure (Blame::usage) if the print is too
+    /// small.
     Chart(const PrintLayout&, ChartKind, double span);
 
     void fill(const Region&, std::uint8_t* out) const;
@@ -35,7 +35,7 @@ public:
     struct Band {
         double from = 0, to = 0;  ///< Along the lenses, in millimeters from the print's top or left edge.
         PrintLayout layout;
-        std::vector<double> views;  ///< The linear level of each.
+        std::vector<double> views;  ///< Linear level of each view.
         std::string label{};
     };
     [[nodiscard]] const std::vector<Band>& bands() const { return bands_; }
@@ -48,11 +48,11 @@ private:
     PrintLayout layout_;
     std::vector<Band> bands_;
     std::string title_;
-    double along_ = 0, across_ = 0;  ///< The print's sides in millimeters, along the lenses and across them.
-    bool upright_ = true;            ///< The lenses run up rather than sideways.
+    double along_ = 0, across_ = 0;  ///< Sides of the print in millimeters, along and across the lenses.
+    bool upright_ = true;            ///< Whether the lenses are closer to vertical than to horizontal.
 };
 
-/// Whether the text, 7 cells high and 6 cells a letter, has ink in a cell; `column` counts from its left end.
+/// Returns whether a text, 7 cells high and 6 cells per letter, has ink in a cell; `column` counts from its left end.
 [[nodiscard]] bool textCell(const std::string& text, int column, int row);
 
 }  // namespace vitrine::printing

@@ -13,7 +13,7 @@ namespace vitrine::printing {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr int places = 64;  ///< On the print, at which its pixels lie differently under the lens.
+constexpr int places = 64;  ///< Number of places on the print, at which its pixels lie differently under the lens.
 constexpr int apertureParts = 128;
 
 double fraction(double x)
@@ -21,7 +21,8 @@ double fraction(double x)
     return x - std::floor(x);
 }
 
-/// Evenly spread over 0 to 1, in a different order for each `stream` (Kronecker sequences of square roots of primes).
+/// Returns numbers evenly distributed over 0 to 1, in a different order for each `stream` (Kronecker sequences of
+/// square roots of primes).
 double spread(int stream, double index)
 {
     constexpr std::array<double, 5> roots{1.4142135623730951, 1.7320508075688772, 2.2360679774997898,
@@ -56,8 +57,8 @@ ViewMatrix zeros(int views)
 ViewMatrix viewMixing(const PrintLayout& layout)
 {
     const PrintSettings& s = layout.settings();
-    const double axis = 0.5 + s.phase;  // Of a lens, in the layout's lenses.
-    const double pixelsX = layout.printPitch() * s.dpiX / mmPerInch * layout.cosine();  // From lens to lens, across.
+    const double axis = 0.5 + s.phase;  // Axis of a lens, in lenses of the layout.
+    const double pixelsX = layout.printPitch() * s.dpiX / mmPerInch * layout.cosine();  // Pixels between lenses.
     const double pixelsY = layout.printPitch() * s.dpiY / mmPerInch * layout.sine();
     ViewMatrix mixing = zeros(s.views);
     std::vector<Tap> taps;

@@ -8,10 +8,10 @@
 
 namespace vitrine::printing {
 
-/// A square matrix over the views: `at(i, k)` weighs view k in what belongs to view i. Rows sum to 1.
+/// Square matrix over the views: `at(i, k)` is the weight of view k in view i. Rows sum to 1.
 struct ViewMatrix {
     int views = 0;
-    std::vector<double> weights{};  ///< Row by row; empty stands for "as they are".
+    std::vector<double> weights{};  ///< Row by row; empty means the identity.
 
     [[nodiscard]] double at(int i, int k) const
     {
@@ -23,24 +23,23 @@ struct ViewMatrix {
     }
 };
 
-/// What an eye at the angle of each view sees of all views: the exact optics of the lens, the print's own pixels, as
-/// they lie under lenses all over it, and a Gaussian of the ink's spread. Neighboring lenses count as showing the
-/// same. Sampled: good to about 0.005.
+/// Returns how much of each view an eye sees at the angle of every view. Includes the exact optics of the lens, the
+/// print's pixels at their positions under the lenses, and a Gaussian of the ink's spread. Neighboring lenses are
+/// assumed to show the same. Sampled, with an error of about 0.005.
 [[nodiscard]] ViewMatrix viewMixing(const PrintLayout&);
 
-/// The views to print so that the mixed ones come near the wanted ones: the v' that makes
-/// |M v' - v|^2 + weight |v' - v|^2 least (A. N. Tikhonov, Solution of incorrectly formulated problems, 1963), which is
-/// (M^T M + weight)^-1 (M^T + weight) v. The larger the weight, the nearer to the views themselves: it keeps
-/// noise and contrast in bounds.
+/// Returns the matrix of views to print so that their mixture is close to the original views. It minimizes |M v' - v|^2
+/// + weight |v' - v|^2 (A. N. Tikhonov, Solution of incorrectly formulated problems, 1963), so v' is (M^T M +
+/// weight)^-1 (M^T + weight) v. A larger weight keeps v' closer to the views, which limits noise and contrast.
 [[nodiscard]] ViewMatrix compensation(const ViewMatrix& mixing, double weight = 0.02);
 
 /// Cross-talk of a set of views, simulated at the views' own angles, in linear light.
 struct CrossTalk {
-    double before = 0;   ///< Root mean square of what is seen of other views, printed as they are.
-    double after = 0;    ///< The same of compensated views, held to black and white.
-    double clipped = 0;  ///< Share of compensated samples that lay beyond black or white.
+    double before = 0;   ///< Root mean square of what is seen of other views, without compensation.
+    double after = 0;    ///< The same with compensated views, clamped to black and white.
+    double clipped = 0;  ///< Share of compensated samples beyond black or white.
 };
-/// Over a grid of places on the views.
+/// Returns the cross-talk over a grid of places on the views.
 [[nodiscard]] CrossTalk crossTalkOf(const ViewSet&, const ViewMatrix& mixing, const ViewMatrix& compensated);
 
 }  // namespace vitrine::printing

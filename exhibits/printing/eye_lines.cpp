@@ -12,9 +12,9 @@ namespace vitrine::printing {
 namespace {
 
 constexpr int previewParts = 32;
-constexpr int sights = 512;  ///< Directions between the print's two edges.
+constexpr int sights = 512;  ///< Number of directions between the two edges of the print.
 
-/// What lenses show, for directions from one edge of the print to the other.
+/// Table of what lenses show, for directions from one edge of the print to the other.
 class SightTable {
 public:
     SightTable(const Sheet& sheet, double from, double to, double beta)
@@ -40,13 +40,13 @@ private:
     std::vector<std::vector<SeenPoint>> table_;
 };
 
-/// From where an eye looks at a print around whose middle x runs rightwards and y downwards, millimeters.
+/// Position of an eye relative to a print whose center is the origin, x to the right and y down, millimeters.
 struct SightLine {
-    double towardsX = 0, towardsY = 0;  ///< Tangents of the eye's angles, seen from the middle.
+    double towardsX = 0, towardsY = 0;  ///< Tangents of the eye's angles, from the center.
     double distance = 0;                ///< Millimeters.
-    double cosine = 1, sine = 0;        ///< Of the way across the lenses.
+    double cosine = 1, sine = 0;        ///< Direction across the lenses.
 
-    /// Of the line of sight, across the lenses.
+    /// Returns the tangent of the line of sight, across the lenses.
     [[nodiscard]] double slope(double x, double y) const
     {
         return (towardsX - x / distance) * cosine + (towardsY - y / distance) * sine;
@@ -90,7 +90,7 @@ EyeLines::EyeLines(const PrintLayout& layout, const Interlacer& interlacer, int 
     for (int i = 0; i < lines_; ++i) {
         std::int64_t at =
             (2 * static_cast<std::int64_t>(i) + 1) * alongPixels() / (2 * static_cast<std::int64_t>(lines_));
-        // Lines are kept as they are seen from the front.
+        // Lines are stored as seen from the front.
         if (!upright_ && layout.settings().mirror) at = layout.width() - 1 - at;
         const Region region = upright_ ? Region{0, at, layout.width(), at + 1} : Region{at, 0, at + 1, layout.height()};
         interlacer.fill(region, codes_.data() + line * static_cast<std::size_t>(i));
@@ -135,7 +135,7 @@ std::array<float, 3> EyeLines::under(const std::vector<SeenPoint>& points, doubl
 {
     const PrintSettings& s = layout_.settings();
     const double perMm = (upright_ ? s.dpiX : s.dpiY) / mmPerInch;
-    const double perAcross = perMm / (upright_ ? layout_.cosine() : layout_.sine());  // Along a line.
+    const double perAcross = perMm / (upright_ ? layout_.cosine() : layout_.sine());  // Pixels per mm along a line.
     const bool flip = s.mirror && upright_;
     const auto line = std::min(static_cast<std::size_t>(along * lines_), static_cast<std::size_t>(lines_ - 1));
     const std::uint8_t* codes = codes_.data() + line * static_cast<std::size_t>(acrossPixels()) * 3;
@@ -144,7 +144,7 @@ std::array<float, 3> EyeLines::under(const std::vector<SeenPoint>& points, doubl
     for (const SeenPoint& point : points) {
         const double at = start + (off + point.across) * perAcross;
         if (!(at >= 0 && at < static_cast<double>(acrossPixels()))) {
-            for (float& channel : sum) channel += point.share;  // Paper beyond the print.
+            for (float& channel : sum) channel += point.share;  // White paper beyond the print.
             continue;
         }
         const auto pixel = flip ? acrossPixels() - 1 - static_cast<std::int64_t>(at) : static_cast<std::int64_t>(at);

@@ -12,7 +12,7 @@ double shapeOf(const render::Image& image)
     return static_cast<double>(image.width) / image.height;
 }
 
-/// The part of `width` x `height` pixels around the middle; white where that is larger than the picture.
+/// Returns the central part of `width` x `height` pixels; white where that is larger than the picture.
 render::Image middle(const render::Image& image, int width, int height)
 {
     render::Image out(width, height, image.channels, 1);
@@ -40,7 +40,7 @@ render::Image placed(const render::Image& image, int width, int height, const Vi
 {
     render::Image out(width, height, image.channels, 1);
     const double turn = place.turn * std::numbers::pi / 180;
-    // Without a turn, pixels shifted by whole numbers keep their values to the bit.
+    // Without rotation, pixels shifted by whole numbers keep their exact values.
     const double c = place.turn == 0 ? 1 : std::cos(turn);
     const double s = place.turn == 0 ? 0 : std::sin(turn);
     const glm::dvec2 shift = place.shift / 100.0 * glm::dvec2(width, height);
@@ -82,7 +82,8 @@ render::Image fitted(render::Image image, double aspect, Fitting fitting, const 
         return place == ViewPlace{} ? image : placed(image, image.width, image.height, place);
     const auto pixels = [](double x) { return static_cast<int>(std::clamp(std::round(x), 1.0, double{most})); };
     const bool wide = shapeOf(image) > aspect;
-    // Cropping changes the width of a wide picture, margins change its height; for a high one the other way round.
+    // Cropping changes the width of a wide picture, and margins change its height; for a high picture it is the
+    // reverse.
     const bool width = wide == (fitting == Fitting::crop);
     const int newWidth = width ? pixels(image.height * aspect) : image.width;
     const int newHeight = width ? image.height : pixels(image.width / aspect);

@@ -9,23 +9,24 @@
 
 namespace vitrine::printing {
 
-/// How a picture of another shape is brought into a print.
+/// How a picture of another shape is fitted into a print.
 enum class Fitting : std::uint8_t {
-    crop,     ///< Fills the print; what is beyond it at two sides is cut off equally.
-    fit,      ///< Is seen whole, between white margins at two sides.
+    crop,     ///< Fills the print; the rest is cropped equally at two sides.
+    fit,      ///< Is completely visible, between white margins at two sides.
     stretch,  ///< Fills the print, distorted.
 };
 
-/// The width of a print by its height, bleed included.
+/// Returns width divided by height of a print, including bleed.
 [[nodiscard]] double aspectOf(const PrintSettings&);
 
-/// The picture with the shape `aspect` (width by height), to the nearest pixel; unchanged where it has that shape, and
-/// for `stretch`. A place turns and shifts the picture before it is cropped, so that cropped parts can move into view;
-/// outside the picture it is white. Interpolation is bilinear; a shift by whole pixels keeps their values.
+/// Returns the picture with the shape `aspect` (width divided by height), to the nearest pixel. It is unchanged if it
+/// has that shape, and for `stretch`. A place rotates and shifts the picture before it is cropped, so cropped parts can
+/// move into view; outside the picture it is white. Interpolation is bilinear; a shift by whole pixels keeps their
+/// values.
 [[nodiscard]] render::Image fitted(render::Image, double aspect, Fitting, const ViewPlace& = {});
 
-/// A full sentence on what `fitted` does to a picture, where its shape is another by more than two percent; empty for
-/// `stretch` (`stretchWarning`).
+/// Returns a full sentence on what `fitted` does to a picture whose shape differs by more than two percent. Empty
+/// otherwise, and for `stretch` (see `stretchWarning`).
 [[nodiscard]] std::string fittingNote(const render::Image&, double aspect, Fitting);
 
 }  // namespace vitrine::printing

@@ -17,11 +17,11 @@ namespace {
 
 constexpr double whole = 65536;  // Weight 1 of the kernels' encode8 and encode16.
 
-/// Which rows of the views a printed row shows.
+/// Rows of the views that a printed row shows.
 struct RowBlend {
     int first = 0;
     int count = 1;           ///< 1 or 2 rows when enlarging; more when the views have more rows than the print.
-    std::uint16_t part = 0;  ///< Of the second row, when there are two.
+    std::uint16_t part = 0;  ///< Weight of the second row, if there are two.
     double from = 0, to = 0;
 };
 
@@ -48,26 +48,26 @@ RowBlend rowBlend(std::int64_t y, std::int64_t height, int viewHeight, bool near
     return rows;
 }
 
-// The pattern's constants as parts of 2^32, and the rest of 52.9829189 beside 52 as a part of 2^16: whole numbers that
-// wrap around are the fractions, exactly and everywhere the same.
+// Constants of the pattern in units of 2^-32, and the fraction of 52.9829189 in units of 2^-16. Integers that wrap
+// around compute the fractions exactly, and identically everywhere.
 constexpr std::uint32_t alongX = 288237660;  // 0.06711056
 constexpr std::uint32_t alongY = 25070368;   // 0.00583715
 constexpr std::uint32_t rest = 64417;        // 0.9829189
 
-/// 0 to 2^16 - 1.
+/// Returns the pattern, 0 to 2^16 - 1.
 std::uint32_t pattern(std::uint32_t along)
 {
     return (52 * along + (along >> 16U) * rest) >> 16U;
 }
 
-/// Channels are far apart in the pattern, so that their grains do not add up to gray ones.
+/// Channels are far apart in the pattern, so their grain does not add up to gray grain.
 std::uint32_t placeOf(std::int64_t x, std::int64_t y, int channel)
 {
     return alongX * static_cast<std::uint32_t>(x + 47 * channel) +
            alongY * static_cast<std::uint32_t>(y + 17 * channel);
 }
 
-/// Samples views around places of a raster whose lenses are not vertical: over one lens across them, one pixel along.
+/// Sampler of views for a raster whose lenses are not vertical: averages over one lens across and one pixel along.
 class SlantedSampler {
 public:
     SlantedSampler(const PrintLayout& layout, const ViewSet& views)
@@ -79,7 +79,7 @@ public:
         boxY_ = acrossX ? 1 : 1 / std::abs(layout.lensesPerPixelY());
     }
 
-    /// Adds view `k` around (x, y), in pixels of the raster, times `weight`.
+    /// Adds view `k` around (x, y), in pixels of the raster, multiplied by `weight`.
     void add(int k, double x, double y, float weight, std::array<float, 3>& sum)
     {
         const double scaleX = views_.view(k).width / width_;
@@ -135,15 +135,15 @@ Interlacer::Interlacer(const PrintLayout& layout, const ViewSet& views, Instruct
     if (layout_.vertical()) plan_.emplace(layout_, views);
 }
 
-/// What one thread works with.
+/// Buffers of one thread.
 struct Interlacer::Workplace {
     explicit Workplace(const LensPlan& plan, bool compensates)
         : slots(plan.slotCount() * 3 + kernels::behindSlots), compensated(compensates ? slots.size() : 0)
     {
     }
     std::vector<const std::uint16_t*> rows{};
-    std::vector<float> slots;        ///< Of a row.
-    std::vector<float> compensated;  ///< The same.
+    std::vector<float> slots;        ///< Slots of a row.
+    std::vector<float> compensated;  ///< Compensated slots of a row.
 };
 
 void Interlacer::interlaceViewRow(int row, const Region& region, Workplace& place, std::uint16_t* out) const
@@ -174,7 +174,7 @@ template <typename Code> void Interlacer::fillVertical(const Region& region, Cod
             kernels_.encode16(a, b, part, samples, out);
     };
     Workplace place(*plan_, !compensation_.weights.empty());
-    // The two rows of the views that were interlaced last; printed rows come in order, so two are enough.
+    // Keeps the last two interlaced rows of the views. Printed rows come in order, so two are sufficient.
     const std::size_t room = samples + 2 * kernels::besideColumns;
     std::array<std::vector<std::uint16_t>, 2> kept{std::vector<std::uint16_t>(room), std::vector<std::uint16_t>(room)};
     std::array<int, 2> keptRow{-1, -1};
@@ -215,11 +215,11 @@ template <typename Code> void Interlacer::fillVertical(const Region& region, Cod
 
 template <typename Code> void Interlacer::fillSlanted(const Region& region, Code* out) const
 {
-    constexpr std::int64_t rowsBetween = 8;  // Of letting go of rows on disk.
-    constexpr double negligible = 1e-5;      // Of a view's weight in another.
+    constexpr std::int64_t rowsBetween = 8;  // Rows after which rows on disk are released.
+    constexpr double negligible = 1e-5;      // Smallest relevant weight of a view in another.
     const PrintSettings& settings = layout_.settings();
     const double pixelsX =
-        layout_.printPitch() * settings.dpiX / mmPerInch * layout_.cosine();  // From lens to lens, across.
+        layout_.printPitch() * settings.dpiX / mmPerInch * layout_.cosine();  // Pixels from lens to lens, across.
     const double pixelsY = layout_.printPitch() * settings.dpiY / mmPerInch * layout_.sine();
     const std::size_t samples = static_cast<std::size_t>(region.x1 - region.x0) * 3;
     std::vector<std::uint16_t> linear(samples);
@@ -234,7 +234,7 @@ template <typename Code> void Interlacer::fillSlanted(const Region& region, Code
             const double u = layout_.lensAt(px, py);
             std::array<float, 3> sum{0.5F, 0.5F, 0.5F};
             for (const Tap& tap : taps) {
-                // The foot of the pixel on the lens's axis.
+                // The nearest point to the pixel on the lens's axis.
                 const double off = static_cast<double>(tap.lens) + 0.5 - u;
                 const double footX = px + off * pixelsX;
                 const double footY = py + off * pixelsY;

@@ -11,31 +11,30 @@
 
 namespace vitrine::printing {
 
-/// A part of the raster, ends excluded.
+/// Part of the raster, ends excluded.
 struct Region {
     std::int64_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-/// Makes any part of a print's raster, always the same bits however the raster is cut up and however many
-/// threads work on it.
+/// Makes any part of a print's raster. The bits do not depend on how the raster is divided or on the number of threads.
 ///
-/// Each view is sampled at the axis of the lens that shows it, averaged over one lens: that is all the lens
-/// can resolve, and sampling at the pixel instead would slide the picture by up to one lens between the first
-/// view and the last. Everything is mixed in linear light and encoded as sRGB at the end.
+/// Each view is sampled at the axis of the lens that shows it, averaged over one lens, which is all that the lens can
+/// resolve. Sampling at the pixel instead would shift the picture by up to one lens between the first view and the
+/// last. Everything is mixed in linear light and encoded as sRGB at the end.
 ///
-/// Where the layout asks for it, the views are compensated for cross-talk first, in linear light and held to black
-/// and white, and 8-bit codes are dithered. The border is white.
+/// If the layout says so, the views are first compensated for cross-talk, in linear light and clamped to black and
+/// white. 8-bit codes are dithered if the layout says so. The border is white.
 ///
-/// Vertical lenses are the fast case: a row of the views is interlaced once and printed rows are interpolated
-/// between two such rows. With Method::nearest nothing is mixed in that direction either, unless the views
-/// have more rows than the print.
+/// Vertical lenses are the fast case: a row of the views is interlaced once, and printed rows are interpolated between
+/// two such rows. With Method::nearest nothing is mixed in that direction either, unless the views have more rows than
+/// the print.
 class Interlacer {
 public:
-    /// Keeps a reference to the views. The bits are the same by any instructions, which the processor must have. Throws
-    /// Failure when layout and views disagree about the number of views.
+    /// Keeps a reference to the views. The processor must support the instructions; the bits are the same with any.
+    /// Throws Failure if layout and views have different numbers of views.
     Interlacer(const PrintLayout&, const ViewSet&, Instructions = bestInstructions());
 
-    /// Fills `out` with RGB, row by row without padding. The region must lie on the raster.
+    /// Fills `out` with RGB, row by row without padding. The region must be inside the raster.
     void fill(const Region&, std::uint8_t* out, int threads = 1) const;
     void fill(const Region&, std::uint16_t* out, int threads = 1) const;
 
@@ -52,17 +51,16 @@ private:
     std::int64_t borderX_, borderY_;
     const ViewSet& views_;
     ViewMatrix compensation_;
-    std::optional<LensPlan> plan_;  ///< Of vertical lenses.
+    std::optional<LensPlan> plan_;  ///< For vertical lenses only.
     const kernels::Kernels& kernels_;
 };
 
-/// What is added to a code before it is rounded down, 0 to 1: an ordered pattern without visible period, even over
-/// every small neighborhood. It depends on the place on the raster and nothing else.
-/// J. Jimenez, Next generation post processing in Call of Duty: Advanced Warfare, SIGGRAPH 2014 (interleaved
-/// gradient noise).
+/// Returns what is added to a code before it is rounded down, 0 to 1: an ordered pattern without visible period, even
+/// over every small neighborhood. It depends only on the position in the raster. J. Jimenez, Next generation post
+/// processing in Call of Duty: Advanced Warfare, SIGGRAPH 2014 (interleaved gradient noise).
 [[nodiscard]] double ditherAt(std::int64_t x, std::int64_t y, int channel);
 
-/// Codes of 8 bits from codes of 16, a region's rows without padding. Codes that 8 bits have stay as they are.
+/// Dithers 16-bit codes of a region to 8 bits, rows without padding. Codes that 8 bits can represent are unchanged.
 void ditherRows(const Region&, const std::uint16_t* from, std::uint8_t* to);
 
 }  // namespace vitrine::printing

@@ -28,7 +28,7 @@ using Four = float __attribute__((vector_size(16)));
 using FourCodes = std::uint16_t __attribute__((vector_size(8)));
 using FourInts = std::int32_t __attribute__((vector_size(16)));
 
-/// Three floats that are wanted and one that is not.
+/// Loads three floats that are used and one that is not.
 Four load(const float* at)
 {
     Four four;

@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// What the sets of kernels share among each other.
+/// Definitions shared by the sets of kernels.
 namespace vitrine::printing::kernels {
 
 extern const Kernels plainKernels;
@@ -15,12 +15,12 @@ extern const Kernels plainKernels;
 extern const Kernels avx2Kernels;
 #endif
 
-/// In samples: views are read in turn, a little of each, which is too many places at once for the processor's own
-/// prefetching.
+/// Prefetch distance in samples. Views are read in turn, a little of each, which is too many streams for the
+/// processor's own prefetching.
 constexpr std::size_t ahead = 1024;
 
-/// 13 bits of linear light to 8 of sRGB: small enough for the first cache. In the darkest tones, where a code
-/// is 20 of 65536, the cells are 8 wide: every 8-bit code comes back as itself.
+/// Bits dropped for the table of 8-bit codes: 13 bits of linear light fit into the first cache. In the darkest tones,
+/// where a code is 20 of 65536, the cells are 8 wide, so every 8-bit code is reproduced.
 constexpr int dropped = 3;
 using Codes8 = std::array<std::uint8_t, (65536U >> dropped)>;
 [[nodiscard]] const Codes8& codes8();
@@ -29,7 +29,7 @@ using Codes16 = std::array<std::uint16_t, 65536>;
 
 constexpr std::size_t chunk = 512;
 
-/// The samples of a + (b - a) part / 65536, without their lowest `drop` bits.
+/// Writes the samples of a + (b - a) part / 65536, without their lowest `drop` bits.
 using Blend = void (*)(const std::uint16_t* a, const std::uint16_t* b, std::uint16_t part, int drop, std::size_t count,
                        std::uint16_t* out);
 
@@ -50,7 +50,7 @@ void blendAndLookUp(const std::uint16_t* a, const std::uint16_t* b, std::uint16_
     }
 }
 
-/// One sample of `Blend`.
+/// Returns one sample of `Blend`.
 [[nodiscard]] inline std::uint16_t blended(std::uint32_t from, std::uint32_t to, std::uint32_t part, int drop)
 {
     const std::uint32_t mixed = to > from ? from + (((to - from) * part) >> 16U) : from - (((from - to) * part) >> 16U);

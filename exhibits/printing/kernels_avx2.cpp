@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cstring>
 
-// By hand: the compiler takes vectors of eight apart before it knows that there are such.
+// The target attribute is explicit: the compiler splits vectors of eight before it knows that AVX2 supports them.
 #define VITRINE_AVX2 [[gnu::target("avx2")]]
 
 namespace vitrine::printing::kernels {
 namespace {
 
-/// `pairs` is that of every span, or 0 when they differ: a known count needs no guessing of branches.
+/// `pairs` is that of every span, or 0 if they differ. A constant count avoids mispredicted branches.
 template <int pairs>
 VITRINE_AVX2 void filterLensesOf(const LensPlan& plan, const std::uint16_t* const* rows, LensPlan::Lenses lenses,
                                  float* slots)
@@ -49,7 +49,7 @@ void filterLenses(const LensPlan& plan, const std::uint16_t* const* rows, LensPl
     }
 }
 
-/// `taps` is that of every column, or 0.
+/// `taps` is that of every column, or 0 if they differ.
 template <std::size_t taps>
 VITRINE_AVX2 void mixColumnsOf(const LensPlan& plan, const float* slots, std::size_t x0, std::size_t x1,
                                std::uint16_t* out)

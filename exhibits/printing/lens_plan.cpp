@@ -21,7 +21,7 @@ void LensPlan::planColumns(const PrintLayout& layout)
     const bool reverse = layout.settings().reverse;
     const auto count = static_cast<std::int64_t>(views);
     const auto stripOf = [&](const Tap& tap) { return tap.lens * count + (reverse ? tap.view : count - 1 - tap.view); };
-    // Twice the same: strips and how many there are, then weights, which need to know how many.
+    // Two passes: first the strips and their number, then the weights, which depend on the number.
     std::vector<Tap> row;
     const auto tapsOf = [&](std::int64_t x) {
         const std::int64_t front = layout.settings().mirror ? width - 1 - x : x;
@@ -68,7 +68,7 @@ void LensPlan::planLenses(const PrintLayout& layout, const ViewSet& set)
         spansOfView.push_back(alike < k ? spansOfView[static_cast<std::size_t>(alike)] : spans.size());
         if (alike < k) continue;
         const double scale = viewWidth / printWidth;
-        // All spans as long as the longest, with weights of 0, where the view is wide enough for that.
+        // All spans get the length of the longest, padded with weights of 0, if the view is wide enough.
         const double columns = scale / layout.lensesPerPixelX();
         const int longest = columns <= 1 ? 2 : 2 * ((static_cast<int>(std::ceil(columns)) + 2) / 2);
         for (std::size_t i = 0; i < lenses; ++i) {

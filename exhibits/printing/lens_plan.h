@@ -10,15 +10,15 @@
 
 namespace vitrine::printing {
 
-/// How a row of a print with vertical lenses follows from a row of every view; the same for all rows.
+/// Weights that make a row of a print with vertical lenses from a row of every view; the same for all rows.
 ///
-/// What a lens shows of a view, the mean over one lens, is kept in a slot of three floats. Slots lie as the strips do
-/// on the paper, lens after lens: a column of the print takes slots that are neighbors.
+/// The part of a view that a lens shows, its mean over one lens, is stored in a slot of three floats. Slots have the
+/// order of the strips on the paper, lens by lens, so a column of the print uses adjacent slots.
 struct LensPlan {
     LensPlan(const PrintLayout&, const ViewSet&);
 
-    /// The columns of a view that a lens shows, two by two, and where their weights are: those of one pair are eight
-    /// floats, three times that of the first, three times that of the second, 0 and 0.
+    /// Columns of a view that a lens shows, in pairs, and the position of their weights. A pair has eight floats: three
+    /// times the weight of the first column, three times that of the second, 0 and 0.
     struct Span {
         int column;
         int pairs;
@@ -26,21 +26,21 @@ struct LensPlan {
     };
 
     [[nodiscard]] std::size_t slotCount() const { return lenses * views; }
-    /// The slots of columns x0 to x1, ends excluded, lie under these lenses, ends excluded.
+    /// Range of lenses under which the slots of columns x0 to x1 lie, ends excluded.
     struct Lenses {
         std::size_t first, last;
     };
     [[nodiscard]] Lenses lensesOf(std::size_t x0, std::size_t x1) const;
 
     std::size_t views = 0;
-    std::size_t lenses = 0;            ///< Under which slots are wanted.
-    std::vector<int> viewOfSlot;       ///< Of a lens.
-    std::vector<Span> spans;           ///< Per lens, for every width that views have.
-    std::vector<std::size_t> spansOf;  ///< Per slot of a lens, into `spans`.
+    std::size_t lenses = 0;            ///< Number of lenses with slots.
+    std::vector<int> viewOfSlot;       ///< View of each slot of a lens.
+    std::vector<Span> spans;           ///< Per lens, for every width of views.
+    std::vector<std::size_t> spansOf;  ///< Per slot of a lens, index into `spans`.
     std::vector<float> weights;
 
-    std::size_t taps = 1;                  ///< Slots that a column takes.
-    bool single = false;                   ///< One slot with weight 1.
+    std::size_t taps = 1;                  ///< Slots that a column uses.
+    bool single = false;                   ///< Whether a column uses one slot with weight 1.
     std::vector<std::uint32_t> firstSlot;  ///< Per column.
     std::vector<float> tapWeights;         ///< Per column, one per tap.
 

@@ -8,7 +8,7 @@
 namespace vitrine::printing {
 namespace {
 
-/// The shader library's lens, at float64: the formulas are there, once for the print and the card in the hall.
+/// Returns the sheet as the shader library's lens, at float64. The formulas are shared by the print and the card.
 glsl::LensShape shapeOf(const Sheet& sheet)
 {
     return {sheet.pitch(), sheet.radius, sheet.thickness, sheet.conic, sheet.index};

@@ -13,7 +13,7 @@
 namespace vitrine::printing {
 namespace {
 
-/// Rows per strip: about 8 million samples, and whole strips of the file.
+/// Returns rows per strip: about 8 million samples, in whole strips of the file.
 std::int64_t stripRows(std::int64_t width)
 {
     return std::clamp<std::int64_t>((8 << 20) / (width * 3) / 64 * 64, 16, 512);

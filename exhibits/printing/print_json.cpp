@@ -18,7 +18,7 @@ using render::Json;
 constexpr int version = 1;
 constexpr std::size_t mostJsonBytes = 4U << 20U;
 
-/// One key of an object, with the failure that names it.
+/// Reader of the keys of an object; its failures name the key.
 class Reader {
 public:
     explicit Reader(const render::JsonDocument& document) : document_(document) {}
@@ -53,7 +53,7 @@ private:
     const render::JsonDocument& document_;
 };
 
-/// In all but the sheet.
+/// Returns whether two prints are the same except for the sheet.
 bool samePrint(const PrintSettings& a, const PrintSettings& b)
 {
     const auto all = [](const PrintSettings& s) {
@@ -64,7 +64,7 @@ bool samePrint(const PrintSettings& a, const PrintSettings& b)
     return all(a) == all(b);
 }
 
-/// What is under "desk". Throws Failure naming file, line and key.
+/// Reads the values under "desk". Throws Failure naming file, line and key.
 void addValues(const render::JsonDocument& document, SavedSettings& settings)
 {
     const PrintTable& table = printTable();
@@ -198,8 +198,7 @@ std::string settingsText(const ParameterValues& values, const std::vector<std::s
         const PrintLayout layout(printSettings(values, values[printTable().views]));
         json = printJson(layout, layout.settings().dpiX, sources);
     } catch (const Failure&) {
-        json["vitrinePrint"] =
-            version;  // Settings that cannot be are kept all the same: someone is in the middle of them.
+        json["vitrinePrint"] = version;  // Impossible settings are kept, too, since the user may still be editing them.
     }
     json["desk"] = valuesJson(values, sources);
     return render::writeJson(json);
@@ -220,7 +219,7 @@ SavedSettings savedSettings(const std::string& text, const std::string& fileName
     try {
         const PrintSettings here = printSettings(settings.values, read.views);
         if (samePrint(here, read) && sameLens(here.sheet, read.sheet)) return settings;
-    } catch (const Failure&) {  // The values describe no print that can be made: the print's own part counts.
+    } catch (const Failure&) {  // The values describe no possible print, so the print's own part counts.
     }
     settings.values = withSettings(settings.values, read);
     return settings;

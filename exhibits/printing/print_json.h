@@ -10,33 +10,33 @@
 
 namespace vitrine::printing {
 
-/// Every parameter of a print and the numbers that follow, as the file carries them: enough to look at it
-/// through its sheet and to make it again. Lengths in millimeters; an infinite distance is null.
+/// Returns every parameter of a print and the derived numbers, as stored in the file. They are sufficient to view it
+/// through its sheet and to make it again. Lengths are in millimeters; an infinite distance is null.
 [[nodiscard]] render::Json printJson(const PrintLayout&, double storedDpiX, const std::vector<std::string>& sources);
 
-/// Such a text with what compensation did to these views.
+/// Returns such a text with the effect of compensation on these views.
 [[nodiscard]] std::string withCrossTalk(const std::string& json, const CrossTalk&);
 
-/// The settings in such a text, which comes from a file. Throws Failure naming line and key.
+/// Returns the settings in such a text from a file. Throws Failure naming line and key.
 [[nodiscard]] PrintSettings settingsFromJson(const render::JsonDocument&);
 
-/// The values that differ from the initial ones, by name, and where the views came from: under "desk" in a print's
-/// JSON, so that a print brings back everything that was set.
+/// Returns the values that differ from the initial ones, by name, and the origin of the views. They are stored under
+/// "desk" in a print's JSON, so a print restores all settings.
 [[nodiscard]] render::Json valuesJson(const ParameterValues&, const std::vector<std::string>& sources);
 
-/// Everything that is set, as a print's own JSON has it.
+/// Returns all settings in the form of a print's own JSON.
 [[nodiscard]] std::string settingsText(const ParameterValues&, const std::vector<std::string>& sources);
 
-/// What such a text brings back.
+/// Settings restored from such a text.
 struct SavedSettings {
     ParameterValues values;
     std::vector<std::string> sources;
-    std::vector<std::string> notes;  ///< What had to be changed, for people.
+    std::vector<std::string> notes;  ///< Changes to the values that were read, full sentences.
 };
 /// Reads a JSON that a print or `settingsText` wrote. Throws Failure naming file, line and key.
 [[nodiscard]] SavedSettings savedSettings(const std::string& text, const std::string& fileName);
-/// The JSON inside or beside a print, or of a file of settings. `doubts` takes `PrintDescription::doubt`. Throws
-/// Failure when there is none.
+/// Returns the JSON inside or beside a print, or in a file of settings. `PrintDescription::doubt` is added to `doubts`.
+/// Throws Failure if there is none.
 [[nodiscard]] std::string settingsIn(const std::filesystem::path&, std::vector<std::string>* doubts = nullptr);
 
 }  // namespace vitrine::printing

@@ -86,7 +86,7 @@ PrintLayout::PrintLayout(const PrintSettings& settings) : settings_(settings)
     checkSettings(settings_);
     width_ = pixels(settings_.width + 2 * settings_.bleed, settings_.dpiX, "width");
     height_ = pixels(settings_.height + 2 * settings_.bleed, settings_.dpiY, "height");
-    // Whole pixels on both sides: the lenses' place in the picture does not depend on the border.
+    // Whole pixels on both sides, so the position of the lenses does not depend on the border.
     borderX_ = std::llround(std::min(settings_.border / mmPerInch * settings_.dpiX, mostPixels));
     borderY_ = std::llround(std::min(settings_.border / mmPerInch * settings_.dpiY, mostPixels));
     width_ += 2 * borderX_;
@@ -95,7 +95,7 @@ PrintLayout::PrintLayout(const PrintSettings& settings) : settings_(settings)
         refuse("with its border it has more than 2147483647 pixels on a side");
     pitch_ = settings_.visualLpi > 0 ? mmPerInch / settings_.visualLpi
                                      : vitrine::printing::printPitch(settings_.sheet, settings_.distance);
-    // The two directions that nearly all prints have are exact: no 6e-17 where 0 is meant.
+    // The two most frequent directions are exact, without 6e-17 instead of 0.
     const bool horizontal = std::abs(settings_.direction) == 90;
     cos_ = horizontal ? 0 : std::cos(settings_.direction * radiansPerDegree);
     sin_ = horizontal ? 1 : std::sin(settings_.direction * radiansPerDegree);

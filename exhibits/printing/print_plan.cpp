@@ -11,18 +11,18 @@
 namespace vitrine::printing {
 namespace {
 
-constexpr double flipZone = 40;  ///< Degrees: sheets for depth have about 30, sheets for flips about 50.
+constexpr double flipZone = 40;  ///< Degrees; sheets for depth have about 30, sheets for flips about 50.
 
 PrintLayout layoutOf(const ParameterValues& values, const PrintViews* views)
 {
     return PrintLayout(printSettings(values, views ? views->count() : values[printTable().views]));
 }
 
-/// Of as many views as the chart is to try.
+/// Returns the layout of a chart, with the number of views that it tests.
 PrintLayout chartLayout(const ParameterValues& values)
 {
     PrintSettings settings = printSettings(values, values[printTable().views]);
-    settings.border = 0;  // Charts have one of their own.
+    settings.border = 0;  // Charts have their own border.
     settings.compensate = false;
     return PrintLayout(settings);
 }
@@ -32,11 +32,11 @@ Chart chartOf(const ParameterValues& values, const PrintLayout& layout)
     return {layout, values[printTable().chart], values[printTable().chartSpan]};
 }
 
-/// In millimeters; 0: one file.
+/// Returns the width of tiles in millimeters; 0: one file.
 double tileWidth(const ParameterValues& values)
 {
     return values[printTable().direction] == 0 ? values[printTable().tileWidth] * 1000
-                                               : 0;  // Only upright lenses can be cut between.
+                                               : 0;  // Only vertical lenses can be cut between.
 }
 
 }  // namespace

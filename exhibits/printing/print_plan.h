@@ -12,24 +12,24 @@
 
 namespace vitrine::printing {
 
-/// What a print, or a chart, will be, or why it cannot be.
+/// Plan of a print or chart, or the reason why it is impossible.
 struct PrintPlan {
-    std::string refusal{};                ///< A full sentence with the limit; empty when the print can be made.
-    std::vector<std::string> warnings{};  ///< Full sentences on what will disappoint.
-    std::optional<PrintLayout> layout{};  ///< None where it is refused.
-    PrintNumbers numbers{};               ///< With the dpi that the file stores.
-    double bytes = 0;                     ///< Of the file, uncompressed.
+    std::string refusal{};                ///< A full sentence with the limit; empty if the print is possible.
+    std::vector<std::string> warnings{};  ///< Full sentences on expected defects.
+    std::optional<PrintLayout> layout{};  ///< Unset if the print is impossible.
+    PrintNumbers numbers{};               ///< With the dpi stored in the file.
+    double bytes = 0;                     ///< Size of the file, uncompressed.
 };
-/// The name of the file decides the format. Never throws for settings that cannot be: they are its refusal. Without
-/// views, of as many as the values ask for.
+/// Returns the plan. The file's name determines the format. Impossible settings do not throw, they become `refusal`.
+/// Without views, their number is that in the values.
 [[nodiscard]] PrintPlan printPlan(const ParameterValues&, const PrintViews*, bool chart, const std::filesystem::path&);
 
-/// Throws Failure as `printPlan` refuses. Without views, a preview of the chart.
+/// Returns a preview of the print, or of the chart if there are no views. Throws Failure if `printPlan` refuses.
 [[nodiscard]] std::shared_ptr<const PrintPreview> printPreview(const ParameterValues&,
                                                                std::shared_ptr<const PrintViews>);
 
-/// Writes the print, or without views the chart, and its JSON beside it. Returns the picture files. Throws Failure
-/// naming file and cause, also when it was stopped; then nothing is left behind and old files stand.
+/// Writes the print, or the chart if there are no views, and its JSON beside it. Returns the picture files. Throws
+/// Failure naming file and cause, also if stopped; then no new files are left and old ones are unchanged.
 std::vector<std::filesystem::path> exportPrint(const ParameterValues&, const PrintViews*,
                                                const std::vector<std::string>& sources, const std::filesystem::path&,
                                                const Progress&);

@@ -6,7 +6,7 @@
 namespace vitrine::printing {
 namespace {
 
-constexpr int eyeLines = 360;  // As many as a preview is high, on a large screen.
+constexpr int eyeLines = 360;  // The height of a preview on a large screen.
 
 }  // namespace
 
@@ -50,7 +50,7 @@ CodedPicture PrintPreview::seen(const Eye& eye, int side) const
 {
     if (chart_) return {};
     std::call_once(linesMade_, [this] {
-        // Small views, so that rows between the lines are averaged and not left out.
+        // Small views are used, so rows between the lines are averaged and not skipped.
         const Interlacer small(layout_, views_->small());
         lines_ = std::make_unique<EyeLines>(layout_, small, eyeLines);
     });

@@ -10,14 +10,13 @@
 
 namespace vitrine::printing {
 
-/// Where the lenses lie on a raster: at (x, y), in pixels from its top left corner, `at0 + perX x + perY y`
-/// lenses; cusps are where that is a whole number.
+/// Position of the lenses on a raster: at (x, y), in pixels from its top left corner, `at0 + perX x + perY y` lenses.
+/// Cusps are where that is a whole number.
 struct LensGrid {
     double at0 = 0, perX = 0, perY = 0;
 };
 
-/// A print or a chart to look at before it is made, made where it is looked at. Every function may be called from any
-/// thread.
+/// Preview of a print or chart, computed where it is viewed. Thread-safe.
 class PrintPreview {
 public:
     PrintPreview(const PrintLayout&, std::shared_ptr<const PrintViews>);
@@ -25,15 +24,15 @@ public:
 
     [[nodiscard]] std::int64_t width() const { return layout_.width(); }
     [[nodiscard]] std::int64_t height() const { return layout_.height(); }
-    /// On the raster as it is written, mirrored or not.
+    /// Returns the lenses on the raster as written, mirrored or not.
     [[nodiscard]] LensGrid lenses() const;
-    /// The raster itself, exactly as a file of 8 bits will have it. The region must lie on the raster.
+    /// Returns a part of the raster, exactly as in an 8-bit file. The region must be inside the raster.
     [[nodiscard]] CodedPicture raster(const Region&) const;
-    /// The eye that looks at the middle of the print from `right` of its normal and from `above` it, in radians;
-    /// `distance` in millimeters.
+    /// Returns the eye that looks at the center of the print from `right` of its normal and from `above` it, in
+    /// radians. `distance` is in millimeters.
     [[nodiscard]] Eye eyeAt(double right, double above, double distance) const;
-    /// What an eye sees of that raster through the lenses; about `side` pixels along the longer side. Empty for
-    /// charts, which are looked at with their sheet in the hand.
+    /// Returns what an eye sees of that raster through the lenses, about `side` pixels along the longer side. Empty for
+    /// charts, which are viewed with the sheet in the hand.
     [[nodiscard]] CodedPicture seen(const Eye&, int side) const;
 
 private:
@@ -42,7 +41,7 @@ private:
     std::optional<Interlacer> interlacer_;
     std::optional<Chart> chart_;
     mutable std::once_flag linesMade_;
-    mutable std::unique_ptr<const EyeLines> lines_;  ///< Made when first looked through.
+    mutable std::unique_ptr<const EyeLines> lines_;  ///< Made at the first call of `seen`.
 };
 
 }  // namespace vitrine::printing

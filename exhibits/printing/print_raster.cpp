@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 constexpr std::int64_t mostImagePixels = 1 << 26;
 
-/// "name-3.tif" without its number: "name" and ".tif"; nothing when it has none.
+/// Splits "name-3.tif" into "name" and its number. Returns false if it has no number.
 bool splitTile(const fs::path& path, std::string& stem)
 {
     stem = path.stem().string();
@@ -54,7 +54,7 @@ PrintRaster::PrintRaster(const PrintLayout& layout, const std::vector<fs::path>&
                                        std::to_string(layout.width()) + " x " + std::to_string(layout.height()) +
                                        "; look at the unscaled, uncut file, or at all its tiles.");
     }
-    // Three lenses high, to begin with.
+    // The window initially covers three lenses.
     const double lens = layout.printPitch() * layout.settings().dpiY / 25.4;
     capacity_ = std::min<std::int64_t>(height, std::max<std::int64_t>(64, std::llround(std::min(3 * lens, 4096.0))));
     rows_.resize(static_cast<std::size_t>(capacity_) * static_cast<std::size_t>(width) * 3);
@@ -73,7 +73,7 @@ void PrintRaster::load(std::int64_t y)
 const std::uint16_t* PrintRaster::row(std::int64_t y)
 {
     if (y < begin_) {
-        // More rows are wanted at once than the window has.
+        // The caller needs more rows at once than the window has.
         capacity_ = std::min(2 * capacity_, layout_.height());
         rows_.resize(static_cast<std::size_t>(capacity_) * static_cast<std::size_t>(layout_.width()) * 3);
         begin_ = end_ = y;
@@ -106,8 +106,8 @@ render::Image PrintRaster::image()
 
 namespace {
 
-/// The description that was written with the pixels; nothing where there is none, or where it cannot be read and
-/// another one may do.
+/// Returns the description that was written with the pixels. Nothing if there is none, or if it is unreadable but
+/// another one may be used.
 std::optional<render::JsonDocument> insideOf(const fs::path& print, bool anotherMayDo)
 {
     try {

@@ -11,26 +11,26 @@
 
 namespace vitrine::printing {
 
-/// The raster of a finished print, whatever its size, from one file or from the tiles it was cut into. Rows come
-/// into memory as they are asked for, and a window of them stays.
+/// Raster of a finished print of any size, from one file or from the tiles into which it was cut. Rows are loaded on
+/// demand, and a window of them is kept.
 class PrintRaster {
 public:
-    /// `tiles` from left to right; together they must have the layout's size. Throws Failure when they do not.
+    /// `tiles` are in order from the left and must together have the layout's size. Throws Failure if they do not.
     PrintRaster(const PrintLayout&, const std::vector<std::filesystem::path>& tiles);
 
     [[nodiscard]] const PrintLayout& layout() const { return layout_; }
-    /// `PrintDescription::doubt` of the file that it was opened by.
+    /// Returns `PrintDescription::doubt` of the file with which it was opened.
     [[nodiscard]] const std::string& doubt() const { return doubt_; }
     void setDoubt(std::string doubt) { doubt_ = std::move(doubt); }
 
-    /// The ICC profile of the codes, of the first tile; empty when there is none.
+    /// Returns the ICC profile of the codes, from the first tile; empty if there is none.
     [[nodiscard]] std::string profile() const { return tiles_.front().profile(); }
 
-    /// RGB codes of 16 bits; valid until the next call. Going back further than the window makes it larger.
-    /// Throws Failure when the file is broken.
+    /// Returns 16-bit RGB codes, valid until the next call. Reading rows before the window enlarges it. Throws Failure
+    /// if the file is broken.
     [[nodiscard]] const std::uint16_t* row(std::int64_t y);
 
-    /// All of it, in linear Rec. 709. Throws Failure when it has more than 2^26 pixels.
+    /// Returns the whole raster in linear Rec. 709. Throws Failure if it has more than 2^26 pixels.
     [[nodiscard]] render::Image image();
 
 private:
@@ -39,25 +39,25 @@ private:
     PrintLayout layout_;
     std::vector<render::PictureRows> tiles_;
     std::int64_t capacity_ = 0;
-    std::int64_t begin_ = 0, end_ = 0;  ///< Of the rows in memory; row y lies at y modulo capacity.
+    std::int64_t begin_ = 0, end_ = 0;  ///< Range of the rows in memory; row y is at y modulo capacity.
     std::vector<std::uint16_t> rows_;
-    std::vector<std::uint16_t> part_;  ///< A tile's row.
+    std::vector<std::uint16_t> part_;  ///< One row of a tile.
     std::string doubt_;
 };
 
-/// Description of a print, and what speaks against it.
+/// Description of a print, and doubts about it.
 struct PrintDescription {
     render::JsonDocument document;
-    /// A full sentence or two where the file beside the print describes another one; empty where it does not.
+    /// One or two full sentences if the file beside the print describes another print; otherwise empty.
     std::string doubt{};
 };
 
-/// The description inside a print, which was written with its pixels. The file beside it says the same; it counts where
-/// the print has lost its own. Throws Failure naming the file when there is neither.
+/// Returns the description inside a print, which was written with its pixels. The file beside it is used if the print
+/// has lost its own. Throws Failure naming the file if there is neither.
 [[nodiscard]] PrintDescription printDescription(const std::filesystem::path&);
 
-/// Opens a print that `writePrint` made: TIFF or PNG, its description inside or beside it. Of a print in tiles, any
-/// one of them or the name without number may be given. Throws Failure naming the file.
+/// Opens a print made by `writePrint`: TIFF or PNG, with its description inside or beside it. For a print in tiles, any
+/// of them or the name without a number may be given. Throws Failure naming the file.
 [[nodiscard]] PrintRaster readPrint(const std::filesystem::path&);
 
 }  // namespace vitrine::printing

@@ -6,7 +6,7 @@
 namespace vitrine::printing {
 namespace {
 
-/// Without the last digits that conversion adds, so that 70 mm stay 70.
+/// Converts to millimeters, without the last digits that conversion adds, so 70 mm are exactly 70.
 double mm(double meters)
 {
     return std::round(meters * 1e12) / 1e9;
@@ -65,10 +65,10 @@ bool sameViews(const ParameterValues& a, const ParameterValues& b)
     const auto decides = [&](const ParameterInfo& row) {
         if (row.name == table.rows()[table.places.row].name) return !rendered;
         if (row.group == "Views") return row.name == table.rows()[table.origin.row].name || rowActs(row, b, false);
-        // Pictures are brought to the shape of the print while they are read.
+        // Pictures are fitted to the shape of the print when they are read.
         const bool shapes = row.name == "width" || row.name == "height" || row.name == "bleed";
         if (!rendered && shapes) return b[table.fitting] != Fitting::stretch;
-        // The cameras stand as the lenses show, and frame what the print's shape takes.
+        // The cameras are placed by what the lenses show, and framed by the print's shape.
         return rendered && (row.group == "Sheet" || row.name == "width" || row.name == "height" ||
                             row.name == "bleed" || row.name == "direction" || row.name == "distance" ||
                             row.name == "infiniteDistance" || row.name == "visualPerInch");
@@ -115,7 +115,7 @@ ParameterValues withSheet(ParameterValues values, const Sheet& sheet)
     values.set(table.thickness, sheet.thickness / 1000);
     values.set(table.refractiveIndex, sheet.index);
     values.set(table.conic, sheet.conic);
-    // The zone that a lens focused on its back would have; kept where the sheet is that lens.
+    // The zone that a lens focused on its back would have; the sheet is unchanged if it is that lens.
     const double zone = 2 * std::atan(sheet.index * (25.4 / sheet.nominalLpi) / (2 * sheet.thickness));
     values.set(table.zone, degrees(zone) * radiansPerDegree);
     values.set(table.lens, same(sheet.radius, sheet.thickness * (sheet.index - 1) / sheet.index) ? LensShape::derived

@@ -10,16 +10,16 @@
 
 namespace vitrine::printing {
 
-/// Where the views of a print come from.
+/// Origin of the views of a print.
 enum class ViewOrigin : std::uint8_t {
-    shown,  ///< Rendered from what is on show.
+    shown,  ///< Rendered from what is shown.
     files,  ///< A folder, or pictures in viewing order from the left.
     quilt,  ///< One picture with a grid of views, the first at the bottom left, rows upwards.
 };
 
 enum class LensShape : int { derived, given };
 
-/// Everything that can be set about a print made in the window. Lengths in meters.
+/// All parameters of a print made in the window. Lengths are in meters.
 struct PrintTable final : Parameters {
     Group viewGroup = group("Views");
     Choice<ViewOrigin> origin = choice("origin", ViewOrigin::shown, {"what is shown", "files", "quilt"},
@@ -45,7 +45,7 @@ struct PrintTable final : Parameters {
                "What becomes of pictures that are not shaped as the print is: cropped at two sides, seen whole "
                "between white margins, or distorted.");
 
-    // Text in the syntax of `viewPlaces`; the dialog edits it by fields of its own.
+    // Text in the syntax of `viewPlaces`; the dialog has its own fields to edit it.
     File places =
         file("places", "Pictures turned and moved by hand: number of the picture, degrees clockwise, percent to the "
                        "right and percent down, such as 3:1.5,2,-0.5.");
@@ -127,24 +127,24 @@ struct PrintTable final : Parameters {
              "Cuts the print into files of about this width, between lenses; 0: one file.", reads(0, "auto"));
 };
 
-/// The one that all values below belong to.
+/// Returns the table to which all values below belong.
 [[nodiscard]] const PrintTable& printTable();
 
-/// Whether a row means something for these values, as a print of views or as a chart.
+/// Returns whether a parameter has an effect with these values, in a print of views or in a chart.
 [[nodiscard]] bool rowActs(const ParameterInfo&, const ParameterValues&, bool chart);
-/// Whether views that were read or rendered for one serve the other.
+/// Returns whether views read or rendered for one set of values can be used for the other.
 [[nodiscard]] bool sameViews(const ParameterValues&, const ParameterValues&);
-/// From which the print is to be looked at, in millimeters; infinity is one.
+/// Returns the distance from which the print is viewed, in millimeters; may be infinite.
 [[nodiscard]] double viewingDistance(const ParameterValues&);
 
-/// The sheet that the values describe. Throws Failure (Blame::usage) with the limit when there is none.
+/// Returns the sheet of the values. Throws Failure (Blame::usage) with the limit if it is impossible.
 [[nodiscard]] Sheet sheetOf(const ParameterValues&);
-/// The values with this sheet; derived where it is one that follows from LPI, zone and index.
+/// Returns the values with this sheet; `lens` is derived if the sheet follows from LPI, zone and index.
 [[nodiscard]] ParameterValues withSheet(ParameterValues, const Sheet&);
 
-/// The settings of a print of `views` views. Throws as `sheetOf`; what else cannot be, PrintLayout says.
+/// Returns the settings of a print of `views` views. Throws like `sheetOf`; PrintLayout checks the rest.
 [[nodiscard]] PrintSettings printSettings(const ParameterValues&, int views);
-/// The values with these settings; values that are no part of them stay.
+/// Returns the values with these settings; other values are unchanged.
 [[nodiscard]] ParameterValues withSettings(ParameterValues, const PrintSettings&);
 
 }  // namespace vitrine::printing

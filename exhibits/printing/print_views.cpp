@@ -15,7 +15,7 @@ constexpr int smallSide = 400;
 constexpr int draftWidth = 240;
 constexpr int largestView = 16384;
 
-/// Box-filtered by a whole factor, so that its longer side is at most about twice `side`.
+/// Returns the image box-filtered by a whole factor, so its longer side is at most about twice `side`.
 render::Image shrunk(const render::Image& image, int side)
 {
     const int factor = std::max(image.width, image.height) / side;
@@ -38,7 +38,7 @@ render::Image shrunk(const render::Image& image, int side)
     return small;
 }
 
-/// Of the print's shape.
+/// Returns the size of a view in the shape of the print.
 glm::ivec2 viewSize(const PrintLayout& layout, int width)
 {
     const PrintSettings& s = layout.settings();
@@ -55,20 +55,20 @@ ViewRig rigOf(const PrintLayout& layout, const ParameterValues& values, const Sc
             {values[table.baselineScale], values[table.convergence]}};
 }
 
-/// `progress`, or Failure where it stops the work.
+/// Calls `progress`; throws Failure if it stops the work.
 void require(const Progress& progress, double part)
 {
     if (progress && !progress(part)) throw Failure(Blame::usage, "Reading the views was stopped; nothing was changed.");
 }
 
-/// The shape of the print, width by height.
+/// Returns width divided by height of the print.
 double printAspect(const ParameterValues& values)
 {
     const PrintTable& table = printTable();
     return aspectOf({.width = values[table.width], .height = values[table.height], .bleed = values[table.bleed]});
 }
 
-/// Reads a picture as the print carries its colors on.
+/// Reads a picture in the color space of the print.
 render::Image readView(const std::filesystem::path& file, const ViewColors& colors, PrintViews& views)
 {
     std::vector<std::string> warnings;
@@ -77,7 +77,7 @@ render::Image readView(const std::filesystem::path& file, const ViewColors& colo
     return image;
 }
 
-/// Adds a picture in the shape of the print. `picture`: its number among all pictures given, from 1.
+/// Adds a picture in the shape of the print. `picture` is its number among all given pictures, from 1.
 void addFitted(render::Image image, int picture, const ParameterValues& values, PrintViews& views)
 {
     const Fitting fitting = values[printTable().fitting];

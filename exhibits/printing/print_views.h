@@ -11,22 +11,22 @@
 
 namespace vitrine::printing {
 
-/// The views of a print that is being set up, from left to right: in full for the print, small ones for looking at it.
+/// Views of a print during setup, from left to right: full size for the print, small ones for previews.
 class PrintViews {
 public:
-    /// Adds a picture of linear light, row 0 at the top, as the new rightmost view. `picture`: its number among all
-    /// pictures given, from 1; 0 for a rendered view. Throws Failure when it is empty.
+    /// Adds a picture of linear light, row 0 at the top, as the new rightmost view. `picture` is its number among all
+    /// given pictures, from 1; 0 for a rendered view. Throws Failure if the picture is empty.
     void add(const render::Image&, int picture = 0);
-    /// ICC profile of the pictures, for the print to carry.
+    /// Sets the ICC profile of the pictures, which is stored in the print.
     void setProfile(std::string profile) { profile_ = std::move(profile); }
-    /// Adds a full sentence on what was left out or changed while reading, unless it is empty or there already.
+    /// Adds a full sentence on what was left out or changed while reading, unless it is empty or a repetition.
     void addNote(const std::string&);
-    /// The JSON text of the look that was rendered, for the print to carry.
+    /// Sets the JSON text of the rendered scene state, which is stored in the print.
     void setScenePreset(std::string preset) { scenePreset_ = std::move(preset); }
 
     [[nodiscard]] int count() const { return full_.count(); }
     [[nodiscard]] const ViewSet& full() const { return full_; }
-    /// Numbers of the pictures that the views were made from, as given to `add`.
+    /// Returns the numbers of the pictures of the views, as given to `add`.
     [[nodiscard]] const std::vector<int>& pictures() const { return pictures_; }
     [[nodiscard]] const ViewSet& small() const { return small_; }
     [[nodiscard]] const std::string& profile() const { return profile_; }
@@ -40,26 +40,28 @@ private:
     std::vector<std::string> notes_;
 };
 
-/// Called with the part that is done, 0 to 1; false stops the work, which then throws Failure.
+/// Callback for the finished share, 0 to 1. If it returns false, the work stops and throws Failure.
 using Progress = std::function<bool(double)>;
 
-/// Reads what the values ask for: pictures, spread evenly, or the views of a quilt. Throws Failure naming the file,
-/// also when it was stopped.
+/// Reads the pictures of the values, evenly spaced, or the views of a quilt. Throws Failure naming the file, also if
+/// stopped.
 [[nodiscard]] std::shared_ptr<const PrintViews> readViews(const ParameterValues&, const std::vector<std::string>& files,
                                                           const Progress&);
 
-/// What to render, from left to right, with the look's camera in the middle. `draft`: small and quick, to look at while
-/// setting up. `frame` gives all but camera, size and seed. Throws Failure where no such print can be made.
+/// Returns the views to render, from left to right, with the scene state's camera in the middle. `draft` makes them
+/// small and quick, for setting up. `frame` gives everything except camera, size and seed. Throws Failure if the print
+/// is impossible.
 [[nodiscard]] std::vector<ViewShot> printShots(const ParameterValues&, const SceneState&, const FrameRequest& frame,
                                                bool draft);
 
-/// How far the scene reaches from the camera, and from where to where the print holds it.
+/// Depth range of the scene from the camera, and the range that the print can show.
 struct SceneDepth {
     DepthRange scene, held;
-    double strengthThatHolds = 1;  ///< RigSettings::strength at which the print holds all of it, at most 1.
+    double strengthThatHolds = 1;  ///< RigSettings::strength at which the print can show all of it, at most 1.
     std::vector<std::string> warnings{};
 };
-/// From a picture of the look with the channel "depth.Z". Throws Failure where no such print can be made.
+/// Returns the depth from a picture of the scene state with the channel "depth.Z". Throws Failure if the print is
+/// impossible.
 [[nodiscard]] SceneDepth sceneDepth(const ParameterValues&, const SceneState&, const render::Image&);
 
 }  // namespace vitrine::printing

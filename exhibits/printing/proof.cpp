@@ -17,7 +17,7 @@ struct Ray {
     double theta = 0, beta = 0;
 };
 
-/// A lens from one direction, as offsets on the print from the lens's axis at the place looked at.
+/// A lens from one direction, as offsets on the print from the lens's axis at the viewed place.
 struct Sight {
     struct Point {
         double across = 0, along = 0;
@@ -38,7 +38,7 @@ Sight sightOf(const Sheet& sheet, const Ray& ray, int parts)
     return sight;
 }
 
-/// The eye as seen from a place (millimeters from the middle, y downwards).
+/// Direction to the eye from a place (millimeters from the center, y downwards).
 class Viewer {
 public:
     Viewer(const PrintLayout& layout, const Eye& eye) : layout_(layout), distance_(eye.distance)
@@ -70,7 +70,7 @@ void check(const PrintLayout& layout, const Eye& eye)
         throw Failure(Blame::usage, "The eye must be farther away than the sheet is thick.");
 }
 
-/// `pixelAt(x, y)` gives three linear samples of the raster.
+/// Implements `lookThrough`. `pixelAt(x, y)` returns three linear samples of the raster.
 template <typename PixelAt>
 render::Image lookThroughOf(const PrintLayout& layout, const Eye& eye, int apertureParts, const PixelAt& pixelAt)
 {
@@ -95,7 +95,7 @@ render::Image lookThroughOf(const PrintLayout& layout, const Eye& eye, int apert
         for (int column = 0; column < seen.width; ++column) {
             double x = (column + 0.5 - 0.5 * seen.width) * pitch;
             double y = (row + 0.5 - 0.5 * seen.height) * pitch;
-            // To the axis of the lens that covers this place.
+            // Moves to the axis of the lens that covers this place.
             const double across = x * layout.cosine() + y * layout.sine();
             const double off = std::floor(across / pitch + 0.5) * pitch - across;
             x += off * layout.cosine();

@@ -27,7 +27,7 @@ std::vector<Sheet> makeKnownSheets()
         sheets.push_back(derivedSheet(shortText(lpi) + "-3d", lpi, 30));
         sheets.push_back(derivedSheet(shortText(lpi) + "-flip", lpi, 50));
     }
-    // The sheet worked out in Wikipedia, "Lenticular printing": pitch 336.65 um, radius 190.5, thickness 457.
+    // The example in Wikipedia, "Lenticular printing": pitch 336.65 um, radius 190.5, thickness 457.
     sheets.push_back({"75-measured", mmPerInch / 0.33665, 0, 0.1905, 0.457, 1.557, 0});
     return sheets;
 }

@@ -11,7 +11,7 @@ namespace vitrine::printing {
 constexpr double mmPerInch = 25.4;
 constexpr double radiansPerDegree = std::numbers::pi / 180;
 
-/// "0.3175": six significant digits, for messages and labels.
+/// Returns six significant digits, such as "0.3175", for messages and labels.
 [[nodiscard]] inline std::string shortText(double value)
 {
     std::array<char, 32> text{};
@@ -19,38 +19,38 @@ constexpr double radiansPerDegree = std::numbers::pi / 180;
     return text.data();
 }
 
-/// A sheet of cylindrical lenses. Lengths in millimeters; the print lies `thickness` below the lens tops.
+/// Sheet of cylindrical lenses. Lengths are in millimeters; the print is `thickness` below the lens tops.
 ///
-/// Radius and thickness are independent: wide-angle sheets are made thinner than their focal length.
+/// Radius and thickness are independent: wide-angle sheets are thinner than their focal length.
 struct Sheet {
     std::string name{};
-    double nominalLpi = 0;    ///< What it is sold as.
-    double effectiveLpi = 0;  ///< What was measured; 0: not measured, the nominal value counts.
-    double radius = 0;        ///< Of curvature, at the lens top.
-    double thickness = 0;     ///< From lens top to print.
-    double index = 1.56;      ///< Of refraction.
+    double nominalLpi = 0;    ///< Lenses per inch as sold.
+    double effectiveLpi = 0;  ///< Lenses per inch as measured; 0: not measured, the nominal value counts.
+    double radius = 0;        ///< Radius of curvature at the lens top.
+    double thickness = 0;     ///< Distance from lens top to print.
+    double index = 1.56;      ///< Refractive index.
     double conic = 0;         ///< 0 is a circle, -1/index^2 the ellipse without spherical aberration.
 
     [[nodiscard]] double lpi() const { return effectiveLpi > 0 ? effectiveLpi : nominalLpi; }
     [[nodiscard]] double pitch() const { return 25.4 / lpi(); }  ///< Millimeters per lens.
 };
 
-/// Throws Failure (Blame::usage) naming the value that cannot be and the limit that it breaks: lengths and
-/// LPI positive and finite, index above 1, the curve reaching the cusp, the print below the cusp.
+/// Throws Failure (Blame::usage) that names an impossible value and its limit: lengths and LPI positive and finite,
+/// index above 1, the curve reaching the cusp, the print below the cusp.
 void check(const Sheet&);
 
-/// Whether two sheets have the same numbers, but for rounding; names do not count.
+/// Returns whether two sheets have the same numbers except for rounding; names do not count.
 [[nodiscard]] bool sameLens(const Sheet&, const Sheet&);
 
-/// A sheet focused on its back that shows its views over `zoneDegrees`: t = n p / (2 tan(V/2)) and
-/// r = t (n-1)/n, the paraxial focus. Throws Failure when that zone needs a lens wider than a circle.
+/// Returns a sheet focused on its back that shows its views over `zoneDegrees`: t = n p / (2 tan(V/2)) and r = t
+/// (n-1)/n, the paraxial focus. Throws Failure if that zone needs a lens wider than a circle.
 [[nodiscard]] Sheet derivedSheet(const std::string& name, double lpi, double zoneDegrees, double index = 1.56);
 
-/// Sheets to start from: "20-3d" (zone of 30 degrees) and "20-flip" (50 degrees) for the usual LPI, derived
-/// from LPI, angle and index, and one that was measured, "75-measured". Makers differ: edit and calibrate.
+/// Returns sheets to start from: "20-3d" (zone of 30 degrees) and "20-flip" (50 degrees) for the usual LPI, derived
+/// from LPI, angle and index, and a measured one, "75-measured". Manufacturers differ: edit and calibrate.
 [[nodiscard]] const std::vector<Sheet>& knownSheets();
 
-/// The known sheet of that name. Throws Failure (Blame::usage) listing the names.
+/// Returns the known sheet of that name. Throws Failure (Blame::usage) that lists the names.
 [[nodiscard]] const Sheet& knownSheet(const std::string& name);
 
 }  // namespace vitrine::printing

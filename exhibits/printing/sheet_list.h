@@ -7,32 +7,32 @@
 
 namespace vitrine::printing {
 
-/// The sheets to choose from: those that come with the program, and the user's own, a small file of JSON that can also
-/// be edited by hand, lengths in millimeters:
+/// Available sheets: the shipped ones, and the user's own in a small JSON file. It can also be edited by hand; lengths
+/// are in millimeters:
 ///
 ///     {"format": "vitrine-sheets", "version": 1, "sheets": [{"name": "...", "nominalLpi": 60, ...}]}
 ///
-/// The file is read whenever it is asked for, and never written over when it could not be read.
+/// The file is read at every call, and never overwritten if it cannot be read.
 class SheetList {
 public:
-    /// "vitrine/sheets.json" in the configuration folder.
+    /// Uses "vitrine/sheets.json" in the configuration folder.
     SheetList();
     explicit SheetList(std::filesystem::path own) : path_(std::move(own)) {}
 
-    /// Shipped ones first: `knownSheets`, then the user's. `problem` says why the user's own could not be read.
+    /// Returns `knownSheets`, then the user's sheets. `problem` says why the user's own could not be read.
     [[nodiscard]] std::vector<Sheet> all(std::string& problem) const;
-    /// The sheet of that name. Throws Failure (Blame::usage) when there is none.
+    /// Returns the sheet of that name. Throws Failure (Blame::usage) if there is none.
     [[nodiscard]] Sheet named(const std::string& name) const;
-    /// The name of the sheet with these numbers, or empty when there is none. Of several alike, the one that is named
-    /// `preferred`, else the first.
+    /// Returns the name of the sheet with these numbers, or an empty text. Among several, it is the one named
+    /// `preferred`, otherwise the first.
     [[nodiscard]] std::string nameOf(const Sheet&, const std::string& preferred = {}) const;
-    /// Adds the sheet to the user's own, or replaces the one of its name. Throws Failure when the sheet cannot be, when
-    /// a shipped sheet has that name, or when the file cannot be written.
+    /// Adds the sheet to the user's own, or replaces the one of its name. Throws Failure if the sheet is impossible, if
+    /// a shipped sheet has that name, or if the file cannot be written.
     void save(const Sheet&) const;
     void remove(const std::string& name) const;
 
 private:
-    /// Empty when there is no such file. Throws Failure naming file, line and key.
+    /// Returns an empty list if there is no such file. Throws Failure naming file, line and key.
     [[nodiscard]] std::vector<Sheet> own() const;
     void write(const std::vector<Sheet>&) const;
 

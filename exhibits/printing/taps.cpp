@@ -6,7 +6,7 @@
 namespace vitrine::printing {
 namespace {
 
-/// Below this a share is rounding.
+/// Shares below this are rounding errors.
 constexpr double least = 1e-13;
 
 std::int64_t lensOfStrip(std::int64_t strip, std::int64_t views)
@@ -51,7 +51,7 @@ void tapsAt(const PrintLayout& layout, double x, double y, std::vector<Tap>& tap
     for (std::int64_t strip = first; strip < last; ++strip) {
         const double from = static_cast<double>(strip) - center;
         const double to = from + 1;
-        // With a guard the core of a strip counts whole, and the two edges that it shares count half.
+        // With a guard, the core of a strip counts fully, and the two edges that it shares count half.
         const double wide = shareBefore(to + half, a, b) - shareBefore(from - half, a, b);
         const double narrow = half > 0 ? shareBefore(to - half, a, b) - shareBefore(from + half, a, b) : wide;
         const double weight = (wide + narrow) / 2;

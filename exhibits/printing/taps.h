@@ -9,31 +9,31 @@
 
 namespace vitrine::printing {
 
-/// A part of what a printed pixel shows: one view under one lens.
+/// Part of a printed pixel: one view under one lens.
 struct Tap {
     std::int64_t lens = 0;
     int view = 0;
     double weight = 0;
 };
 
-/// The share of a pixel that lies before `t`, both measured across the lens from the pixel's center. `a` and
-/// `b` are the widths of the pixel's two sides as seen across the lens: their boxes, one folded with the
-/// other, make a trapezoid, and a box when one of them is 0.
+/// Returns the share of a pixel before `t`, measured across the lens from the pixel's center. `a` and `b` are the
+/// widths of the pixel's two sides as seen across the lens. Their boxes, convolved, make a trapezoid, or a box if one
+/// of them is 0.
 [[nodiscard]] double shareBefore(double t, double a, double b);
 
-/// What the pixel whose center is (x, y), in pixels from the raster's top left corner, shows. The weights sum
-/// to 1. `taps` is cleared first; it is kept by the caller so that a row needs no allocation.
+/// Computes what the pixel with center (x, y) shows, in pixels from the raster's top left corner. The weights sum to 1.
+/// `taps` is cleared first; the caller keeps it, so a row needs no allocation.
 void tapsAt(const PrintLayout&, double x, double y, std::vector<Tap>& taps);
 
-/// Which samples of a line make up a stretch of it.
+/// Samples of a line that make up an interval of it.
 struct BoxTaps {
     int first = 0;
     std::vector<float> weights{};  ///< Sum to 1.
 };
 
-/// The mean over [center - width/2, center + width/2] of a line of `count` samples, sample i covering
-/// [i, i+1]; interpolated at the center when the stretch is shorter than a sample. Beyond its ends the line
-/// goes on with its last sample.
+/// Computes the mean over [center - width/2, center + width/2] of a line of `count` samples, sample i covering [i,
+/// i+1]. It is interpolated at the center if the interval is shorter than a sample. Only the part of a longer interval
+/// on the line counts; beyond the line it is the nearest sample.
 inline void boxTaps(double center, double width, int count, BoxTaps& taps)
 {
     taps.weights.clear();
@@ -48,7 +48,7 @@ inline void boxTaps(double center, double width, int count, BoxTaps& taps)
     const double end = count;
     const double from = std::clamp(center - width / 2, 0.0, end);
     const double to = std::clamp(center + width / 2, 0.0, end);
-    if (!(to - from > 1e-9)) {  // Beyond the line.
+    if (!(to - from > 1e-9)) {  // The interval is beyond the line.
         taps.first = center < end / 2 ? 0 : count - 1;
         taps.weights.push_back(1);
         return;

@@ -26,7 +26,7 @@ ViewColors viewColors(const std::vector<std::filesystem::path>& files)
     } else if (first && render::isRgbProfile(*first)) {
         colors.profile = *first;
     } else {
-        colors.keep = false;  // Gray profiles, PNG's gamma, or nothing: the print is sRGB.
+        colors.keep = false;  // Gray profiles, PNG's gamma, or no profile: the print is sRGB.
     }
     return colors;
 }

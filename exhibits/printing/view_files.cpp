@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "3 files of DIR are left out, because they are no PNG, ... pictures: a.bmp, b.gif, c.heic."
+/// Returns a note such as "Left out of the folder DIR, because these files are no PNG, ... pictures: a.bmp, b.gif."
 std::string leftOutNote(const fs::path& folder, const std::vector<fs::path>& files)
 {
     constexpr std::size_t mostNamed = 5;
@@ -171,7 +171,7 @@ std::vector<std::size_t> chosenViews(std::size_t available, const SequenceSettin
     std::vector<std::size_t> chosen;
     const std::size_t last = row.size() - 1;
     for (std::size_t i = 0; i < count; ++i) {
-        // The nearest to an even spread; one view alone is the middle one.
+        // Evenly spaced; a single view is the middle one.
         chosen.push_back(row[count == 1 ? (last + 1) / 2 : (2 * last * i + count - 1) / (2 * (count - 1))]);
     }
     return chosen;

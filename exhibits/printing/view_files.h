@@ -13,46 +13,46 @@
 
 namespace vitrine::printing {
 
-/// Whether a name comes before another one as people sort them: runs of digits by their value, capitals as small
-/// letters. A strict weak order.
+/// Returns whether a name comes before another one in natural order: runs of digits by their value, ignoring case. A
+/// strict weak order.
 [[nodiscard]] bool beforeByNumber(const std::string& a, const std::string& b);
 
-/// The pictures in a folder, hidden ones left out; numbers in their names count by value (view2 before VIEW10).
-/// `others` (may be null) takes the files that are no pictures by their names, without descriptions (.json). Throws
-/// Failure (Blame::file) when it cannot be read.
+/// Returns the pictures in a folder except hidden ones; numbers in their names count by value (view2 before VIEW10).
+/// Names of other files, except descriptions (.json), are added to `others` (may be null). Throws Failure (Blame::file)
+/// if the folder cannot be read.
 [[nodiscard]] std::vector<std::filesystem::path> picturesIn(const std::filesystem::path& folder,
                                                             std::vector<std::filesystem::path>* others = nullptr);
 
-/// The picture files that `names` mean, in viewing order from the left: files as given, folders by the names
-/// in them. `notes` (may be null) takes a full sentence for each folder of which files are left out. Throws Failure
-/// when there is none.
+/// Returns the picture files of `names`, in viewing order from the left: files as given, folders sorted by name. A full
+/// sentence for each folder with ignored files is added to `notes` (may be null). Throws Failure if there are none.
 [[nodiscard]] std::vector<std::filesystem::path> viewFiles(const std::vector<std::string>& names,
                                                            std::vector<std::string>* notes = nullptr);
 
-/// Columns and rows of a quilt, each from 1 to 1000: "8x6", "8X6" or "8×6"; nothing for all else.
+/// Returns columns and rows of a quilt, each from 1 to 1000: "8x6", "8X6" or "8×6"; nothing for other texts.
 [[nodiscard]] std::optional<glm::ivec2> quiltGrid(const std::string&);
 
-/// Where a quilt's first view is: rows upwards as Looking Glass has them, or downwards as one reads.
+/// Position of a quilt's first view: bottom left with rows upwards as in Looking Glass, or top left with rows
+/// downwards.
 enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };
 
-/// View `k` (0 to columns * rows - 1) of a grid of views of one size: the sides of the picture by columns and rows,
-/// rounded down. What is left over lies at the right edge, and above (`bottomLeft`) or below. Throws Failure
-/// (Blame::usage) when the picture has fewer pixels than views.
+/// Returns view `k` (0 to columns * rows - 1) of a grid of views of one size: the sides of the picture divided by
+/// columns and rows, rounded down. The remainder is at the right edge, and above (`bottomLeft`) or below. Throws
+/// Failure (Blame::usage) if the picture has fewer pixels than views.
 [[nodiscard]] render::Image viewOfQuilt(const render::Image&, int columns, int rows, int k,
                                         QuiltOrder = QuiltOrder::bottomLeft);
 
-/// A full sentence on what is left over where the picture does not divide into the grid; else empty.
+/// Returns a full sentence on the remainder if the picture cannot be divided into the grid; otherwise empty.
 [[nodiscard]] std::string quiltNote(const render::Image&, int columns, int rows);
 
-/// What a print takes of a row of pictures.
+/// Selection from a sequence of pictures.
 struct SequenceSettings {
-    int every = 1;          ///< Only every so many, the first included, as of the frames of a video.
-    bool pingPong = false;  ///< After the last, back to the first: 1 2 3 4 3 2.
-    int count = 0;          ///< So many of what is left, spread evenly from the first to the last; 0: all.
+    int every = 1;          ///< Every n-th picture, including the first, as for the frames of a video.
+    bool pingPong = false;  ///< Whether it returns from the last to the first: 1 2 3 4 3 2.
+    int count = 0;          ///< Number of the remaining pictures, evenly spaced from the first to the last; 0: all.
 };
 
-/// The numbers of the pictures, in viewing order. Throws Failure (Blame::usage) when there are none, fewer than
-/// `count`, or more than a print takes (256), with what to do.
+/// Returns the indices of the pictures, in viewing order. Throws Failure (Blame::usage) with what to do if there are
+/// none, fewer than `count`, or more than the maximum of a print (256).
 [[nodiscard]] std::vector<std::size_t> chosenViews(std::size_t available, const SequenceSettings&);
 
 }  // namespace vitrine::printing

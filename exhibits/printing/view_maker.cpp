@@ -10,7 +10,7 @@
 namespace vitrine::printing {
 namespace {
 
-/// What lies at `part` (0 to 1) of the way; nothing where there is no way.
+/// Returns the value at `part` (0 to 1) between two; nothing if they cannot be interpolated.
 std::optional<Value> between(const ParameterInfo& row, const Value& from, const Value& to, double part)
 {
     if (row.isNumeric()) {
@@ -44,7 +44,7 @@ void turn(std::vector<ViewShot>& shots, double angle)
     for (std::size_t k = 0; k < shots.size(); ++k) {
         FrameRequest& frame = shots[k].request.frame;
         if (!frame.subject && !frame.alone) throw Failure(Blame::usage, "The hall cannot be turned; name an exhibit.");
-        // Walking to the right shows what a turn to the left, seen from above, would show.
+        // Walking to the right shows what a rotation to the left, seen from above, would show.
         const double part = (static_cast<double>(k) + 0.5) / count - 0.5;
         frame.exhibitTransform =
             glm::rotate(glm::dmat4(1), -part * angle, glm::dvec3(0, 1, 0)) * frame.exhibitTransform;

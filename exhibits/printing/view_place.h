@@ -11,8 +11,8 @@ namespace vitrine::printing {
 /// Largest turn, in degrees, and largest shift, in percent, to either side.
 inline constexpr double mostTurn = 360, mostShift = 100;
 
-/// Turn and shift of a picture by hand, before it becomes a view of a print. Kept in the units in which people type
-/// them, so that every digit survives.
+/// Rotation and shift of a picture by hand, before it becomes a view of a print. Stored in the units in which users
+/// type them, so every digit is preserved.
 struct ViewPlace {
     double turn = 0;      ///< Clockwise about the middle, degrees, up to `mostTurn` to either side.
     glm::dvec2 shift{0};  ///< To the right and down, percent of the view's width and height, up to `mostShift`.
@@ -27,7 +27,7 @@ using ViewPlaces = std::map<int, ViewPlace>;
 /// to the right and half a percent of its height up. Throws Failure (Blame::usage) that quotes the part it cannot read.
 [[nodiscard]] ViewPlaces viewPlaces(std::string_view text);
 
-/// Formats places; `viewPlaces` reads the text back to the bit. Places that change nothing are left out.
+/// Formats places; `viewPlaces` reads exactly the same values back. Places that change nothing are left out.
 [[nodiscard]] std::string textOf(const ViewPlaces&);
 
 /// Returns the place of a picture; without an entry, a place that changes nothing.

@@ -32,7 +32,8 @@ ViewRig::ViewRig(const PrintLayout& layout, const render::Camera& middle, glm::i
                                         " mm: it cannot show views to different directions; choose a thicker sheet.");
     }
 
-    // A line along the picture's nearer side; on slanted lenses it takes a longer way to cross one.
+    // The line is along the side of the picture closer to the lenses' normal. On slanted lenses it is a longer way
+    // across one.
     const bool across = std::abs(s.direction) <= 45;
     shift_ = across ? glm::dvec2(1, 0) : glm::dvec2(0, layout.sine() > 0 ? -1 : 1);
     line_ = glm::transpose(glm::dmat3(view.viewFromWorld)) * glm::dvec3(shift_, 0);
@@ -70,7 +71,7 @@ double ViewRig::strengthThatHolds(const DepthRange& range) const
 {
     if (count_ == 1) return std::numeric_limits<double>::infinity();
     const double needed = std::max({0.0, convergence_ / range.nearest - 1, 1 - convergence_ / range.farthest});
-    // A hair less, so that rounding does not bring the horizon of a fitted rig back to finite distance.
+    // Slightly less, so rounding does not bring the horizon of a fitted rig back to a finite distance.
     return freeDepth_ * scale_ / convergence_ / needed * (1 - 1e-9);
 }
 

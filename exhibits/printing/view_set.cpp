@@ -9,7 +9,8 @@
 namespace vitrine::printing {
 namespace {
 
-/// A view that takes more than this part of the memory goes to disk at once: while it is read it is in memory anyway.
+/// A view larger than this share (1/n) of the memory goes to disk at once, since it is in memory anyway while it is
+/// read.
 constexpr std::size_t largestShare = 4;
 
 std::uint16_t code(double linear)
@@ -17,7 +18,7 @@ std::uint16_t code(double linear)
     return static_cast<std::uint16_t>(std::lround(65535 * std::clamp(linear, 0.0, 1.0)));
 }
 
-/// The rows of the source that row `y` of `height` shows, box-filtered or, when enlarging, interpolated.
+/// Computes row `y` of `height` from the rows of the image, box-filtered, or interpolated when enlarging.
 void resampledRow(const render::Image& image, int y, int height, std::vector<double>& out)
 {
     const double scale = static_cast<double>(image.height) / height;

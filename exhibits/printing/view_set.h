@@ -13,29 +13,30 @@
 
 namespace vitrine::printing {
 
-/// The views of a print, as the interlacer reads them: linear Rec. 709 in 16 bits, three samples a pixel. Row 0 at the
-/// top. All have the same height; widths differ.
-/// Views that do not fit into its share of memory lie in a scratch file and come into memory by rows.
+/// Views of a print in the form that the interlacer reads: linear Rec. 709 in 16 bits, three samples per pixel, row 0
+/// at the top. All have the same height, but their widths may differ.
+///
+/// Views that exceed its memory limit are in a scratch file, and are loaded by rows.
 class ViewSet {
 public:
-    /// Beside it, decoding pictures and writing the largest prints take some 165 MB: together they stay below 300. What
-    /// lies in the scratch file instead is interlaced three times more slowly.
+    /// Default memory limit. Decoding pictures and writing the largest prints take about 165 MB in addition, so the
+    /// total stays below 300 MB. Views in the scratch file are interlaced three times more slowly.
     static constexpr std::size_t usualMemory = 120U << 20U;
 
-    /// `memory`: bytes of samples that are kept in memory.
+    /// `memory` is the number of bytes of samples kept in memory.
     explicit ViewSet(std::size_t memory = usualMemory) : memory_(memory) {}
 
-    static constexpr std::size_t behind = 16;  ///< Samples.
+    static constexpr std::size_t behind = 16;  ///< Unused samples after a view.
 
     struct View {
         int width = 0;
         std::shared_ptr<const std::uint16_t>
-            samples{};  ///< width * height * 3, and `behind` unused ones: columns are read several at once.
+            samples{};  ///< width * height * 3, and `behind` unused ones, since several columns are read at once.
     };
 
-    /// Adds a picture of linear light with 1 to 4 channels, over white where it is transparent. A picture of
-    /// another height than the first is scaled along its columns to the first one's. Throws Failure when there is
-    /// no room for it, neither in memory nor in the folder for temporary files.
+    /// Adds a picture of linear light with 1 to 4 channels, over white where it is transparent. If its height differs
+    /// from the first one's, its columns are resampled. Throws Failure if there is no space, neither in memory nor in
+    /// the folder for temporary files.
     void add(const render::Image&);
 
     [[nodiscard]] int count() const { return static_cast<int>(views_.size()); }
@@ -47,11 +48,11 @@ public:
         return v.samples.get() + static_cast<std::size_t>(y) * static_cast<std::size_t>(v.width) * 3;
     }
 
-    /// Bytes of samples in the scratch file.
+    /// Returns the bytes of samples in the scratch file.
     [[nodiscard]] std::uint64_t scratchBytes() const { return scratch_ ? scratch_->size() : 0; }
-    /// Tells that row `y` of every view was read and is not wanted soon.
+    /// Releases row `y` of every view on disk; it may be read again later.
     void rowIsRead(int y) const;
-    /// Tells it of all rows.
+    /// Releases all rows on disk.
     void allIsRead() const;
 
 private:
@@ -63,8 +64,8 @@ private:
     std::shared_ptr<render::ScratchFile> scratch_;
 };
 
-/// "The views are not shaped as the print is and are stretched to it." where one is by more than two percent, else
-/// empty.
+/// Returns "The views are not shaped as the print is and are stretched to it." if the shape of a view differs by more
+/// than two percent; otherwise empty.
 [[nodiscard]] std::string stretchWarning(const PrintLayout&, const ViewSet&);
 
 }  // namespace vitrine::printing
