@@ -96,7 +96,7 @@ struct Fur::Prepared final : PreparedPart {
     struct RingModel {
         std::shared_ptr<const render::Mesh> skin;
         double radius = 0;               ///< Radius in meters of the ball that approximates the model.
-        std::vector<std::string> notes;  ///< What was dropped or repaired in the file.
+        std::vector<std::string> notes;  ///< Dropped and repaired parts of the file.
     };
     static render::AssetStore::Made<RingModel> readRingModel(const std::string& path)
     {

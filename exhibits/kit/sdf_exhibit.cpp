@@ -14,7 +14,7 @@ namespace {
 
 struct PreparedSdf final : PreparedPart {
     std::optional<render::Asset<render::Mesh>> mesh;  ///< Mesh that is shown in place of the field.
-    std::shared_ptr<const PreparedPart> body;         ///< What the exhibit prepared for its body; may be null.
+    std::shared_ptr<const PreparedPart> body;         ///< Data that the exhibit prepared for its body; may be null.
 };
 
 const PreparedPart* bodyOf(const PreparedPart* prepared)

@@ -182,7 +182,7 @@ CameraPath tourPath(const Obstacles& obstacles, const Tour& tour)
                                            "\" is inside of a wall or of what stands in the hall; move it.");
     const std::size_t count = tour.bookmarks.size();
     std::vector<Leg> legs(tour.closed ? count : count - 1);
-    // Where a user cannot walk straight, a camera would fly over plinths and through what stands on them.
+    // If a user cannot walk straight, a camera would fly over plinths and through what stands on them.
     for (std::size_t i = 0; i < legs.size(); ++i) {
         const render::Camera &from = tour.bookmarks[i].camera, &to = tour.bookmarks[(i + 1) % count].camera;
         if (!obstacles.walks(from.eye, to.eye))

@@ -39,7 +39,7 @@ struct Tour {
     bool closed = false;  ///< Whether the tour returns to the first bookmark.
     Pace pace = Pace::eased;
 
-    std::vector<std::string> notes = {};  ///< What reading changed or ignored, full sentences.
+    std::vector<std::string> notes = {};  ///< Changes and ignored parts, full sentences.
 };
 
 /// Parses a tour. Throws Failure naming file, line and key for broken JSON, a missing key, a wrong type, another

@@ -16,7 +16,7 @@ struct StabilityResult {
     bool passed = false;
     double value = 0;    ///< Measured value: the largest error, or the number of faults.
     double limit = 0;    ///< The case passes if `value` is not above it.
-    std::string detail;  ///< Where the value was found, and what plain code gives on this driver.
+    std::string detail;  ///< Place of the value, and result of plain code on this driver.
 };
 
 /// Compares the shader library on the backend's GPU with itself at float64: at inputs that break plain code, and at

@@ -30,7 +30,7 @@ public:
     /// Returns whether the part does the measuring job with this number, counted through the study.
     [[nodiscard]] virtual bool makes(std::size_t number) const = 0;
     virtual void keep(const std::string& key, const StudyMeasure&) = 0;
-    /// What a part measured; nothing when none did: the study measures it itself.
+    /// Returns what a part measured; nothing if none did, and then the study measures it.
     [[nodiscard]] virtual std::optional<StudyMeasure> find(const std::string& key) const = 0;
 };
 

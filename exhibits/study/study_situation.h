@@ -12,7 +12,7 @@ namespace vitrine {
 /// Settings and views of a study in which its parameters have an effect.
 struct StudySituation {
     SceneState sceneState;             ///< The request's, changed so that parameters have an effect.
-    std::vector<StudyChange> changes;  ///< What was changed, and why.
+    std::vector<StudyChange> changes;  ///< Changed settings, and the reasons.
     std::vector<StudyRow> exact;       ///< Parameters with their most exact value in the reference only.
     std::vector<StudyView> views;      ///< Views of the request's subject; never empty.
 };
