@@ -21,9 +21,9 @@ struct ComparisonRequest {
     std::array<SceneState, 2> settings;
     FrameRequest frame;                ///< Camera, size, time and seed of both; the rest is as in PictureRequest.
     std::array<int, 2> samples{4, 4};  ///< Supersamples per pixel.
-    /// Number of timed frames of each, after one that is not timed. A and B alternate. So each frame draws again what
-    /// the two do not share (a shadow map of another size), and keeps what they share, as between two frames of either.
-    /// With 0, the frame report is that of the pictures.
+    /// Number of timed frames of each, after one that is not timed. A and B alternate, so each frame draws again what
+    /// the two do not share (a shadow map of another size). Shared data is kept, as between two frames of either. With
+    /// 0, the frame report is that of the pictures.
     int runs = 5;
     int largestTile = 2048;  ///< As in PictureRequest.
     double pixelsPerDegree = render::flipPixelsPerDegree;

@@ -27,12 +27,12 @@ struct Sun {
 /// Returns the sky under that sun. It integrates scattering anew, so call it once per frame.
 [[nodiscard]] SkyTint skyOf(const HallTable&, const ParameterValues&, const Sun&);
 
-/// Returns the sun at an hour (solar time, 0 to 24; any finite value wraps) of an equinox at 48° north, for a window
-/// that faces west-southwest.
+/// Returns the sun at an hour of an equinox at 48° north, for a window that faces west-southwest. The hour is solar
+/// time, 0 to 24; any finite value wraps.
 ///
-/// Its strength depends on the air mass: Kasten and Young 1989, "Revised optical air mass tables and approximation
-/// formula", and Meinel and Meinel 1976, "Applied Solar Energy" (0.7 to the power of the air mass to the power of
-/// 0.678). Its color temperature falls from 5,700 K at the zenith to 2,000 K at the horizon.
+/// Its strength is 0.7 to the power of (air mass to the power of 0.678): Meinel and Meinel 1976, "Applied Solar
+/// Energy". The air mass is that of Kasten and Young 1989, "Revised optical air mass tables and approximation formula".
+/// Its color temperature falls from 5,700 K at the zenith to 2,000 K at the horizon.
 [[nodiscard]] Sun sunAtHour(double hour);
 
 }  // namespace vitrine

@@ -35,17 +35,17 @@ public:
     /// Json::exception or Failure (Blame::file) if they cannot be read or do not match.
     explicit SunTransfer(const render::Json&);
 
-    /// Returns the sources lit by the sun from an azimuth (as in Sun; any finite angle) and an elevation (clamped to
-    /// the range in the file), in radians. Interpolates bilinearly between traced directions, so there are no jumps.
-    /// Empty if less than one level of 255 comes in.
+    /// Returns the sources lit by the sun from a direction in radians: an azimuth as in Sun (any finite angle), and an
+    /// elevation, clamped to the range in the file. Interpolates bilinearly between traced directions, so there are no
+    /// jumps. Empty if less than one level of 255 comes in.
     [[nodiscard]] std::vector<Source> at(double azimuth, double elevation) const;
     /// Returns an upper bound on the light of these sources anywhere in the air.
     [[nodiscard]] double most(const std::vector<Source>&) const;
 
     [[nodiscard]] const Grid& grid() const { return grid_; }
-    /// Returns the light that each source sends, one row per source: the square root of light over `scale(row)`, for
-    /// side s of point i in column 6 i + s. Three more rows (red, green, blue) are the light of a sky of radiance 1.
-    /// The last three are the tint of the bounced light relative to its mean.
+    /// Returns the light that each source sends. Each source has one row: the square root of light over `scale(row)`,
+    /// for side s of point i in column 6 i + s. Three more rows (red, green, blue) are the light of a sky of radiance
+    /// 1. The last three are the tint of the bounced light relative to its mean.
     [[nodiscard]] const std::shared_ptr<const render::Texture>& picture() const { return picture_; }
     [[nodiscard]] double scale(std::size_t row) const { return scales_[row]; }
     [[nodiscard]] std::size_t sourceCount() const { return scales_.size() - 6; }

@@ -7,8 +7,8 @@ namespace vitrine {
 
 /// A soft serve in a wafer with candies: a union of thirty-five solids, of which each point evaluates only the few that
 /// can be nearest. Start reading with the parameters, then ice_cream_shape.cpp (meaning of the numbers),
-/// shaders/ice_cream/solids.glsl (the field), sprinkles.cpp, and the passes in ice_cream.cpp that are added to the
-/// march in exhibits/kit.
+/// shaders/ice_cream/solids.glsl (the field) and sprinkles.cpp. The passes in ice_cream.cpp are added to the march in
+/// exhibits/kit.
 class IceCream final : public SdfExhibit, public HasButton, public HasSurroundings {
 public:
     using Table = IceCreamTable;

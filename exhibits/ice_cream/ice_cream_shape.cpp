@@ -25,8 +25,8 @@ dvec3 turned(const dvec3& v, double yaw)
     return {std::cos(yaw) * v.x + std::sin(yaw) * v.z, v.y, std::cos(yaw) * v.z - std::sin(yaw) * v.x};
 }
 
-/// Returns radius, center height and half height of the smallest cylinder around the y axis that contains a rounded
-/// cone at any rotation about that axis, grown by `slack`.
+/// Returns radius, center height and half height of a cylinder around the y axis. It is the smallest that contains a
+/// rounded cone at any rotation about that axis, grown by `slack`.
 dvec4 hullOf(const dvec3& foot, const dvec3& tip, double radius, double corner, double slack)
 {
     // The base is a disk perpendicular to the cone's axis; its slant determines its height.

@@ -17,8 +17,8 @@ struct Panorama {
     std::vector<std::string> notes{};
 };
 
-/// Returns a full sentence if a picture is stretched over the sky, because it is not twice as wide as high (within two
-/// percent of its height, or one pixel). Otherwise empty.
+/// Returns a full sentence if a picture is stretched over the sky, because it is not twice as wide as high. The
+/// tolerance is two percent of its height, or one pixel. Otherwise empty.
 [[nodiscard]] std::string stretchedSky(const render::Texture&, const std::string& path);
 
 /// Reads a panorama for `AssetStore::get`. Throws if the file cannot be read.

@@ -29,8 +29,8 @@ struct Portal {
 /// Returns a camera straight in front of it with the frame in the picture; field of view 50°.
 [[nodiscard]] render::Camera portalView(const Portal&);
 
-/// Returns the columns of a tile in which one side of a divided picture may be visible, as in `Pass::columns`; an empty
-/// range if there are none. Unset means all columns.
+/// Returns the columns of a tile in which one side of a divided picture may be visible, as in `Pass::columns`. The
+/// range is empty if there are none; unset means all columns.
 [[nodiscard]] std::optional<glm::ivec2> portalColumns(const Portal&, const glm::dmat4& worldFromExhibit,
                                                       const render::View&);
 /// Returns a pass that draws what is visible through the opening: radiance without light of the hall, the depth of the

@@ -12,9 +12,9 @@ namespace vitrine {
 
 #include "shaders/kit/surface_object_block.glsl"
 
-/// Returns the matrix from a model's normals to the world's, up to a positive factor: the direction of the inverse
-/// transpose, with the largest column of length 1. It is made of cofactors, so a model scaled to a plane keeps the
-/// normals of that plane. The identity for a model scaled to a line or a point.
+/// Returns the matrix from a model's normals to the world's, up to a positive factor. It is the inverse transpose,
+/// scaled so that its largest column has length 1. It is made of cofactors, so a model scaled to a plane keeps the
+/// normals of that plane. For a model scaled to a line or a point it is the identity.
 [[nodiscard]] glm::dmat3 normalMatrix(const glm::dmat3& worldFromModel);
 
 /// Returns whether a transform changes handedness: its determinant is negative.

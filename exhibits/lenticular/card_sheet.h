@@ -24,8 +24,8 @@ struct CardSheetFound {
 };
 [[nodiscard]] CardSheetFound cardSheet(const LenticularTable&, const ParameterValues&);
 
-/// Returns the refractive indices at red (611 nm), green (549 nm) and blue (465 nm) of a plastic with the given index
-/// at 587.6 nm and Abbe number: Cauchy's formula with two terms.
+/// Returns the refractive indices of a plastic at red (611 nm), green (549 nm) and blue (465 nm). `index` is that at
+/// 587.6 nm. Cauchy's formula with two terms.
 [[nodiscard]] glm::dvec3 dispersedIndex(double index, double abbeNumber);
 
 /// Returns the pitch of the lenses divided by that of strips made for the parameter `distance`, by the parameter

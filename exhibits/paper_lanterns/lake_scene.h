@@ -16,7 +16,7 @@ namespace vitrine {
 /// Seconds for which a released lantern is visible.
 inline constexpr double releasedFor = 60;
 
-/// Returns the position of the lake behind the frame: y is up, and the center of the frame is above the origin. +x and
+/// Returns the position of the lake behind the frame. y is up, and the center of the frame is above the origin; +x and
 /// -z are 45 degrees to the right and left of straight ahead. So the lanes between the cells of the lattice, whose
 /// corner is behind the user, lead out of the picture.
 [[nodiscard]] Portal lakePortal(const PaperLanternsTable&, const ParameterValues&);

@@ -15,7 +15,7 @@ struct LakeWave {
     double phase = 0;      ///< At time 0, radians.
 };
 
-/// Returns the five waves of the reference: 11.2 to 2.9 m long, 9 to 1.2 cm high, together 20.75 cm at most, all with a
+/// Returns the five waves of the reference: 11.2 to 2.9 m long, 9 to 1.2 cm high, together 20.75 cm at most. All have a
 /// frequency of 2.5 radians per second. With `dispersion`, each has the frequency of gravity waves on deep water, the
 /// square root of g k.
 [[nodiscard]] std::vector<LakeWave> sourceWaves(bool dispersion);
@@ -27,8 +27,8 @@ struct LakeWave {
 /// mean square slope `slope`^2 (both axes together). They travel around `windDirection` (radians from -z towards +x).
 [[nodiscard]] std::vector<LakeWave> windRipples(double slope, double windDirection, int count, std::uint32_t seed);
 
-/// Response of a floating disk to a wave of `k` radians per meter, relative to a small disk: mean height over the disk,
-/// and slope of the best-fitting plane. In closed form 2 J1(x)/x and 8 J2(x)/x^2, with x = k radius.
+/// Response of a floating disk to a wave of `k` radians per meter, relative to a small disk. `height` is the mean
+/// height over the disk: 2 J1(x)/x, with x = k radius. `slope` is that of the best-fitting plane: 8 J2(x)/x^2.
 struct RideShare {
     double height = 1, slope = 1;
 };

@@ -79,7 +79,7 @@ private:
     std::uint64_t worldKey_ = 0, shadowKey_ = 0, key_ = 0;
     std::string depth_;
     bool shadowed_ = false;  ///< Whether the sun's shadow map is drawn.
-    bool normals_ = true;    ///< Whether surfaces are found.
+    bool normals_ = true;    ///< Whether a view needs normals.
 };
 
 Picture::Picture(const PixelShot& shot, render::FramePlan& plan)

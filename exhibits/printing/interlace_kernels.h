@@ -42,8 +42,8 @@ struct Kernels {
 /// Returns the kernels for instructions that the processor must support.
 [[nodiscard]] const Kernels& kernelsFor(Instructions);
 
-/// Writes every slot of view i as the sum of that lens's slots of all views k, weighted by `matrix` [i * views + k] and
-/// clamped to 0 and 65535.
+/// Mixes views: each slot of view i becomes the sum of that lens's slots of all views k, weighted by `matrix` [i *
+/// views + k]. Results are clamped to 0 and 65535.
 void combineViews(const LensPlan&, const float* slots, const std::vector<double>& matrix, LensPlan::Lenses, float* out);
 
 }  // namespace kernels

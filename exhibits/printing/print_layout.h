@@ -90,8 +90,8 @@ private:
     double cos_ = 1, sin_ = 0;
 };
 
-/// Returns the pitch of the strips that an eye at `distance` sees through lenses of the sheet's pitch: p (D + t) / (D +
-/// r), by the ray through each lens's center of curvature. At infinity it is the sheet's own pitch.
+/// Returns the pitch of the strips that an eye at `distance` sees through lenses of the sheet's pitch p. It is p (D +
+/// t) / (D + r), by the ray through each lens's center of curvature, and p at infinity.
 [[nodiscard]] double printPitch(const Sheet&, double distance);
 
 /// Properties of a print that matter to printers and viewers.

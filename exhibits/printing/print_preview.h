@@ -16,7 +16,7 @@ struct LensGrid {
     double at0 = 0, perX = 0, perY = 0;
 };
 
-/// Preview of a print or chart, computed where it is viewed. Thread-safe.
+/// Preview of a print or chart that computes only the viewed parts. Thread-safe.
 class PrintPreview {
 public:
     PrintPreview(const PrintLayout&, std::shared_ptr<const PrintViews>);

@@ -27,8 +27,8 @@ struct Eye {
 /// The same for a print in a file of any size; memory holds the rows of a few lenses.
 [[nodiscard]] render::Image lookThrough(PrintRaster&, const Eye&, int apertureParts = 128);
 
-/// Returns the eye's angle across the lenses, in radians, at which view `k` is in the middle of the zone's k-th part:
-/// the inverse of the exact mean over the lens.
+/// Returns the eye's angle across the lenses, in radians, for view `k`: the center of the zone's k-th part. It is the
+/// inverse of the exact mean over the lens.
 [[nodiscard]] double angleOfView(const PrintLayout&, int k);
 
 }  // namespace vitrine::printing

@@ -35,19 +35,19 @@ struct Sheet {
     [[nodiscard]] double pitch() const { return 25.4 / lpi(); }  ///< Millimeters per lens.
 };
 
-/// Throws Failure (Blame::usage) that names an impossible value and its limit: lengths and LPI positive and finite,
-/// index above 1, the curve reaching the cusp, the print below the cusp.
+/// Throws Failure (Blame::usage) that names an impossible value and its limit. Lengths and LPI must be positive and
+/// finite, and the index above 1. The curve must reach the cusp, and the print must be below it.
 void check(const Sheet&);
 
 /// Returns whether two sheets have the same numbers except for rounding; names do not count.
 [[nodiscard]] bool sameLens(const Sheet&, const Sheet&);
 
-/// Returns a sheet focused on its back that shows its views over `zoneDegrees`: t = n p / (2 tan(V/2)) and r = t
-/// (n-1)/n, the paraxial focus. Throws Failure if that zone needs a lens wider than a circle.
+/// Returns a sheet focused on its back that shows its views over `zoneDegrees`. By the paraxial focus, t = n p / (2
+/// tan(V/2)) and r = t (n-1)/n. Throws Failure if that zone needs a lens wider than a circle.
 [[nodiscard]] Sheet derivedSheet(const std::string& name, double lpi, double zoneDegrees, double index = 1.56);
 
-/// Returns sheets to start from: "20-3d" (zone of 30 degrees) and "20-flip" (50 degrees) for the usual LPI, derived
-/// from LPI, angle and index, and a measured one, "75-measured". Manufacturers differ: edit and calibrate.
+/// Returns sheets to start from. "20-3d" (zone of 30 degrees) and "20-flip" (50 degrees) exist for the usual LPI, and
+/// are derived from LPI, angle and index. "75-measured" was measured. Manufacturers differ: edit and calibrate.
 [[nodiscard]] const std::vector<Sheet>& knownSheets();
 
 /// Returns the known sheet of that name. Throws Failure (Blame::usage) that lists the names.

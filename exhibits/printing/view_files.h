@@ -35,8 +35,8 @@ namespace vitrine::printing {
 /// downwards.
 enum class QuiltOrder : std::uint8_t { bottomLeft, topLeft };
 
-/// Returns view `k` (0 to columns * rows - 1) of a grid of views of one size: the sides of the picture divided by
-/// columns and rows, rounded down. The remainder is at the right edge, and above (`bottomLeft`) or below. Throws
+/// Returns view `k` (0 to columns * rows - 1) of a grid of views of one size. The size is that of the picture divided
+/// by columns and rows, rounded down. The remainder is at the right edge, and above (`bottomLeft`) or below. Throws
 /// Failure (Blame::usage) if the picture has fewer pixels than views.
 [[nodiscard]] render::Image viewOfQuilt(const render::Image&, int columns, int rows, int k,
                                         QuiltOrder = QuiltOrder::bottomLeft);

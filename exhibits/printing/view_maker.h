@@ -19,10 +19,10 @@ struct ViewShot {
 /// of the view). Equal noise in both eyes would look like dirt on the sheet.
 [[nodiscard]] std::vector<ViewShot> shotsOf(const ViewRig&, const ViewShot& base);
 
-/// Rotates the exhibit that is shown (`request.frame.subject` or `alone`) about its own vertical axis, by `angle`
-/// radians over all views: view k by ((k + 1/2)/N - 1/2) angle, so a full turn closes without a repeated view. Positive
-/// angles look like walking around it to the right, so it is seen in depth. Throws Failure (Blame::usage) if the shots
-/// show no single exhibit.
+/// Rotates the exhibit that is shown (`request.frame.subject` or `alone`) about its own vertical axis. `angle` is that
+/// of all views together, in radians: view k gets ((k + 1/2)/N - 1/2) angle. So a full turn closes without a repeated
+/// view. Positive angles look like walking around the exhibit to the right, so it is seen in depth. Throws Failure
+/// (Blame::usage) if the shots show no single exhibit.
 void turn(std::vector<ViewShot>&, double angle);
 
 /// Interpolates every number, color and direction in which `from` and `to` differ, including both ends, on the

@@ -25,9 +25,9 @@ struct RigSettings {
 /// (not toed in). So the convergence plane is on the same pixels in every view.
 ///
 /// Strips of equal width are equal steps of the tangent of the eye's angle, so the cameras have equal distances. View k
-/// is where an eye that looks at the convergence plane as at the print would have to be: X = C tan(theta), with
-/// tan(theta) = ((k + 1/2)/N - 1/2) p' / (t - r) by the ray through the lens's center of curvature (p' pitch of the
-/// strips, t thickness, r radius, C distance of the plane).
+/// is at X = C tan(theta), with tan(theta) = ((k + 1/2)/N - 1/2) p' / (t - r). There an eye would have to be that looks
+/// at the convergence plane as at the print. The formula uses the ray through the lens's center of curvature. p' is the
+/// pitch of the strips, t the thickness, r the radius, C the distance of the plane.
 ///
 /// View 0 is the leftmost, or the topmost for lenses closer to horizontal. Depth near the plane is then to scale with
 /// the width of the picture.
@@ -49,9 +49,9 @@ public:
     [[nodiscard]] double scale() const { return scale_; }
 
     /// Returns the depth range without doubled contours, where neighboring views that the print can distinguish differ
-    /// by at most one lens. Near the plane that is N (t - r) of print each way, which is N t/n for a sheet in focus (2
-    /// N t/n in all: D. Weissman's figure). Farther away, the rig's perspective counts: from C / (1 + a) to C / (1 - a)
-    /// with a = N (t - r) scale / (strength C).
+    /// by at most one lens. Near the plane that is N (t - r) of print each way. For a sheet in focus it is N t/n (2 N
+    /// t/n in all: D. Weissman's figure). Farther away the rig's perspective counts: the range is C / (1 + a) to C / (1
+    /// - a) with a = N (t - r) scale / (strength C).
     [[nodiscard]] DepthRange budget() const;
     /// Returns the largest strength whose budget contains `range`; infinite if all of it is in the plane.
     [[nodiscard]] double strengthThatHolds(const DepthRange&) const;

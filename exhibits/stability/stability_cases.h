@@ -24,8 +24,8 @@ struct StabilityResult {
 [[nodiscard]] std::vector<StabilityResult> arithmeticCases(render::RenderBackend&);
 
 /// Tests properties of pictures that hold on any driver. A picture is bitwise equal when drawn twice, with every pass
-/// run, and over any garbage in memory. In tiles it is equal within half a level. A mean of thousands is exact. Draws
-/// about eight small pictures of every exhibit.
+/// run, and over any garbage in memory. In tiles it is equal within half a level. A mean of thousands is right within
+/// 1e-6. Draws about eight small pictures of every exhibit.
 [[nodiscard]] std::vector<StabilityResult> pictureCases(const Museum&, render::RenderBackend&);
 
 /// Scans one exhibit (see stability_scan.h) with `count` seeds from `first` on. `value` is the number of faulty

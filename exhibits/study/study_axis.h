@@ -40,7 +40,7 @@ using Setting = std::vector<std::size_t>;
 /// quality.
 [[nodiscard]] std::optional<StudyAxis> studyAxis(const SceneState&, std::size_t subject, std::size_t row, int points);
 
-/// Returns the default number of values per axis: few for a surface, more for a curve, and most for a search among
+/// Returns the default number of values per axis: few for a surface, more for a curve. It is largest for a search among
 /// three axes or more, which measures only the settings that matter.
 [[nodiscard]] constexpr int usualPoints(std::size_t axes)
 {

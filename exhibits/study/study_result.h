@@ -43,11 +43,10 @@ struct StudyRequest {
     SceneState sceneState;        ///< Settings of everything that is not varied.
     std::vector<StudyAxis> axes;  ///< One: a curve. Two: a surface. More: the front is searched for.
     glm::ivec2 size{320, 180};
-    int views = 3;  ///< Largest number of views, spread over those of the exhibit.
-    int runs = 7;   ///< Timed frames per setting and view, after one that is not timed.
-    render::Metric metric =
-        render::Metric::rmse;           ///< Metric of fronts and choices; never psnr, which is rmse in decibels.
-    double pixelsPerDegree = 67;        ///< For FLIP.
+    int views = 3;                                 ///< Largest number of views, spread over those of the exhibit.
+    int runs = 7;                                  ///< Timed frames per setting and view, after one that is not timed.
+    render::Metric metric = render::Metric::rmse;  ///< For fronts and choices; never psnr, which is rmse in decibels.
+    double pixelsPerDegree = 67;                   ///< For FLIP.
     bool alone = false;                 ///< Without the hall, in the environment's light; not for the hall itself.
     bool needsFiles = false;            ///< As in FrameRequest.
     bool modelError = true;             ///< Measure relative to everything exact, too.
@@ -55,8 +54,8 @@ struct StudyRequest {
     std::vector<StudyRow> pinned = {};  ///< Parameters whose values the user named, so no study changes them.
     int largestTile = 2048;             ///< Side in pixels; smaller tiles make shorter steps.
     int settings = 60;                  ///< Largest number of settings in a search over three axes or more.
-    /// Limit of a choice: the cheapest setting with an error up to this in every view, or the most exact setting whose
-    /// frame takes no longer than that. At most one may be set.
+    /// Limit of a choice. With `maxError`, it is the cheapest setting with at most this error in every view. With
+    /// `maxMilliseconds`, it is the most exact setting whose frame takes no longer. At most one may be set.
     std::optional<double> maxError, maxMilliseconds;
 };
 

@@ -24,8 +24,9 @@ namespace vitrine {
 /// Returns the title of a cost: "field evaluations", "milliseconds", or the counter's own name.
 [[nodiscard]] std::string costTitle(const std::string& costName);
 
-/// Returns "Halving the error costs 1.9 times the evaluations (1.7 to 2.2 with 95 % confidence)." If the ends of the
-/// interval differ by more than a factor of 4, it says that more points are needed. Empty without a law.
+/// Returns a sentence on the law: "Halving the error costs 1.9 times the evaluations (1.7 to 2.2 with 95 %
+/// confidence)." If the ends of the interval differ by more than a factor of 4, it says that more points are needed.
+/// Empty without a law.
 [[nodiscard]] std::string lawSentence(const StudyCosts&);
 /// The same with the cost of the study's own front.
 [[nodiscard]] std::string lawSentence(const StudyResult&);
