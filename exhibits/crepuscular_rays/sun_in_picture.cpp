@@ -79,7 +79,7 @@ PolarGrid polarGrid(glm::dvec2 source, glm::dvec2 size, int samples)
     grid.around = distance < 1;
     grid.radii = grid.angles = std::clamp(4 * samples, 16, 4096);
     grid.lastRadius = farthest * 1.01;
-    // Inside the picture, half a pixel is the finest radius. From outside, nothing shines before the edge.
+    // Radii below a few pixels (farthest / 512) are not resolved. From outside, nothing shines before the edge.
     grid.firstRadius = std::max({grid.around ? 0.5 : distance * 0.995, farthest / 512, 0.25});
     if (grid.around) {
         grid.firstAngle = -std::numbers::pi;

@@ -41,8 +41,8 @@ struct Beam {
     render::Box box;   ///< Bounding box of the lit air.
 };
 
-/// Returns the beams of all openings through which the sun shines into the room. A beam less than 30 cm wide, which is
-/// left of a deep opening in oblique light, is omitted.
+/// Returns the beams of all openings through which the sun shines into the room; empty for a sun on the other side. A
+/// beam less than 30 cm wide, which is left of a deep opening in oblique light, is omitted.
 [[nodiscard]] std::vector<Beam> beams(std::span<const render::Box> openings, const render::Box& room,
                                       const glm::dvec3& towardsSun);
 

@@ -28,8 +28,8 @@ struct CardSheetFound {
 /// 587.6 nm. Cauchy's formula with two terms.
 [[nodiscard]] glm::dvec3 dispersedIndex(double index, double abbeNumber);
 
-/// Returns the pitch of the lenses divided by that of strips made for the parameter `distance`, by the parameter
-/// `model`.
+/// Returns the pitch of the lenses divided by that of strips for an eye at the parameter `distance`, by the parameter
+/// `model`. It is 1 at infinity.
 [[nodiscard]] double pitchRatio(const LenticularTable&, const ParameterValues&, const Sheet&);
 
 /// Returns half the size in meters of a picture inside the card's margin. `aspect` is width / height.

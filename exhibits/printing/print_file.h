@@ -30,7 +30,7 @@ void requireRoom(const PrintLayout&, const PrintFile&);
 /// Returns the number of threads for a print that runs alone: one per processor, at most 16.
 [[nodiscard]] int interlacingThreads();
 
-/// Callbacks that make rows of a raster; called from another thread than the writer's, one call at a time.
+/// Callbacks that make rows of a raster; also called from another thread than the writer's, one call at a time.
 struct RasterSource {
     std::function<void(const Region&, std::uint8_t*)> eight{};
     std::function<void(const Region&, std::uint16_t*)> sixteen{};

@@ -57,8 +57,8 @@ struct Tour {
 /// from inside a user's object are left out.
 [[nodiscard]] Tour museumTour(const Museum&, const SceneState&);
 
-/// Returns the part of a motion (0 to 1) at which the camera first hits an obstacle; negative if it does not. Tests the
-/// straight lines between 2001 times.
+/// Returns the part of a motion (0 to 1) at which the camera first hits an obstacle; negative if it does not. Tests
+/// the straight lines between cameras at 2001 evenly spaced parts.
 [[nodiscard]] double firstCollision(const Obstacles&, const CameraMotion&);
 
 }  // namespace vitrine
