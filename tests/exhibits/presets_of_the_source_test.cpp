@@ -1,5 +1,5 @@
-// The presets that show the works after which the exhibits are made carry the numbers of those works, as they were read
-// in their code. Where ours is told in another unit, the line says how.
+// The presets "As in the source" must have the numbers of the published works that the exhibits follow, as read in
+// their code. If our unit differs, a comment gives the conversion.
 
 #include "exhibits/crepuscular_rays/crepuscular_rays_table.h"
 #include "exhibits/framework/preset.h"
@@ -32,8 +32,8 @@ ParameterValues preset(const std::string& exhibit, const std::string& file, cons
     return read.values;
 }
 
-/// Strands that `side` cells along each side of a unit square of texture coordinates leave on a square meter of the
-/// ball.
+/// Returns the number of strands per square meter of the ball for `side` cells along each side of a unit square of
+/// texture coordinates.
 double strandsPerArea(double side)
 {
     return side * side / (4 * std::numbers::pi * ballRadius * ballRadius);
@@ -66,8 +66,8 @@ TEST(PresetOfTheSource, OfTheFurHasItsExportedDefaults)
         EXPECT_EQ(v[rows.length], 0.15);
         EXPECT_EQ(v[rows.uniformity], 0);                              // length_uniformity
         EXPECT_NEAR(v[rows.density] / strandsPerArea(100), 1, 0.005);  // density 100: cells along a side of the texture
-        // thickness 5: a strand is five half cells wide at its root, which its cell cuts off at one: as wide as the
-        // cell.
+        // thickness 5: at its root a strand is five half cells wide, which its cell limits to one. So it is as wide as
+        // the cell.
         EXPECT_NEAR(v[rows.thickness] * std::sqrt(v[rows.density]), 1, 0.03);
     }
 }
@@ -84,7 +84,7 @@ TEST(PresetOfTheSource, OfTheReferenceVideoHasItsScenesValues)
     EXPECT_EQ(v[t.gravity], 10);           // D.y -= 10 dt
     EXPECT_EQ(v[t.occlusionAttenuation], 2.04);
     EXPECT_EQ(v[t.occlusionBias], 0);
-    // shellColor (0.753, 0.542, 0.439), coded in sRGB.
+    // shellColor (0.753, 0.542, 0.439), in sRGB.
     const auto linear = [](double c) { return std::pow((c + 0.055) / 1.055, 2.4); };
     const glm::dvec3 color(linear(0.753), linear(0.542), linear(0.439));
     for (int body = 0; body < furBodyCount; ++body) {
@@ -104,9 +104,9 @@ TEST(PresetOfTheSource, OfTheBeamsHasItsDefaults)
     EXPECT_EQ(v[t.samples], 128);  // NUM_SAMPLES
     EXPECT_EQ(v[t.decay], 0.5);
     EXPECT_EQ(v[t.weight], 0.1);
-    EXPECT_EQ(v[t.density], 1);          // the whole way
-    EXPECT_EQ(v[t.rayExposure], 0);      // no exposure
-    EXPECT_EQ(v[t.sum], RaySum::plain);  // not divided by the samples
+    EXPECT_EQ(v[t.density], 1);          // The whole ray.
+    EXPECT_EQ(v[t.rayExposure], 0);      // No exposure.
+    EXPECT_EQ(v[t.sum], RaySum::plain);  // Not divided by the samples.
     EXPECT_EQ(v[t.method], RayMethod::loop);
     EXPECT_EQ(v[t.technique], RayTechnique::screen);
     EXPECT_EQ(v[t.resolution], RayResolution::full);
@@ -159,11 +159,11 @@ TEST(PresetOfTheSource, OfTheNoiseHasItsConstants)
         EXPECT_EQ(v[t.kind], NoiseKind::value);
         EXPECT_EQ(v[t.frequency], 1);
         EXPECT_EQ(v[t.stepLimit], 256);
-        EXPECT_EQ(v[t.drift], -1);  // the camera goes ahead by a unit a second
+        EXPECT_EQ(v[t.drift], -1);  // The camera moves forward by a unit per second.
     }
-    // noise - 0.3 of noise from 0 to 1; ours goes from -1 to 1 and is solid above: (0.5 - 0.3) x 2.
+    // noise - 0.3, with noise from 0 to 1. Ours is from -1 to 1 and solid above: (0.5 - 0.3) x 2.
     EXPECT_NEAR(field[t.threshold], 0.4, 1e-9);
-    // fbm - 0.35 of octaves that begin at 0.5: (0.484 - 0.35) / 0.484.
+    // fbm - 0.35, with octaves that begin at 0.5: (0.484 - 0.35) / 0.484.
     EXPECT_NEAR(sum[t.threshold], (0.484375 - 0.35) / 0.484375, 1e-3);
     EXPECT_EQ(sum[t.octaves], 5);
     EXPECT_EQ(sum[t.gain], 0.5);
@@ -185,7 +185,7 @@ TEST(PresetOfTheSource, OfThePaperLanternsHasItsNumbers)
     EXPECT_EQ(v[t.look], LakeLook::source);
     EXPECT_EQ(v[t.paperRadius], 0.75);
     EXPECT_EQ(v[t.paperHeight], 2);
-    EXPECT_EQ(v[t.paperWall], 0.06);  // a shell of 0.03 to each side
+    EXPECT_EQ(v[t.paperWall], 0.06);  // A shell of 0.03 to each side.
     EXPECT_EQ(v[t.baseWidth], 2.2);   // half extents 1.1, 0.04, 1.1
     EXPECT_EQ(v[t.baseThickness], 0.08);
     EXPECT_EQ(v[t.ringWire], 0.05);
@@ -193,9 +193,9 @@ TEST(PresetOfTheSource, OfThePaperLanternsHasItsNumbers)
     EXPECT_EQ(v[t.postWire], 0.05);
     EXPECT_EQ(v[t.frameBlend], 0.1);
     EXPECT_EQ(v[t.waveHeight], 1);
-    EXPECT_EQ(v[t.waveSpeed], LakeSpeed::source);         // 2.5 radians a second for all
+    EXPECT_EQ(v[t.waveSpeed], LakeSpeed::source);         // 2.5 radians a second for all waves.
     EXPECT_EQ(v[t.ride], LakeRide::source);               // waterHeightRoughAt
-    EXPECT_EQ(v[t.flickerPhase], LakeFlicker::together);  // TIME alone
+    EXPECT_EQ(v[t.flickerPhase], LakeFlicker::together);  // Depends on TIME only.
     EXPECT_EQ(v[t.repetition], LakeRepetition::twoByTwo);
     EXPECT_EQ(v[t.turned], 0);
     EXPECT_EQ(v[t.flameHeight], 1);  // local y 0
@@ -211,15 +211,15 @@ TEST(PresetOfTheSource, OfTheTorusMugHasItsConstants)
     EXPECT_EQ(v[t.normalStep], 0.0005);  // GRADIENT_DT
     EXPECT_EQ(v[t.normalMethod], SdfNormal::central);
     EXPECT_EQ(v[t.relaxation], SdfRelaxation::none);
-    EXPECT_EQ(v[t.bounces], 0);  // it cannot mirror itself
+    EXPECT_EQ(v[t.bounces], 0);  // It cannot reflect itself.
     EXPECT_EQ(v[t.shadowMethod], SdfShadow::none);
     EXPECT_FALSE(v[t.conePrepass]);
-    EXPECT_TRUE(v[t.animate]);  // to the mug and back
-    // EPSILON is a fixed 0.001 m there; ours is told in pixels, and stays at half a one.
+    EXPECT_TRUE(v[t.animate]);  // To the mug and back.
+    // EPSILON is 0.001 m in the reference. Ours is in pixels, and stays at half a pixel.
     EXPECT_EQ(v[t.hitTolerance], 1);
 }
 
-/// What the source's numbers, shown without a gamma curve, are as linear light (IEC 61966-2-1).
+/// Returns the linear light (IEC 61966-2-1) of the reference's numbers, which it displays without a gamma curve.
 glm::dvec3 linear(const glm::dvec3& shown)
 {
     glm::dvec3 light;
@@ -237,7 +237,7 @@ TEST(PresetOfTheSource, OfTheIceCreamHasItsPlacesAndMaterials)
     const std::pair<glm::dvec3, glm::dvec3> candies[]{
         {{0.12, 1, 0.16}, red},          {{0.06, 1.2, -0.08}, green},
         {{-0.16, 0.9, 0.11}, blue},      {{-0.2, 0.84, -0.2}, yellow},
-        {{-0.0745, 1.1, -0.1365}, pink},  // Out of the cream; see the table.
+        {{-0.0745, 1.1, -0.1365}, pink},  // Moved out of the cream; see the table.
         {{0.168, 0.95, -0.156}, yellow}, {{0.01, 0.94, 0.19}, red},
         {{0.5, 1, 0.866}, green},        {{-1, 0.8, 0}, pink},
         {{0.5, 1.2, -0.866}, blue}};

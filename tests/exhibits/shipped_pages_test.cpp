@@ -30,7 +30,7 @@ std::vector<std::string> allOf(const std::string& text, const char* pattern, int
     return {std::sregex_token_iterator(text.begin(), text.end(), searched, group), std::sregex_token_iterator()};
 }
 
-/// Headings, tables, figures, links in order, and how often each mark within a sentence occurs, whose order is free.
+/// Returns headings, tables, figures and links in order, and the counts of marks within sentences, whose order is free.
 std::vector<std::string> tagsOf(const std::string& line)
 {
     std::vector<std::string> tags = allOf(line, "</?(h1|h2|p|ul|li|table|tr|td|img|a|html|head|body)\\b[^>]*>", 0);
@@ -40,7 +40,7 @@ std::vector<std::string> tagsOf(const std::string& line)
     return tags;
 }
 
-/// What is left of a formula without its words, and functions, which are words here too.
+/// Removes words and functions, which are words in this program, from a formula.
 std::string withoutWords(const std::string& formula)
 {
     static const std::regex marks("<[^>]*>|&nbsp;"), words("([A-Za-z]|\xC3[\x80-\xBF]){2,}"), spaces(" +");

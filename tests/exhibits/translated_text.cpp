@@ -11,7 +11,7 @@
 namespace vitrine::test {
 namespace {
 
-/// Bytes of the character that begins with this one; 0: none does.
+/// Returns the number of bytes of the character that begins with this byte; 0 if none does.
 std::size_t lengthOfCharacter(unsigned char first)
 {
     if (first < 0x80) return 1;

@@ -5,14 +5,15 @@
 
 namespace vitrine::test {
 
-/// Folders under this one of the assets that are named by a language ("de"), sorted; fails the test if there is none.
+/// Returns the subfolders of an assets folder that are named by a language ("de"), sorted. Fails the test if there are
+/// none.
 [[nodiscard]] std::vector<std::string> languagesUnder(const std::string& folder);
-/// Names of the files with this ending in that folder of the assets, sorted.
+/// Returns the names of files with this suffix in an assets folder, sorted.
 [[nodiscard]] std::vector<std::string> filesIn(const std::string& folder, const std::string& ending);
-/// The numbers that stand in a text as digits, sorted; not those in the names of rows and in addresses.
+/// Returns the numbers written as digits in a text, sorted, except for those in names of parameters and in addresses.
 [[nodiscard]] std::vector<std::string> numbersIn(const std::string& text);
-/// What keeps a text from being well written UTF-8: a broken character, an umlaut that was taken apart or spelled as an
-/// entity. Empty: nothing.
+/// Returns why a text is no well-formed UTF-8: a broken character, or an umlaut that is decomposed or written as an
+/// entity. Empty if it is correct.
 [[nodiscard]] std::string faultOfText(const std::string& text);
 
 }  // namespace vitrine::test

@@ -1,4 +1,4 @@
-// Every uniform block: where the driver looks for each field, against where C++ puts it.
+// All uniform blocks: positions of fields in the driver compared with those in C++.
 
 #include "render/glsl/shader_source.h"
 #include "render/glsl/std140.h"
@@ -42,7 +42,7 @@ using UniformBlocks = test::GlTest;
 #include "shaders/sdf_morph/torus_mug_shape_block.glsl"
 #include "shaders/sdf_scenes/stage_block.glsl"
 
-/// Byte offset of every number, vector and matrix by its GLSL name.
+/// Byte offsets of all numbers, vectors and matrices by their GLSL names.
 using Offsets = std::map<std::string, std::size_t>;
 
 template <typename T> void addOffsets(const T& value, const std::string& name, render::Std140Writer&, Offsets&);
@@ -79,7 +79,7 @@ template <typename Block> Offsets offsetsInCpp()
     return offsets;
 }
 
-/// A program that declares a uniform block with the struct of this name and reads nothing of it: the members of a
+/// Builds a program that declares a uniform block with the struct of this name and reads nothing of it. Members of a
 /// std140 block are active all the same.
 GLuint programWith(const std::string& declaration, const std::string& structName)
 {
@@ -97,7 +97,7 @@ GLuint programWith(const std::string& declaration, const std::string& structName
     return program;
 }
 
-/// What the driver says, with every element of an array of numbers listed.
+/// Returns the driver's offsets, with all elements of arrays of numbers listed.
 Offsets offsetsOfDriver(GLuint program, std::size_t& size)
 {
     Offsets offsets;
@@ -208,7 +208,8 @@ TEST_F(UniformBlocks, HaveTheirFieldsWhereTheDriverLooksForThem)
     EXPECT_EQ(seen.size(), blocksOfCpp().size());
 }
 
-// What std140 pads and rounds: a number after a vector and a vector after one, arrays of numbers, structs in structs.
+// Everything that std140 pads and rounds: a number after a vector and a vector after one, arrays of numbers, structs in
+// structs.
 #define AWKWARD_PART_FIELDS(FIELD, ARRAY) FIELD(vec2, a) FIELD(float, b)
 #define AWKWARD_FIELDS(FIELD, ARRAY)                                                                                   \
     FIELD(float, a)                                                                                                    \

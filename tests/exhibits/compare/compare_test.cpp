@@ -1,4 +1,4 @@
-// Two settings side by side: the rows in which they differ, what each runs, and pictures whose distance is known.
+// Comparison of two settings: the differing parameters, the passes and costs of each, and pictures of known difference.
 
 #include "exhibits/compare/comparison.h"
 #include "tests/exhibits/study/known_law.h"
@@ -145,7 +145,7 @@ TEST(PassCosts, CountersOfTheProgramsStateAreLeftOut)
     EXPECT_FALSE(costs[1].a);
 }
 
-/// The exhibit with the known law, rough in A and exact in B.
+/// The exhibit with the known law, approximate in A and exact in B.
 struct KnownPair {
     KnownPair()
     {
@@ -161,7 +161,7 @@ struct KnownPair {
         exact.set(table.shortcut, false);
         request.frame.raster.size = {16, 8};
         request.frame.alone = 1;
-        request.frame.time = 1;  // The difficulty.
+        request.frame.time = 1;  // The time sets the difficulty.
         request.samples = {2, 2};
         request.runs = 3;
     }
@@ -239,7 +239,7 @@ TEST(Comparison, DrawsWhatItWasAskedForAndNoMore)
 
 TEST(Comparison, TimesAllTilesOfAFrame)
 {
-    KnownPair pair;  // Each draw costs what the law says, however small: two tiles cost twice as much.
+    KnownPair pair;  // Each draw costs what the law says, whatever its size, so two tiles cost twice as much.
     pair.request.largestTile = 8;
     const ComparisonResult result = pair.run();
     const double cost = sumOfParts().cost(pair.table, pair.request.settings[1].values[1], 1);

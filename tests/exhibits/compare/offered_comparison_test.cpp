@@ -1,4 +1,4 @@
-// What exhibits offer to be compared with.
+// Comparisons that exhibits offer.
 
 #include "exhibits/compare/offered_comparison.h"
 
@@ -16,7 +16,7 @@
 namespace vitrine {
 namespace {
 
-/// What is said of a comparison that is not offered; empty where it is.
+/// Returns the error for a comparison that is not offered; empty if it is offered.
 std::string refusalOf(const Subject& subject, std::string_view name)
 {
     try {

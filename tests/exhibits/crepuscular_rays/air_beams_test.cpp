@@ -1,4 +1,4 @@
-// The sunbeams that are marched through the air, as drawn, against closed forms.
+// Pictures of sunbeams that are ray marched in the air, compared with closed forms.
 
 #include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
@@ -23,7 +23,7 @@ using test::Rays;
 using test::RayShot;
 using test::raysTable;
 
-/// Looks across the beam, with no walls to keep the sun off: all of the beam is lit.
+/// Looks across the beam. No walls keep the sun off, so all of the beam is lit.
 struct SlabShot : RayShot {
     SlabShot() : RayShot(RayTechnique::volume)
     {
@@ -76,14 +76,14 @@ TEST_F(Rays, OfTheVolumeAreTheClosedFormOfALitSlabForAnyNumberOfSteps)
             compared += sum > 0.05;
         });
         EXPECT_GT(compared, 1000);
-        EXPECT_LT(worst, 2e-4) << steps;  // Half floats near 0.05, and positions at float32.
+        EXPECT_LT(worst, 2e-4) << steps;  // Half floats near 0.05, and float32 positions.
     }
 }
 
 TEST_F(Rays, OfTheVolumeLeaveAWhiteFurnaceWhite)
 {
-    // A panorama of even light all around, and nothing else: through dust that swallows nothing, every picture is as it
-    // was, however much of it there is. The light goes through panorama, probe and dust as it does in the hall.
+    // Furnace test: in a uniform panorama, with dust that absorbs nothing, no amount of dust changes a picture. The
+    // light passes through panorama, probe and dust as in the hall.
     const test::TemporaryFolder folder;
     test::writePanorama(folder / "white.hdr", [](const dvec3&) { return dvec3(1); });
     RayShot shot(RayTechnique::volume);
@@ -96,7 +96,7 @@ TEST_F(Rays, OfTheVolumeLeaveAWhiteFurnaceWhite)
     shot.hall().set(hallTable().reflectionProbe, true);
     shot.rays().set(raysTable().view, RayView::picture);
     shot.rays().set(raysTable().ambient, 1.0);
-    shot.rays().set(raysTable().beamStrength, 0.0);  // The sun's own light would be added to the furnace's.
+    shot.rays().set(raysTable().beamStrength, 0.0);  // Sunlight would be added to the furnace.
     shot.rays().set(raysTable().airColor, ColorValue{dvec3(1)});
     const auto furthestFromBefore = [&](double density) {
         shot.rays().set(raysTable().airDensity, 0.0);
@@ -113,13 +113,13 @@ TEST_F(Rays, OfTheVolumeLeaveAWhiteFurnaceWhite)
     };
     for (const double density : {0.012, 0.3, 10.0})
         EXPECT_LT(furthestFromBefore(density), 0.004) << density;  // Half floats, blended.
-    // It is the dust that does it: what swallows half of the light, or is lit by half of it, leaves no white.
+    // Control: dust that absorbs half of the light, or is lit by half of it, is not white.
     shot.rays().set(raysTable().airColor, ColorValue{dvec3(0.5)});
     EXPECT_GT(furthestFromBefore(0.3), 0.2);
     shot.rays().set(raysTable().airColor, ColorValue{dvec3(1)});
     shot.rays().set(raysTable().ambient, 0.5);
     EXPECT_GT(furthestFromBefore(0.3), 0.2);
-    // Read once more without it, so that no other test finds it in the hall's cache.
+    // Drawn once more without the file, so that no other test finds it in the hall's cache.
     shot.hall().set(hallTable().environment, std::string());
     (void)shot.take();
 }
@@ -147,8 +147,8 @@ TEST_F(Rays, OfTheVolumeAreBrokenByWhatHangsInTheBeam)
 
 TEST_F(Rays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
 {
-    // From turn to turn, only the mobile's part of the sun's map is put back and drawn again: nothing of an earlier
-    // turn may stay, and nothing else may go.
+    // From turn to turn, only the mobile's part of the sun's shadow map is restored and drawn again. Nothing of an
+    // earlier turn may stay, and nothing else may be lost.
     RayShot shot(RayTechnique::volume);
     shot.see({-3.5, 1.65, 2.5}, {1.2, 3.2, -6});
     shot.rays().set(raysTable().mobileRotation, 0.9);
@@ -156,14 +156,14 @@ TEST_F(Rays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
     shot.rays().set(raysTable().mobileRotation, -1.3);
     (void)shot.take();
     const render::Image stepped = gallery().renderer.read("shadow.hall");
-    // A detour over another sun draws all of it.
+    // Another sun in between draws the whole map again.
     shot.hall().set(hallTable().sunAzimuth, 0.2);
     (void)shot.take();
     shot.hall().resetRow(hallTable().sunAzimuth.row);
     (void)shot.take();
     const render::Image anew = gallery().renderer.read("shadow.hall");
     EXPECT_EQ(test::largestDifference(stepped, anew), 0);
-    // The mobile is in it: another turn is another map.
+    // Control: the mobile is in the map, so another turn changes it.
     shot.rays().set(raysTable().mobileRotation, 0.9);
     (void)shot.take();
     EXPECT_GT(test::largestDifference(gallery().renderer.read("shadow.hall"), anew), 0.01);
@@ -171,11 +171,11 @@ TEST_F(Rays, OfTheVolumeAreThoseOfAMapDrawnAnewHoweverTheMobileCameToTurn)
 
 TEST_F(Rays, TheProbeIsTheSameHoweverTheMobileHungWhenItWasMade)
 {
-    // It is kept while the mobile turns: a picture must not depend on which turn it was made at.
+    // The probe is kept while the mobile turns, so pictures must not depend on the turn at which it was made.
     const auto irradianceAt = [](double turn) {
         RayShot shot(RayTechnique::volume);
         shot.rays().set(raysTable().mobileRotation, turn);
-        shot.hall().set(hallTable().sunAzimuth, 0.2);  // A detour over another sun: it is made anew.
+        shot.hall().set(hallTable().sunAzimuth, 0.2);  // Another sun in between makes the probe again.
         (void)shot.take();
         const render::Image elsewhere = gallery().renderer.read("probe.irradiance");
         shot.hall().resetRow(hallTable().sunAzimuth.row);

@@ -1,4 +1,4 @@
-// The dust that fills the hall: how far it reaches, how it moves, and what the noon sun makes of it.
+// Dust in the hall: its extent, its motion, and its look in the noon sun.
 #include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
 #include "exhibits/hall/sun.h"
@@ -26,8 +26,7 @@ class DustyAir : public test::GlTest {};
 
 TEST_F(DustyAir, FillsTheHallAndEndsAtItsWalls)
 {
-    // Lit by the hall alone, every pixel has the light that dust takes out of its ray, from wall to wall and no
-    // farther.
+    // Lit by the hall alone, every pixel gets the light that dust scatters along its ray, from wall to wall only.
     RayShot shot(RayTechnique::volume);
     shot.size(96, 54);
     shot.see({1.35, 1.65, 10.2}, {-0.35, 2.15, -4.0});
@@ -106,7 +105,7 @@ TEST_F(DustyAir, ShowsAShaftFromTheOculusAtNoon)
         rays.set(raysTable().beamStrength, 0.0);
         const Picture without = shot.take();
         int count = 0;
-        // Above the window, and not on the wall that the sun falls on.
+        // Above the window, but not on the wall that the sun lights.
         with.each([&](int x, int y) {
             count += y < 27 && without.luminance(x, y) < 0.1 && with.luminance(x, y) > 1.15 * without.luminance(x, y);
         });

@@ -10,7 +10,8 @@ namespace vitrine::test {
 
 class Rays : public GlTest {};
 
-/// The window from the middle of the hall, in linear light; white rays of strength 1 where an exposure of 1 shows it.
+/// Shot of the window from the middle of the hall, in linear light. White rays of strength 1; the exposure does not
+/// change them.
 struct RayShot : Shot {
     explicit RayShot(RayTechnique technique)
     {
@@ -30,7 +31,7 @@ struct RayShot : Shot {
         rays().set(raysTable().view, RayView::light);
         rays().set(raysTable().densityNoise, 0.0);
     }
-    /// Alone there is nothing but sky, a white mask, and the sun stands in the picture.
+    /// Shows the exhibit alone: only sky, a white mask, and the sun in the picture.
     RayShot& onWhite()
     {
         request.frame.alone = *gallery().museum.find("crepuscular_rays");
@@ -40,7 +41,7 @@ struct RayShot : Shot {
         return *this;
     }
     [[nodiscard]] ParameterValues& rays() { return sceneState.values[*gallery().museum.find("crepuscular_rays")]; }
-    /// Largest component of the color in which a white mask comes out.
+    /// Returns the color of a white mask in the picture.
     [[nodiscard]] glm::dvec3 white() const
     {
         const glm::dvec3 color = blackBodyColor(sceneState.hall()[hallTable().sunTemperature]);

@@ -1,4 +1,4 @@
-// What the sunbeams of the screen keep to whatever is set and wherever the sun is.
+// Limits of the screen-space sunbeams that hold for all settings and positions of the sun.
 
 #include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/sun_in_picture.h"
@@ -23,11 +23,11 @@ using test::Rays;
 using test::RayShot;
 using test::raysTable;
 
-/// Of the hall's initial values.
+/// Direction to the sun at the hall's initial values.
 const dvec3 towardsSun(std::sin(-3 * degree) * std::cos(19 * degree), std::sin(19 * degree),
                        -std::cos(-3 * degree) * std::cos(19 * degree));
 
-/// What a white mask comes to at worst, against `expected` at every pixel from the lower left.
+/// Returns the largest difference of a white mask from `expected`, over all pixels counted from the lower left.
 double worstOf(const Picture& p, const dvec3& white, const std::function<double(const dvec2&)>& expected)
 {
     double worst = 0;
@@ -54,7 +54,7 @@ TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
                             shot.rays().set(raysTable().decay, decay);
                             shot.rays().set(raysTable().density, density);
                             shot.rays().set(raysTable().samples, samples);
-                            // Half floats carry the mean: a thousandth.
+                            // Half floats store the mean: a thousandth.
                             EXPECT_LT(worstOf(shot.take(), shot.white(), [](const dvec2&) { return 1.0; }), 0.004)
                                 << static_cast<int>(method) << ' ' << static_cast<int>(resolution) << ' ' << jitter
                                 << ' ' << decay << ' ' << density << ' ' << samples;
@@ -63,8 +63,8 @@ TEST_F(Rays, AWhiteMaskIsWhiteForEverySetting)
 
 TEST_F(Rays, OfASunBeyondTheEdgeAreTheShareOfTheWayInsideThePictureTimesTheFade)
 {
-    // Nothing is known beyond the edge, and nothing shines there: of a white mask, the weight of the way from the pixel
-    // to the edge is left, by its closed form, and of that what the edge fade says.
+    // Beyond the picture's edge the mask is black. A white mask therefore gives the weight of the ray from the pixel to
+    // the edge, in closed form, times the edge fade.
     for (const dvec3& towards : {dvec3(-0.05, -0.25, -1), dvec3(0.5, -0.1, -1)}) {
         RayShot shot(RayTechnique::screen);
         shot.onWhite();
@@ -82,7 +82,8 @@ TEST_F(Rays, OfASunBeyondTheEdgeAreTheShareOfTheWayInsideThePictureTimesTheFade)
                 ASSERT_GT(sun.beyond, 0.05);
                 const double reach =
                     std::max(glm::length(sun.pixel - dvec2(64, 36)) / 72 / shot.rays()[raysTable().streak], 1.0);
-                const double left = 1 - 1 / reach;  // Of the way, beyond a streak's length, at density 1.
+                // Part of the ray within the picture, for a density of 1, where a streak is longer.
+                const double left = 1 - 1 / reach;
                 const double exponent = 1 - 128 * std::log(0.99) * reach;
                 const double fade = glsl::shaftEdgeFade(sun.beyond, edgeFade);
                 ASSERT_GT(fade, 0.05);
@@ -97,8 +98,8 @@ TEST_F(Rays, OfASunBeyondTheEdgeAreTheShareOfTheWayInsideThePictureTimesTheFade)
                     return fade * (1 - std::pow(edge, exponent)) / (1 - std::pow(left, exponent));
                 };
                 SCOPED_TRACE(testing::Message() << towards.x << ' ' << edgeFade << ' ' << static_cast<int>(method));
-                // Next to the edge, a look more or less lies inside; three passes look between the pixels of each
-                // other's pictures.
+                // Near the edge, one sample more or less is inside. The three passes sample between the pixels of the
+                // previous one.
                 if (method != RayMethod::threePasses) {
                     EXPECT_LT(worstOf(p, shot.white(), share), 0.03);
                 }
@@ -126,7 +127,7 @@ TEST_F(Rays, AreNeverBrighterThanTheMask)
             p.each([&](int x, int y) { EXPECT_LE(p.color(x, y).x, 1.002 * shot.white().x) << x << ',' << y; });
         }
     }
-    // Nor with a decay above 1, which comes to the nearest that is legal, nor with an exposure that is no number.
+    // The same for a decay above 1, which is clamped, and an exposure that is NaN.
     shot.rays().set(raysTable().method, RayMethod::loop);
     shot.rays().set(raysTable().decay, 1.0);
     const Picture even = shot.take();
@@ -139,7 +140,7 @@ TEST_F(Rays, AreNeverBrighterThanTheMask)
         EXPECT_FALSE(shot.rays().setRow(row, std::nan("")));
         EXPECT_EQ(test::largestDifference(shot.take().image, even.image), 0) << row;
     }
-    // The original's sum is, by far.
+    // Control: the reference's sum differs by far.
     shot.rays().set(raysTable().sum, RaySum::plain);
     shot.rays().set(raysTable().decay, 1.0);
     const Picture plain = shot.take();
@@ -150,8 +151,8 @@ TEST_F(Rays, AreNeverBrighterThanTheMask)
 
 TEST_F(Rays, ChangeLittleByLittleWhileTheCameraTurnsAway)
 {
-    // From the sun in the picture through the edge to a quarter turn beyond, in steps of a tenth of a degree (here
-    // around the edge and where the last of it fades): nothing pops.
+    // From the sun in the picture, across the edge, to a quarter turn beyond it, in steps of a tenth of a degree here
+    // around the edge and at the end of the fade: no jumps.
     RayShot shot(RayTechnique::screen);
     shot.size(64, 36);
     shot.rays().set(raysTable().edgeFade, 0.8);
@@ -170,7 +171,7 @@ TEST_F(Rays, ChangeLittleByLittleWhileTheCameraTurnsAway)
             last = now;
         }
     }
-    // The light alone would be shown, black as it is.
+    // The view "rays only" is shown although it is black.
     shot.rays().set(raysTable().view, RayView::picture);
     EXPECT_EQ(test::planned(gallery().museum, shot.sceneState, shot.request.frame).find("crepuscular_rays/mask"),
               nullptr);
@@ -178,9 +179,10 @@ TEST_F(Rays, ChangeLittleByLittleWhileTheCameraTurnsAway)
 
 TEST_F(Rays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
 {
-    // From the sun in the picture to straight away from it, in steps of a tenth of a degree, across the camera's plane:
-    // there, the sun's place in the picture goes to infinity and comes back mirrored. Nothing pops, and behind the
-    // plane no pass runs; well behind it, half a degree is a step. Nothing but sky: the fade alone is seen.
+    // From the sun in the picture to the opposite direction, in steps of a tenth of a degree around the camera's plane,
+    // and of half a degree well behind it. At the plane, the sun's position in the picture goes to infinity and returns
+    // mirrored. There are no jumps, and no pass runs behind the plane. Nothing but sky is visible, so only the fade is
+    // tested.
     for (const double edgeFade : {1.5, 8.0}) {
         RayShot shot(RayTechnique::screen);
         shot.onWhite();
@@ -215,7 +217,7 @@ TEST_F(Rays, FadeToNothingBeforeTheSunComesToTheCamerasPlane)
 
 TEST_F(Rays, AreTheMaskItselfWithTheSunOnAPixelsCenter)
 {
-    // A step from the pixel to the light as a share of their distance: nothing by nothing.
+    // The plain direction to the light is 0/0 at the light.
     const auto naive = [](const dvec2& path) { return path / glm::length(path); };
     EXPECT_TRUE(std::isnan(naive(dvec2(0)).x));
     for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
@@ -233,7 +235,7 @@ TEST_F(Rays, AreTheMaskItselfWithTheSunOnAPixelsCenter)
 
 TEST_F(Rays, AreFiniteTowardsTheSkyAndWithTheEyeInTheWindow)
 {
-    // Rays without end, and rays that begin where the air ends.
+    // Infinite rays, and rays that start at the end of the air.
     for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
         RayShot shot(RayTechnique::both);
         shot.size(33, 19);

@@ -1,4 +1,4 @@
-// The sunbeams' part of a plan: what is added, what is not and why; where the sun stands in a picture.
+// The sunbeams' part of a plan: added passes, skipped passes with reasons, and the sun's position in a picture.
 
 #include "exhibits/crepuscular_rays/rays_cpu.h"
 #include "exhibits/crepuscular_rays/rays_scene.h"
@@ -27,7 +27,7 @@ using test::reasonFor;
 using test::runs;
 using test::Scene;
 
-/// Looks along the hall at the window.
+/// Scene that looks along the hall at the window.
 Scene atTheWindow(RayTechnique technique = RayTechnique::both)
 {
     Scene scene;
@@ -47,7 +47,7 @@ void expectNothingOfTheScreen(const Scene& scene, const char* why)
         EXPECT_FALSE(runs(plan, pass)) << pass;
 }
 
-/// No pass, no image that anything uses, no program.
+/// Expects no pass, no used image and no program of the exhibit.
 void expectNothingAtAll(const render::FramePlan& plan)
 {
     EXPECT_FALSE(runs(plan, "crepuscular_rays/"));
@@ -116,7 +116,7 @@ TEST(RaysPlan, NothingToSeeAddsNoPassAndSaysWhy)
     away.rays().set(raysTable().airDensity, 0.0);
     expectNothingAtAll(away.plan());
 
-    // At the left wall, the sun still in front: neither window nor oculus is in the picture.
+    // At the left wall, with the sun still in front: neither window nor oculus is in the picture.
     Scene wall = atTheWindow();
     wall.see({-3, 1.65, -6}, {-12, 1.0, -10});
     wall.rays().set(raysTable().edgeFade, 8.0);
@@ -132,7 +132,7 @@ TEST(RaysPlan, NothingToSeeAddsNoPassAndSaysWhy)
 
 TEST(RaysPlan, TheMaskAndTheLightAloneAreShownHoweverDarkTheyAre)
 {
-    // Where there is no light, the light alone is black; the hall in its place would be a lie.
+    // Without light, the view "rays only" is black and must not show the hall.
     Scene mask = atTheWindow();
     mask.rays().set(raysTable().view, RayView::mask);
     mask.rays().set(raysTable().weight, 0.0);
@@ -154,7 +154,7 @@ TEST(RaysPlan, AloneTheWindowShinesWithoutItsHall)
     alone.see(test::museum().subject(rays).bestView(alone.rays()));
     const render::FramePlan plan = alone.plan();
     EXPECT_TRUE(plan.find("crepuscular_rays/march"));
-    // The beam that the hall's window makes, in the exhibit's own space.
+    // Beam of the hall's window, in the exhibit's own space.
     const BeamBlock own = test::blockOf<RaysBlock>(plan.find("crepuscular_rays/march")->draws[0].object).beams[0];
     Scene hall = atTheWindow(RayTechnique::volume);
     const render::FramePlan inHall = hall.plan();
@@ -178,7 +178,7 @@ TEST(RaysPlan, OccludersAreWhateverHidesTheSkyAndNothingElseIsDrawnAgain)
     EXPECT_NE(std::find(marched->shader.defines.begin(), marched->shader.defines.end(), "DEPTH_ONLY"),
               marched->shader.defines.end());
     EXPECT_TRUE(plan.find("crepuscular_rays/occluders/sdf_morph/cone"));
-    // Of the walls their places tell all: neither material nor light is looked up.
+    // Walls need only positions: neither materials nor light are bound.
     const render::Pass* walls = plan.find("crepuscular_rays/occluders/hall/walls");
     ASSERT_TRUE(walls);
     EXPECT_TRUE(walls->colors.empty() && walls->inputs.empty() && walls->draws[0].inputs.empty());
@@ -186,7 +186,7 @@ TEST(RaysPlan, OccludersAreWhateverHidesTheSkyAndNothingElseIsDrawnAgain)
          {"crepuscular_rays/occluders/hall/shadow", "crepuscular_rays/occluders/sky",
           "crepuscular_rays/occluders/sdf_morph/shadow", "crepuscular_rays/occluders/hall/plaques"})
         EXPECT_EQ(plan.find(shadow), nullptr) << shadow;
-    // The other masks draw nothing twice.
+    // With other masks nothing is drawn twice.
     scene.rays().set(raysTable().mask, RayMask::depth);
     EXPECT_FALSE(runs(scene.plan(), "crepuscular_rays/occluders"));
 }
@@ -215,17 +215,17 @@ TEST(RaysPlan, ShadowsAndProbeAreNotMadeAgainForTheBeams)
     scene.rays().set(raysTable().decay, 0.9);
     for (const char* start : {"hall/shadow", "exhibits/shadow", "probe/"})
         EXPECT_FALSE(runs(scene.plan(kept), start)) << start;
-    // The mobile turns in the sun's map, and the probe does not see it.
+    // The mobile is in the sun's shadow map, but not in the probe.
     scene.rays().set(raysTable().mobileRotation, 1.0);
     const render::FramePlan turned = scene.plan(kept);
     EXPECT_FALSE(runs(turned, "probe/"));
-    // Of the sun's map, only what hangs is drawn again, where it may be.
+    // Only hanging objects are drawn again in the sun's shadow map, and only in their region.
     EXPECT_EQ(reasonFor(turned, "hall/shadow"), "unchanged since it last ran");
     EXPECT_EQ(reasonFor(turned, "hall/shadow/copy"), "unchanged since it last ran");
     ASSERT_TRUE(turned.find("hall/shadow/restore"));
     ASSERT_TRUE(turned.find("hall/shadow/hangings"));
     EXPECT_LT(turned.find("hall/shadow/hangings")->draws.size(), 12U);
-    // And all of it when the sun moves.
+    // All of it is drawn again when the sun moves.
     scene.hall().set(test::hallTable().sunElevation, 0.4);
     for (const char* pass : {"hall/shadow", "hall/shadow/copy", "hall/shadow/restore", "hall/shadow/hangings"})
         EXPECT_TRUE(scene.plan(kept).find(pass)) << pass;
@@ -248,7 +248,7 @@ TEST(RaysPlan, ATileTakesItsMaskFromTheWholePicture)
     const render::FramePlan plan = scene.plan();
     ASSERT_TRUE(runs(plan, "crepuscular_rays/occluders/"));
     EXPECT_EQ(plan.images().at("crepuscular_rays.mask").size, glm::ivec2(2048, 1152));
-    EXPECT_TRUE(plan.find("crepuscular_rays/loop"));  // Passes cannot look into the next tile.
+    EXPECT_TRUE(plan.find("crepuscular_rays/loop"));  // Passes cannot sample the next tile.
     EXPECT_EQ(plan.find("crepuscular_rays/taps/1"), nullptr);
     EXPECT_EQ(plan.find("crepuscular_rays/loop")->reason,
               "a tile cannot look into its neighbors' passes, so one loop takes their place");
@@ -275,14 +275,14 @@ TEST(SunInPicture, BehindTheCameraIsNotMirroredIntoThePicture)
     const dvec3 behind = glm::normalize(dvec3(0.05, -0.1, 1));
     EXPECT_FALSE(sunInPicture(view, behind).inFront);
     EXPECT_EQ(glsl::shaftEdgeFade(sunInPicture(view, behind).beyond, 100), 0);
-    // Divided without a look at the sign, it would be in the middle of the picture.
+    // Without the sign, the division would put it in the middle of the picture.
     const glm::dvec4 clip = view.clipFromView * glm::dvec4(behind, 0);
     EXPECT_LT(std::abs(clip.x / clip.w), 0.2);
 }
 
 TEST(SunInPicture, SweptThroughEdgeAndCameraPlaneChangesLittleByLittle)
 {
-    // What the shaders see of it: the fade, and the direction of the streaks in the middle of the picture.
+    // Values in the shaders: the fade, and the direction of the streaks at the center of the picture.
     double lastFade = 1;
     dvec2 lastDirection(0);
     double largestFade = 0;
@@ -341,7 +341,7 @@ TEST(Beams, OfTheWindowReachTheFloorWhereTheSunSaysSo)
     EXPECT_NEAR(found[0].box.low.y, 0, 1e-9);
     EXPECT_NEAR(found[0].box.high.x, 1.2, 1e-9);
     EXPECT_TRUE(beams(std::span(&window, 1), room, {0, std::sin(elevation), std::cos(elevation)}).empty());
-    EXPECT_TRUE(beams(std::span(&window, 1), room, glm::normalize(dvec3(5, 1, -1))).empty());  // Along the wall.
+    EXPECT_TRUE(beams(std::span(&window, 1), room, glm::normalize(dvec3(5, 1, -1))).empty());  // Parallel to the wall.
 }
 
 TEST(SunAtHour, CrossesTheSkyOfAnEquinox)
@@ -352,7 +352,7 @@ TEST(SunAtHour, CrossesTheSkyOfAnEquinox)
     EXPECT_EQ(sunAtHour(0).strength, 0);
     EXPECT_LT(skyByHour(sunAtHour(0).elevation).zenith.y, 0.02);
     EXPECT_GT(skyByHour(sunAtHour(0).elevation).zenith.y, 0);
-    // The hall's initial sun, a little after four.
+    // The hall's initial sun, shortly after four.
     const Sun four = sunAtHour(16.05);
     EXPECT_NEAR(four.elevation, 19 * degree, 0.6 * degree);
     EXPECT_NEAR(four.azimuth, -3 * degree, 0.6 * degree);
@@ -401,7 +401,7 @@ TEST(SteadyLightView, KeepsItsGridWhileTheBoxMovesAndGrows)
         EXPECT_NEAR(difference.x, std::round(difference.x), 1e-6) << i;
         EXPECT_NEAR(difference.y, std::round(difference.y), 1e-6) << i;
     }
-    // The map that is fitted to the box does not.
+    // Control: the map fitted to the box does not.
     const render::View loose = lightView({dvec3(-0.5) + 0.00123, dvec3(0.5) + 0.00123}, sun, glm::ivec2(512), 30);
     const dvec2 slid =
         texel(loose, still) - texel(lightView({dvec3(-0.5), dvec3(0.5)}, sun, glm::ivec2(512), 30), still);

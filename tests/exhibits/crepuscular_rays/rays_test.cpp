@@ -1,4 +1,4 @@
-// The sunbeams as drawn, against float64 and closed forms.
+// Pictures of the sunbeams, compared with float64 results and closed forms.
 
 #include "exhibits/compare/offered_comparison.h"
 #include "exhibits/crepuscular_rays/rays_cpu.h"
@@ -24,7 +24,7 @@ using test::Rays;
 using test::RayShot;
 using test::raysTable;
 
-/// The mask of the last picture, sampled like the shader does; pixels from the lower left.
+/// Mask of the last picture, sampled like in the shader; pixels from the lower left.
 struct Mask {
     render::Image image = gallery().renderer.read("crepuscular_rays.mask");
 
@@ -45,7 +45,7 @@ struct Mask {
     }
 };
 
-/// What float64 gathers at a pixel from the lower left.
+/// Returns the float64 sum at a pixel, counted from the lower left.
 double gathered(const Mask& mask, const dvec2& source, const dvec2& pixel, int samples, double density, double exponent)
 {
     double sum = 0;
@@ -63,7 +63,7 @@ TEST_F(Rays, LeaveThePictureAsItIsToTheBitWhenTheyAreOff)
     shot.rays().set(raysTable().technique, RayTechnique::both);
     RayShot changed = shot;
     EXPECT_GT(test::largestDifference(off.image, shot.take().image), 0.05);
-    // Strength 0 in every way there is, and the same once more with every pass run for nothing.
+    // Strength 0 by every parameter, also with every pass forced to run.
     changed.rays().set(raysTable().weight, 0.0);
     changed.rays().set(raysTable().airDensity, 0.0);
     EXPECT_EQ(test::largestDifference(off.image, changed.take().image), 0);
@@ -88,7 +88,7 @@ TEST_F(Rays, AreOfferedBesideThePictureWithoutThem)
 
 TEST_F(Rays, OfTheSunBehindChangeNothing)
 {
-    // The original projects a sun behind the camera into the middle of the picture, and draws rays there.
+    // The reference projects a sun behind the camera into the middle of the picture, and draws rays there.
     RayShot shot(RayTechnique::none);
     shot.rays().set(raysTable().view, RayView::picture);
     const dvec3 sun(-0.049, 0.3256, -0.944);
@@ -105,7 +105,7 @@ TEST_F(Rays, OfTheSunBehindChangeNothing)
 
 TEST_F(Rays, InScreenSpaceAreInProportionToTheSunsStrengthDownToNone)
 {
-    // The light alone, from a white mask: nothing in it but rays.
+    // Rays only, from a white mask.
     RayShot shot(RayTechnique::screen);
     const double initial = std::get<double>(hallTable().rows()[hallTable().sunStrength.row].initial);
     const double mean = shot.take().mean();
@@ -120,7 +120,7 @@ TEST_F(Rays, InScreenSpaceAreInProportionToTheSunsStrengthDownToNone)
 
 TEST_F(Rays, AreTheMeanThatFloat64Finds)
 {
-    // The sun in the picture; beyond its upper edge; and beyond its corner.
+    // Sun in the picture, beyond its upper edge, and beyond its corner.
     const std::pair<dvec3, dvec3> views[] = {
         {{0.4, 1.65, -1}, {0.1, 3.8, -12}}, {{0.4, 1.65, -5}, {0.4, 1.6, -12}}, {{-3, 1.65, -6}, {1.5, 2.6, -12}}};
     double bent = 0;
@@ -138,7 +138,7 @@ TEST_F(Rays, AreTheMeanThatFloat64Finds)
         const SunInPicture sun = sunInPicture(loop.view, towardsSun);
         ASSERT_TRUE(sun.inFront);
         if (sun.beyond > 0) {
-            // Clamped to the picture, the light would bend every ray: that through the middle by this much.
+            // If the light were clamped to the picture, every ray would bend: the central one by this much.
             const auto angle = [](const dvec2& to) { return std::atan2(to.y - 45.5, to.x - 80.5); };
             bent = std::max(bent, std::abs(angle(sun.pixel) - angle(glm::clamp(sun.pixel, dvec2(0), dvec2(161, 91)))));
         }
@@ -170,7 +170,7 @@ TEST_F(Rays, AreTheMeanThatFloat64Finds)
         const double pixels = 161 * 91;
         EXPECT_GT(sky, 100);
         EXPECT_GT(std::sqrt(sumOfSquares / pixels), 0.02);
-        // Half floats, and a hardware sampler that places a look to 1/256 of a pixel.
+        // Half floats, and a hardware sampler with a precision of 1/256 pixel.
         EXPECT_LT(worst, 0.004);
         EXPECT_LT(std::sqrt(polarSquares / pixels), 0.004);
         EXPECT_LT(std::sqrt(passesSquares / pixels), 0.006);
@@ -195,7 +195,7 @@ TEST_F(Rays, OfMoreSamplesAreNoBrighter)
         for (const int samples : {8, 27, 64, 216})
             EXPECT_NEAR(mean(samples, RaySum::mean) / many, 1, 0.005) << static_cast<int>(method) << ' ' << samples;
     }
-    // The original's sum is.
+    // Control: the reference's sum does.
     shot.rays().set(raysTable().sum, RaySum::plain);
     shot.rays().set(raysTable().samples, 64);
     const double few = shot.take().mean();
@@ -205,7 +205,8 @@ TEST_F(Rays, OfMoreSamplesAreNoBrighter)
 
 TEST_F(Rays, OfADiskAreCenteredAtHalfSizeToATwentiethOfAPixel)
 {
-    // Alone, the sky within five degrees of the sun shines: a disk in the picture, whole pixels or not.
+    // Without the hall, the sky shines within five degrees of the sun: a disk in the picture, with an odd or even
+    // number of pixels.
     for (const glm::ivec2 size : {glm::ivec2(97, 55), glm::ivec2(96, 54), glm::ivec2(101, 53)}) {
         RayShot shot(RayTechnique::screen);
         shot.request.frame.alone = *gallery().museum.find("crepuscular_rays");
@@ -230,8 +231,7 @@ TEST_F(Rays, OfADiskAreCenteredAtHalfSizeToATwentiethOfAPixel)
         const dvec2 full = centroid(RayResolution::full);
         EXPECT_LT(glm::length(centroid(RayResolution::half) - full), 0.05) << size.x << 'x' << size.y;
         if (size.x % 2 == 0) continue;
-        // Stretched over the picture from edge to edge, as a texture of half the size usually is, it is not where it
-        // was.
+        // A texture of half the size that is stretched from edge to edge, as usual, shifts the disk.
         const render::Image coarse = gallery().renderer.read("crepuscular_rays.rays");
         double sum = 0;
         double all = 0;
@@ -293,7 +293,7 @@ TEST_F(Rays, HaveOneMaskWhicheverWayItIsMade)
 
 TEST_F(Rays, HaveOneMaskBehindWhatIsMarchedToo)
 {
-    // The torus-mug stands before the window: it has no mesh, and hides the sky all the same.
+    // The torus-mug in front of the window has no mesh, but must hide the sky, too.
     RayShot shot(RayTechnique::screen);
     shot.see({0, 1.3, 2.2}, {0, 2.0, -12});
     std::vector<render::Image> masks;
@@ -304,7 +304,7 @@ TEST_F(Rays, HaveOneMaskBehindWhatIsMarchedToo)
     }
     EXPECT_EQ(test::largestDifference(masks[0], masks[1]), 0);
     EXPECT_EQ(test::largestDifference(masks[0], masks[2]), 0);
-    // It does hide some of it: without the object, there is more sky.
+    // Control: without the object, more of the sky is visible.
     shot.object().set(test::sdfTable().boxSize, shot.object().rows()[test::sdfTable().boxSize.row].range.low);
     (void)shot.take();
     double hidden = 0;
@@ -352,7 +352,7 @@ TEST_F(Rays, OfATiledPictureAreThoseOfTheWhole)
 {
     RayShot shot(RayTechnique::screen);
     shot.size(101, 75);
-    shot.see({0, 1.3, 2.2}, {0, 2.4, -12});  // The marched object hides some of the sky.
+    shot.see({0, 1.3, 2.2}, {0, 2.4, -12});  // The ray-marched object hides some of the sky.
     for (const RayMethod method : {RayMethod::loop, RayMethod::threePasses, RayMethod::polar}) {
         for (const RayResolution resolution : {RayResolution::full, RayResolution::half}) {
             shot.rays().set(raysTable().method, method);
@@ -360,7 +360,7 @@ TEST_F(Rays, OfATiledPictureAreThoseOfTheWhole)
             shot.request.largestTile = 37;
             const Picture tiled = shot.take();
             shot.request.largestTile = 2048;
-            // A tile cannot look into its neighbors' passes: a loop of as many samples takes their place.
+            // A tile cannot sample its neighbors' passes, so a loop with the same number of samples replaces them.
             if (method == RayMethod::threePasses) shot.rays().set(raysTable().method, RayMethod::loop);
             const Picture whole = shot.take();
             EXPECT_GT(whole.mean(), 0.01);
@@ -374,8 +374,8 @@ TEST_F(Rays, OfATiledPictureAreThoseOfTheWhole)
             if (resolution == RayResolution::full) {
                 EXPECT_LT(worst, 2e-3) << static_cast<int>(method);
             }
-            // At half size, the corners of walls are rounded in each tile's own clip space: a pixel in a hundred may
-            // see another depth.
+            // At half size, corners of walls are rounded differently in each tile's clip space: one pixel in a hundred
+            // may have another depth.
             EXPECT_LE(different, 101 * 75 / 100) << static_cast<int>(method);
             EXPECT_LT(test::colorDifference(whole, tiled), 0.003)
                 << static_cast<int>(method) << ' ' << static_cast<int>(resolution);
@@ -399,7 +399,8 @@ TEST_F(Rays, JoinByTiles)
             different +=
                 glm::length(whole.color(x, y) - tiled.color(x, y)) > 1e-3 + 0.01 * glm::length(whole.color(x, y));
         });
-        // Corners of walls are rounded in each tile's own clip space: a pixel in a hundred may see another depth.
+        // Corners of walls are rounded differently in each tile's clip space: one pixel in a hundred may have another
+        // depth.
         EXPECT_LE(different, 101 * 75 / 100) << static_cast<int>(resolution);
     }
 }
@@ -433,7 +434,8 @@ TEST_F(Rays, LegalValuesNeverMakeWhatIsNotANumber)
         p.each([&](int x, int y) {
             for (int c = 0; c < 3; ++c) least = std::min(least, p.image.at(x, y, c));
         });
-        // The mask's colors stand in the picture as what shows as them, which of a saturated one is below 0.
+        // The mask's colors are written so that they are displayed correctly. For saturated ones this has negative
+        // components.
         if (rays[raysTable().view] != RayView::mask) {
             EXPECT_GE(least, -1e-4) << "settings " << i;
         }

@@ -1,4 +1,4 @@
-// When a row acts: what conditions mean, say, and promise of every table.
+// Conditions under which parameters have an effect: their meaning, their texts, and rules for all tables.
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
@@ -141,7 +141,7 @@ TEST(ConditionsOfTheTables, LookAtRowsThatAreThereWithValuesThatTheyCanHave)
             ++conditions;
             check(check, *table, *row.actsWhen, row.name);
             EXPECT_FALSE(actsWhen(*table, i).empty()) << row.name;
-            (void)acts(table->initial(), i);  // Ends: no row waits for itself.
+            (void)acts(table->initial(), i);  // Terminates: no parameter depends on itself.
         }
     }
     EXPECT_GT(conditions, 50);

@@ -1,4 +1,4 @@
-// The content of a file as a row: changed, and not written to it yet.
+// Document parameters: the content of a file, edited and not yet written.
 
 #include "exhibits/framework/derive.h"
 #include "exhibits/framework/preset.h"

@@ -6,7 +6,7 @@ namespace vitrine::test {
 
 enum class Way : std::uint8_t { plain, Fancy, both };
 
-/// A table with every kind of row and every kind of unit.
+/// Table with parameters of every kind and unit.
 struct EveryKind final : Parameters {
     Real morph = real("morph", 0.5, none, {0, 1}, "A plain number.");
     Real exposure = real("exposure", 0, stop, {-16, 16}, "A number in stops.");

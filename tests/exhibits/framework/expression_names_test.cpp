@@ -49,7 +49,7 @@ TEST(ExpressionNames, FunctionsTakeWhatTheyMean)
     for (const char* bad :
          {"sin()", "sin(1, 2)", "max(1)", "sin(gap)", "max(gap, 3 deg)", "sin 3", "mix(1, 2)", "min(1,"})
         EXPECT_FALSE(with(bad, Unit::none)) << bad;
-    EXPECT_DOUBLE_EQ(with("2 min", Unit::second).value(), 120);  // The unit, not the function.
+    EXPECT_DOUBLE_EQ(with("2 min", Unit::second).value(), 120);  // "min" is the unit here, and not the function.
 }
 
 TEST(ExpressionNames, AreListed)

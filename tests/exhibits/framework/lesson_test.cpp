@@ -27,7 +27,7 @@ Lesson lessonOf(const std::string& text)
     return parseLesson(text, "a.md", lessonTables());
 }
 
-/// A lesson with one step, whose heading is line 9 and whose block begins at line 13.
+/// Returns a lesson with one step, whose heading is in line 9 and whose block begins in line 13.
 std::string oneStep(const std::string& block, const std::string& text = "See this.")
 {
     return lessonHead + "## First\n\n" + text + "\n```json\n" + block + "\n```\n";

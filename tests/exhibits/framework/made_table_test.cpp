@@ -1,4 +1,4 @@
-// Tables that are made at run time, and arrays of groups in any table.
+// Tables made at run time, and arrays of groups in tables.
 
 #include "exhibits/framework/derive.h"
 #include "exhibits/framework/preset.h"
@@ -16,7 +16,7 @@ struct Ball {
     Color tint;
 };
 
-/// As the reader of a scene would: of texts that are gone afterwards.
+/// Makes a table like the reader of a scene: from texts that do not outlive the call.
 std::shared_ptr<const MadeTable> madeTable(const std::vector<std::string>& balls, double largest,
                                            std::vector<Real>* radii = nullptr)
 {
@@ -128,7 +128,7 @@ TEST(MadeTable, ValuesGoOverToAnotherTableByName)
     EXPECT_TRUE(notes.empty());
     EXPECT_EQ(&moved.table(), after.get());
     EXPECT_EQ(moved.row(after->find("speed").value()), Value(7.0));
-    EXPECT_EQ(moved.row(after->find("blueRadius").value()), Value(2.0));  // The nearest that is legal there.
+    EXPECT_EQ(moved.row(after->find("blueRadius").value()), Value(2.0));  // The nearest legal value.
     EXPECT_EQ(moved.row(after->find("blueFinish").value()), Value(2.0));
     EXPECT_TRUE(moved.isInitial(after->find("greenRadius").value()));
 }
@@ -150,7 +150,7 @@ TEST(MadeTable, HasPresetsLikeAnyOther)
     EXPECT_NE(text.find("\"blueRadius\": 3.25"), std::string::npos) << text;
     EXPECT_NE(text.find("\"redFinish\": \"old gold\""), std::string::npos) << text;
     EXPECT_EQ(parsePreset(text, "large.json", "scene", *table).values, preset.values);
-    // A table without the blue ball keeps the rest, and says what it does not know.
+    // A table without the blue ball keeps the other values, and reports the unknown ones.
     const auto other = madeTable({"red"}, 10);
     const Preset read = parsePreset(text, "large.json", "scene", *other);
     EXPECT_EQ(read.values.row(other->find("redFinish").value()), Value(1.0));

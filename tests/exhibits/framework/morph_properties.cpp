@@ -1,5 +1,5 @@
-// Settings among four, of any legal values: exact at the corners, symmetric, within every range, and on an edge the
-// way between two.
+// Morphing among four settings with any legal values: exact at the corners, symmetric, within all ranges, and on an
+// edge equal to the morph between two.
 
 #include "exhibits/framework/morph.h"
 #include "tests/exhibits/framework/every_kind.h"
@@ -20,7 +20,7 @@ using test::everyKind;
 using Four = std::array<ParameterValues, 4>;
 using Weights = std::array<double, 4>;
 
-/// 0 to 1, in steps that binary fractions hold.
+/// Returns a share from 0 to 1, in steps that binary fractions represent exactly.
 double share()
 {
     return *rc::gen::inRange<int>(0, 1025) / 1024.0;
@@ -30,13 +30,13 @@ Value legalValue(const ParameterInfo& row)
 {
     switch (row.kind) {
     case Kind::color: return glm::dvec3(share(), share(), share());
-    // Within half of the sphere, and of the circle, where there is one mean only.
+    // Within half of the sphere or circle, where the mean is unique.
     case Kind::direction: return glm::dvec3(8 * (share() - 0.5), 8 * (share() - 0.5), 1.0);
     case Kind::file:
     case Kind::text: return "picture " + std::to_string(*rc::gen::inRange(0, 9)) + ".png";
     default: break;
     }
-    if (row.unit == Unit::degree) return 2.5 + 2.8 * (share() - 0.5);  // Past the end of its range, too.
+    if (row.unit == Unit::degree) return 2.5 + 2.8 * (share() - 0.5);  // Also beyond the end of its range.
     return row.range.low + share() * (row.range.high - row.range.low);
 }
 
@@ -57,7 +57,7 @@ Four fourSettings()
     return {legalValues(), legalValues(), legalValues(), legalValues()};
 }
 
-/// Of a point in a square whose corners are the settings, row by row.
+/// Returns the weights of a point in a square whose corners are the settings, row by row.
 Weights weightsAt(double x, double y)
 {
     return {(1 - x) * (1 - y), x * (1 - y), (1 - x) * y, x * y};
@@ -70,7 +70,7 @@ ParameterValues among(const Four& four, const Weights& weights)
     return morphed(parts);
 }
 
-/// Equal but for the last digits; directions and colors, too, and angles on the circle.
+/// Returns whether two values are equal up to rounding, including directions, colors, and angles on the circle.
 bool nearlyEqual(const ParameterInfo& row, const Value& a, const Value& b)
 {
     if (row.isWritten() || row.kind == Kind::toggle || row.kind == Kind::choice) return a == b;
@@ -100,7 +100,7 @@ RC_GTEST_PROP(MorphProperty, WhichSettingStandsAtWhichCornerDoesNotMatter, ())
 {
     const Four four = fourSettings();
     const Weights weights = weightsAt(share(), share());
-    // Of equal weights the first one switches: what is symmetric is what has no such tie.
+    // For equal weights the first setting decides, so symmetry holds only without ties.
     Weights sorted = weights;
     std::sort(sorted.begin(), sorted.end());
     RC_PRE(sorted[3] > sorted[2]);
@@ -127,7 +127,7 @@ RC_GTEST_PROP(MorphProperty, NothingLeavesTheFourNorItsRange, ())
             const double x = std::get<double>(result.row(i));
             RC_ASSERT(x >= row.range.low && x <= row.range.high);
             RC_ASSERT(row.kind != Kind::count || x == std::round(x));
-            if (row.unit == Unit::degree) continue;  // On a circle nothing is below or above.
+            if (row.unit == Unit::degree) continue;  // On a circle there is no order.
             double low = row.range.high, high = row.range.low;
             for (const ParameterValues& each : four) {
                 low = std::min(low, std::get<double>(each.row(i)));
@@ -148,7 +148,7 @@ RC_GTEST_PROP(MorphProperty, OnAnEdgeItIsTheWayBetweenTheTwo, ())
     const Four four = fourSettings();
     const double t = share();
     const auto same = [&](const Weights& weights, std::size_t from, std::size_t to) {
-        // In the middle the first corner still counts, which is the one that the way then leads to.
+        // In the middle the first corner decides, which is the end of the reversed morph.
         return nearlyEqual(among(four, weights), morphed(four.at(to), four.at(from), 1 - t));
     };
     RC_ASSERT(same(weightsAt(t, 0), 0, 1));

@@ -1,4 +1,4 @@
-// The way from one setting to another: each kind of row by its own law, and never out of range.
+// Morphing from one setting to another: each kind of parameter has its own interpolation, and stays in its range.
 
 #include "exhibits/framework/morph.h"
 
@@ -104,7 +104,7 @@ TEST(Morphing, ColorsGoStraightInOklab)
 
 TEST(Morphing, OklabIsThePublishedOne)
 {
-    // Ottosson's pairs of XYZ and Oklab, of which these are the white and, by its own primaries, the red of sRGB.
+    // Pairs of XYZ and Oklab published by Ottosson: white, and the red of sRGB by its primaries.
     const glm::dvec3 white = render::oklabFromLinear({1, 1, 1}), red = render::oklabFromLinear({1, 0, 0});
     EXPECT_LT(glm::distance(white, glm::dvec3(1, 0, 0)), 1e-6);
     EXPECT_LT(glm::distance(red, glm::dvec3(0.627955, 0.224863, 0.125846)), 1e-5);
@@ -153,7 +153,7 @@ TEST(Morphing, OfEveryExhibitNeverLeavesARange)
                 for (std::size_t row = 0; row < table.rows().size(); ++row) {
                     const ParameterInfo& info = table.rows()[row];
                     const Value value = morphed(info, a.row(row), b.row(row), t);
-                    // Only the last bits of colors and unit lengths may be mended.
+                    // Only the last bits of colors and unit vectors may be corrected.
                     const std::optional<Value> legal = nearestLegal(info, value);
                     ASSERT_TRUE(legal) << exhibit->name() << '.' << info.name;
                     if (info.kind == Kind::direction || info.kind == Kind::color)
@@ -188,7 +188,8 @@ TEST(Morphing, AmongFourDirectionsIsTheirMeanOnTheSphere)
     const std::vector<Value> four{about(80, 0), about(80, quarter), about(80, 2 * quarter), about(80, 3 * quarter)};
     const auto middle = std::get<glm::dvec3>(morphed(axis, four, std::array{0.25, 0.25, 0.25, 0.25}));
     EXPECT_LT(glm::distance(middle, glm::dvec3(0, 0, 1)), 1e-12) << "four about an axis have it as their mean";
-    // A mean is where the ways to all of them cancel: along one great circle, as numbers do.
+    // The mean is the point from which the vectors to all of them cancel. Along a great circle it equals the mean of
+    // numbers.
     const std::vector<Value> three{about(0, 0), about(30, 0), about(75, 0)};
     const auto along = std::get<glm::dvec3>(morphed(axis, three, std::array{0.2, 0.5, 0.3}));
     EXPECT_LT(glm::distance(along, std::get<glm::dvec3>(about(0.5 * 30 + 0.3 * 75, 0))), 1e-12);

@@ -1,5 +1,5 @@
-// Rows that move: where each kind of motion is at a moment, that values stay legal, when the next one comes, and that
-// files bring all of it back.
+// Animated parameters: values of each kind of animation over time, legal values, the time of the next change, and
+// saving to files.
 
 #include "exhibits/framework/motion.h"
 
@@ -35,7 +35,7 @@ struct MotionTable final : Parameters {
 };
 const MotionTable rowsThatMove;
 
-/// `radius` from 0.01 to 100 m in four seconds.
+/// Returns an animation of `radius` from 0.01 to 100 m in four seconds.
 Motion movingRadius(MotionKind kind)
 {
     Motion motion;
@@ -253,7 +253,7 @@ TEST(Motions, FilesBringThemBackOfEveryKind)
     }
 }
 
-/// A preset with this motion of `radius`.
+/// Returns a preset with this animation of `radius`.
 std::string fileWithMotion(const std::string& motion, const std::string& row = "radius")
 {
     return "{\"format\": \"vitrine-preset\", \"version\": 1, \"exhibit\": \"some\", \"name\": \"A\", \"values\": {},\n"

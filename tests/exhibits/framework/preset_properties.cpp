@@ -14,7 +14,7 @@ using namespace vitrine;
 using render::Json;
 using test::everyKind;
 
-/// Any legal value of a row.
+/// Generates any legal value of a parameter.
 rc::Gen<Value> legalValue(const ParameterInfo& row)
 {
     return rc::gen::exec([&row]() -> Value {
@@ -50,7 +50,7 @@ rc::Gen<ParameterValues> legalValues()
     });
 }
 
-/// Any JSON, not too deep.
+/// Generates any JSON of limited depth.
 rc::Gen<Json> anyJson(int depth)
 {
     return rc::gen::exec([depth]() -> Json {
@@ -88,7 +88,7 @@ RC_GTEST_PROP(PresetProperty, EveryLegalSetOfValuesReadsBackBitForBit, ())
 
 TEST(PresetProperty, ANumberIsRoundedOnce)
 {
-    // By way of 64 bits of mantissa, this one became the next double.
+    // With a 64-bit mantissa in between, this value became the next double.
     const std::size_t tint = *everyKind.find("tint");
     const Value color = glm::dvec3(0, 0, 0.024421);
     EXPECT_EQ(parseValue(everyKind.rows()[tint], formatValue(everyKind.rows()[tint], color)), color);

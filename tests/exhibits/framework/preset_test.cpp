@@ -20,7 +20,7 @@ Preset read(const std::string& text)
     return parsePreset(text, "a.json", "everything", everyKind);
 }
 
-/// A preset file with these values.
+/// Returns a preset file with these values.
 std::string fileWith(const std::string& values, const std::string& more = "")
 {
     return "{\n\"format\": \"vitrine-preset\",\n\"version\": 1,\n\"exhibit\": \"everything\",\n\"name\": "
@@ -178,10 +178,10 @@ TEST(Preset, TagsStandBehindTheNameAndOnlyWhereThereAreSome)
     EXPECT_TRUE(back.notes.empty()) << "they are known";
     EXPECT_EQ(presetText(back), with);
     EXPECT_EQ(presetHeader(render::parseJson(with, "a.json", presetLimits)).tags, preset.tags);
-    // Given and taken in the file, which stays as it was otherwise.
+    // Adding and removing tags leaves the rest of the file unchanged.
     EXPECT_EQ(taggedPreset(render::parseJson(without, "a.json", presetLimits), preset.tags), with);
     EXPECT_EQ(taggedPreset(render::parseJson(with, "a.json", presetLimits), {}), without);
-    // An exhibition has them as well.
+    // Exhibitions have tags, too.
     Exhibition exhibition =
         parseExhibition(R"({"format": "vitrine-exhibition", "version": 1, "name": "E", "tags": ["x"], "values": {}})",
                         "e.json", {{"everything", everyKind.initial()}});
@@ -255,7 +255,7 @@ TEST(Preset, OfTheWholeExhibitionHasDottedKeys)
         "all.json, line 2, values.hall.exposure");
 }
 
-// Whatever a damaged file says: a legal set of values, or a Failure and nothing changed.
+// A damaged file gives legal values, or a Failure and no change.
 TEST(Preset, NeverCrashesOnDamagedFiles)
 {
     Preset rich = plain();

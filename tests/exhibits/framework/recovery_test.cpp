@@ -23,7 +23,7 @@ using test::TemporaryFolder;
 TEST(Recovery, OffersWhatACrashLeftBehind)
 {
     const TemporaryFolder folder;
-    // A process that writes its journal and dies without a word.
+    // A process that writes its journal and ends abnormally.
     const pid_t child = ::fork();
     if (child == 0) {
         const RecoveryJournal journal(folder.path());
@@ -78,7 +78,7 @@ TEST(Recovery, SaysHowToSetAnotherFolderIfItsOwnCannotBeWritten)
         }
         return std::string();
     };
-    // A file in place of the folder stops root, too.
+    // A file in place of the folder makes writing fail even for root.
     std::ofstream(folder.path() / "vitrine") << "no folder";
     const char* before = std::getenv("XDG_STATE_HOME");
     const std::string kept = before ? before : "";
@@ -105,7 +105,8 @@ TEST(Recovery, OffersWhatAProcessLeftThatWasKilledAndThatItsParentHasNotAskedFor
         ::kill(::getpid(), SIGKILL);
     }
     siginfo_t info{};
-    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT), 0);  // It is dead, and still listed.
+    // It has ended, but is still listed.
+    ASSERT_EQ(::waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT), 0);
     ASSERT_TRUE(std::filesystem::exists("/proc/" + std::to_string(child) + "/stat"));
     EXPECT_EQ(RecoveryJournal(folder.path()).abandoned().size(), 1U);
     ::waitpid(child, nullptr, 0);

@@ -24,7 +24,7 @@ namespace {
 
 using namespace vitrine;
 
-/// Every lesson that comes with the program, in all languages.
+/// All lessons that come with the program, in all languages.
 class ShippedLessons : public testing::Test {
 protected:
     ShippedLessons()
@@ -40,7 +40,7 @@ protected:
         return readLesson(shippedLesson(exhibit.name()), tables_);
     }
 
-    /// Of the lesson as it stands in its file.
+    /// Returns the lesson's file as it is.
     static std::string bytes(const std::string& folder, const Exhibit& exhibit)
     {
         return render::readFile(render::asset(folder + '/' + std::string(exhibit.name()) + ".md"), lessonBytes);
@@ -84,11 +84,11 @@ TEST_F(ShippedLessons, EveryStepShowsSomethingElseAndNamesARowOrANumber)
     }
 }
 
-/// A counter that only the graphics card knows, such as of samples that stay, says little of what was done.
+/// A counter that only the GPU knows, such as of visible samples, says little about the work.
 TEST_F(ShippedLessons, CountersThatAreReadCountTheWorkThatIsPlanned)
 {
     const Museum museum(allExhibits());
-    std::map<std::string, std::vector<std::int64_t>> counts;  // By exhibit, step by step.
+    std::map<std::string, std::vector<std::int64_t>> counts;  // Counts of each exhibit, step by step.
     for (const auto& [index, exhibit] : museum.exhibits()) {
         if (!exhibit.isComplete()) continue;
         const std::string name(exhibit.name());
@@ -119,7 +119,7 @@ TEST_F(ShippedLessons, CountersThatAreReadCountTheWorkThatIsPlanned)
     EXPECT_EQ(counts.count("fur"), 0U);
 }
 
-/// What stands between ``` and ```, marks and all, in order.
+/// Returns the blocks between ``` and ```, including these marks, in order.
 std::vector<std::string> blocksOf(const std::string& lesson)
 {
     std::vector<std::string> blocks;
@@ -131,7 +131,7 @@ std::vector<std::string> blocksOf(const std::string& lesson)
     return blocks;
 }
 
-/// The rows that a text names, sorted, each once.
+/// Returns the names of parameters in a text, sorted and unique.
 std::set<std::string> rowsIn(const std::string& text)
 {
     static const std::regex mark(R"(\[row:([^\]]*)\])");

@@ -1,4 +1,4 @@
-// Where the driver looks for each parameter, against where its value is put.
+// Positions at which the driver reads parameters, compared with those at which their values are written.
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
@@ -15,7 +15,7 @@ namespace {
 
 using UniformBlock = test::GlTest;
 
-/// A program that reads the block of these parameters; 0 where it does not build.
+/// Builds a program that reads the block of these parameters; 0 if it does not build.
 GLuint programOf(const Parameters& table, std::string_view anyNumber)
 {
     const std::string source = "#version 450\n" + derive::uniformBlock(table) +
@@ -52,7 +52,7 @@ template <typename T> T at(const render::Bytes& bytes, GLint offset)
 
 void expectBlockOf(const Parameters& table, const std::string& exhibit)
 {
-    // Every row another value, so that none can be mistaken for its neighbor's.
+    // Every parameter has a different value, so that they cannot be confused.
     ParameterValues values(table);
     for (std::size_t i = 0; i < table.rows().size(); ++i) {
         const ParameterInfo& row = table.rows()[i];
@@ -95,7 +95,8 @@ TEST_F(UniformBlock, HasEveryParameterWhereTheDriverLooksForIt)
         expectBlockOf(subject->parameters(), std::string(subject->name()));
 }
 
-/// What std140 pads: a number after a vector, a vector after one, two and three numbers, vectors in a row.
+/// Table with everything that std140 pads: a number after a vector, a vector after one, two and three numbers,
+/// consecutive vectors.
 struct Awkward final : Parameters {
     Real a = real("a", 0.5, none, {0, 1}, "A.");
     Color b = color("b", {0, 0, 0}, "B.");

@@ -141,7 +141,7 @@ TEST(ValueText, ReadsBackBitForBitInEveryUnit)
     }
 }
 
-/// Digits with an exponent go another way: 1/3^11 in degrees came back as another number.
+/// Numbers with an exponent are written by other code, which once changed 1/3^11 in degrees.
 TEST(ValueText, ReadsBackBitForBitHoweverSmall)
 {
     for (const ParameterInfo& r : table.rows()) {

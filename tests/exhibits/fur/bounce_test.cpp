@@ -1,4 +1,4 @@
-// A jump: the same however it is asked for, within its limits, and over when it is over.
+// The jump of the fur balls: independent of the order of queries, within its limits, and finite.
 
 #include "exhibits/framework/random_values.h"
 #include "exhibits/fur/bounce.h"
@@ -56,7 +56,7 @@ TEST(Bounce, IsTheSameInWhateverOrderOneAsks)
     std::vector<FurStates> seen;
     for (int i = 0; i < 100; ++i) seen.push_back(forwards.at(0.05 * i));
     for (int i = 99; i >= 0; --i) EXPECT_TRUE(same(backwards.at(0.05 * i), seen[static_cast<std::size_t>(i)])) << i;
-    // And another number is another throw.
+    // Another seed gives another throw.
     Bounce other(settings(3));
     EXPECT_GT(apart(other.at(0.5), forwards.at(0.5)), 0.01);
 }
@@ -138,7 +138,7 @@ TEST(Bounce, KeepsFurWithinItsLimits)
     for (const FurSpring method : {FurSpring::closedForm, FurSpring::semiImplicit, FurSpring::explicitEuler}) {
         s.method = method;
         s.springRate = 30;
-        s.spring.omega = 80;  // Beyond what the other two methods survive.
+        s.spring.omega = 80;  // Beyond the stability of the other two methods.
         Bounce bounce(s);
         double most = 0;
         for (double t = 0; t < 3; t += 1.0 / 60) {
@@ -169,7 +169,7 @@ TEST(Bounce, IsTheSameAtThirtySixtyAndTwoHundredAndFortyFramesASecond)
 TEST(Bounce, CollidesWithTheRadiusThatIsDrawn)
 {
     ParameterValues values = table().initial();
-    values.set(table().flattening, 1.0);  // Nothing of the fur carries: skin on the ground.
+    values.set(table().flattening, 1.0);  // Fur carries nothing: the skin touches the ground.
     values.set(table().growing, true);
     values.set(table().growth, 0.08);
     values.set(table().jump, 1.5);
@@ -188,7 +188,7 @@ TEST(Bounce, CollidesWithTheRadiusThatIsDrawn)
     EXPECT_TRUE(grew && shrank) << "it was never seen to lie on the floor, large and small";
 }
 
-/// Meters from a body's middle to its farthest tip.
+/// Returns the distance in meters from a body's center to its farthest tip.
 double reachOf(int body, const ParameterValues& values, double skinScale)
 {
     const double skin = body == furBall   ? ballRadius * skinScale
@@ -215,7 +215,7 @@ TEST(Bounce, NeverLeavesTheSpaceInWhichItIsLookedFor)
                 const FurState& state = states[static_cast<std::size_t>(i)];
                 const double reach = reachOf(i, values, state.skinScale);
                 const render::Box& space = t == 0 ? rest : jump;
-                // Below the floor nothing shows: what reaches there is pressed flat.
+                // Below the floor nothing is visible: fur there is pressed flat.
                 ASSERT_LE(state.position.y + reach, space.high.y) << "body " << i << " at " << t << " s";
                 for (const int axis : {0, 2}) {
                     ASSERT_GE(state.position[axis] - reach, space.low[axis]) << "body " << i << " at " << t << " s";
@@ -228,7 +228,7 @@ TEST(Bounce, NeverLeavesTheSpaceInWhichItIsLookedFor)
 
 TEST(Bounce, IsLookedForNoHigherThanAThrowOfItsStrengthGets)
 {
-    // A stone thrown up at v rises v^2 / 2 g; the strongest throw is 1.26 times as fast as the mean one.
+    // A stone thrown up at v rises v^2 / 2 g; the strongest throw has 1.26 times the mean speed.
     ParameterValues values = table().initial();
     for (const double jump : {0.0, 3.0, 8.0}) {
         values.set(table().jump, jump);
@@ -256,7 +256,7 @@ TEST(Bounce, HopsBackOverTheRimAndIsNotDrawnHome)
             const FurStates a = bounce.at(t - 2 * frame), b = bounce.at(t - frame), c = bounce.at(t);
             for (std::size_t i = 0; i < a.size(); ++i) {
                 left += std::hypot(c[i].position.x, c[i].position.z) > pitRadius + 0.2;
-                // Above everything that it could touch, and none of the others near.
+                // Above everything that it could touch, and far from the others.
                 bool alone = b[i].position.y > 0.9 && t > 1.6;
                 for (std::size_t k = 0; k < a.size(); ++k)
                     alone = alone && (k == i || glm::length(b[k].position - b[i].position) > 1.1);
@@ -268,7 +268,7 @@ TEST(Bounce, HopsBackOverTheRimAndIsNotDrawnHome)
         }
     }
     EXPECT_GT(left, 20) << "no body left the pit: there is nothing to come back from";
-    // Some are held a meter outside the pit. Drawn home by a spring, nearly all would be steered.
+    // Some are held a meter outside the pit. If a spring pulled them home, nearly all would be steered.
     EXPECT_GT(flying, 60);
     EXPECT_LT(steered, flying / 8) << "something pulls at bodies in the air";
 }
@@ -292,13 +292,13 @@ TEST(Bodies, FallAsFastAsGalileoSays)
     RigidBodies world({.radius = 10});
     const int ball = world.add(BallShape{0.1}, {{0, 3, 0}}, 1);
     for (int i = 0; i < 120; ++i) world.step(1.0 / 240);
-    // Half a second: 1.226 m, less what the air's 5 % a second holds back and the step's first order adds.
+    // Half a second: 1.226 m, minus the air's 5 % a second and the first-order error of the step.
     EXPECT_NEAR(3 - world.pose(ball).position.y, 1.226, 0.02);
 }
 
 TEST(Bodies, MeetThePaddedRimWhereItIsDrawnAndNothingAboveIt)
 {
-    // assets/models/hall_props.py: the leather's top lies 0.18 m above the ground, 0.14 m outside the pit's wall.
+    // assets/models/hall_props.py: the top of the leather is 0.18 m above the ground, 0.14 m outside the pit's wall.
     const RigidPit pit{.radius = pitRadius, .depth = pitRim, .padRadius = pitPadRadius, .padLift = pitPadLift};
     RigidBodies world(pit);
     const int ball = world.add(BallShape{0.2}, {{pitRadius + 0.14, 1.2, 0}}, 1);
@@ -308,7 +308,7 @@ TEST(Bodies, MeetThePaddedRimWhereItIsDrawnAndNothingAboveIt)
         lowest = std::min(lowest, world.pose(ball).position.y);
     }
     EXPECT_NEAR(lowest, pitRim + 0.18 + 0.2, 0.02);
-    // A slow one is held by the wall, a high one flies over the rim and comes down on the ground outside.
+    // The wall holds a slow body. A high one flies over the rim and lands on the ground outside.
     RigidBodies other(pit);
     const int slow = other.add(BallShape{0.2}, {{0, 0.2, 0}}, 1);
     const int high = other.add(BallShape{0.2}, {{0, 1.5, 0.8}}, 1);

@@ -1,4 +1,4 @@
-// Light on coats and on what they leave bare: skin is lit as skin, and the fringe shows what is behind it.
+// Light on coats and on bare skin: skin is shaded as skin, and the fringe shows what is behind it.
 
 #include "tests/exhibits/fur/fur_shot.h"
 
@@ -9,12 +9,12 @@ namespace {
 
 class FurLight : public GlTest {};
 
-/// Share of the pixels of the bodies whose luminance, times `factor`, a display shows at level 8 of 255 or below.
+/// Returns the share of the bodies' pixels whose luminance, times `factor`, has level 8 of 255 or below on a display.
 double blackShare(const Picture& p, double factor)
 {
     int black = 0, seen = 0;
     p.each([&](int x, int y) {
-        // Alone, the bodies stand on a light floor that fades out.
+        // Without the hall, the bodies are on a light floor that fades out.
         if (!p.hit(x, y) || p.alpha(x, y) < 1) return;
         ++seen;
         black += p.luminance(x, y) * factor < 8 / 255.0 / 12.92;
@@ -41,7 +41,7 @@ TEST_F(FurLight, BareSkinIsLitAndNotBlack)
     });
     const Picture dense = shot([&](FurShot& s) { density(s, 1000000); });
     for (const Picture* p : {&oneShell, &sparse, &bald, &dense}) EXPECT_LT(blackShare(*p, 1), 0.01);
-    // With the occlusion of roots, 0.05, as if they stood in a coat.
+    // Control: with the occlusion of roots, 0.05, as if skin were below fur.
     EXPECT_GT(blackShare(oneShell, 0.05), 0.2);
 }
 
@@ -64,7 +64,7 @@ TEST_F(FurLight, ShowsWhatIsBehindTheFringeAndNotTheHallWhereThePitIs)
         EXPECT_GT(seen, 300);
         return sum / seen;
     };
-    // Down at the ball from over the edge, with the pit behind it, and up at it, with the hall behind it.
+    // Down at the ball from beyond the edge, with the pit behind it, and up at it, with the hall behind it.
     const glm::dvec3 above(-0.62, 1.8, 0.9), below(-0.62, 0.3, 1.4), ball(-0.62, 0.45, 0);
     const double pit = mean(above, ball, 1) / mean(above, ball, 0);
     const double hall = mean(below, ball + glm::dvec3(0, 0.45, 0), 1) / mean(below, ball + glm::dvec3(0, 0.45, 0), 0);

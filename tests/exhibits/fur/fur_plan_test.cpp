@@ -1,4 +1,4 @@
-// What the fur does in a frame: nothing while it sleeps, nothing where nobody looks, no more than is seen.
+// The fur's work in a frame: none while it is asleep or out of view, and no more than is visible.
 
 #include "exhibits/fur/fur.h"
 #include "exhibits/sdf_morph/sdf_morph.h"
@@ -25,7 +25,7 @@ const FurTable& furTable()
     return made;
 }
 
-/// The hall with the torus-mug and the fur alone: what else stands there may move of itself.
+/// Returns the hall with only the torus-mug and the fur, because other exhibits may be animated.
 const Museum& museumOfFur()
 {
     static const Museum opened = [] {
@@ -84,7 +84,7 @@ TEST(FurPlan, WakesWithinOneFrameOfTheButton)
 TEST(FurPlan, CountsTheStepsFromThePressToTheMomentWhoeverSimulatedThem)
 {
     FurScene scene;
-    scene.values().set(furTable().toss, 77);  // A jump that nobody has simulated yet.
+    scene.values().set(furTable().toss, 77);  // A jump that is not simulated yet.
     const auto steps = [](const render::FramePlan& plan) {
         const render::Pass* motion = plan.find("fur/motion");
         return motion ? motion->counts.at("simulationSteps") : -1;
@@ -103,7 +103,7 @@ TEST(FurPlan, SleepsAgainWhenTheJumpIsOver)
     const render::FramePlan before = scene.plan();
     for (const double since : {20.0, 3600.0, 1e9}) {
         scene.press(since);
-        (void)scene.plan();  // Whatever is left of the jump is simulated once.
+        (void)scene.plan();  // Simulates the rest of the jump once.
         const render::FramePlan plan = scene.plan();
         EXPECT_EQ(reasonFor(plan, "fur/motion").rfind("at rest", 0), 0U) << reasonFor(plan, "fur/motion");
         EXPECT_EQ(scene.next(), never);
@@ -128,7 +128,7 @@ TEST(FurPlan, OutOfViewTakesNoStepAndNoPass)
 TEST(FurPlan, DrawsOnlyTheBodyThatIsInView)
 {
     FurScene scene;
-    // From straight above the ball, with a narrow view.
+    // Straight down at the ball, with a narrow field of view.
     const glm::dvec3 ball = glm::dvec3(museumOfFur().worldFromExhibit(scene.fur)[3]) + glm::dvec3(-0.62, 0.3, -0.02);
     scene.see({ball + glm::dvec3(-0.1, 1.3, 0.01), ball - glm::dvec3(0.1, 0, 0), 0.2});
     const render::FramePlan plan = scene.plan();
@@ -230,7 +230,7 @@ TEST(FurPlan, TellsTheLogOncePerStretchOfABrokenClock)
     const std::vector<render::CulledPass> first = lines(nan, 0.5);
     ASSERT_EQ(first.size(), 1U);
     EXPECT_EQ(lineOf(first[0]).rfind("fur/clock: the time is no number", 0), 0U) << lineOf(first[0]);
-    // However it goes on being wrong, it is one stretch.
+    // Continuing errors of the clock are reported once.
     for (const double bad : {nan, -1.0, -0.5, never}) EXPECT_TRUE(lines(bad == -0.5 ? 0.0 : nan, bad).empty()) << bad;
     EXPECT_TRUE(lines(0, -1e-300).empty());
     EXPECT_TRUE(lines(1, 0.5).empty());

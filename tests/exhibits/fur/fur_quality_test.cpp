@@ -1,5 +1,5 @@
-// What accuracy of a coat is worth: the same in every order, closed at the silhouette, near the reference, and worse
-// where a method is known to be worse.
+// Accuracy of coats: independent of the order of drawing, closed at the silhouette, close to the reference, and worse
+// with methods that are known to be worse.
 
 #include "tests/exhibits/fur/fur_shot.h"
 
@@ -30,7 +30,7 @@ TEST_F(FurQuality, NeedsFewerSamplesThanShellsFromInsideOutForALesserError)
     EXPECT_GE(static_cast<double>(naive.samplesPassed()), 2.5 * static_cast<double>(good.samplesPassed()));
 }
 
-/// Share of the pixels where one coat is seen and the other is not.
+/// Returns the share of pixels in which one coat is visible and the other is not.
 double gaps(const Picture& p, const Picture& truth)
 {
     int wrong = 0, fringe = 0;
@@ -66,7 +66,7 @@ TEST_F(FurQuality, HasNoGapsBetweenShellsAtTheSilhouette)
 
 TEST_F(FurQuality, ShellsByAngleLeaveNoHoleInTheSkinAndAreTheSameInBothOrders)
 {
-    // With no strand to speak of, all that is seen is the skin: it must be there once, wherever the shells end.
+    // Almost without strands only the skin is visible. It must be there once, wherever the shells end.
     const auto shot = [](FurSilhouette silhouette, FurOrder order, int density) {
         FurShot s;
         s.shells(7, silhouette, order);
@@ -88,7 +88,7 @@ TEST_F(FurQuality, IsNearTheReferenceAtSixteenSamplesPerPixel)
     usual.request.samples = reference.request.samples = sparse.request.samples = 16;
     usual.request.frame.averageIn = reference.request.frame.averageIn = sparse.request.frame.averageIn =
         AverageIn::display;
-    usual.object().set(table().levelOfDetail, false);  // The picture is small; the coat is to be measured in full.
+    usual.object().set(table().levelOfDetail, false);  // The picture is small, but the full coat has to be measured.
     const Picture truth = reference.reference().take();
     const double error = colorDifference(usual.take(), truth);
     std::printf("error of the initial coat against 256 shells: %.4f\n", error);
@@ -97,7 +97,7 @@ TEST_F(FurQuality, IsNearTheReferenceAtSixteenSamplesPerPixel)
     EXPECT_GT(colorDifference(sparse.take(), truth), 0.06);
 }
 
-/// Of a display's 255 levels.
+/// Returns the level of a display, 0 to 255.
 double level(double linear)
 {
     const double c = std::clamp(linear, 0.0, 1.0);
@@ -113,7 +113,7 @@ double levelsApart(const Picture& a, const Picture& b)
     return std::sqrt(sum / (3.0 * a.width() * a.height()));
 }
 
-/// From a few decimeters, each pixel as large as in a picture 640 wide with the field of view of a lens of 25 mm.
+/// Shot from a few decimeters, with pixels as large as in a picture 640 wide with the field of view of a 25 mm lens.
 struct CloseShot : FurShot {
     CloseShot()
     {
@@ -139,7 +139,7 @@ TEST_F(FurQuality, SeenFromNearIsWithinEightLevelsOfShellsWithoutNumber)
 
 TEST_F(FurQuality, WithFewerShellsFromItsBestViewIsWithinTwelveLevelsOfShellsWithoutNumber)
 {
-    // Fur all over: a part of the picture, its pixels as large as in one of 640 x 360.
+    // Fur everywhere: a part of the picture with pixels as large as in one of 640 x 360.
     struct PartOfBestView : FurShot {
         PartOfBestView()
         {

@@ -1,5 +1,5 @@
-// Coats on an exhibit that the visitor scales unevenly or mirrors. The exhibit is scaled as a whole, its fur with it:
-// what a strand's length was along an axis is scaled as the axis is. Normals go by the inverse transpose.
+// Coats on an exhibit that is scaled unevenly or mirrored. Bodies and fur are scaled together: a strand's length along
+// an axis is scaled like the axis. Normals use the inverse transpose.
 
 #include "exhibits/fur/bounce.h"
 #include "tests/exhibits/sdf_morph/truth.h"
@@ -21,7 +21,7 @@ const FurTable& table()
     return made;
 }
 
-/// The bodies alone, still, upright fur.
+/// Returns a shot of the bodies alone, with static, upright fur.
 Shot furShot()
 {
     Shot shot;
@@ -66,7 +66,7 @@ TEST_F(FurScaled, AMirroredExhibitIsTheMirrorImageOfItself)
         sameUnmirrored += agrees(x, a.normal(x, y));
     });
     EXPECT_GT(furry, 1500);
-    // Strands thinner than a pixel are found or missed by rounding.
+    // Rounding decides about strands thinner than a pixel.
     EXPECT_GT(same, 0.97 * furry) << "of " << furry;
     EXPECT_LT(sameUnmirrored, 0.5 * furry) << "the scene is symmetric: the comparison proves nothing";
 }
@@ -85,7 +85,8 @@ TEST_F(FurScaled, NormalsOfAnUnevenlyScaledSkinAreThoseOfItsEllipsoid)
     const FurState ball = restStates(bounceSettings(table(), shot.object(), nullptr, 0))[furBall];
     const glm::dmat3 back = glm::inverse(glm::dmat3(scale));
     struct Seen {
-        glm::dvec3 out, normal;  ///< From the ball's middle, scaled back; and as written, world space.
+        /// Offset from the ball's center, scaled back, and the normal as written, in world space.
+        glm::dvec3 out, normal;
     };
     std::vector<Seen> seen;
     p.each([&](int x, int y) {
@@ -109,7 +110,7 @@ TEST_F(FurScaled, NormalsOfAnUnevenlyScaledSkinAreThoseOfItsEllipsoid)
 
 TEST_F(FurScaled, AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
 {
-    // How far the fur reaches beyond its skin, up and aside: as far as the scaled sphere of skin and fur, float64.
+    // Extent of the fur beyond the skin, up and sideways: that of the scaled sphere of skin and fur, at float64.
     Shot shot = furShot();
     shot.object().set(table().coats[furBall].uniformity, 1.0);
     shot.object().set(table().strandRoundness, 0.999);
@@ -134,7 +135,7 @@ TEST_F(FurScaled, AnUnevenlyScaledCoatIsTheScaledCoatOnEverySide)
         const double pixel = 2 * 12 * std::tan(0.1) / p.height();
         EXPECT_NEAR((p.height() / 2.0 - highest) * pixel, reach * factors.y, 0.04 * reach * factors.y) << factors.y;
         EXPECT_NEAR((p.width() / 2.0 - leftmost) * pixel, reach * factors.x, 0.04 * reach * factors.x) << factors.x;
-        // The naive way pushes the skin out along its carried normal by the unscaled length.
+        // Control: the naive method moves the skin along its transformed normal by the unscaled length.
         const double naive = ballRadius * ball.skinScale * factors.y + shot.object()[table().coats[furBall].length];
         EXPECT_TRUE(factors.y == 1 || std::abs(naive - reach * factors.y) > 0.1 * reach);
     }

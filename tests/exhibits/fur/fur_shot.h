@@ -11,7 +11,7 @@ inline const FurTable& table()
     return made;
 }
 
-/// The furry bodies alone, transparent, with depth and normals.
+/// Shot of the furry bodies alone: transparent, with depth and normals.
 struct FurShot : Shot {
     FurShot()
     {

@@ -1,4 +1,4 @@
-// Coats as drawn: finite whatever one sets, and within their length; what every slider does.
+// Pictures of coats: finite for all settings, and within their length; the effect of every parameter.
 
 #include "render/failure.h"
 #include "render/plan/diagnostics.h"
@@ -62,7 +62,7 @@ TEST_F(FurTest, StaysWithinItsLengthHoweverItIsPulled)
             const glm::dvec2 ndc((x + 0.5) / p.width() * 2 - 1, 1 - (y + 0.5) / p.height() * 2);
             const glm::dvec3 world(worldFromView *
                                    glm::dvec4(glm::dvec3(ndc * p.view.tanHalfFov, -1) * p.depth(x, y), 1));
-            // No body's skin with the longest fur reaches further than this from the middle of the pit.
+            // No body with the longest fur reaches farther than this from the center of the pit.
             EXPECT_LT(std::hypot(world.x, world.z), 1.45);
             EXPECT_LT(world.y, 2 * ballRadius + 0.2 + 0.2);
             EXPECT_GT(world.y, -0.05) << "through the floor";
@@ -173,7 +173,7 @@ TEST_F(FurTest, AVisitorsModelWearsTheRingsCoatAndJumps)
 {
     const TemporaryFolder folder;
     for (const bool awkward : {false, true}) {
-        // An open sheet; then the same twice, mirrored, uneven, with a node of no size.
+        // An open sheet, and the same twice, mirrored, unevenly scaled, with a node of size 0.
         GltfBuilder file;
         const int mesh = file.triangle();
         file.node({{"mesh", mesh}});
@@ -245,7 +245,7 @@ TEST_F(FurTest, CastsTheLampsShadowOnTheFloorAndOnItsNeighbors)
         return p.luminance(static_cast<int>((ndc.x * 0.5 + 0.5) * p.width()),
                            static_cast<int>((0.5 - ndc.y * 0.5) * p.height()));
     };
-    // The ball lies at (-0.62, -0.02); its shadow falls half a meter to the right of it. Left in front nothing does.
+    // The ball is at (-0.62, -0.02); its shadow is half a meter to the right of it. In front on the left there is none.
     EXPECT_LT(floorAt(-0.05, 0.25), 0.5 * floorAt(-0.75, 0.75));
 }
 

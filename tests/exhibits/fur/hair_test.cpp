@@ -1,5 +1,5 @@
-// Light on hair: no lobe adds any, and what a coat hides is colored by it, and never black. The shaders' own code at
-// float64.
+// Light on hair: no lobe adds energy, and parts hidden by a coat take its color and are never black. The shaders' own
+// code at float64.
 
 #include "exhibits/fur/strand_cpu.h"
 
@@ -19,11 +19,11 @@ using std::numbers::pi;
 
 dvec3 towards(double theta, double phi)
 {
-    // The hair lies along y.
+    // The hair is along y.
     return {std::cos(theta) * std::cos(phi), std::sin(theta), std::cos(theta) * std::sin(phi)};
 }
 
-/// Light from all around, of radiance 1, as a hair sends it to an eye at `thetaO`.
+/// Returns the light that a hair sends to an eye at `thetaO` if radiance 1 arrives from all sides.
 dvec3 furnace(double thetaO, const dvec3& color, double roughness)
 {
     constexpr int rows = 240, columns = 480;
@@ -52,7 +52,7 @@ TEST(HairLobes, SendOnNoMoreLightThanArrivesAndMostOfItWhereTheHairIsWhite)
             }
         }
     }
-    // Twice the light would be seen here.
+    // Control: twice the light would exceed 1.
     EXPECT_GT(2 * furnace(0, dvec3(1), 0.4).x, 1);
 }
 
@@ -72,7 +72,7 @@ TEST(HairLobes, MirrorWhiteAndLetTheirColorThrough)
 
 TEST(HairLobes, LieOnConesShiftedByTheScales)
 {
-    // The surface's highlight lies towards the root, that from inside towards the tip (Marschner et al. 2003).
+    // The highlight of the surface is shifted toward the root, that from inside toward the tip (Marschner et al. 2003).
     const dvec3 hair(0, 1, 0);
     const auto peak = [&](const auto& lobe) {
         double best = 0, where = 0;

@@ -1,4 +1,4 @@
-// Skins: closed, facing outwards, and mended where a visitor's model is broken.
+// Skins: closed, facing outward, and repaired if a visitor's model is broken.
 
 #include "exhibits/fur/coat.h"
 #include "exhibits/fur/coat_mesh.h"
@@ -30,7 +30,7 @@ double volume(const Mesh& m)
 TEST(Skins, EncloseWhatTheirFormulaSays)
 {
     constexpr double pi = 3.14159265358979;
-    // Inscribed polyhedra: a few percent less.
+    // Inscribed polyhedra are a few percent smaller.
     const double ball = 4 * pi / 3 * 0.33 * 0.33 * 0.33;
     EXPECT_NEAR(volume(*ballSkin(0.33, 8)) / ball, 0.98, 0.02);
     const double roll = pi * 0.22 * 0.22 * 0.52 + 4 * pi / 3 * 0.22 * 0.22 * 0.22;
@@ -121,7 +121,7 @@ TEST(ModelSkin, OfABallBendsAsOneOverItsRadiusEverywhere)
 {
     std::vector<std::string> notes;
     const auto skin = modelSkin(modelOf(*ballSkin(7, 8)), "ball.glb", 0.5, notes);
-    // It fits the sphere around its bounding box.
+    // The radius is that of the sphere around its bounding box.
     const double radius = glm::length(skin->vertices[0].position);
     for (const auto& v : skin->vertices) EXPECT_NEAR(v.extra.x * radius, 1, 0.02);
 }
@@ -142,7 +142,7 @@ TEST(ModelSkin, BendsAsTheFormulasOfRollAndRingSay)
                 return glm::length(glm::dvec3(v.position) - scale * glm::dvec3(k.position)) < 1e-4;
             });
             if (same == known->vertices.end()) continue;
-            // Where a cap meets the straight part the curvature jumps; a mesh goes over it in one edge.
+            // The curvature jumps at the end of the cap; a mesh bridges this by one edge.
             if (known->name == "roll" && std::abs(std::abs(same->position.x) - 0.26) < 0.08) continue;
             EXPECT_NEAR(v.extra.x * scale, same->extra.x, 0.06 * same->extra.x + 0.06)
                 << known->name << " at " << same->position.x << ", " << same->position.y;
@@ -167,7 +167,7 @@ TEST(ModelSkin, DoesNotBendWhereItIsFlatOrHollow)
 TEST(Fins, HaveFewerRowsWhereThereAreManyEdges)
 {
     const auto ball = ballSkin(0.33, 8);
-    // Seen as one surface: places that coincide are one.
+    // A single surface: equal positions are one point.
     std::vector<std::string> notes;
     const auto closed = modelSkin(modelOf(*ball), "ball.glb", 0.5, notes);
     const std::size_t edges = closed->indices.size() / 2;

@@ -1,4 +1,5 @@
-// The springs of the fur against an independent integrator. Their hard cases are in tests/stability/motion_test.cpp.
+// Springs of the fur, compared with an independent integrator. Their stability tests are in
+// tests/stability/motion_test.cpp.
 
 #include "exhibits/fur/spring.h"
 
@@ -13,7 +14,7 @@ namespace {
 using std::numbers::pi;
 constexpr FurSpring closed = FurSpring::closedForm;
 
-/// Classic Runge-Kutta of fourth order with steps far below the period: knows nothing of cosines.
+/// Integrates by the classic fourth-order Runge-Kutta method, with steps far below the period; uses no closed form.
 SpringState integrated(SpringState s, const glm::dvec3& target, const Spring& spring, double seconds)
 {
     const double fastest = spring.omega * (1 + 2 * spring.zeta);
@@ -63,7 +64,7 @@ TEST(Rotation, GoesThereAndBackFromNothingToHalfATurn)
         const glm::dvec3 r = rotationVector(rotationOf(axis * angle));
         EXPECT_LT(glm::length(r - axis * angle), 1e-14 + 1e-12 * angle) << angle;
     }
-    // Beyond half a turn the short way round is found.
+    // Beyond half a turn, the shorter rotation is found.
     EXPECT_LT(glm::length(rotationVector(rotationOf(axis * 4.0)) - axis * (4.0 - 2 * pi)), 1e-12);
 }
 

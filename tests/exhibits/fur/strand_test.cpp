@@ -1,5 +1,4 @@
-// Strands: as dense on one side of a body as on the other, as long bent as straight. The shader's own code
-// at float64.
+// Strands: evenly dense over a body, and equally long bent and straight. The shader's own code at float64.
 
 #include "exhibits/fur/strand_cpu.h"
 
@@ -19,7 +18,7 @@ using glsl::Strand;
 
 using std::numbers::pi;
 
-/// Points spread evenly over a sphere: Fibonacci's spiral (Gonzalez 2010).
+/// Returns evenly distributed points on a sphere: Fibonacci spiral (Gonzalez 2010).
 dvec3 onSphere(int i, int n)
 {
     const double y = 1 - 2 * (i + 0.5) / n;
@@ -28,13 +27,13 @@ dvec3 onSphere(int i, int n)
     return {r * std::cos(phi), y, r * std::sin(phi)};
 }
 
-/// Area of the sphere where a strand of fixed radius is, as a share: its count times its cross-section.
-/// Measured in caps around many directions; returns the largest relative departure from the mean.
+/// Measures the share of the sphere's area that strands of fixed radius cover, in caps around many directions. Returns
+/// the largest relative difference from the mean.
 double unevenness(double cellSize, bool thinned)
 {
     constexpr int samples = 2'000'000;
     constexpr int caps = 60;
-    const double radius = 0.35;  // Of the body, meters.
+    const double radius = 0.35;  // Radius of the body in meters.
     const double strand = 0.16 * cellSize;
     std::vector<dvec3> axes;
     for (int k = 0; k < caps; ++k) axes.push_back(onSphere(k, caps));
@@ -61,18 +60,18 @@ double unevenness(double cellSize, bool thinned)
 
 TEST(Strands, AreAsDenseAtThePolesAsElsewhere)
 {
-    // A cap holds about 1,100 strands, of which chance leaves out up to 4 in 10: a standard deviation of 2.4 %,
-    // and the largest of 60 such departures stays below three of them, 7.3 %.
+    // A cap has about 1,100 strands, of which chance removes up to 4 in 10: a standard deviation of 2.4 %. The largest
+    // of 60 such deviations stays below three of them, 7.3 %.
     const double cell = glsl::strandCellSize(60000);
     EXPECT_LT(unevenness(cell, true), 0.073);
-    // Without the dropping of cells, the corners of the cube would be half as dense as its faces.
+    // Without dropping cells, the corners of the cube would be half as dense as its faces.
     EXPECT_GT(unevenness(cell, false), 0.15);
 }
 
 TEST(Strands, DifferInThicknessEvenlyAndWithoutRegardToLengthAndTint)
 {
-    // Of 40,000 cells: a mean of numbers between 0 and 1 is off by 0.0014 (one standard deviation), a product of two
-    // independent ones, less that of their means, by 0.0005 or so.
+    // For 40,000 cells, the mean of numbers between 0 and 1 has a standard deviation of 0.0014. The product of two
+    // independent ones, minus that of their means, has about 0.0005.
     const glsl::StrandLattice lattice = glsl::strandLattice(dvec3(0, 1, 0), 5);
     double mean = 0, squares = 0, withRank = 0, withTint = 0;
     constexpr int side = 200;
@@ -98,7 +97,7 @@ TEST(Strands, AreAsManyAsAreAskedFor)
     for (const double density : {2000.0, 20000.0}) {
         const double cell = glsl::strandCellSize(density);
         const double radius = 0.35;
-        // Roots are found by walking so finely that no cell is missed.
+        // Roots are found by steps so fine that no cell is missed.
         std::set<std::tuple<double, double, double>> roots;
         const int samples = static_cast<int>(4 * pi * radius * radius * density * 200);
         for (int i = 0; i < samples; ++i) {
@@ -135,8 +134,8 @@ TEST(Strands, OffsetsLieInTheSurface)
 
 TEST(Bending, OfNlerpHurriesAsPublished)
 {
-    // Published for quaternions, whose angle is half the turn: largest error 0.033 degrees at a turn of 30,
-    // 0.92 at 90, 8.1 at 180. Directions see the whole angle.
+    // Published errors for quaternions, whose angle is half the rotation: at most 0.033 degrees at a rotation of 30,
+    // 0.92 at 90, 8.1 at 180. Directions have the whole angle.
     const auto error = [](double turn) {
         double worst = 0;
         for (int i = 0; i <= 100; ++i) {

@@ -1,5 +1,5 @@
-// Rays through a coat: which strand they meet first, against steps so fine that they miss none, and against the coarse
-// steps that a closed form makes needless. The shaders' own code at float64.
+// Rays through a coat: the first strand that they hit, compared with steps so fine that none is missed, and with coarse
+// steps, which the closed form replaces. The shaders' own code at float64.
 
 #include "exhibits/framework/random_values.h"
 #include "exhibits/fur/strand_cpu.h"
@@ -29,7 +29,7 @@ using glsl::StrandLattice;
 
 using std::numbers::pi;
 
-/// The ball's coat as it stands.
+/// Returns the coat of the ball at rest.
 CoatStrands ballStrands(double clump)
 {
     CoatStrands c{};
@@ -44,7 +44,7 @@ CoatStrands ballStrands(double clump)
     return c;
 }
 
-/// A straight ray over a flat skin that passes `cells` cells while it sinks by `depth`, in 1 m.
+/// Returns a straight ray over flat skin that passes `cells` cells while it sinks by `depth`, in 1 m.
 CoatRay flatRay(RandomNumbers& random, const CoatStrands& c, double cells, double depth)
 {
     const double angle = 2 * pi * random.number(0, 1);
@@ -67,7 +67,7 @@ bool same(const Found& a, const Found& b)
     return !a || (a->rank == b->rank && a->tint == b->tint);
 }
 
-/// The strand that holds a point of the lattice.
+/// Returns the strand that contains a point of the lattice.
 Found inStrand(const CoatStrands& c, const StrandLattice& l, const dvec2& q, double height)
 {
     const RootedStrand s = glsl::strandInCell(l, q, c.jitter);
@@ -91,7 +91,7 @@ Found byFineSteps(const CoatRay& ray, const CoatStrands& c, const StrandLattice&
     return {};
 }
 
-/// Half a cell at a time, up to 16 times, the pull of the tufts as it is where the ray begins.
+/// Steps by half a cell, up to 16 times, with the pull of the tufts at the ray's start.
 Found byHalfCells(const CoatRay& ray, const CoatStrands& c, const StrandLattice& l)
 {
     const dvec2 start = glsl::onLattice(l, ray.skin) / c.cellSize;
@@ -137,7 +137,7 @@ TEST(StrandWalk, MeetsTheStrandThatFineStepsMeet)
 
 TEST(StrandWalk, LooksIntoNoMoreCellsThanItMay)
 {
-    // Over the tips of a lawn nothing is met, however many cells are looked into; among its strands, the first of all.
+    // Above the tips of a lawn nothing is hit, however many cells are visited; among its strands, the first one is hit.
     const StrandLattice l = glsl::strandLattice(up, 5);
     CoatStrands c = ballStrands(0);
     c.leastLength = 1;
@@ -154,10 +154,10 @@ TEST(StrandWalk, LooksIntoNoMoreCellsThanItMay)
     EXPECT_LT(one, 0.5 * many);
 }
 
-/// Over one triangle of a ball's skin, a combed coat that lies in swirls: places as the rasterizer has them, weighted
-/// from three corners, each in closed form. x, y: weights of the second and third corner.
+/// Combed coat that lies in swirls over one triangle of a ball's skin. Positions are weighted from three corners, as in
+/// a rasterizer, each in closed form. x, y: weights of the second and third corner.
 struct TriangleCoat {
-    std::array<dvec3, 3> corners;  ///< Unit vectors from the ball's middle.
+    std::array<dvec3, 3> corners;  ///< Unit vectors from the ball's center.
     double radius = 0.33, length = 0.2, bend = 0.8;
 
     template <typename Of> [[nodiscard]] dvec3 weighted(const dvec2& at, const Of& of) const
@@ -202,7 +202,7 @@ struct TriangleCoat {
         s.skinY = skin(at + y) - s.skin;
         return s;
     }
-    /// Weights and height of what lies at `p`, by Newton's method from a guess.
+    /// Returns the weights and height of the point `p`, by Newton's method from a guess.
     [[nodiscard]] std::pair<dvec2, double> at(const dvec3& p, dvec2 xy, double h) const
     {
         for (int i = 0; i < 30; ++i) {
@@ -215,7 +215,7 @@ struct TriangleCoat {
     }
 };
 
-/// Of the ball's mesh, as large as its triangles are.
+/// Returns a random triangle as large as those of the ball's mesh.
 TriangleCoat someTriangle(RandomNumbers& random)
 {
     const dvec3 n = random.direction();
@@ -223,7 +223,7 @@ TriangleCoat someTriangle(RandomNumbers& random)
     return {{n, glm::normalize(n + side * 0.2), glm::normalize(n + glm::cross(n, side) * 0.2)}};
 }
 
-/// The same to the first order, all skin stretched evenly by its curvature: what shells were marched by.
+/// First-order approximation in which the curvature stretches the skin evenly, as earlier shells used.
 CoatRay firstOrderRay(const TriangleCoat& coat, const ShellPoint& s, const dvec3& v)
 {
     const dvec3 n = s.normal;
@@ -254,8 +254,8 @@ double median(std::vector<double> values)
     return values.at(values.size() / 2);
 }
 
-/// Medians of the distances of the roots found from the true ones at the far end of a shell's stretch, meters; and
-/// jumps from one shell to the next.
+/// Returns the median distances in meters of the found roots from the true ones at the end of a shell's range, and the
+/// jumps between shells.
 Misses missesOf(double gap)
 {
     RandomNumbers random(11);
@@ -275,7 +275,7 @@ Misses missesOf(double gap)
         const double full = glsl::coatStretch(ray, 0, gap, gap).y;
         const CoatRay first = firstOrderRay(coat, s, v);
         firstOrder.push_back(glm::length(rootAfter(first, full) - truth(full)));
-        // The next shell, where the ray meets it: the strands halfway to it, as it has them.
+        // The next shell at its intersection with the ray covers the strands halfway to it.
         const auto [there, deeper] = coat.at(place + v * full, here, h - gap);
         const CoatRay next = glsl::coatRay(coat.shellPoint(there, deeper, gap), v, coat.length);
         jump.push_back(glm::length(rootAfter(next, half - full) - rootAfter(ray, half)));
@@ -341,14 +341,14 @@ TEST(CoatStretch, HandsEachRayOnHalfwayAndLosesNoneThatTurnsBack)
     dvec2 stretch = glsl::coatStretch(ray, 0.05, 0.05, 0.1);
     EXPECT_NEAR(stretch.x, -0.025, 1e-12);
     EXPECT_NEAR(stretch.y, 0.025, 1e-12);
-    // Over a skin that bulges: where it comes in and leaves, the height is what it should be.
+    // Over a curved skin, the height at entry and exit must be exact.
     for (const double bulge : {-3.0, 4.0, 9.0}) {
         ray.bulge = bulge;
         stretch = glsl::coatStretch(ray, 0.05, 0.05, 0.1);
         EXPECT_NEAR((ray.falling + bulge * stretch.x) * stretch.x, 0.05, 1e-12) << bulge;
         EXPECT_NEAR((ray.falling + bulge * stretch.y) * stretch.y, -0.05, 1e-12) << bulge;
     }
-    // One that turns before the next shell is followed until it is out.
+    // A ray that turns before the next shell is followed until it leaves.
     ray.bulge = 11;
     stretch = glsl::coatStretch(ray, 0.05, 0.05, 0.1);
     EXPECT_GT(stretch.y, 1.0 / 11);

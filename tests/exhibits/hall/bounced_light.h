@@ -11,9 +11,9 @@
 
 namespace vitrine::test {
 
-// What shaders/hall/bounced_air.comp, lib/air_light.glsl and hall/bounced_light.frag make, at float64.
+// Reference for shaders/hall/bounced_air.comp, lib/air_light.glsl and hall/bounced_light.frag at float64.
 
-/// A sum of sources on six sides of all points in the air, gray: [6 i + side].
+/// Sums of sources on six sides of all points in the air, gray: [6 i + side].
 using Air = std::vector<double>;
 
 inline Air airOf(const SunTransfer& transfer, const std::vector<SunTransfer::Source>& sources)
@@ -29,14 +29,14 @@ inline Air airOf(const SunTransfer& transfer, const std::vector<SunTransfer::Sou
     return air;
 }
 
-/// The light of a sky of radiance 1 on the same, gray.
+/// Returns the light of a sky of radiance 1 at the same points, gray.
 inline Air skyInAir(const SunTransfer& transfer)
 {
     const std::size_t row = transfer.sourceCount();
     return airOf(transfer, {{row, 1.0 / 3}, {row + 1, 1.0 / 3}, {row + 2, 1.0 / 3}});
 }
 
-/// On what faces `n` (unit) at a place, world space: linear between points.
+/// Returns the light on a surface with unit normal `n` at a place in world space, interpolated linearly between points.
 inline double airOn(const SunTransfer& transfer, const Air& air, const glm::dvec3& place, const glm::dvec3& n)
 {
     const SunTransfer::Grid& grid = transfer.grid();
@@ -58,7 +58,7 @@ inline double airOn(const SunTransfer& transfer, const Air& air, const glm::dvec
     return sum;
 }
 
-/// Of a surface's light over the air's, in the texel at atlas coordinates from 0 to 1.
+/// Returns the ratio of a surface's light to the air's, in the texel at atlas coordinates from 0 to 1.
 inline glm::dvec3 surfaceShare(const SunTransfer& transfer, const glm::dvec2& atlas)
 {
     const render::Texture& picture = *transfer.surfaces();

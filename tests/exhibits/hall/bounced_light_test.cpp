@@ -1,4 +1,4 @@
-// The sun's bounced light: against a path tracer, and where, when and how smoothly it comes.
+// Bounced sunlight compared with a path tracer; its conditions and its continuity.
 #include "tests/exhibits/hall/bounced_light.h"
 
 #include "exhibits/framework/scene_lighting.h"
@@ -40,7 +40,7 @@ double sumOf(const Air& air)
     return sum;
 }
 
-/// Eight squares of the hall under twelve suns, path-traced by assets/models/hall_reference.py.
+/// Returns eight squares of the hall under twelve suns, path traced by assets/models/hall_reference.py.
 const render::Json& reference()
 {
     static const render::Json read =
@@ -58,7 +58,7 @@ double gray(const glm::dvec3& color)
     return (color.r + color.g + color.b) / 3;
 }
 
-/// Mean of the colors of a surface's light over a square of the reference.
+/// Returns the mean of a surface's light over a square of the reference, and over the color channels.
 double lightOn(const render::Json& region, const Air& air)
 {
     double sum = 0;
@@ -72,8 +72,8 @@ double lightOn(const render::Json& region, const Air& air)
     return sum / static_cast<double>(count);
 }
 
-/// By how much the light of `airOf(azimuth, elevation)` is wrong, as a share of the right one, or of what the square
-/// gets from the twelve suns in the mean, where it gets less: for each square and sun.
+/// Returns the relative error of the light of `airOf(azimuth, elevation)` for each square and sun. If a square gets
+/// less than its mean over the twelve suns, the error is relative to that mean.
 template <typename AirOf> std::vector<double> errors(const AirOf& airOf)
 {
     const render::Json& suns = reference().at("suns");
@@ -98,14 +98,14 @@ TEST(BouncedLight, IsWithinATenthOfAPathTracer)
     ASSERT_EQ(wrong.size(), 96U);
     for (std::size_t i = 0; i < wrong.size(); ++i)
         EXPECT_LT(wrong[i], 0.1) << reference().at("regions")[i / 12].at("name") << ", sun " << i % 12;
-    // What follows the sun's height alone, as lightmaps of three suns would, is another light.
+    // Control: light that depends on the sun's height only, as from lightmaps of three suns, differs.
     const std::vector<double> byHeight = errors([](double, double elevation) {
         return airAt(elevation < 16 ? 14 : elevation < 27 ? 10 : -6, elevation);
     });
     EXPECT_GT(std::count_if(byHeight.begin(), byHeight.end(), [](double e) { return e > 0.1; }), 32);
 }
 
-/// The sky's lightmap, of a sky of radiance 1, in the mean of a square of the reference.
+/// Returns the mean of the sky's lightmap, for a sky of radiance 1, over a square of the reference.
 double skyOn(const render::Json& region)
 {
     const render::Texture& map = *test::building().skyLightmap();
@@ -139,7 +139,7 @@ TEST(BouncedLight, IsOnWhatHasNoLightmapAsOnTheWallBesideIt)
         const double wall = sky * skyOn(region) + sun * lightOn(region, air);
         const double beside = lightAt(vectorOf(region.at("places")[5]));
         EXPECT_NEAR(beside, wall, 0.25 * wall) << region.at("name");
-        // Not so in the middle of the hall, whose light all of them got.
+        // Control: the light in the middle of the hall, which was once used everywhere.
         farFromTheMiddle += std::abs(lightAt(test::building().probe()) - wall) > 0.25 * wall;
     }
     EXPECT_GE(farFromTheMiddle, 3);
@@ -157,7 +157,7 @@ TEST(BouncedLight, IsOnWhatHasNoLightmapAsOnTheWallBesideIt)
     EXPECT_EQ(reasonFor(scene.plan(), "hall/light in the air"), "it ran");
     scene.hall().set(test::hallTable().bakedLight, false);
     EXPECT_FALSE(readsAir("hall/props"));
-    // While the probe is captured, there is no probe to read.
+    // While the probe is being captured, there is no probe to read.
     EXPECT_TRUE(readsAir("probe/things/0"));
     const render::FramePlan plan = scene.plan();
     for (const char* capture : {"probe/sky/0", "probe/walls/0", "probe/things/0"}) {
@@ -181,7 +181,7 @@ TEST(BouncedLight, IsNoneWhileTheSunShinesInNowhere)
     scene.hall().set(test::hallTable().sunAzimuth, 0.0);
     scene.hall().set(test::hallTable().sunStrength, 0.0);
     EXPECT_EQ(reasonFor(scene.plan(), "hall/bounced light"), "the sun's strength is 0");
-    // Who would read it knows that it is not there.
+    // Its readers must know that it is missing.
     const render::FramePlan plan = scene.plan();
     for (const render::Pass& pass : plan.passes())
         for (const std::string& image : inputsOf(pass)) EXPECT_NE(image, "light.bounced") << pass.name;
@@ -193,7 +193,7 @@ TEST(BouncedLight, IsKeptWhileTheSunRests)
     const render::PersistentState kept = test::keptAfter(scene.plan());
     scene.see({0, 1.65, 5}, {0, 2, -12});
     scene.hall().set(test::hallTable().exposure, 1.0);
-    scene.hall().set(test::hallTable().sunTemperature, 3000.0);  // Its color is multiplied with what is kept.
+    scene.hall().set(test::hallTable().sunTemperature, 3000.0);  // The color is applied to the cached result.
     for (const char* pass : bouncePasses)
         EXPECT_EQ(reasonFor(scene.plan(kept), pass), "unchanged since it last ran") << pass;
     scene.hall().set(test::hallTable().sunAzimuth, 2 * degree);
@@ -210,14 +210,14 @@ TEST(BouncedLight, MovesWithoutJumps)
         for (std::size_t i = 0; i < before.size(); ++i) step += std::abs(after[i] - before[i]);
         EXPECT_LT(step, 0.01 * usual) << azimuth << ' ' << elevation;
     };
-    // Steps of a hundredth of a degree, at the nodes of the grid and beside them, and all around.
+    // Steps of a hundredth of a degree, at nodes of the grid, beside them, and all around.
     for (double azimuth = -200; azimuth <= 200; azimuth += 5) expectSmooth(azimuth - 0.005, 19, 0.01, 0);
     for (double elevation = -3; elevation <= 93; elevation += 2) expectSmooth(-3, elevation - 0.005, 0, 0.01);
     EXPECT_EQ(airAt(-3, 95), airAt(-3, 90));
     EXPECT_EQ(airAt(-3, -5), airAt(-3, 0));
 }
 
-/// The light that a mirrored hall would have: point by point, with the sides towards -x and +x exchanged.
+/// Returns the light of a mirrored hall: point by point, with the sides toward -x and +x exchanged.
 Air mirrored(const Air& air)
 {
     const auto columns = static_cast<std::size_t>(transfer().grid().size.x);
@@ -236,7 +236,7 @@ TEST(BouncedLight, MirrorsTheSun)
         for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
         return sum / sumOf(a);
     };
-    // But for what stands in it, and for the cuts between sources, the hall has two like halves.
+    // Except for its furniture and the subdivision of sources, the hall is symmetric.
     for (const double azimuth : {14.0, 30.0, 55.0})
         for (const double elevation : {12.0, 19.0, 34.0}) {
             const Air right = airAt(azimuth, elevation);
@@ -255,7 +255,7 @@ TEST(BouncedLight, ComesAndGoesWithTheDay)
     for (int hour = 0; hour < 24; ++hour) {
         const Sun sun = sunAtHour(hour);
         const std::vector<SunTransfer::Source> sources = transfer().at(sun.azimuth, sun.elevation);
-        // As many as the block of its pass has room for.
+        // The block of the pass has space for this many.
         EXPECT_LT(sources.size(), 512U) << hour;
         for (const double light : test::airOf(transfer(), sources)) ASSERT_TRUE(light >= 0 && light < 1) << hour;
         scene.hall().set(test::hallTable().timeOfDay, static_cast<double>(hour));

@@ -1,4 +1,4 @@
-// The sky by the height of the sun: its colors, its light, and that it changes little by little.
+// Clear sky at all heights of the sun: its colors, its light, and gradual changes.
 #include "exhibits/hall/clear_sky.h"
 #include "exhibits/hall/sun.h"
 #include "tests/support/degree.h"
@@ -24,7 +24,7 @@ TEST(ClearSky, IsBlueAtNoonAndRedWhereTheSunSets)
     EXPECT_GT(noon.z, 1.8 * noon.x);
     const glm::dvec3 below = clearSkyRadiance(0, 3 * degree, 0.3);
     EXPECT_GT(below.x, 3 * below.z);
-    // The other side is darker then, and the zenith stays bluer.
+    // The opposite side is darker, and the zenith stays bluer.
     EXPECT_LT(luminanceOf(clearSkyRadiance(0, 3 * degree, std::numbers::pi)), 0.5 * luminanceOf(below));
     const glm::dvec3 zenith = clearSkyRadiance(0, 90 * degree, 0);
     EXPECT_GT(zenith.z / zenith.x, 3 * below.z / below.x);
@@ -32,7 +32,7 @@ TEST(ClearSky, IsBlueAtNoonAndRedWhereTheSunSets)
 
 TEST(ClearSky, ScattersNoMoreThanTheSunBrings)
 {
-    // Irradiance of the whole sky on the ground, by rings of elevation and their azimuths.
+    // Irradiance of the whole sky on the ground, summed by elevation and azimuth.
     for (const double sun : {80.0, 42.0, 19.0, 5.0}) {
         glm::dvec3 sum(0);
         constexpr int rings = 18, around = 16;
@@ -43,7 +43,7 @@ TEST(ClearSky, ScattersNoMoreThanTheSunBrings)
                 sum += clearSkyRadiance(sun * degree, up, fromSun) * (std::sin(up) * std::cos(up));
             }
         sum *= (std::numbers::pi / 2 / rings) * (2 * std::numbers::pi / around);
-        // A clear sky sends between a tenth and a half of what falls on the air above it.
+        // A clear sky sends between a tenth and a half of the light that reaches the atmosphere.
         const double falls = std::sin(sun * degree);
         EXPECT_GT(luminanceOf(sum), 0.05 * falls) << sun;
         EXPECT_LT(sum.z, 0.55 * falls) << sun;

@@ -1,4 +1,4 @@
-// The floor of the hall: darker where something stands, and a mirror of window, bars and plinths.
+// Floor of the hall: contact shadows, and reflections of window, bars and plinths.
 
 #include "exhibits/hall/hall_model.h"
 #include "tests/support/gallery.h"
@@ -28,7 +28,7 @@ Shot hallShot(const glm::dvec3& eye, const glm::dvec3& target, double fov)
     return shot;
 }
 
-/// Where a point is in the picture, pixels from the top left; the middle of a pixel is at a half.
+/// Returns the position of a point in pixels from the top left; pixel centers are at halves.
 glm::dvec2 pixelOf(const Picture& picture, const glm::dvec3& world)
 {
     const glm::dvec4 clip = picture.view.clipFromWorld * glm::dvec4(world, 1);
@@ -42,7 +42,7 @@ double luminanceAt(const Picture& picture, const glm::dvec3& world)
     return picture.luminance(static_cast<int>(p.x), static_cast<int>(p.y));
 }
 
-/// Something that stands on the floor, and a point of the floor before it from which one steps away from it.
+/// Object on the floor, with a point of the floor in front of it and the direction away from it.
 struct Standing {
     const char* what;
     glm::dvec3 edge, away, eye;
@@ -67,7 +67,7 @@ TEST_F(Floor, IsDarkerWhereSomethingStandsThanAStepAway)
         shot.size(96, 72);
         shot.hall().set(hallTable().reflectionProbe, false);
         shot.hall().set(hallTable().sunStrength, 0.0);
-        // What is taken away is light from all around: no lamp adds to it.
+        // Only ambient light is occluded, so lamps are off.
         for (const char* exhibit : {"fur", "lenticular"}) {
             ParameterValues& values = shot.sceneState.values[*test::gallery().museum.find(exhibit)];
             values.setRow(values.table().find("lamp").value(), 0.0);
@@ -80,13 +80,13 @@ TEST_F(Floor, IsDarkerWhereSomethingStandsThanAStepAway)
             return luminanceAt(with, place) / luminanceAt(without, place);
         };
         EXPECT_LT(left(0.015), 0.88) << thing.what;
-        EXPECT_GT(left(0.45), 0.92) << thing.what;  // The mug hangs over the floor around its plinth.
+        EXPECT_GT(left(0.45), 0.92) << thing.what;  // The mug extends over the floor around its plinth.
         EXPECT_GT(left(0.45) - left(0.015), 0.08) << thing.what;
         EXPECT_LE(left(0.015), left(0.1) + 0.02) << thing.what;
     }
 }
 
-/// The mean of what the picture has beside the mirror image of an upright line, over its heights: at whole pixels from
+/// Returns the mean profile across the mirror image of an upright line, over its heights: values at whole pixels from
 /// -`reach` to `reach`.
 std::vector<double> acrossTheImage(const Picture& picture, const std::function<glm::dvec3(double)>& line, int reach,
                                    const std::function<double(int, int)>& value)
@@ -100,7 +100,7 @@ std::vector<double> acrossTheImage(const Picture& picture, const std::function<g
         if (row == last || row < 0 || row >= picture.height()) continue;
         last = row;
         for (int i = -reach; i <= reach; ++i) {
-            // Between the two pixels beside it, so that a line that slants stays in the middle.
+            // Interpolates between the two nearest pixels, so that a slanted line stays in the middle.
             const double x = p.x - 0.5 + i;
             const int left = static_cast<int>(std::floor(x));
             if (left < 0 || left + 1 >= picture.width()) continue;
@@ -114,8 +114,8 @@ std::vector<double> acrossTheImage(const Picture& picture, const std::function<g
     return profile;
 }
 
-/// Where the profile is lowest against the line between its ends, from its middle, and how deep it is there against the
-/// ends.
+/// Lowest point of the profile relative to the line between its ends: its distance from the middle, and its depth
+/// relative to the ends.
 struct Dip {
     double at = 0, depth = 0;
 };
@@ -131,7 +131,8 @@ Dip dipOf(std::vector<double> profile)
     return {static_cast<double>(lowest - profile.begin()) + part - n / 2, -*lowest / (0.5 * (first + last))};
 }
 
-/// Its mirror image, with nothing between: from behind the plinth, above the desk's image, beside the inlay.
+/// Returns a shot of the window's mirror image without obstacles: from behind the plinth, above the desk's image,
+/// beside the inlay.
 Shot windowShot()
 {
     Shot shot = hallShot({-0.7, 1.65, -1.5}, {-0.5, 0, -5.0}, 0.5);
@@ -153,7 +154,7 @@ TEST_F(Floor, MirrorsTheBarsOfTheWindowWhereRaysFindThem)
     ASSERT_EQ(bars.upright.size(), 3U);
     for (const glm::dvec2& bar : bars.upright) {
         const auto line = [&](double t) { return glm::dvec3(bar.x, -(3.0 + 1.4 * t), bars.z); };
-        // What is mirrored, without what the stone itself scatters.
+        // Mirrored light only, without light that the stone scatters.
         const auto mirroredIn = [&](const Picture& picture) {
             return acrossTheImage(picture, line, 5,
                                   [&](int x, int y) { return picture.luminance(x, y) - none.luminance(x, y); });
@@ -173,7 +174,7 @@ TEST_F(Floor, MirrorsAPlinthWhereRaysFindIt)
     const Picture shapes = shot.take();
     shot.hall().set(hallTable().floorMirror, FloorMirror::probe);
     const Picture probe = shot.take();
-    // Its left edge, from a hand above the floor to half its height. Left of it is the room, right of it the stone.
+    // Left edge, from a hand above the floor to half its height. Left of it is the room, right of it the stone.
     const auto line = [](double t) { return glm::dvec3(-0.4, -(0.1 + 0.35 * t), 0.4); };
     const int reach = 8;
     const std::vector<double> change = acrossTheImage(
@@ -183,7 +184,7 @@ TEST_F(Floor, MirrorsAPlinthWhereRaysFindIt)
         if (std::abs(change[i + 1] - change[i - 1]) > std::abs(change[steepest + 1] - change[steepest - 1]))
             steepest = i;
     EXPECT_NEAR(static_cast<double>(steepest), reach, 1.5);
-    // The probe has no plinth; the floor before it is another one with it.
+    // Control: the probe does not contain the plinth, which changes the floor in front of it.
     EXPECT_GT(std::abs(change.back() - change.front()), 0.03);
 }
 
@@ -210,7 +211,7 @@ TEST_F(Floor, KeepsItsContactShadowsWhileNothingElseStandsThere)
     EXPECT_EQ(scene.plan(test::keptAfter(first)).find("floor/contact"), nullptr);
     scene.hall().set(hallTable().exposure, 1.0);
     EXPECT_EQ(scene.plan(test::keptAfter(first)).find("floor/contact"), nullptr);
-    // An empty museum has cloths where stands were.
+    // In an empty museum, covered shapes replace the stands.
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
     test::Scene bare;
     const render::FramePlan other =

@@ -1,4 +1,4 @@
-// What the building's file says by the names of its nodes.
+// Elements that the building's file describes by the names of its nodes.
 #include "exhibits/fur/coat.h"
 #include "render/files/assets.h"
 #include "render/scene/gltf.h"
@@ -17,7 +17,7 @@ TEST(HallModel, HasAnOpeningInTheFarWallAndOneInTheVault)
     const render::Box& room = hall.room();
     ASSERT_EQ(hall.openings().size(), 2U);
     const render::Box &window = hall.openings()[0], &oculus = hall.openings()[1];
-    // Each spans the face of the room in which it is, and lies within the room's sides.
+    // Each spans the wall that it is in, and lies within the sides of the room.
     EXPECT_LT(window.low.z, room.low.z);
     EXPECT_GT(window.high.z, room.low.z);
     EXPECT_GT(oculus.high.y, room.high.y);
@@ -30,7 +30,7 @@ TEST(HallModel, HasAnOpeningInTheFarWallAndOneInTheVault)
         EXPECT_GT(oculus.low[axis], room.low[axis]);
         EXPECT_LT(oculus.high[axis], room.high[axis]);
     }
-    // Nothing is there: a ray through the middle of either meets no wall.
+    // They are open: a ray through the center of either hits no wall.
     for (const render::Box& opening : hall.openings()) {
         const render::Ray out{{0, 1.65, 0.3}, opening.center() - glm::dvec3(0, 1.65, 0.3)};
         for (const render::MeshInstance& part : hall.walls())

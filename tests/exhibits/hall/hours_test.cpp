@@ -1,4 +1,4 @@
-// The sky through the day, as the window shows it, and the world outside.
+// Sky through the day, as the window shows it, and the world outside.
 #include "tests/support/gallery.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ using test::Shot;
 
 class Hours : public test::GlTest {};
 
-/// The hall at an hour.
+/// Returns a shot of the hall at an hour.
 Shot hallAt(double hour)
 {
     Shot shot;
@@ -26,14 +26,14 @@ Shot hallAt(double hour)
     return shot;
 }
 
-/// What is seen through the panes alone: from just before the window.
+/// Takes a picture through the panes only, from just in front of the window.
 Picture outsideAt(double hour, glm::dvec3 towards)
 {
     Shot shot = hallAt(hour);
     const glm::dvec3 eye{-0.3, 2.6, -12.3};
     shot.see(eye, eye + towards);
     shot.request.frame.camera.fovY = 0.2;
-    shot.hall().set(hallTable().exposure, -4.0);  // To the hall's eyes, all of the sky is white.
+    shot.hall().set(hallTable().exposure, -4.0);  // At the hall's exposure the whole sky would be white.
     return shot.size(64, 36).take();
 }
 
@@ -70,7 +70,7 @@ TEST_F(Hours, ThereIsAWorldOutsideTheWindow)
     EXPECT_LT(mean(outsideAt(14, {0.1, -0.2, -1})), 0.6 * sky) << "and so is the lawn";
 }
 
-/// Share of the pixels of the hall at an hour that a screen of 8 bits shows as 8 or less.
+/// Returns the share of pixels of the hall at an hour with level 8 or less on an 8-bit display.
 double blackAt(double hour, LampsLit lamps, Picture* taken = nullptr)
 {
     Shot shot = hallAt(hour);

@@ -1,4 +1,4 @@
-// How light the hall is: what bounces, what the film makes of it, and what nothing falls on.
+// Light levels in the hall: bounced light, the film curve, and unlit parts.
 #include "exhibits/hall/hall.h"
 #include "exhibits/kit/exhibit_pass.h"
 #include "tests/exhibits/hall/bounced_light.h"
@@ -44,7 +44,7 @@ TEST_F(LightLevels, TheMapOfBouncedLightIsThatOfFloat64)
     ASSERT_EQ(map.width, transfer.surfaces()->width);
     const test::Air air =
         test::airOf(transfer, transfer.at(shot.hall()[hallTable().sunAzimuth], shot.hall()[hallTable().sunElevation]));
-    // Middles of large triangles, which lie on the map as the mesh says.
+    // Centers of large triangles, which lie on the map as the mesh says.
     int checked = 0;
     for (const render::MeshInstance& part : scene.model.walls())
         for (std::size_t i = 0; i + 2 < part.mesh->indices.size(); i += 3) {
@@ -53,7 +53,7 @@ TEST_F(LightLevels, TheMapOfBouncedLightIsThatOfFloat64)
             const glm::dvec2 a(corner[0]->extra), b(corner[1]->extra), c(corner[2]->extra);
             const glm::dvec2 size(map.width, map.height);
             if (std::abs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y)) * size.x * size.y < 600) continue;
-            // The texel's middle, and where on the triangle that is.
+            // Center of the texel, and its position on the triangle.
             const glm::ivec2 texel((a + b + c) / 3.0 * size);
             const glm::dvec2 at = (glm::dvec2(texel) + 0.5) / size;
             const glm::dvec2 st = glm::inverse(glm::dmat2(b - a, c - a)) * (at - a);
@@ -70,8 +70,8 @@ TEST_F(LightLevels, TheMapOfBouncedLightIsThatOfFloat64)
     EXPECT_GT(checked, 20);
 }
 
-/// The walls alone, scene-linear, under a sky that does not know how strong and how high the sun is; `change` may
-/// change the light that they stand in.
+/// Returns the walls alone, scene-linear, under a sky that does not depend on the sun. `change` may change the block of
+/// their light.
 render::Image wallsWith(const ParameterValues& values, const std::function<void(LightBlock&)>& change = {})
 {
     const HallScene scene = hall().scene(values, false, nullptr);
@@ -98,7 +98,8 @@ render::Image wallsWith(const ParameterValues& values, const std::function<void(
     return renderer.read(radianceImage);
 }
 
-// What is told to be beside all passages of the sun is not looked up in its map: no pixel may show that.
+// Parts of the hall that are marked as out of all sunlight are not looked up in its shadow map. No pixel may change by
+// that.
 TEST_F(LightLevels, WithTheShadowMapAskedEverywhereAreTheSame)
 {
     Shot shot;
@@ -123,7 +124,7 @@ TEST_F(LightLevels, WithTheShadowMapAskedEverywhereAreTheSame)
     }
 }
 
-/// Irradiance over pi that the probe finds on what faces along x in the one way and the other, with bodies in the hall.
+/// Returns irradiance over pi in the probe for both directions along x, with these shapes in the hall.
 std::array<glm::dvec3, 2> probeSidesWith(const std::vector<StandingShape>& bodies)
 {
     Shot shot;
@@ -179,21 +180,21 @@ TEST_F(LightLevels, OfASunThatShinesInNowhereAreThoseOfNoSun)
     EXPECT_GT(test::largestDifference(under(-3, 19, 3.6), none), 0.1);
 }
 
-/// A part of the hall's first view, as shares of its width and height from the top left.
+/// Region of the hall's first view, as shares of width and height from the top left.
 struct Region {
     const char* name;
     double left, top, width, height;
-    double darkest, brightest;  ///< Of the mean luminance on the display.
+    double darkest, brightest;  ///< Limits of the mean luminance on the display.
 };
 constexpr Region regions[] = {
     {"left wall", 0.094, 0.306, 0.078, 0.111, 0.2, 0.3},    {"right wall", 0.805, 0.306, 0.070, 0.139, 0.2, 0.3},
     {"far left wall", 0.305, 0.36, 0.047, 0.083, 0.2, 0.3}, {"wall of the window", 0.41, 0.36, 0.062, 0.16, 0.2, 0.3},
     {"sunlit floor", 0.47, 0.811, 0.078, 0.055, 0.7, 0.85},
 };
-/// From here on, a screen of 8 bits shows 250.
+/// From here on, an 8-bit display shows 250 or more.
 constexpr double nearlyWhite = 0.951;
 
-/// Of the hall's first view: how many pixels are nearly white, and which regions are out of their bounds.
+/// Levels of the hall's first view: the share of nearly white pixels, and regions out of their limits.
 struct Levels {
     double white = 0;
     std::vector<std::string> wrong;
@@ -218,7 +219,7 @@ template <typename ColorOf> Levels levelsOf(const Picture& p, const ColorOf& col
     return levels;
 }
 
-/// A sigmoid in log exposure alone, without shoulder and toe, at half a stop less light on the film.
+/// Plain sigmoid in log exposure, without shoulder and toe, with half a stop less light.
 glm::dvec3 plainSigmoid(const glm::dvec3& radiance)
 {
     constexpr double contrast = 1.32, gray = 0.18;
@@ -234,12 +235,12 @@ TEST_F(LightLevels, OfTheFirstViewLeaveNothingBlackAndNothingWhite)
     shot.request.frame.camera = shot.sceneState.camera = hall().bestView(shot.hall());
     shot.size(192, 108);
     const std::size_t rays = *test::gallery().museum.find("crepuscular_rays");
-    shot.sceneState.values[rays].resetRow(test::raysTable().technique.row);  // The air as visitors find it.
+    shot.sceneState.values[rays].resetRow(test::raysTable().technique.row);  // The initial air of the hall.
     shot.request.frame.averageIn = AverageIn::display;
     const Levels shown = levelsOf(shot.take(), [](const glm::dvec3& c) { return c; });
     EXPECT_LT(shown.white, 0.003);
     for (const std::string& wrong : shown.wrong) ADD_FAILURE() << wrong;
-    // A plain curve gives the same light neither shade nor sun.
+    // Control: a plain curve leaves neither shade nor sunlight within the limits.
     shot.request.frame.averageIn = AverageIn::radiance;
     const Levels plain = levelsOf(shot.take(), plainSigmoid);
     EXPECT_GT(plain.white, 0.01);

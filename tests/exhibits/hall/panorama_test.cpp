@@ -1,4 +1,4 @@
-// A visitor's panorama where its texels crowd: at the poles.
+// Visitors' panoramas at the poles, where texels are dense.
 
 #include "render/image/image_io.h"
 #include "tests/support/gallery.h"
@@ -16,21 +16,21 @@ using Panorama = GlTest;
 
 using std::numbers::pi;
 constexpr int width = 1024;
-constexpr int stripe = 4;  ///< Columns of texels.
+constexpr int stripe = 4;  ///< Width in columns of texels.
 
 double columnBrightness(int column)
 {
     return column / stripe % 2 == 0 ? 1 : 0;
 }
 
-/// What the panorama sends from a direction, float64, texels as they are.
+/// Returns the radiance of the panorama from a direction, float64, without filtering.
 double stripes(const glm::dvec3& d)
 {
     const double u = std::atan2(d.x, -d.z) / (2 * pi) + 0.5;
     return columnBrightness(static_cast<int>(std::floor(u * width)) % width);
 }
 
-/// The panorama's full resolution between its two nearest columns, as the plain lookup reads it.
+/// Interpolates between the two nearest columns at full resolution, like a plain lookup.
 double plainLookup(const glm::dvec3& d)
 {
     const double x = (std::atan2(d.x, -d.z) / (2 * pi) + 0.5) * width - 0.5;
@@ -61,7 +61,7 @@ TEST_F(Panorama, AtThePolesAPixelIsTheMeanOfAllColumnsThatItHolds)
                 return glm::normalize(p.view.direction({2 * (x + dx) / p.width() - 1, 1 - 2 * (y + dy) / p.height()}));
             };
             const glm::dvec3 middle = direction(0.5, 0.5);
-            // Where a pixel holds less than two dark and two bright stripes, what is seen of them is no mean of many.
+            // A pixel with less than two dark and two bright stripes is no mean of many.
             const double columns =
                 2 * p.view.tanHalfFov.y / p.height() / std::hypot(middle.x, middle.z) * width / (2 * pi);
             if (p.hit(x, y) || columns < 4 * stripe) return;
@@ -82,7 +82,7 @@ TEST_F(Panorama, AtThePolesAPixelIsTheMeanOfAllColumnsThatItHolds)
 
 TEST_F(Panorama, AboveTheFirstRowLiesNotTheLastOne)
 {
-    // The picture repeats, so that its seam does not show; upwards, that would bring the ground into the sky.
+    // The texture repeats to hide its seam. In the vertical direction, that would bring the ground into the sky.
     const TemporaryFolder folder;
     render::Image picture(64, 32, 3);
     for (int x = 0; x < picture.width; ++x)

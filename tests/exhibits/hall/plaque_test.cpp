@@ -1,4 +1,4 @@
-// Plaques can be read: letters stand out from their plates in every light of the day, and lie within them.
+// Legibility of plaques: letters contrast with their plates in all light, and lie within them.
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/plaque_text.h"
 #include "tests/support/gallery.h"
@@ -17,7 +17,7 @@ using test::Shot;
 
 class Plaques : public test::GlTest {};
 
-/// A plate from a meter before it; nothing else is in the picture.
+/// Returns a shot of a plate from a distance of a meter, with nothing else in the picture.
 Shot plaqueShot(const glm::dmat4& worldFromPlaque)
 {
     Shot shot;
@@ -29,7 +29,7 @@ Shot plaqueShot(const glm::dmat4& worldFromPlaque)
     return shot.size(240, 144);
 }
 
-/// Luminance on the display of the letters' brightest parts over that of the plate.
+/// Returns the ratio of the luminance of the letters' brightest parts to that of the plate, on the display.
 double contrastOf(const Picture& p)
 {
     std::vector<double> values;
@@ -78,7 +78,7 @@ TEST(PlaqueText, FillsItsPlateAndStaysWithinIt)
             low = glm::min(low, v.position);
             high = glm::max(high, v.position);
         }
-        // As far from the plate's left edge as from its right one, and from its top as from its bottom.
+        // The text is centered on the plate.
         EXPECT_NEAR(low.x, -high.x, 1e-5) << plaque.mesh->name;
         EXPECT_NEAR(low.y, -high.y, 1e-5) << plaque.mesh->name;
     }

@@ -1,5 +1,5 @@
-// Shapes on the floor: the light that they take from it and the share of its mirrored lobe that they meet, against
-// rays at float64.
+// Shapes on the floor: occluded ambient light, and the occluded share of the mirrored lobe, compared with rays at
+// float64.
 #include "exhibits/hall/hall_furniture.h"
 #include "render/glsl/cpu.h"
 #include "tests/support/museum_on_paper.h"
@@ -24,7 +24,7 @@ glsl::StandingShape inGlsl(const StandingShape& shape)
             double{shape.reach},      glm::dvec3(shape.color)};
 }
 
-/// Whether a ray from a point of the floor meets the shape. Each kind by its own equation.
+/// Returns whether a ray from a point of the floor hits the shape. Each kind uses its own equation.
 bool meets(const StandingShape& shape, const glm::dvec3& from, const glm::dvec3& direction)
 {
     const glm::dvec3 o = from - glm::dvec3(shape.center);
@@ -59,7 +59,7 @@ bool meets(const StandingShape& shape, const glm::dvec3& from, const glm::dvec3&
     return enters < leaves;
 }
 
-/// Share of an even sky that the shape hides from the floor: cosine-weighted directions on a grid.
+/// Returns the share of a uniform sky that the shape occludes: cosine-weighted directions on a grid.
 double hiddenShare(const StandingShape& shape, const glm::dvec2& place)
 {
     constexpr int rings = 400;
@@ -85,7 +85,7 @@ StandingShape named(int kind, const glm::dvec3& low, const glm::dvec3& high, dou
     return shape;
 }
 
-/// A plinth over its recess, the foot of the card's stand, a bench's seat, and a body that lies on the floor.
+/// Returns a plinth over its recess, the foot of the card's stand, a bench's seat, and a lying body.
 std::vector<StandingShape> examples()
 {
     return {named(STANDING_BOX, {-0.4, 0.0, -0.4}, {0.4, 0.9, 0.4}, 0.3),
@@ -94,7 +94,7 @@ std::vector<StandingShape> examples()
             named(STANDING_SPHERE, {-0.3, 0, -0.3}, {0.3, 0.6, 0.3}, 0)};
 }
 
-/// Five places on the floor, from close to the outline to half a meter before it.
+/// Returns five places on the floor, from the outline to half a meter in front of it.
 std::vector<glm::dvec2> probes(const StandingShape& shape)
 {
     std::vector<glm::dvec2> places;
@@ -115,7 +115,7 @@ TEST(Standing, TakesTheLightOfAnEvenSkyThatRaysSayItTakes)
             EXPECT_NEAR(glsl::standingFormFactor(inGlsl(shape), place), truth, 0.03 * truth + 1e-3)
                 << shape.kind << " at " << place.x << ' ' << place.y;
         }
-    // Under the seat, where no side is seen.
+    // Below the seat, where no side is visible.
     const StandingShape seat = examples()[2];
     EXPECT_NEAR(glsl::standingFormFactor(inGlsl(seat), {0.1, 0.2}), hiddenShare(seat, {0.1, 0.2}), 0.02);
     EXPECT_GT(glsl::standingFormFactor(inGlsl(examples()[0]), probes(examples()[0])[0]), 0.35);
@@ -136,7 +136,7 @@ TEST(Standing, ThrowsNoShadowBeyondItsReachAndNoneWithoutStrength)
 
 TEST(Standing, IsNoDarkerBelowThanAtItsEdge)
 {
-    // What filters the map mixes the two.
+    // Filtering the map mixes both.
     for (const StandingShape& shape : {examples()[0], examples()[1]}) {
         const glsl::StandingShape s = inGlsl(shape);
         EXPECT_NEAR(glsl::standingFormFactor(s, {0.01, 0.02}), 1, 0.05);
@@ -149,8 +149,7 @@ TEST(Standing, IsNoDarkerBelowThanAtItsEdge)
     }
 }
 
-/// Mean over the slopes of GGX facets (Walter et al. 2007, with the normal's own cosine) of whether what a facet
-/// mirrors meets the shape.
+/// Returns the share of GGX facets (Walter et al. 2007, with the cosine of the normal) whose reflection hits the shape.
 double metByFacets(const StandingShape& shape, const glm::dvec3& from, const glm::dvec3& mirrored, double alpha)
 {
     constexpr int rings = 600;
@@ -194,7 +193,7 @@ TEST(Standing, MeetsTheShareOfAMirroredLobeThatFacetsSay)
 
 TEST(Standing, LobesAreCutByAnEdgeAsTheirFacetsAre)
 {
-    // The share of GGX slopes below x, summed over the plane of slopes.
+    // The share of GGX slopes below x, integrated over the plane of slopes.
     for (const double x : {-2.0, -0.5, 0.0, 0.3, 1.5}) {
         double below = 0;
         constexpr int n = 4000;
@@ -226,7 +225,7 @@ TEST(Furniture, IsMadeOfThePiecesThatStandWhereCollidersAre)
         return std::abs(shape.center.y - 0.4275F) < 1e-3F && std::max(shape.halfSize.x, shape.halfSize.y) > 0.85F;
     });
     EXPECT_EQ(seats, 3);
-    // The window's bars as hall_fittings.py sets them.
+    // Bars of the window as in hall_fittings.py.
     ASSERT_EQ(furniture.bars.upright.size(), 3U);
     for (std::size_t i = 0; i < 3; ++i) {
         double nearest = 1;

@@ -1,4 +1,4 @@
-// Half-shadows of the sun's disk, against many hard shadows of suns spread over that disk.
+// Penumbras of the sun's disk, compared with the mean of many hard shadows of suns on that disk.
 
 #include "tests/support/gallery.h"
 
@@ -17,9 +17,9 @@ class SunDisk : public test::GlTest {};
 
 constexpr double elevation = 0.3316;
 constexpr double azimuth = -0.0524;
-constexpr double sunWidth = 0.05;  ///< Radians: five times the sun's, so that its half-shadows are half a meter wide.
+constexpr double sunWidth = 0.05;  ///< Radians: five times the sun's width, so that penumbras are half a meter wide.
 
-/// The floor under the right edge of the window's light, ten meters from what makes that edge.
+/// Returns a shot of the floor at the right edge of the window's light, ten meters from the edge that casts it.
 Shot floorShot(ShadowFilter filter)
 {
     Shot shot;
@@ -39,7 +39,7 @@ Shot floorShot(ShadowFilter filter)
     return shot;
 }
 
-/// The mean over suns spread evenly over the disk, each with a hard shadow.
+/// Returns the mean over suns distributed evenly over the disk, each with a hard shadow.
 Picture areaLight()
 {
     Shot shot = floorShot(ShadowFilter::hard);
@@ -90,7 +90,7 @@ TEST_F(SunDisk, OfFewComparisonsBecomesTheAreaLightAsThePictureRefines)
         return test::colorDifference(shot.take(), truth);
     };
     const double many = wrong(64, 1);
-    // Every sample asks at other points of the disk: together they know what many know, and no bias is left of the few.
+    // Every sample uses other points of the disk. Together they equal many points, without the bias of few.
     EXPECT_LT(wrong(8, 16), 1.25 * many);
     EXPECT_GT(wrong(8, 1), 1.25 * many);
 }
@@ -107,7 +107,7 @@ TEST_F(SunDisk, IsTheSameInTilesAndEveryTime)
     once.each([&](int x, int y) {
         different += std::abs(once.luminance(x, y) - tiled.luminance(x, y)) > 0.02 * once.luminance(x, y);
     });
-    // Positions are rounded in each tile's own clip space; the grain is not another one.
+    // Positions are rounded in each tile's own clip space; the noise stays the same.
     EXPECT_LE(different, 48 * 27 / 50);
 }
 
@@ -121,7 +121,7 @@ TEST_F(SunDisk, OfAPointIsTheHardShadow)
     narrow.each([&](int x, int y) {
         different += std::abs(narrow.luminance(x, y) - hard.luminance(x, y)) > 0.1 * hard.luminance(x, y);
     });
-    // Along the edge, a texel and a half of filter is left.
+    // Along the edge, a filter of one and a half texels remains.
     EXPECT_LT(different, 48 * 27 / 12);
 }
 

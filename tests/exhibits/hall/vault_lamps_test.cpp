@@ -1,4 +1,4 @@
-// The lamps in the vault: their light against a path tracer, and when they burn.
+// Lamps in the vault: their light compared with a path tracer, and the times when they are on.
 #include "exhibits/hall/vault_lamps.h"
 
 #include "exhibits/hall/sun.h"
@@ -24,7 +24,7 @@ render::Json readReference(const char* name)
     return render::readJson(std::string(VITRINE_SOURCE_DIR "/tests/exhibits/hall/") + name).root();
 }
 
-/// A square of the hall, and what lamps of radiance 1 send to it: path-traced by assets/models/hall_lamps.py.
+/// Square of the hall, and the light from lamps of radiance 1 on it, path traced by assets/models/hall_lamps.py.
 struct LampSquare {
     std::string name;
     double light = 0;
@@ -52,7 +52,7 @@ std::vector<LampSquare> lampSquares()
     return all;
 }
 
-/// Mean of the lightmap's alpha over the square, as shaders read it.
+/// Returns the mean of the lightmap's alpha over the square, as shaders read it.
 double lampsOnLightmap(const LampSquare& square)
 {
     const render::Texture& map = *test::building().skyLightmap();
@@ -65,7 +65,7 @@ double lampsOnLightmap(const LampSquare& square)
     return sum / static_cast<double>(square.atlas.size());
 }
 
-/// The same of the air before it.
+/// Returns the same for the air in front of the square.
 double lampsInAir(const LampSquare& square)
 {
     const LampLight& lamps = test::building().lampLight();
@@ -88,11 +88,11 @@ TEST(VaultLamps, LightTheHallAsAPathTracerSays)
     ASSERT_EQ(squares.size(), 8U);
     for (const LampSquare& square : squares) {
         EXPECT_NEAR(lampsOnLightmap(square), square.light, 0.08 * square.light) << square.name;
-        // As light in the air has on walls, where what stands beside them takes it.
+        // In the air near walls, objects beside them take some of the light.
         EXPECT_NEAR(lampsInAir(square), square.light, 0.25 * square.light) << square.name;
         mean += square.light / 8;
     }
-    // One light for all of the hall would be wrong.
+    // Control: one value for the whole hall would be wrong.
     EXPECT_GE(std::count_if(squares.begin(), squares.end(),
                             [&](const LampSquare& s) { return std::abs(mean - s.light) > 0.08 * s.light; }),
               4);

@@ -12,8 +12,8 @@
 
 namespace vitrine::test {
 
-/// The ice cream as its author evaluates it: every solid at every point, at float64, by formulas of its own. What
-/// shaders/ice_cream/solids.glsl leaves out is measured against it.
+/// Reference evaluation of the ice cream: all solids at every point, at float64, with formulas of its own.
+/// shaders/ice_cream/solids.glsl, which skips solids, is compared with it.
 class EverySolid {
 public:
     struct Sprinkle {
@@ -25,7 +25,7 @@ public:
     {
     }
 
-    /// Solids that one evaluation asks.
+    /// Returns the number of solids in one evaluation.
     [[nodiscard]] int solids() const
     {
         int count = 0;
@@ -77,7 +77,7 @@ public:
 
     [[nodiscard]] double cream(const glm::dvec3& p) const { return smooth(layer(0, p), layer(1, p), s_.layerBlend); }
 
-    /// Of the two nearest cones.
+    /// Returns the distance to the two nearest cones of a layer.
     [[nodiscard]] double layer(int i, const glm::dvec3& p) const
     {
         if (!has(PART_CREAM + i)) return far;
@@ -89,7 +89,7 @@ public:
         return smooth(cones[0], cones[1], layer.blend);
     }
 
-    /// One cone of a layer, as the source turns and twists space around it.
+    /// Returns the distance to one cone of a layer, with space rotated and twisted like in the reference.
     [[nodiscard]] static double lobe(const CreamLayer& layer, const glm::dvec3& p, int k)
     {
         const double a = double{layer.twist} * p.y + 2 * std::numbers::pi * k / layer.lobes;
@@ -100,7 +100,7 @@ public:
         return frustum({away, along}, 0, 2.0 * layer.halfHeight, layer.radius, 0) - double{layer.corner};
     }
 
-    /// By the edges of its profile and the sign of the half-planes that it lies in.
+    /// Returns the distance to a frustum from the edges of its profile and the signs of its half-planes.
     [[nodiscard]] static double frustum(const glm::dvec2& q, double low, double high, double bottom, double top)
     {
         const glm::dvec2 a(bottom, low), b(top, high);
@@ -111,7 +111,7 @@ public:
         return inside ? -std::min(side, cap) : std::min(side, cap);
     }
 
-    /// The nearest of its two disks and of the ball between them.
+    /// Returns the distance to the bowl: the nearest of its two disks and the ball between them.
     [[nodiscard]] double bowl(const glm::dvec2& p) const
     {
         const double radius = s_.bowl.x, low = s_.bowl.z - s_.bowl.y, high = s_.bowl.w - s_.bowl.y;

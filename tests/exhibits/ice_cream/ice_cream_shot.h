@@ -11,7 +11,7 @@ inline const IceCreamTable& iceCreamTable()
     return made;
 }
 
-/// The ice cream alone: by default in the source's light, as large as there, still, from its first view; linear, with
+/// Shot of the ice cream alone. By default with the light, size and first view of the reference, static; linear, with
 /// depth and normals. Its own space is then the world's, moved by `foot`.
 struct IceCreamShot {
     SceneState sceneState = gallery().museum.initialSceneState();
@@ -29,9 +29,9 @@ struct IceCreamShot {
         frame.camera = gallery().museum.exhibit(subject).bestView(values());
     }
     [[nodiscard]] ParameterValues& values() { return sceneState.values[subject]; }
-    /// Where the wafer's foot stands: the camera's target is half a meter above it.
+    /// Returns the position of the wafer's foot: the camera's target is half a meter above it.
     [[nodiscard]] glm::dvec3 foot() const { return glm::dvec3(0, -0.62, -0.2); }
-    /// From a place in the space of the source.
+    /// Sets the camera in the reference's space.
     IceCreamShot& see(const glm::dvec3& eye, const glm::dvec3& target, double fovY = 0.9272952180016122)
     {
         request.frame.camera = {foot() + eye, foot() + target, fovY};
@@ -49,7 +49,7 @@ struct IceCreamShot {
         }
         return {maker.picture(), render::makeView(request.frame.camera, request.frame.raster)};
     }
-    /// Where a pixel's surface is, in the space of the source.
+    /// Returns the surface point of a pixel in the reference's space.
     [[nodiscard]] glm::dvec3 pointAt(const Picture& p, int x, int y) const
     {
         const glm::dvec2 raster(p.view.raster.size);

@@ -1,4 +1,4 @@
-// Pictures of the ice cream against what its source shows, and against the source's own faults.
+// Pictures of the ice cream compared with those of the reference, and with the reference's errors.
 
 #include "tests/exhibits/ice_cream/every_solid.h"
 #include "tests/exhibits/ice_cream/ice_cream_shot.h"
@@ -35,7 +35,7 @@ void candiesOfTheSource(ParameterValues& values)
     }
 }
 
-/// Only flat color is left: what a surface is, not how it is lit.
+/// Removes all lighting, so that surfaces have flat colors.
 void flat(ParameterValues& values)
 {
     values.set(t().sourceSunStrength, 0.0);
@@ -45,7 +45,8 @@ void flat(ParameterValues& values)
     values.set(t().ground, false);
 }
 
-/// Candies have colors of their own here; pixels of each, seen from one side of the source's way around.
+/// Counts the pixels of each candy, which have colors of their own here, in a view from one angle of the reference's
+/// orbit.
 std::array<int, candyCount> candyPixels(double angle, bool placesOfTheSource)
 {
     IceCreamShot shot;
@@ -77,7 +78,7 @@ std::array<int, candyCount> candyPixels(double angle, bool placesOfTheSource)
     return pixels;
 }
 
-/// The source's camera goes round; each candy is seen from somewhere.
+/// Returns the number of candies visible from the reference's orbit.
 int candiesSeen(bool placesOfTheSource)
 {
     std::array<int, candyCount> most{};
@@ -103,7 +104,7 @@ TEST_F(IceCreamPicture, UndersidesAreDarkerThanTops)
 {
     IceCreamShot shot;
     flat(shot.values());
-    // All of one color, so that only the way a surface faces is left.
+    // Equal colors, so that only the normals make a difference.
     for (const CreamRows& layer : t().layers) shot.values().set(layer.color, {dvec3(1)});
     for (const CandyRows& candy : t().candies) shot.values().set(candy.color, {dvec3(1)});
     shot.values().set(t().waferColor, {dvec3(1)});
@@ -126,7 +127,7 @@ TEST_F(IceCreamPicture, UndersidesAreDarkerThanTops)
     EXPECT_GT(inverted, 0.5) << "the source, whose y points down, lights the undersides";
 }
 
-/// The source's formula for one pixel, from its normal.
+/// Returns the reference's shading formula for one pixel, from its normal.
 dvec3 blinnPhong(const ParameterValues& values, const dvec3& n, const dvec3& toEye, const dvec3& color,
                  double roughness)
 {
@@ -148,7 +149,7 @@ TEST_F(IceCreamPicture, RoughnessIsTheSourcesExponent)
         values.set(t().sourceFog, 0.0);
         values.set(t().ground, false);
         values.set(t().creamRoughness, roughness);
-        // From where the highlight is seen.
+        // View in which the highlight is visible.
         shot.see({-1.2, 1.9, 1.2}, {0, 1.15, 0}, 0.5);
         const Picture p = shot.take();
         double scale = 0;
@@ -165,7 +166,7 @@ TEST_F(IceCreamPicture, RoughnessIsTheSourcesExponent)
         });
         double sum = 0;
         for (const auto& [seen, expected] : pairs) sum += expected;
-        scale /= sum;  // The exposure, which the source has not.
+        scale /= sum;  // Exposure, which the reference does not have.
         double largest = 0;
         for (const auto& [seen, expected] : pairs) largest = std::max(largest, std::abs(seen / scale - expected));
         EXPECT_GT(pairs.size(), 500U);
@@ -174,13 +175,13 @@ TEST_F(IceCreamPicture, RoughnessIsTheSourcesExponent)
     }
 }
 
-/// Of the sun at a point of the ground: its brightness with shadows over that without.
+/// Returns the brightness of a point of the ground with shadows relative to that without.
 double shareOfSun(const glm::dvec2& at, SdfShadow method)
 {
     IceCreamShot shot;
     shot.values().set(t().sourceAmbient, {dvec3(0)});
     shot.values().set(t().sourceFog, 0.0);
-    // Low, so that the shadow is long.
+    // A low sun makes a long shadow.
     shot.values().set(t().sourceSun, {glm::normalize(dvec3(-1, 0.12, 0))});
     shot.see({at.x, 0.5, at.y + 0.001}, {at.x, 0, at.y}, 0.05).size(8, 8);
     shot.values().set(t().shadowMethod, method);
@@ -191,7 +192,8 @@ double shareOfSun(const glm::dvec2& at, SdfShadow method)
 
 TEST_F(IceCreamPicture, ShadowsReachFartherThanFiveMeters)
 {
-    // The sun's rays fall 0.12 meters for each meter: the middle of the cream, 0.9 high, shades the ground at 7.5.
+    // The sun's rays fall by 0.12 meters per meter: the middle of the cream, at a height of 0.9, shades the ground at
+    // 7.5.
     for (const SdfShadow method : {SdfShadow::classic, SdfShadow::improved, SdfShadow::signedDistance}) {
         EXPECT_LT(shareOfSun({7.5, 0}, method), 0.05) << static_cast<int>(method) << ": the source looks 5 m far";
         EXPECT_LT(shareOfSun({2.5, 0}, method), 0.05) << static_cast<int>(method);
@@ -204,7 +206,7 @@ TEST_F(IceCreamPicture, NormalsAreThoseOfFloat64)
 {
     IceCreamShot shot;
     shot.values().set(t().ground, false);
-    // Near enough that a pixel is finer than the step.
+    // Close enough for pixels finer than the step.
     shot.size(320, 180).see({0.3, 1.3, 2}, {0.02, 0.95, 0.1}, 0.12);
     const EverySolid every(iceCreamShape(t(), shot.values(), 0));
     const auto worst = [&](double step) {
@@ -230,8 +232,7 @@ TEST_F(IceCreamPicture, NormalsAreThoseOfFloat64)
                     degrees[degrees.size() * 99 / 100], degrees.size());
         return degrees[degrees.size() * 99 / 100];
     };
-    // Within a step of a crease both sides are seen; there are such pixels along every edge of the wafer and the
-    // candies.
+    // Within a step of a crease both sides count. Such pixels are along every edge of the wafer and the candies.
     EXPECT_LT(worst(3e-4), 0.1);
 }
 
@@ -250,7 +251,7 @@ TEST_F(IceCreamPicture, EachStageOfTheBuildUpIsAnotherPictureAndTheLastOneIsTheW
         before = now;
     }
     EXPECT_EQ(test::largestDifference(before.image, finished.image), 0);
-    // By itself, it ends with the same picture.
+    // The automatic build-up ends with the same picture.
     shot.values().set(t().stage, IceCreamStage::finished);
     shot.values().set(t().buildUp, true);
     shot.values().set(t().stageTime, 1.0);
@@ -326,7 +327,7 @@ TEST_F(IceCreamPicture, TheEmojiIsFramedAndLegibleAtEverySize)
             low = glm::min(low, glm::ivec2(x, y));
             high = glm::max(high, glm::ivec2(x + 1, y + 1));
             const dvec3 c = p.color(x, y) / p.alpha(x, y);
-            // Cream is nearly gray, the wafer lacks blue.
+            // Cream is nearly gray; the wafer has little blue.
             if (c.b > 0.7 * c.r && c.g > 0.85 * c.r) ++seen["cream"];
             if (c.b < 0.6 * c.r && c.g > 0.5 * c.r && c.g < 0.95 * c.r) ++seen["wafer"];
         });

@@ -1,5 +1,4 @@
-// The ice cream's solids: their dimensions, that leaving most of them out changes nothing, that no step passes a
-// surface.
+// Solids of the ice cream: their dimensions, skipping most of them without a change, and steps that pass no surface.
 
 #include "exhibits/framework/random_values.h"
 #include "exhibits/ice_cream/ice_cream_cpu.h"
@@ -24,7 +23,7 @@ const IceCreamTable& table()
     return made;
 }
 
-/// As the source has it: the candies in the air where they were.
+/// Returns the values of the reference, with the candies where they floated in the air.
 ParameterValues source()
 {
     ParameterValues values = table().initial();
@@ -45,7 +44,7 @@ glsl::IceCream solidsOf(const IceCreamShape& shape)
     return made;
 }
 
-/// Shapes of random sliders, parts and stages; without sprinkles. The first one is the source's.
+/// Returns shapes with random parameters, parts and stages, without sprinkles. The first one is the reference's.
 IceCreamShape randomShape(RandomNumbers& numbers, int i)
 {
     if (i == 0) return iceCreamShape(table(), source(), 0);
@@ -57,7 +56,7 @@ IceCreamShape randomShape(RandomNumbers& numbers, int i)
     return iceCreamShape(table(), values, numbers.number(0, 100));
 }
 
-/// In its box grown by a half, or near a surface that a march from there finds.
+/// Returns a random point in the box enlarged by a half, or near a surface found from there.
 dvec3 pointNear(const EverySolid& every, const render::Box& box, RandomNumbers& numbers)
 {
     dvec3 p = numbers.point(box.center() - 1.5 * box.halfSize(), box.center() + 1.5 * box.halfSize());
@@ -65,7 +64,7 @@ dvec3 pointNear(const EverySolid& every, const render::Box& box, RandomNumbers& 
     const int steps = numbers.index(40);
     for (int i = 0; i < steps; ++i) {
         const dvec3 next = p + direction * (0.5 * every.level(p));
-        if (glm::length(next - box.center()) > 4 * glm::length(box.halfSize())) break;  // It has passed everything.
+        if (glm::length(next - box.center()) > 4 * glm::length(box.halfSize())) break;  // It has left the shape.
         p = next;
     }
     return p;
@@ -97,7 +96,7 @@ TEST(Solids, TheFewThatAreEvaluatedGiveWhatAllOfThemGive)
                 double(all) / 48000);
 }
 
-/// Where a bound from below meets one from above, rounding must not leave out the solid that both are of.
+/// If a lower bound equals an upper one, rounding must not skip the solid that both belong to.
 TEST(Solids, AtFloat32NoneIsLostToRounding)
 {
     RandomNumbers numbers(15);
@@ -109,7 +108,7 @@ TEST(Solids, AtFloat32NoneIsLostToRounding)
         glsl32::IceCream rounded;
         copyShape(rounded.shape, shape);
         for (int k = 0; k < 4000; ++k) {
-            // Many of them straight above and below the wafer.
+            // Many points are straight above and below the wafer.
             const double spread = k % 2 == 0 ? 0.2 : 1;
             const glm::vec3 p(numbers.point({-spread, -1, -spread}, {spread, 2, spread}));
             EXPECT_NEAR(rounded.iceCreamLevel(p), every.level(dvec3(p)), 1e-5) << "stage " << stage;
@@ -117,7 +116,7 @@ TEST(Solids, AtFloat32NoneIsLostToRounding)
     }
 }
 
-/// A fault that this has to see: one cone of each layer instead of two.
+/// Control: one cone of each layer instead of two must be detected.
 TEST(Solids, OneConeInsteadOfTwoWouldBeSeen)
 {
     const IceCreamShape shape = iceCreamShape(table(), source(), 0);
@@ -134,7 +133,7 @@ TEST(Solids, OneConeInsteadOfTwoWouldBeSeen)
     EXPECT_GT(wrong, 20);
 }
 
-/// How many of many steps from random points end beyond a surface.
+/// Returns the number of steps from random points that end beyond a surface.
 int overshoots(const std::function<double(glsl::IceCream&, const dvec3&)>& step)
 {
     RandomNumbers numbers(13);
@@ -148,7 +147,7 @@ int overshoots(const std::function<double(glsl::IceCream&, const dvec3&)>& step)
             const dvec3 p = pointNear(every, box, numbers);
             const double level = every.level(p);
             const double d = step(few, p);
-            if (level > 1e8 || std::abs(level) < 1e-12) continue;  // Nothing is there, or p is on the surface.
+            if (level > 1e8 || std::abs(level) < 1e-12) continue;  // There is nothing, or p is on the surface.
             EXPECT_EQ(d > 0, level > 0) << level << ' ' << d;
             for (int ray = 0; ray < 12; ++ray) {
                 const dvec3 q = p + numbers.direction() * (0.999 * std::abs(d));
@@ -188,7 +187,7 @@ TEST(Solids, LieInTheirBox)
 
 // ---- Marches -------------------------------------------------------------------------------------
 
-/// Rays of the source's first view.
+/// Returns the rays of the reference's first view.
 dvec3 sourceRay(int x, int y, int width, int height)
 {
     const dvec3 forward = glm::normalize(dvec3(0, 0.5, 0) - dvec3(0, 1.5, 2));
@@ -200,7 +199,7 @@ dvec3 sourceRay(int x, int y, int width, int height)
 TEST(IceCreamMarch, ARayThatIsOutOfStepsIsNoHit)
 {
     constexpr int width = 98, height = 55;
-    constexpr double halfPixel = 0.5 / 441;  // Of the source's window.
+    constexpr double halfPixel = 0.5 / 441;  // In the reference's window.
     const IceCreamShape shape = iceCreamShape(table(), source(), 0);
     const EverySolid every(shape);
     const render::Box box = boxOf(shape);
@@ -210,7 +209,7 @@ TEST(IceCreamMarch, ARayThatIsOutOfStepsIsNoHit)
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const dvec3 eye(0, 1.5, 2), ray = sourceRay(x, y, width, height);
-            // How near it comes to the ice cream, in pixels, and to the ground, by short steps.
+            // Closest distances to the ice cream, in pixels, and to the ground, found by short steps.
             double nearest = 1e9;
             for (double t = 0.5; t < 4.5; t += 0.006)
                 nearest = std::min(nearest, every.level(eye + ray * t) / (2 * halfPixel * t));
@@ -222,7 +221,7 @@ TEST(IceCreamMarch, ARayThatIsOutOfStepsIsNoHit)
                 settings.stepLimit = steps;
                 phantoms += tracer.sphereTrace(eye, ray, settings).hit;
             }
-            // The source's way: 128 steps of the level with the ground; whatever has not gone far is a hit.
+            // Method of the reference: 128 steps with the ground included. A ray that has not gone far counts as a hit.
             double t = 1;
             bool hit = false;
             for (int i = 0; i < 128 && t < 1e8 && !hit; ++i) {
@@ -266,7 +265,7 @@ TEST(IceCreamMarch, NormalsAtFloat32AreThoseOfFloat64ByTheStepOfTheTable)
     };
     const auto ours = errors(table().initial()[table().normalStep]);
     EXPECT_GT(ours.size(), 1500U);
-    // Beyond are the pixels within a step of a crease, where both sides are seen.
+    // The rest are pixels within a step of a crease, where both sides count.
     EXPECT_LT(ours[ours.size() * 95 / 100], 0.1);
     const auto sources = errors(1e-5);
     EXPECT_GT(sources[sources.size() / 2], 5 * ours[ours.size() / 2]) << "the source's step drowns in rounding";
@@ -275,9 +274,9 @@ TEST(IceCreamMarch, NormalsAtFloat32AreThoseOfFloat64ByTheStepOfTheTable)
                 ours[ours.size() * 95 / 100], sources[sources.size() / 2], sources[sources.size() * 95 / 100]);
 }
 
-// ---- Dimensions of the source --------------------------------------------------------------------
+// ---- Dimensions of the reference -----------------------------------------------------------------
 
-/// Where a straight way from outside first meets the surface of some parts alone.
+/// Returns the first intersection of a straight line from outside with some of the parts.
 double firstMet(int parts, const dvec3& from, const dvec3& direction)
 {
     IceCreamShape shape = iceCreamShape(table(), source(), 0);
@@ -292,7 +291,7 @@ double firstMet(int parts, const dvec3& from, const dvec3& direction)
     return -1;
 }
 
-/// Radius of parts at a height, seen from an angle.
+/// Returns the radius of parts at a height, seen from an angle.
 double radiusAt(int parts, double y, double angle = 0)
 {
     const dvec3 out(std::cos(angle), 0, std::sin(angle));
@@ -318,7 +317,7 @@ TEST(IceCreamDimensions, OfTheWaferAreTheSources)
         EXPECT_NEAR(radiusAt(bowl, y), std::sqrt(0.325 * 0.325 - (y - 0.7034) * (y - 0.7034)), 1e-4) << y;
 }
 
-/// Local maxima of a function on a circle or a line, above its mean.
+/// Returns the number of local maxima above the mean, of a function on a circle or an interval.
 int hills(const std::function<double(double)>& f, double from, double to, bool closed)
 {
     constexpr int count = 3600;
@@ -347,7 +346,7 @@ TEST(IceCreamDimensions, ThreeRingsAndSevenBarsCrossTheFoot)
     const auto around = [](double y) { return [y](double a) { return radiusAt(31, y, a); }; };
     EXPECT_EQ(hills(around(0.17), 0, turn, true), 7);
     EXPECT_EQ(hills([](double y) { return radiusAt(31, y, 0.45) - (0.2 + 0.05 * y / 0.46); }, 0.02, 0.44, false), 3);
-    // Of other counts as many.
+    // The same for other counts.
     ParameterValues other = source();
     other.set(table().bars, 12);
     other.set(table().rings, 5);
@@ -370,9 +369,9 @@ TEST(IceCreamDimensions, TheLayersHaveSevenAndFiveLobes)
             return -every.layer(layer, {r * std::cos(a), y, r * std::sin(a)});
         };
         EXPECT_EQ(hills(level, 0, turn, true), lobes);
-        // A turn of one lobe changes nothing: the layer has the symmetry of its count.
+        // Rotating by one lobe changes nothing: the layer has the symmetry of its count.
         for (const double a : {0.1, 0.9, 2.2}) EXPECT_NEAR(level(a), level(a + turn / lobes), 1e-7);
-        // Nor does rising while turning by the twist: 5 and 6 radians a meter.
+        // Nor does rising while rotating by the twist: 5 and 6 radians per meter.
         EXPECT_FLOAT_EQ(shape.layers[static_cast<std::size_t>(layer)].twist, layer == 0 ? 5 : 6);
     }
 }
@@ -380,7 +379,7 @@ TEST(IceCreamDimensions, TheLayersHaveSevenAndFiveLobes)
 TEST(IceCreamDimensions, TheConesLeanAndTwistAsInTheSource)
 {
     const IceCreamShape shape = iceCreamShape(table(), source(), 0);
-    // Worked out by hand from the source's matrices: base and tip, before repetition and twist.
+    // Computed by hand from the reference's matrices: base and tip, before repetition and twist.
     const dvec3 lowerBase(0.1, 0.6875, 0.3), upperBase(-0.1561, 0.8536, 0.0839);
     const auto tipOf = [](double tilt, double yaw, double length) {
         return length * dvec3(std::sin(yaw) * std::sin(tilt), std::cos(tilt), std::cos(yaw) * std::sin(tilt));
@@ -391,7 +390,7 @@ TEST(IceCreamDimensions, TheConesLeanAndTwistAsInTheSource)
     for (std::size_t i = 0; i < 2; ++i) {
         const CreamLayer& layer = shape.layers[i];
         const double a = double{layer.twist};
-        // In twisted space: where the untwisted point is turned back to.
+        // In twisted space: the position to which the untwisted point is rotated back.
         for (const auto& [q, expected] : {std::pair{bases[i], -0.03}, std::pair{tips[i], -0.03}}) {
             const double turned = a * q.y;
             const dvec3 p(std::cos(turned) * q.x - std::sin(turned) * q.z, q.y,
@@ -416,14 +415,14 @@ TEST(IceCreamDimensions, NoCandyIsLostBehindTheCamera)
         EXPECT_LT(glm::length(glm::vec2(candy.center.x, candy.center.z)), 1.01) << "candy " << i + 1;
         EXPECT_EQ(candy.halfSize, glm::vec3(0.02F, 0.03F, 0.01F));
         EXPECT_FLOAT_EQ(candy.corner, 0.007F);
-        // Those on the cream stand out of it.
+        // Candies on the cream stand out of it.
         const double depth = every.cream(dvec3(candy.center));
         EXPECT_GT(depth, -0.012) << "candy " << i + 1;
         if (i < 7) {
             EXPECT_LT(depth, 0.012) << "candy " << i + 1;
         }
     }
-    // The source's own places of the first one and of the fifth one, whose every corner lies in the cream.
+    // Positions in the reference of the first candy and of the fifth one, all of whose corners are in the cream.
     EXPECT_GT(glm::length(dvec2(0.12, 16)), 1.01);
     EXPECT_LT(every.cream({-0.06, 1.1, -0.11}), -0.036);
 }
@@ -442,7 +441,7 @@ TEST(IceCreamDimensions, CandiesSpinAndFloatAsTheSourceTellsThem)
     const double bobs[]{0.07 * std::sin(0.15 * t), 0.05 * std::cos(0.13 * t), 0.06 * std::sin(0.17 * t)};
     for (std::size_t i = 0; i < 3; ++i) {
         EXPECT_NEAR(moved.candies[7 + i].center.y - still.candies[7 + i].center.y, bobs[i], 1e-6) << i;
-        // About x, y and z: that axis of the candy stays.
+        // Rotations about x, y and z: this axis of the candy stays.
         const glm::vec3 before[]{still.candies[7 + i].axisX, still.candies[7 + i].axisY,
                                  glm::cross(still.candies[7 + i].axisX, still.candies[7 + i].axisY)};
         const glm::vec3 after[]{moved.candies[7 + i].axisX, moved.candies[7 + i].axisY,

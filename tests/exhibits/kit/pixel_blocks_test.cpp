@@ -1,4 +1,4 @@
-// Blocks of pixels lie on one grid, whichever part of the picture is drawn.
+// Blocks of pixels lie on one grid, whatever part of the picture is drawn.
 
 #include "exhibits/kit/pixel_blocks.h"
 

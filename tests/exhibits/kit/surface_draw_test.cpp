@@ -9,7 +9,7 @@
 namespace vitrine {
 namespace {
 
-/// A cube around a place; its number is the count of instances.
+/// Returns a cube around a place. Its count of instances serves as its number.
 TranslucentPart translucentCube(int number, const glm::dvec3& place, double halfSide, bool doubleSided)
 {
     TranslucentPart part;
@@ -19,7 +19,7 @@ TranslucentPart translucentCube(int number, const glm::dvec3& place, double half
     return part;
 }
 
-/// "1b 2b 2f 1f": back and front faces in their order.
+/// Returns the order of back and front faces: "1b 2b 2f 1f".
 std::string blendOrderOf(const std::vector<TranslucentPart>& parts, const glm::dvec3& seenFrom)
 {
     std::string order;
@@ -39,7 +39,7 @@ TEST(TranslucentParts, AreDrawnFromFarToNearWithTheirBacksFirst)
                           nearby = translucentCube(4, {0, 0, 4}, 1, true);
     EXPECT_EQ(blendOrderOf({nearby, distant}, viewer), "3b 3f 4b 4f ");
     EXPECT_EQ(blendOrderOf({nearby, distant}, {0, 0, -30}), "4b 4f 3b 3f ");
-    // Of a part with one side, the back is not drawn.
+    // The back of a single-sided part is not drawn.
     EXPECT_EQ(blendOrderOf({translucentCube(5, {0, 0, 0}, 1, false), outer}, viewer), "1b 5f 1f ");
     EXPECT_EQ(blendOrderOf({}, viewer), "");
 }

@@ -1,4 +1,4 @@
-// The mesh of a field, against a sphere's closed forms.
+// Mesh of a field, compared with closed forms of a sphere.
 
 #include "exhibits/kit/surface_net.h"
 
@@ -44,7 +44,7 @@ TEST(SurfaceNet, OfASphereLiesOnItWithItsNormals)
 TEST(SurfaceNet, IsClosedAndFacesOutward)
 {
     const auto mesh = ball(16);
-    // Every edge belongs to two triangles, which run along it in opposite directions.
+    // Every edge belongs to two triangles, which contain it in opposite directions.
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
     for (std::size_t i = 0; i < mesh->indices.size(); i += 3)
         for (std::size_t k = 0; k < 3; ++k) ++edges[{mesh->indices[i + k], mesh->indices[i + (k + 1) % 3]}];
@@ -60,7 +60,7 @@ TEST(SurfaceNet, HoldsTheVolumeOfTheSphereTheBetterTheFinerItIs)
     const double whole = 4.0 / 3 * std::numbers::pi * radius * radius * radius;
     const double coarse = whole - volumeOf(*ball(16));
     const double fine = whole - volumeOf(*ball(32));
-    // Flat facets between points of the sphere miss a slice whose height goes with the square of the cell.
+    // Flat facets between points of the sphere miss a slice whose height is proportional to the square of the cell.
     EXPECT_GT(coarse, 0);
     EXPECT_NEAR(coarse / fine, 4, 0.5);
 }

@@ -1,4 +1,4 @@
-// The card from afar and from near: no moire, no seam between the two, nothing that is not a number.
+// The card from far and near: no moire, no seam between both methods, and only finite values.
 
 #include "exhibits/lenticular/card_sheet.h"
 #include "exhibits/printing/interlace.h"
@@ -28,7 +28,7 @@ protected:
 };
 
 struct Spread {
-    double mean = 0, most = 0;  ///< Of the levels, and the largest departure from the mean.
+    double mean = 0, most = 0;  ///< Mean of the levels, and the largest difference from it.
 };
 
 Spread spreadOf(const std::vector<double>& levels)
@@ -48,7 +48,7 @@ double meanOfViews(int count)
 
 TEST_F(CardFar, WhereAPixelHoldsManyFringesItShowsTheMeanOfAllViews)
 {
-    // A print 10 percent off its pitch turns through all views every ten lenses; each pixel holds about forty.
+    // A print with a pitch 10 percent off turns through all views every ten lenses; each pixel contains about forty.
     for (const int count : {2, 16}) {
         for (const CardModel model : {CardModel::linear, CardModel::paraxial, CardModel::exact}) {
             CardShot shot;
@@ -58,7 +58,7 @@ TEST_F(CardFar, WhereAPixelHoldsManyFringesItShowsTheMeanOfAllViews)
             shot.size(16, 8);
             shot.from(0.2, 6, 0.026);
             const Spread far = spreadOf(shot.printed(views, views.solid(count)));
-            // The fringes and the pixels are not one a whole number of the other: what is left is a part of one.
+            // The ratio of fringes to pixels is not a whole number, so a fraction of a fringe remains.
             EXPECT_NEAR(far.mean, meanOfViews(count), 1.0 / 255)
                 << count << " views, model " << static_cast<int>(model);
             shot.values().set(cardTable().prefilter, false);
@@ -69,8 +69,8 @@ TEST_F(CardFar, WhereAPixelHoldsManyFringesItShowsTheMeanOfAllViews)
 
 TEST_F(CardFar, LensesSmallerThanAPixelLeaveNoMoire)
 {
-    // At its distance the whole card shows the same strips, so every difference between pixels is moire. The
-    // lens is out of focus: one ray a pixel lands anywhere in the spot.
+    // At its distance the whole card shows the same strips, so every difference between pixels is moire. The lens is
+    // out of focus: one ray per pixel hits a random point of the spot.
     for (const double pixel : {0.0007, 0.0011, 0.0033}) {
         CardShot shot;
         shot.values().set(cardTable().model, CardModel::paraxial);
@@ -95,7 +95,7 @@ TEST_F(CardFar, FromOneLensInAPixelToManyThePictureChangesWithoutASeam)
     shot.size(33, 33);
     double before = -1;
     double largest = 0;
-    // From 0.1 lenses in a pixel to one: through both ends of the hand-over.
+    // From 0.1 lenses in a pixel to one, which includes both ends of the transition between methods.
     for (double lenses = 0.1; lenses < 1.0; lenses *= 1.04) {
         shot.from(0.21, 2, lenses * 0.00127);
         shot.request.frame.camera.fovY = 2 * std::atan(0.5 * lenses * 0.00127 * 33 / 2);
@@ -106,7 +106,7 @@ TEST_F(CardFar, FromOneLensInAPixelToManyThePictureChangesWithoutASeam)
     EXPECT_LT(largest, 0.03);
 }
 
-/// Two frames of noise, four views: something to tell places by.
+/// Returns noise, of two frames and four views, so that positions can be distinguished.
 render::Image noise(int k, int width, int height)
 {
     std::mt19937 random(static_cast<unsigned>(k + 1));
@@ -135,7 +135,7 @@ TEST_F(CardFar, ThePrintedRasterLooksAsItsViewsDo)
         printing::PrintSettings settings;
         settings.sheet = printing::knownSheet("20-3d");
         settings.dpiX = settings.dpiY = 400;
-        settings.width = 152.4;  // 120 lenses, 20 pixels each.
+        settings.width = 152.4;  // 120 lenses with 20 pixels each.
         settings.height = 101.6;
         settings.views = count;
         settings.direction = direction;
@@ -158,7 +158,7 @@ TEST_F(CardFar, ThePrintedRasterLooksAsItsViewsDo)
             double difference = 0;
             double contrast = 0;
             for (std::size_t i = 0; i < fromViews.size(); ++i) {
-                if (!std::isfinite(fromViews[i]) || !std::isfinite(fromPrint[i])) continue;  // Beside the card.
+                if (!std::isfinite(fromViews[i]) || !std::isfinite(fromPrint[i])) continue;  // Outside of the card.
                 difference += std::abs(fromViews[i] - fromPrint[i]) / static_cast<double>(fromViews.size());
                 contrast += std::abs(fromViews[i] - 0.5) / static_cast<double>(fromViews.size());
             }
@@ -181,7 +181,7 @@ TEST_F(CardFar, NothingIsEverNotANumber)
         ParameterValues& values = shot.values();
         for (std::size_t row = 0; row < values.rows().size(); ++row) {
             const ParameterInfo& info = values.rows()[row];
-            // Permutations take seconds each to build: the switches are walked through below.
+            // Permutations take seconds to build; the loop below tests the choices.
             if (info.kind != Kind::real) continue;
             const double share = static_cast<double>(random() % 5) / 4;
             values.setRow(row, info.range.low + share * (info.range.high - info.range.low));
@@ -190,7 +190,7 @@ TEST_F(CardFar, NothingIsEverNotANumber)
         values.set(t.sheetKind, CardSheet::custom);
         values.set(t.slices, i % 4 == 0 ? 8000 : i % 4 == 1 ? 1 : 0);
         values.set(t.apertureSamples, i % 2 == 0 ? 1 : 8);
-        // Edge on, from behind, from within, from very near and from very far.
+        // Edge on, from behind, from inside, from very near and very far.
         const double angle = (static_cast<double>(random() % 7) - 3) * 0.5235;
         shot.from(angle, std::array{0.004, 0.3, 3.0, 300.0}[static_cast<std::size_t>(i) % 4], 0.03,
                   i % 5 == 0 ? 1.57 : 0.1);
@@ -209,10 +209,10 @@ TEST_F(CardFar, WhileItRollsOnePrintFollowsTheOther)
     shot.from(0, 2, 0.009);
     shot.request.frame.time = 5;  // Half way.
     const std::vector<double> levels = shot.printed(views, views.level(0.75));
-    // The front print leaves upwards; black and white were both taken from its slot, so below it nothing changes.
+    // The front print moves upward. Black and white both used its slot, so below it nothing changes.
     EXPECT_NEAR(levels[41 / 4 * 4 + 1], 0.75, 0.01);
     EXPECT_FALSE(std::isfinite(levels[(41 - 41 / 4) * 4 + 1]));
-    shot.request.frame.time = 10;  // The back print rests.
+    shot.request.frame.time = 10;  // The back print is at rest.
     EXPECT_FALSE(std::isfinite(shot.printed(views, views.level(0.75))[41 / 4 * 4 + 1]));
     shot.request.frame.time = 20;
     EXPECT_NEAR(shot.printed(views, views.level(0.75))[(41 - 41 / 4) * 4 + 1], 0.75, 0.01);

@@ -1,5 +1,5 @@
-// The plastic's mirror image of the lamp: its size and brightness against the microfacet model at float64, and how ribs
-// and lenses break it.
+// Reflection of the lamp in the plastic: size and brightness compared with the microfacet model at float64, and the
+// effect of ribs and lenses.
 
 #include "tests/exhibits/lenticular/card_shot.h"
 
@@ -16,12 +16,13 @@ using test::cardTable;
 using test::CardViews;
 using test::Picture;
 
-const dvec3 lamp(-0.5, 1.1, 2.4);     ///< Where it hangs in the card's space (shaders/lenticular/gloss.glsl).
-constexpr double greenOfLamp = 0.90;  ///< Of its color.
+const dvec3 lamp(-0.5, 1.1, 2.4);     ///< Position in the card's space (shaders/lenticular/gloss.glsl).
+constexpr double greenOfLamp = 0.90;  ///< Green component of its color.
 
-/// Radiance that a plane facing z mirrors of unit irradiance from `l` towards `v`: Cook and Torrance 1982 with the
-/// distribution and the shadowing of Walter et al. 2007 ("Microfacet models for refraction through rough surfaces",
-/// GGX, equations 33 and 34), the latter correlated by height (Heitz 2014, equation 99), and Schlick's Fresnel term.
+/// Returns the radiance that a plane facing z reflects from unit irradiance along `l` toward `v`. Cook and Torrance
+/// 1982 with the distribution and shadowing of Walter et al. 2007 ("Microfacet models for refraction through rough
+/// surfaces", GGX, equations 33 and 34), the latter height-correlated (Heitz 2014, equation 99), and Schlick's Fresnel
+/// term.
 double mirroredBy(double roughness, double specular, const dvec3& l, const dvec3& v)
 {
     const double alpha = roughness * roughness;  // Burley 2012.
@@ -41,7 +42,7 @@ class CardGloss : public test::GlTest {
 protected:
     CardViews views;
 
-    /// A black card, flat but for what a test changes, so that all that is seen is mirrored.
+    /// Returns a black card, flat except for a test's changes, so that only reflections are visible.
     CardShot black()
     {
         CardShot shot;
@@ -54,7 +55,7 @@ protected:
         v.set(cardTable().lensGloss, 0.0);
         return shot;
     }
-    /// What the lamp adds at every pixel, green.
+    /// Returns the green light of the lamp at every pixel.
     static std::vector<double> ofTheLamp(CardShot shot)
     {
         shot.values().set(cardTable().lamp, 1.0);
@@ -67,7 +68,7 @@ protected:
                 result.push_back(static_cast<double>(with.at(x, y, 1)) - static_cast<double>(without.at(x, y, 1)));
         return result;
     }
-    /// Seen from where the lamp's mirror image is, and so many radians beside it, across and above.
+    /// Sets the camera to the direction of the lamp's reflection, rotated by these radians across and upward.
     static CardShot& fromTheMirror(CardShot& shot, double pixel, double across = 0, double above = 0)
     {
         const dvec3 mirror = glm::normalize(dvec3(-lamp.x, -lamp.y, lamp.z));
@@ -96,7 +97,7 @@ TEST_F(CardGloss, IsThatOfTheMicrofacetModel)
     }
 }
 
-/// Mean step from a pixel to its neighbor to the right, over that to its neighbor below.
+/// Returns the mean difference between horizontal neighbors relative to that between vertical ones.
 double stretched(const std::vector<double>& picture, int side)
 {
     double right = 0, below = 0;
@@ -121,16 +122,16 @@ TEST_F(CardGloss, OfTheRibsIsStreaksAlongTheLenses)
         shot.values().set(cardTable().ribWidth, 0.01);
         shot.values().set(cardTable().ribStretch, stretch);
         shot.values().set(cardTable().roughness, 0.5);
-        // Where the highlight falls off evenly in both directions, so that slopes of either kind are seen.
+        // Direction in which the highlight falls off equally both ways, so that slopes in both directions are visible.
         fromTheMirror(shot, 0.0006, 0.2, 0.2);
         return ofTheLamp(shot);
     };
-    // Noise that is 16 times as long as wide has slopes that change 16 times as fast across, and are 16 times as steep
-    // there; the shading between them makes that less.
+    // Noise 16 times as long as wide has slopes that change 16 times as fast across, and are 16 times as steep. Shading
+    // reduces the ratio.
     EXPECT_GT(stretched(ribbed(CardAxis::vertical, 16, 1), side), 6);
     EXPECT_LT(stretched(ribbed(CardAxis::horizontal, 16, 1), side), 1.0 / 6);
     EXPECT_NEAR(std::log2(stretched(ribbed(CardAxis::vertical, 1, 1), side)), 0, 0.6);
-    // Small slopes move the light in proportion to the scale; the other way round, the other way.
+    // For small slopes the light changes in proportion to the scale, with the same sign.
     const auto flat = ribbed(CardAxis::vertical, 16, 0), once = ribbed(CardAxis::vertical, 16, 0.05),
                twice = ribbed(CardAxis::vertical, 16, 0.1), turned = ribbed(CardAxis::vertical, 16, -0.05);
     double one = 0, two = 0, minus = 0;
@@ -153,7 +154,7 @@ TEST_F(CardGloss, FollowsTheLensesSlopesAcrossThemOnly)
         shot.values().set(cardTable().roughness, 0.2);
         shot.values().set(cardTable().lensGloss, gloss);
         shot.values().set(cardTable().glossSamples, 32);
-        fromTheMirror(shot, 0.004, across, above);  // A pixel holds several lenses.
+        fromTheMirror(shot, 0.004, across, above);  // A pixel contains several lenses.
         return ofTheLamp(shot)[middle];
     };
     const double beside = 0.35;

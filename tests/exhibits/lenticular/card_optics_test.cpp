@@ -1,4 +1,4 @@
-// Which views the simulated card shows, from where: the shader against float64 optics.
+// Views that the simulated card shows in each direction: the shader compared with optics at float64.
 
 #include "exhibits/lenticular/card_sheet.h"
 #include "exhibits/printing/optics.h"
@@ -18,8 +18,8 @@ using test::cardTable;
 using test::CardViews;
 
 constexpr double half = std::numbers::pi / 2;
-constexpr int middle = 12 * 25 + 12;  ///< Of the 25 x 25 pixels.
-constexpr double decoding = 0.002;    ///< llvmpipe decodes sRGB by a polynomial that is off by up to 0.0012.
+constexpr int middle = 12 * 25 + 12;  ///< Center of the 25 x 25 pixels.
+constexpr double decoding = 0.002;    ///< llvmpipe decodes sRGB with a polynomial whose error is up to 0.0012.
 
 class CardOptics : public test::GlTest {
 protected:
@@ -28,7 +28,7 @@ protected:
     double seen(CardShot& shot, int count) { return shot.printed(views, views.solid(count))[middle]; }
 };
 
-/// The gray that strips of solid views send when a lens shows the print between `from` and `to`, in pitches.
+/// Returns the gray of strips with solid views if a lens shows the print between `from` and `to`, in pitches.
 double grayBetween(double from, double to, int count)
 {
     const double low = std::min(from, to) + 0.5;
@@ -42,7 +42,7 @@ double grayBetween(double from, double to, int count)
     return sum / (high - low);
 }
 
-/// The same for a whole lens, by the table's model in double.
+/// Returns the same for a whole lens, with the table's model in double precision.
 double expectedGray(const CardShot& shot, const Sheet& sheet, double theta, int count, double beta = 0)
 {
     const ParameterValues& values = shot.sceneState.values[shot.card];
@@ -74,12 +74,12 @@ TEST_F(CardOptics, TheLinearAndTheParaxialModelShowEveryViewOnceInOrderAndStartA
             shot.values().set(cardTable().model, model);
             if (model == CardModel::linear) {
                 shot.values().set(cardTable().intendedMaxAngle, 0.5);
-                // At 1 the spot fills its strip to the edges, and the width of the pixel already spills over.
+                // At 1 the spot fills its strip, and the width of the pixel reaches beyond it.
                 shot.values().set(cardTable().magnification, 0.9);
             }
             const Sheet sheet = lenticular::cardSheet(cardTable(), shot.values()).sheet;
-            // View k is seen in the middle of the k-th part of the zone; before it comes the last one, after it the
-            // first.
+            // View k is visible in the middle of the k-th part of the zone. Before the first one is the last, after the
+            // last the first.
             for (int k = -1; k <= count; ++k) {
                 if (count == 100 && k % 9 != 0 && k != -1 && k != 100) continue;
                 const double place = (k + 0.5) / count - 0.5;
@@ -104,7 +104,7 @@ TEST_F(CardOptics, ExactSnellShowsWhatTheFloat64ApertureShows)
             for (const double degrees : {0.0, 4.0, 11.3, 17.0, 25.0, 40.0, 62.0}) {
                 const double theta = degrees * half / 90;
                 shot.from(theta, 2, 0.0016);
-                // At 62 degrees lenses hide each other from somewhere within one of the 64 parts on.
+                // At 62 degrees lenses hide each other, starting within one of the 64 parts.
                 EXPECT_NEAR(seen(shot, count), expectedGray(shot, sheet, theta, count), degrees > 60 ? 1.0 / 64 : 0.003)
                     << sheet.name << ' ' << count << ' ' << degrees;
             }
@@ -119,7 +119,7 @@ TEST_F(CardOptics, SkewedRaysBendByTheEffectiveIndex)
     double departs = 0;
     for (const double degrees : {2.0, 9.0, 13.0, 21.0}) {
         for (const double rise : {0.3, 0.6, 0.8}) {
-            // `from` turns about the vertical first, so its angle is the one across the lenses.
+            // `from` first rotates about the vertical, so its angle is the one across the lenses.
             shot.from(degrees * half / 90, 2, 0.0016, rise);
             const double gray = seen(shot, 16);
             EXPECT_NEAR(gray, expectedGray(shot, sheet, degrees * half / 90, 16, rise), 0.003)
@@ -127,13 +127,13 @@ TEST_F(CardOptics, SkewedRaysBendByTheEffectiveIndex)
             departs = std::max(departs, std::abs(gray - expectedGray(shot, sheet, degrees * half / 90, 16)));
         }
     }
-    EXPECT_GT(departs, 0.03);  // Without the index of skewed rays the test would fail.
+    EXPECT_GT(departs, 0.03);  // Control: the index of skewed rays has an effect.
 }
 
 TEST_F(CardOptics, AcrossTheZoneTheExactModelNeverStepsBackAndJumpsAtItsEdge)
 {
     CardShot shot;
-    // An ellipse is sharp straight ahead; a sharp lens jumps hard.
+    // An elliptic lens is sharp straight ahead, where a sharp lens has hard transitions.
     const Sheet sheet = lenticular::cardSheet(cardTable(), shot.values()).sheet;
     const double edge = printing::zoneByAperture(sheet) / 2;
     const auto levelAt = [&](double share) {
@@ -160,7 +160,7 @@ TEST_F(CardOptics, WithMagnificationZeroALensShowsOnePointOfOneStrip)
         shot.values().set(cardTable().magnification, 0.0);
         shot.values().set(cardTable().slices, 10);
         shot.size(32, 32);
-        // One lens of 6 cm fills the picture, from so far away that its angle hardly changes.
+        // One lens of 6 cm fills the picture, from so far away that its angle is nearly constant.
         shot.from(0, 3.3, 0.058 / 32);
         const std::vector<double> flat = shot.printed(files, files.solid(5));
         for (const double level : flat) EXPECT_NEAR(level, flat.front(), 1e-3) << static_cast<int>(model);
@@ -214,10 +214,10 @@ TEST_F(CardOptics, TheEvaluationsChannelCountsTheRaysTraced)
         const render::Image image = shot.take().image;
         return image.at(12, 12, image.channels - 1);
     };
-    // Each part is traced in its middle and at its right edge, each piece of a lens at its left edge too.
+    // Each part is traced at its center and right edge, each piece of a lens at its left edge, too.
     shot.values().set(cardTable().apertureSamples, 8);
     EXPECT_GE(traces(), 2 * 8 + 1);
-    EXPECT_LE(traces(), 2 * 9 + 2);  // Two pieces, where the pixel's window lies over a cusp.
+    EXPECT_LE(traces(), 2 * 9 + 2);  // Two pieces, if the pixel's window contains a cusp.
     shot.values().set(cardTable().prefilter, false);
     EXPECT_EQ(traces(), 3);
 }
@@ -227,7 +227,7 @@ TEST_F(CardOptics, DispersionSendsRedAndBlueToDifferentPlaces)
     const glm::dvec3 index = lenticular::dispersedIndex(1.56, 30);
     EXPECT_LT(index.r, index.g);
     EXPECT_LT(index.g, index.b);
-    // The definition of the Abbe number, by the same formula.
+    // Definition of the Abbe number, by the same formula.
     const auto at = [](double micrometers, double b) {
         return 1.56 + b * (1 / (micrometers * micrometers) - 1 / (0.5876 * 0.5876));
     };

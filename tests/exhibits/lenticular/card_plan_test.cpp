@@ -1,4 +1,4 @@
-// What the lenticular card plans: one print at rest, two while it rolls, nothing when it is out of view.
+// Plans of the lenticular card: one print at rest, two while it rolls, none out of view.
 
 #include "exhibits/lenticular/card_mesh.h"
 #include "exhibits/lenticular/card_sheet.h"
@@ -110,7 +110,7 @@ TEST(CardPlan, TheSameValuesShareTheSameTexture)
     scene.values().set(scene.t.views, 5);
     EXPECT_EQ(texture()->layers, 5);
     scene.values().set(scene.t.views, 1);
-    EXPECT_EQ(texture()->layers, 2);  // One layer would be no array; both are the same.
+    EXPECT_EQ(texture()->layers, 2);  // One layer would be no array, so there are two equal ones.
 }
 
 TEST(CardPlan, ASheetThatCannotBeIsReplacedByTheNearestAndSaysSo)
@@ -214,7 +214,7 @@ TEST(CardScroll, RestsAtWholeNumbersAndRollsOn)
         EXPECT_LT(y - before, 0.02);  // No jump.
         before = y;
     }
-    // A share of 1 is rest alone, and then a jump.
+    // With a share of 1 it rests all the time and then jumps.
     EXPECT_EQ(scrollAt(11.99, 12, 1), 0);
     EXPECT_EQ(scrollAt(12.01, 12, 1), 1);
 }
@@ -226,7 +226,7 @@ TEST(CardScroll, TheNextChangeIsTheEndOfTheRest)
     EXPECT_NEAR(exhibit.nextChange(scene.values(), 0), 12 * 0.85, 1e-9);
     EXPECT_NEAR(exhibit.nextChange(scene.values(), 13), 12 * 0.85 - 1, 1e-9);
     EXPECT_EQ(exhibit.nextChange(scene.values(), 11), 0);
-    // Until then the picture is the same.
+    // Until then the picture stays the same.
     for (const double time : {0.0, 3.0, 10.19, 24.0}) EXPECT_EQ(std::fmod(scrollAt(time, 12, 0.85), 2), 0) << time;
     scene.values().set(scene.t.scroll, false);
     EXPECT_EQ(exhibit.nextChange(scene.values(), 11), std::numeric_limits<double>::infinity());

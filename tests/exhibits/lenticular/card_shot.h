@@ -17,11 +17,11 @@ inline const LenticularTable& cardTable()
     return table;
 }
 
-/// The linear light of view `k` of `count` solid ones: (k + 1) / (count + 1), rounded to a code of sRGB.
+/// Returns the linear light of view `k` of `count` solid ones: (k + 1) / (count + 1), rounded to an sRGB code.
 [[nodiscard]] double solidLevel(int k, int count);
 
-/// Folders of views that each have one color; gray of `solidLevel`. White and black ones tell the light that falls on
-/// the print from what the plastic mirrors.
+/// Folders of views with one color each; gray views have `solidLevel`. White and black ones separate the light that the
+/// print reflects from that of the plastic.
 class CardViews {
 public:
     [[nodiscard]] std::string solid(int count);
@@ -31,17 +31,17 @@ private:
     TemporaryFolder folder_;
 };
 
-/// The card alone, from far away and through a narrow lens, its strips made for parallel eyes.
+/// Shot of the card alone, from far away with a narrow field of view, and with strips for parallel view directions.
 struct CardShot : Shot {
     CardShot();
 
     std::size_t card = 0;
 
     [[nodiscard]] ParameterValues& values() { return sceneState.values[card]; }
-    /// Sees the card's middle from `angle` across and `rise` above (radians), `distance` meters away, so that a
-    /// pixel is `pixel` meters wide there (the whole picture no less than 1 degree).
+    /// Looks at the card's center from `angle` across and `rise` above (radians), `distance` meters away. A pixel is
+    /// `pixel` meters wide there; the whole picture is at least 1 degree wide.
     CardShot& from(double angle, double distance, double pixel, double rise = 0);
-    /// The printed linear light at every pixel, in the channel: what remains between a black and a white print.
+    /// Returns the linear light of the print at every pixel, in one channel: relative to a black and a white print.
     [[nodiscard]] std::vector<double> printed(CardViews&, const std::string& views, int channel = 1);
 };
 

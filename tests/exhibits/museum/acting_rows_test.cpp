@@ -1,5 +1,5 @@
-// Every row of every exhibit changes the picture somewhere: at its initial values, or in the setting in which its table
-// says that it acts. A slider that moves nothing would be a lie.
+// Every parameter of every exhibit changes the picture: at initial values, or in the setting in which its table says
+// that it has an effect.
 
 #include "render/files/read_file.h"
 #include "tests/exhibits/pixel_art/moved_model.h"
@@ -16,8 +16,8 @@ namespace {
 
 using namespace test;
 
-/// Sets the rows that the condition looks at, and those that these look at, so that it holds. Of several ways the first
-/// one.
+/// Sets the parameters of the condition, and those that these depend on, so that it holds. Of several ways, the first
+/// is taken.
 using FileFor = std::function<std::string(const ParameterInfo&)>;
 void satisfy(ParameterValues& values, const Condition& condition, const FileFor& fileFor)
 {
@@ -48,7 +48,7 @@ void satisfy(ParameterValues& values, const Condition& condition, const FileFor&
     }
 }
 
-/// Other values of a row, as far from its present one as its slider goes.
+/// Returns other values of a parameter, as far from the present one as its slider allows.
 std::vector<Value> others(const ParameterInfo& row, const Value& now, const std::string& file)
 {
     std::vector<Value> values;
@@ -68,17 +68,17 @@ std::vector<Value> others(const ParameterInfo& row, const Value& now, const std:
     return values;
 }
 
-/// Where and when one looks, and at what.
+/// Camera, time and settings of a picture.
 struct Situation {
     ParameterValues values;
-    render::Camera camera;  ///< In the world.
-    double time = 0.7;      ///< Seconds.
+    render::Camera camera;  ///< Camera in the world.
+    double time = 0.7;      ///< Time in seconds.
     double sincePressed = std::numeric_limits<double>::infinity();
     bool alone = false;
-    bool inMotion = false;  ///< The camera has turned to it.
+    bool inMotion = false;  ///< The camera has just turned to it.
 };
 
-/// Before the free plinth, where the visitor's object stands.
+/// Returns a camera in front of the free plinth, where the visitor's object stands.
 render::Camera beforeThePlinth()
 {
     const glm::dmat4 world = test::building().place(freePlinthPlace)->worldFromPlace;
@@ -115,7 +115,7 @@ std::vector<Situation> situationsOf(std::size_t exhibit, const ParameterValues& 
     return all;
 }
 
-/// The hall with small maps and without supersampling, so that a picture costs little.
+/// Returns hall values with small maps and without supersampling, for fast pictures.
 ParameterValues cheap(ParameterValues hall)
 {
     useSmallMaps(hall, 512);
@@ -125,7 +125,7 @@ ParameterValues cheap(ParameterValues hall)
 
 class ActingRows : public GlTest {
 protected:
-    /// As the window shows it, but small.
+    /// Takes a picture like the window, but small.
     Picture take(std::size_t exhibit, const ParameterValues& values, const Situation& situation)
     {
         const Museum& museum = gallery().museum;
@@ -155,7 +155,7 @@ protected:
         return shot.take();
     }
 
-    /// A picture and a model to stand in for the user's files.
+    /// Returns a picture or a model in place of the user's file.
     std::string fileFor(const Parameters& table, const ParameterInfo& row)
     {
         if (!row.documentOf.empty()) return fileFor(table, table.rows()[table.find(row.documentOf).value()]);
@@ -170,7 +170,7 @@ protected:
         return panorama.string();
     }
 
-    /// Empty when some other value of the row changes a pixel; else what was tried.
+    /// Returns the tried values if none of them changes a pixel; empty if one does.
     std::string whyIdle(std::size_t exhibit, std::size_t row)
     {
         ParameterValues start = gallery().museum.subject(exhibit).parameters().initial();
@@ -205,7 +205,7 @@ protected:
                 EXPECT_EQ(why, "") << exhibit << '.' << name;
                 continue;
             }
-            // That nothing changes is what its table promises; pictures were compared all the same.
+            // Its table says that nothing changes; pictures were compared all the same.
             EXPECT_TRUE(why.starts_with("none of ") && !why.starts_with("none of 0 "))
                 << exhibit << '.' << name << ": " << why;
         }
@@ -231,13 +231,13 @@ TEST_F(ActingRows, EveryRowOfTheLenticularCardActs)
 
 TEST_F(ActingRows, EveryRowOfTheFurActs)
 {
-    // What is hidden is drawn first or not at all.
+    // Hidden surfaces are drawn first or not at all.
     expectEveryRowActs("fur", {"drawOrder"});
 }
 
 TEST_F(ActingRows, EveryRowOfTheSunbeamsActs)
 {
-    // Three ways to the same mask where all that hides the sky is opaque, as it is here.
+    // Three methods for the same mask, if everything in front of the sky is opaque, as here.
     expectEveryRowActs("crepuscular_rays", {"mask"});
 }
 

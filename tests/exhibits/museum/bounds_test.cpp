@@ -1,5 +1,5 @@
-// What an effect changes, measured with it and without, against the bound that its plan states; random settings,
-// seeded.
+// Change by an effect, measured with and without it, compared with the bound that its plan states. Settings are random
+// and seeded.
 
 #include "exhibits/framework/random_values.h"
 #include "exhibits/lenticular/lenticular_table.h"
@@ -16,18 +16,18 @@ using namespace test;
 
 using BoundsOfEffects = GlTest;
 
-/// Half floats have eleven binary digits; what is summed in a picture is rounded a few times.
+/// Half floats have eleven binary digits, and sums in a picture are rounded several times.
 constexpr double halfFloat = 4.0 / 2048;
 
-/// A picture of random settings, with an effect in it and without.
+/// Picture with random settings, with and without an effect.
 struct Case {
-    std::string exhibit;       ///< "hall" or a guest.
-    std::string passOrEffect;  ///< Whose bound is held; a case whose plan is without it proves nothing.
+    std::string exhibit;       ///< Exhibit, or "hall".
+    std::string passOrEffect;  ///< Pass or effect whose bound is tested; a plan without it proves nothing.
     std::function<void(Shot&, bool on)> with;
     bool inHall = true;
-    std::function<void(Shot&)> prepare = {};  ///< After the random settings: what makes the effect be seen.
-    /// How much of its bound the effect has to come to in one of the settings. Few pictures come near to a bound that
-    /// holds for a mirror in the sun as well: where it is so, the case says less.
+    std::function<void(Shot&)> prepare = {};  ///< Called after the random settings, to make the effect visible.
+    /// Least part of its bound that the effect must reach in one of the settings. Few pictures come near to a bound
+    /// that also holds for a mirror in the sun; such cases require less.
     double leastPart = 0.01;
 };
 
@@ -51,7 +51,7 @@ Shot shotOf(const Case& c, std::uint64_t seed)
     const Museum& museum = gallery().museum;
     RandomNumbers random(seed);
     Shot shot;
-    // Plain maps: what is random is what the effects depend on.
+    // Random values only where the effects depend on them.
     ParameterValues& hall = shot.hall();
     hall.set(hallTable().sunStrength, random.number(0.1, 12));
     hall.set(hallTable().skyStrength, random.number(0, 4));
@@ -74,15 +74,15 @@ Shot shotOf(const Case& c, std::uint64_t seed)
     return shot;
 }
 
-/// The largest change of a channel over its bound, in which of the random settings it was, and in how many anything
-/// changed at all.
+/// Largest ratio of a channel's change to its bound, with its random setting, and the number of settings with any
+/// change.
 struct Held {
     double largest = 0;
     int seed = 0;
     int seen = 0;
 };
 
-/// Over the settings `first` to `last`. The bound is taken `lowered` times as high as its plan states it.
+/// Measures over the settings `first` to `last`. The bound is multiplied by `lowered`.
 Held held(const Case& c, int first, int last, double lowered = 1)
 {
     Held result;
@@ -119,8 +119,8 @@ Held held(const Case& c, int first, int last, double lowered = 1)
     return result;
 }
 
-/// That the bound holds, that there is something for it to hold, and that this test would see one that is too low: set
-/// to nine tenths of what was measured, it has to fail.
+/// Expects that the bound holds, that something changes, and that the test detects a bound that is too low: with nine
+/// tenths of the measured value it must fail.
 void expectHeld(const Case& c, int seeds = 4)
 {
     const Held result = held(c, 1, seeds);
@@ -148,8 +148,7 @@ TEST_F(BoundsOfEffects, ShadowsOfTheSunTakeNoMoreThanTheSunGives)
 TEST_F(BoundsOfEffects, MirrorImagesAreNoBrighterThanWhatIsMirrored)
 {
     const auto probe = [](Shot& shot, bool on) { shot.hall().set(hallTable().reflectionProbe, on); };
-    expectHeld(
-        {"hall", "probe/irradiance", probe, true, noAir, 1e-4});  // The sun itself could stand in the mirror image.
+    expectHeld({"hall", "probe/irradiance", probe, true, noAir, 1e-4});  // The sun itself could be in the reflection.
     expectHeld({"sdf_morph", "probe/irradiance", probe, false});
     expectHeld({"lenticular", "probe/irradiance", probe, false});
 }
@@ -159,7 +158,7 @@ TEST_F(BoundsOfEffects, OfTheTorusMugHold)
     const auto plain = [](Shot& shot) {
         noAir(shot);
         for (std::size_t row = sdfTable().morph.row; row <= sdfTable().blend.row; ++row)
-            shot.object().resetRow(row);  // A shape that is seen.
+            shot.object().resetRow(row);  // A visible shape.
         shot.object().set(sdfTable().heatMap, SdfHeatMap::none);
         shot.object().set(sdfTable().shownAs, SdfShown::field);
         shot.object().set(sdfTable().animate, false);
@@ -173,11 +172,11 @@ TEST_F(BoundsOfEffects, OfTheTorusMugHold)
     expectHeld({"sdf_morph", "sdf_morph/occlusion",
                 [](Shot& s, bool on) { s.object().set(sdfTable().ambientOcclusion, on); }, false, opaque},
                6);
-    // Into the mug, whose wall keeps the sun off its bottom.
+    // View into the mug, whose wall shades its bottom.
     const auto mugInTheSun = [opaque](Shot& shot) {
         opaque(shot);
         shot.object().set(sdfTable().morph, 1.0);
-        shot.object().set(sdfTable().metalness, 0.2);  // Of metal, the sun shows in its highlight alone.
+        shot.object().set(sdfTable().metalness, 0.2);  // Metal shows the sun in its highlight only.
         shot.object().set(sdfTable().roughness, 0.5);
         shot.hall().set(hallTable().sunAzimuth, 2.6);
         shot.hall().set(hallTable().sunElevation, 0.9);
@@ -229,12 +228,12 @@ TEST_F(BoundsOfEffects, RaysAddNoMoreThanTheMaskTimesTheirStrength)
         ParameterValues& values = valuesOf(shot, "crepuscular_rays");
         values.set(raysTable().view, RayView::picture);
         values.set(raysTable().samples, 64);
-        // Bounds take lamps for as bright as they are at their brightest place, which is not in this picture.
+        // Bounds use the brightest point of lamps, which is not in this picture.
         ParameterValues& lanterns = valuesOf(shot, "paper_lanterns");
         lanterns.setRow(lanterns.table().find("hallGlow").value(), 0.0);
     };
     expectHeld({"crepuscular_rays", "crepuscular_rays/composite", rays(RayTechnique::screen), true, plain}, 6);
-    // Even, thin air that scatters to all sides: what random dust hides of its own light is no part of the bound.
+    // Uniform, thin, isotropic air: the light that random dust absorbs of its own is not part of the bound.
     const auto evenAir = [plain](Shot& shot) {
         plain(shot);
         ParameterValues& values = valuesOf(shot, "crepuscular_rays");

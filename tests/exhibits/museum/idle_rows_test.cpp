@@ -1,4 +1,5 @@
-// A row that its table says does not act changes no pixel: in every state that conditions ask about, of every exhibit.
+// Parameters without effect, according to their table, change no pixel: in all states that conditions distinguish, of
+// every exhibit.
 
 #include "tests/support/gallery.h"
 
@@ -13,13 +14,14 @@ namespace {
 
 using namespace test;
 
-/// Settings of one exhibit, and in words how they differ from the initial ones.
+/// Settings of one exhibit, with a description of their difference from the initial ones.
 struct State {
     std::string name;
     ParameterValues values;
 };
 
-/// Every value of a row that a condition may tell from others: all choices, on and off, 0 and the initial number.
+/// Returns all values of a parameter that a condition may distinguish: all choices, on and off, 0 and the initial
+/// number.
 std::vector<Value> tellingValues(const ParameterInfo& row)
 {
     std::vector<Value> values;
@@ -30,12 +32,12 @@ std::vector<Value> tellingValues(const ParameterInfo& row)
     return values;
 }
 
-/// The initial state but for small maps of the hall, and one for each value of each row that a condition looks at.
+/// Returns the initial state with small maps of the hall, and a state for each value of each parameter in a condition.
 std::vector<State> statesOf(std::size_t exhibit)
 {
     ParameterValues start = Shot().sceneState.values[exhibit];
     const Parameters& table = start.table();
-    // Beams of both kinds, so that there is something to keep still.
+    // Beams of both kinds, so that there is something to compare.
     if (const auto technique = table.find("technique")) start.setRow(*technique, 3.0);
     std::vector<State> states{{"initial", start}};
     std::set<std::string_view> asked;
@@ -54,7 +56,7 @@ std::vector<State> statesOf(std::size_t exhibit)
     return states;
 }
 
-/// Luminance of the brightest pixel above that of the darkest: a mask is dark but for a few pixels.
+/// Returns the difference in luminance of the brightest and the darkest pixel: a mask is dark except for a few pixels.
 double contrast(const Picture& picture)
 {
     double darkest = std::numeric_limits<double>::infinity();
@@ -68,7 +70,7 @@ double contrast(const Picture& picture)
 
 class IdleRows : public GlTest {
 protected:
-    /// In the hall, half a second after the button was pressed, so that what moves is moving.
+    /// Takes a picture in the hall, half a second after the button was pressed, so that animations run.
     Picture take(std::size_t exhibit, const ParameterValues& values)
     {
         Shot shot;
@@ -95,7 +97,7 @@ protected:
             std::vector<std::size_t> idle;
             for (std::size_t row = 0; row < table.rows().size(); ++row) {
                 if (acts(state.values, row)) continue;
-                // A count that costs time costs none while it does not act; its initial value may be its least.
+                // An expensive count costs nothing while it has no effect. Its initial value may be the least.
                 for (int tries = 0; tries < 20 && moved.row(row) == state.values.row(row); ++tries)
                     moved.setRow(row, randomValue(table.rows()[row], random, {.affordable = false}));
                 if (!(moved.row(row) == state.values.row(row))) idle.push_back(row);
@@ -173,7 +175,7 @@ TEST_F(IdleRows, ChangeNoPixelOfTheScenes)
     expectIdleRowsChangeNothing(gallery().museum.find("sdf_scenes").value());
 }
 
-/// The states above may miss rows that act only together.
+/// The states above may miss parameters that only have an effect together.
 TEST_F(IdleRows, ChangeNoPixelInRandomStates)
 {
     RandomNumbers random(7);

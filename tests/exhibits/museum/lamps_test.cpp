@@ -1,4 +1,4 @@
-// Lamps that exhibits carry: collected by the museum, thrown into shadow maps, and drawn.
+// Lamps of exhibits: collected by the museum, drawn into shadow maps, and lighting the picture.
 #include "exhibits/framework/capabilities.h"
 #include "tests/support/gallery.h"
 #include "tests/support/planned.h"
@@ -24,7 +24,7 @@ struct BulbTable final : Parameters {
     Toggle pulses = toggle("pulses", true, "Whether its light does.");
 };
 
-/// A bare bulb, and nothing to see.
+/// Exhibit with a lamp and nothing visible.
 class Bulb final : public Exhibit, public HasLocalLights {
 public:
     [[nodiscard]] std::string_view name() const override { return "bulb"; }
@@ -43,7 +43,7 @@ public:
     }
     [[nodiscard]] std::vector<render::LocalLight> localLights(const ExhibitState& state) const override
     {
-        // Its pulse is as long as a test that looks at two moments may have them apart.
+        // The period of its pulse is the difference of the times that a test compares.
         const double pulse = state.values[table.moves] && state.values[table.pulses]
                                  ? 1.5 + std::sin(2 * std::numbers::pi * state.time / period)
                                  : 1;
@@ -53,12 +53,12 @@ public:
     }
     [[nodiscard]] bool lightsChange(const ExhibitState& state) const override { return state.values[table.pulses]; }
 
-    static constexpr double period = 0.37;  ///< Seconds.
+    static constexpr double period = 0.37;  ///< Period in seconds.
 
     inline static const BulbTable table;
 };
 
-/// The bulb above the middle of the hall, without sun, sky and reflections: what is seen is its light.
+/// The bulb above the middle of the hall, without sun, sky and reflections, so that only its light is visible.
 struct BulbHall {
     BulbHall() : museum(exhibits())
     {
@@ -107,7 +107,7 @@ TEST_F(LampsTest, CostNothingWhereThereIsNone)
 {
     test::Shot shot;
     shot.inHall();
-    // The lamps are the glow of the lanterns' frame, and those over the pit and before the card.
+    // The lamps are the glow of the lanterns' frame, and those above the pit and in front of the card.
     EXPECT_FALSE(test::planned(test::gallery().museum, shot.sceneState, shot.request.frame).findSkipped("lamps"));
     for (const auto& [exhibit, row] :
          {std::pair("paper_lanterns", "hallGlow"), {"fur", "lamp"}, {"lenticular", "lamp"}}) {
@@ -169,8 +169,8 @@ TEST_F(LampsTest, GiveSurfacesLightInProportionToTheirStrength)
 
 TEST_F(LampsTest, ThrowTheShadowOfThePlinth)
 {
-    // The lamp hangs over the plinth of place 1, 0.8 m wide and 0.9 m high: from 3.45 m it hides the floor around it as
-    // far as 0.4 * 3.45 / (3.45 - 0.9) = 0.54 m from the middle, and no further.
+    // The lamp hangs over the plinth of place 1, 0.8 m wide and 0.9 m high. From 3.45 m the plinth shades the floor up
+    // to 0.4 * 3.45 / (3.45 - 0.9) = 0.54 m from the center.
     BulbHall hall;
     hall.see({1.6, 6, 0.01}, {0.9, 0, 0});
     render::gl::Renderer renderer;
@@ -196,7 +196,7 @@ TEST_F(LampsTest, ThatChangeChangeTheWholePictureAndOthersOnlyTheirExhibit)
     BulbHall hall;
     hall.bulb().set(Bulb::table.shadow, false);
     hall.bulb().set(Bulb::table.moves, true);
-    // From aside, so that the bulb is in view.
+    // From the side, so that the bulb is in view.
     hall.see({0, 1.6, 5}, {0, 1.2, 0});
     const auto region = [&] {
         return hall.museum.movingRegion(hall.museum.prepare(hall.sceneState, hall.frame), hall.frame);
@@ -205,7 +205,7 @@ TEST_F(LampsTest, ThatChangeChangeTheWholePictureAndOthersOnlyTheirExhibit)
     hall.bulb().set(Bulb::table.pulses, false);
     ASSERT_TRUE(region().has_value());
     EXPECT_LT(region()->size.x * region()->size.y, 96 * 54);
-    // Control: at moments a pulse apart, its lamps are the same.
+    // Control: after a whole period, the lamps are the same.
     hall.bulb().set(Bulb::table.pulses, true);
     const Bulb bulb;
     const ExhibitState now{hall.bulb(), 1}, later{hall.bulb(), 1 + Bulb::period};
@@ -235,7 +235,7 @@ TEST_F(LampsTest, AreSeenByTheProbeWhereTimeDoesNotChangeThem)
 
 TEST_F(LampsTest, OfExhibitsLightWhatIsNearThem)
 {
-    // By night, seen from above: what the lamp adds on the pad around the pit, on the floor beside it, and farther off.
+    // At night, from above: the lamp's light on the pad around the pit, on the floor beside it, and farther away.
     test::Shot shot;
     shot.inHall();
     shot.size(96, 96);

@@ -1,4 +1,4 @@
-// The ledger's promises: running everything changes no bit of any picture, and what is off is not there.
+// Rules of the frame report: running all passes changes no bit of any picture, and disabled effects cost nothing.
 
 #include "exhibits/fur/fur_table.h"
 #include "exhibits/ice_cream/ice_cream_table.h"
@@ -17,7 +17,7 @@ using namespace test;
 
 using Ledger = GlTest;
 
-/// The exhibit (or the hall, 0) from its best view, small; shadow map and probe small.
+/// Returns a small shot of the exhibit (or the hall, 0) from its best view, with small shadow map and probe.
 Shot shotOf(std::size_t exhibit, bool alone)
 {
     Shot shot;
@@ -56,7 +56,7 @@ TEST_F(Ledger, RunningEverythingChangesNoBitOfAnyExhibit)
     }
 }
 
-/// What a renderer of its own holds after this picture.
+/// Returns the resources of a new renderer after this picture.
 std::map<std::string, std::int64_t> heldFor(const Shot& shot)
 {
     render::gl::Renderer renderer;
@@ -65,15 +65,15 @@ std::map<std::string, std::int64_t> heldFor(const Shot& shot)
         .counters;
 }
 
-/// An effect that a row of a table switches, and what of it must be gone when it is off.
+/// Effect that a parameter switches, with the resources that must be gone when it is off.
 struct Switch {
     const char* exhibit;
     const char* row;
     Value on, off;
     bool alone;
-    std::string pass, image;  ///< How the names of its passes and of its images begin; empty: it has none.
-    std::int64_t passes, programs, images;  ///< That it takes.
-    std::int64_t others = 0;  ///< Passes that run for its sake alone: maps of shadows that fall on nothing else.
+    std::string pass, image;                ///< Beginnings of the names of its passes and images; empty: it has none.
+    std::int64_t passes, programs, images;  ///< Resources of the effect.
+    std::int64_t others = 0;                ///< Passes that run only for it: shadow maps without other receivers.
 };
 
 bool begins(std::string_view name, const std::string& start)
@@ -90,11 +90,10 @@ TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
     constexpr double sea = static_cast<double>(NoiseWork::sea), clouds = static_cast<double>(NoiseWork::clouds);
     constexpr double finished = static_cast<double>(PixelView::finished),
                      depthView = static_cast<double>(PixelView::depth);
-    // The mesh takes the place of two passes, their two programs and the image of one of them, and asks for two that
-    // draw the shadow that falls on it, with one program. With the mask and the running sum, the rays in screen space
-    // are three passes and two images; the air is two and one. Shadows of the hall: the map of what stands still, its
-    // copy, and two passes for what hangs and turns; and with them go those of the exhibits: the clearing of their map,
-    // and the two that the sun reaches.
+    // The mesh replaces two passes with their two programs and an image, and needs two passes with one program for the
+    // shadow on it. With the mask and the running sum, screen-space rays are three passes and two images; the air is
+    // two and one. Shadows of the hall are the map of static objects, its copy, and two passes for hanging and turning
+    // objects. Without them there are no shadows of exhibits: clearing their map, and the two that the sun reaches.
     const Switch switches[] = {
         {"sdf_morph", "conePrepass", 1.0, 0.0, true, "sdf_morph/cone", "sdf_morph.cone", 1, 1, 1},
         {"sdf_morph", "shownAs", mesh, field, true, "sdf_morph/mesh", "", 1, 0, -1, 0},
@@ -108,7 +107,7 @@ TEST_F(Ledger, AnEffectThatIsOffHasNoPassNoProgramAndNoTexture)
         {"noise", "work", clouds, sea, true, "noise/bake", "noise.", 1, 1, 1},
         {"pixel_art", "shadows", 1.0, 0.0, true, "pixel_art/sun", "pixel_art.shadow", 1, 1, 1},
         {"pixel_art", "smoothing", 2.0, 0.0, true, "pixel_art/smooth", "pixel_art.facets", 1, 1, 1},
-        // The depth alone has no normals, and no shadow.
+        // The depth view has neither normals nor shadows.
         {"pixel_art", "view", finished, depthView, true, "pixel_art/normals", "pixel_art.surface", 1, 1, 2, 1},
         {"sdf_scenes", "split", 1.0, 0.0, true, "sdf_scenes/right", "", 1, 0, 0},
         {"hall", "reflectionProbe", 1.0, 0.0, true, "probe/", "probe", 11, 3, 3},
@@ -149,7 +148,7 @@ TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)
     const auto images = [&](bool prepass) {
         shot.object().set(sdfTable().conePrepass, prepass);
         std::int64_t held = 0;
-        // What is kept is drawn in the first frame only: the second one holds what it takes to show a picture again.
+        // Cached data are drawn in the first frame only. The second one has what is needed to show a picture again.
         for (int frame = 0; frame < 2; ++frame)
             held = renderer
                        .draw(test::planned(gallery().museum, shot.sceneState, shot.request.frame,
@@ -162,7 +161,7 @@ TEST_F(Ledger, SwitchedOffWhileItRunsAnEffectGivesItsTextureBack)
     EXPECT_EQ(images(true), with);
 }
 
-/// A picture alone with its evaluations, and their sum.
+/// Picture alone with its evaluations, and their sum.
 struct Counted {
     Picture picture;
     double evaluations = 0;
@@ -235,7 +234,7 @@ TEST_F(Ledger, TheSmallWorldsSunAndNormalsAreDrawnOnlyForViewsThatShowThem)
     Shot shot = shotOf(exhibit, true);
     ParameterValues& values = shot.sceneState.values[exhibit];
     const auto plan = [&] { return test::planned(gallery().museum, shot.sceneState, shot.request.frame); };
-    // What the map and the normals would add is nothing: with shadows, by another method, it is the same picture.
+    // The map and the normals have no effect here: with shadows, by another method, the picture is the same.
     const auto isLeftOut = [&](const char* pass) {
         const Picture without = shot.take();
         EXPECT_EQ(plan().find(pass), nullptr) << pass;

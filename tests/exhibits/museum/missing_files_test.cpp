@@ -1,4 +1,4 @@
-// Files that a look names and that are not there: every plan goes on without them and says so.
+// Files that a scene state names and that are missing: every plan works without them and reports it.
 
 #include "exhibits/fur/fur_table.h"
 #include "exhibits/lenticular/lenticular_table.h"
@@ -17,7 +17,7 @@ namespace {
 
 using test::museum;
 
-/// A parameter that names a file, seen from where it matters.
+/// Parameter that names a file, with a view in which the file matters.
 struct FileScene : test::Scene {
     std::size_t exhibit;
     std::string parameter, label;

@@ -1,4 +1,4 @@
-// A picture in motion is averaged over its frames: how still it stands, and what it does not drag along.
+// Pictures in motion, averaged over frames: stability, and no smearing.
 
 #include "exhibits/hall/hall_table.h"
 #include "tests/support/gallery.h"
@@ -19,13 +19,13 @@ const HallTable hallRows;
 constexpr int width = 160;
 constexpr int height = 24;
 constexpr int barWidth = 40;
-constexpr int barSpeed = 8;  // Pixels a second.
+constexpr int barSpeed = 8;  // Pixels per second.
 
 struct BarTable final : Parameters {
     Real gray = real("gray", 0.2, none, {0, 1}, "Of what is behind the bar.");
 };
 
-/// A bright bar that moves to the right over waves of gray, one pixel column for each of the picture.
+/// Exhibit with a bright bar that moves to the right over gray waves, one pixel column for each of the picture.
 class Bar final : public Exhibit {
 public:
     inline static const BarTable table;
@@ -112,7 +112,7 @@ TEST_F(MovingPictures, DragNothingAlongBehindWhatMoves)
     const render::Image shown = afterFrames(frames);
     const float share = 1.0F / static_cast<float>(sceneState_.hall()[hallRows.historyFrames]);
     render::Image truth;
-    render::Image mean;  // Of the same frames, with nothing that tells the past from what is there now.
+    render::Image mean;  // Mean of the same frames, without rejecting history.
     for (int i = 1; i <= frames; ++i) {
         truth = frame(0, i);
         if (i == 1) mean = truth;
@@ -127,7 +127,7 @@ TEST_F(MovingPictures, DragNothingAlongBehindWhatMoves)
         smearOfMean =
             std::max(smearOfMean, std::abs(levelOf(mean.at(x, height / 2, 1)) - levelOf(truth.at(x, height / 2, 1))));
     }
-    // Half of what counts as another pixel; the waves' own samples differ by some of it.
+    // Half of the difference at which history is rejected; samples of the waves differ by part of it.
     EXPECT_LE(smear, 8);
     EXPECT_GE(smearOfMean, 40) << "the control: a plain mean would smear";
     for (int x = from + 3; x < from + barWidth - 3; ++x)
@@ -186,11 +186,12 @@ TEST_F(MovingPictures, BeginWithThePictureAtRest)
     request_.samples = 1;
     const render::Image begun = frame(1, time);
     const render::Image alone = frame(1, time, true);
-    // Of five frames, the first moving one is the fifth part: at the bar's edges, the rest is what rested.
+    // In the mean of five frames, the first moving one has the weight 1/5. At the bar's edges, the rest is the static
+    // picture.
     EXPECT_LT(largestDifference(begun, rests), 0.35 * largestDifference(alone, rests));
 }
 
-/// A camera turned to the right, about its own upright axis, by so many pixels in the middle of the picture.
+/// Returns a camera rotated to the right about its own vertical axis, by this many pixels in the middle of the picture.
 render::Camera turned(const render::Camera& camera, double pixels, int rows)
 {
     const double angle = std::atan(2 * std::tan(camera.fovY / 2) / rows) * pixels;
@@ -203,7 +204,7 @@ render::Camera turned(const render::Camera& camera, double pixels, int rows)
 
 class TurnedByAPixel : public GlTest {
 protected:
-    /// Percent of the pixels in the middle third that differ by more than 16 levels from those of the picture one pixel
+    /// Returns the percentage of pixels in the middle third that differ by more than 16 levels from the frame one pixel
     /// before, shifted back.
     double shareThatDiffers(const char* subject, bool antialiasing)
     {

@@ -1,5 +1,4 @@
-// What moves while the rest of the picture stands still: the part of the picture that it lies in, and frames that are
-// given up.
+// Moving objects in a static picture: the region that contains them, and abandoned frames.
 
 #include "tests/support/gallery.h"
 #include "tests/support/planned.h"
@@ -17,7 +16,7 @@ protected:
     Museum& museum_ = test::gallery().museum;
     SceneState sceneState_ = museum_.initialSceneState();
 
-    /// The entrance: the card rolls in the distance.
+    /// Returns a request at the entrance, where the card rolls in the distance.
     FrameRequest at(double time)
     {
         FrameRequest request;
@@ -26,7 +25,7 @@ protected:
         request.time = time;
         return request;
     }
-    /// Moments at which something moves by itself, the first ones of different turns.
+    /// Returns times at which something is animated, the first ones of different objects.
     std::vector<double> movingMoments()
     {
         std::vector<double> moments;
@@ -46,7 +45,7 @@ protected:
     }
 };
 
-/// Of a picture that is `height` pixels high, top row first.
+/// Returns whether a pixel is in the region; the picture is `height` pixels high, with the top row first.
 bool inside(const PictureRegion& region, int x, int y, int height)
 {
     const int fromBelow = height - 1 - y;
@@ -134,7 +133,7 @@ TEST_F(MovingRegion, AFrameGivenUpAnywhereLeavesTheNextOneAsItWouldHaveBeen)
     (void)whole(*renderer, at(0));
     int passes = 0;
     bool finished = false;
-    for (int most = 0; !finished; most += 3) {  // All of them take a minute.
+    for (int most = 0; !finished; most += 3) {  // Testing all of them would take a minute.
         int asked = 0;
         renderer->abandonWhen([&] { return asked++ == most; });
         sceneState_ = other;

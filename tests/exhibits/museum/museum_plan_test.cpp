@@ -1,4 +1,4 @@
-// What the museum draws, and what it leaves out and why: plans of the real hall, without a GPU.
+// Plans of the museum: passes, and skipped passes with their reasons. Uses the real hall without a GPU.
 
 #include "exhibits/hall/hall_scene.h"
 #include "exhibits/hall/walk.h"
@@ -27,21 +27,21 @@ using test::Scene;
 
 using test::never;
 
-/// Sun straight through the window onto the middle of the hall.
+/// Sets the sun to shine straight through the window onto the middle of the hall.
 void shineOnTheExhibit(Scene& scene)
 {
     scene.hall().set(test::hallTable().sunAzimuth, 0.0);
     scene.hall().set(test::hallTable().sunElevation, 0.21);
 }
 
-/// Sun from the side: the walls keep it off.
+/// Sets the sun to the side, behind the walls.
 void hideTheSun(Scene& scene)
 {
     scene.hall().set(test::hallTable().sunAzimuth, 0.7);
     scene.hall().set(test::hallTable().sunElevation, 0.35);
 }
 
-/// Sees the floor of the near half, where the shadow lands that this sun throws, but not the exhibit.
+/// Looks at the floor of the near half, where the exhibit's shadow falls, but not at the exhibit.
 void seeItsShadowOnly(Scene& scene)
 {
     scene.see({0, 1.65, 4}, {0, 0, 7});
@@ -52,7 +52,7 @@ void turnAway(Scene& scene)
     scene.see({0, 1.65, 3}, {0, 1.65, 12});
 }
 
-/// Outside the far wall, beside the window.
+/// Moves the camera outside of the far wall, beside the window.
 void stepBehindTheWall(Scene& scene)
 {
     scene.see({-3.7, 2, -13.5}, {0, 1.45, 0});
@@ -90,7 +90,7 @@ TEST(MuseumPlan, OutOfViewItIsNotMarched)
     const FramePlan plan = scene.plan();
     EXPECT_EQ(reasonFor(plan, "sdf_morph"), "out of view");
     EXPECT_FALSE(runs(plan, "sdf_morph/"));
-    // One line for the picture and one for the shadow; what lies over the frame has no line for its bounds.
+    // One line for the picture and one for the shadow; passes over the frame have no line for their bounds.
     for (const render::CulledPass& skipped : plan.skipped())
         EXPECT_TRUE(skipped.name.rfind("sdf_morph/", 0) != 0 || skipped.name == "sdf_morph/shadow") << skipped.name;
     EXPECT_EQ(reasonFor(plan, "crepuscular_rays"), "not in the plan");
@@ -101,7 +101,7 @@ TEST(MuseumPlan, BehindAWallItIsNotMarched)
     Scene scene;
     stepBehindTheWall(scene);
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph"), "behind a wall");
-    // Through the window it can be seen.
+    // It is visible through the window.
     scene.see({0, 3, -15}, {0, 1.45, 0});
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/march"), "it ran");
 }
@@ -137,14 +137,14 @@ TEST(MuseumPlan, OfTheOnesInViewNoMoreAreDrawnThanAreAskedForTheNearestFirst)
 
 TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
 {
-    // As it opens, against a museum without exhibits, from where no exhibit, stand or beam of the sun is in view.
+    // The initial state, compared with a museum without exhibits, where no exhibit, stand or sunbeam is in view.
     Scene scene;
     scene.see({0.5, 1.65, 9}, {0.5, 1.2, 12});
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
     const auto emptyPlan = [&](const render::PersistentState& kept) {
         return test::planned(empty, empty.initialSceneState(), scene.request, kept);
     };
-    // Dust alone is in view wherever one looks: one pass lays it over the hall.
+    // Only dust is always in view: one pass composites it.
     EXPECT_EQ(toString(scene.plan(keptAfter(scene.plan()))),
               "hall/walls > hall/floor > sky > crepuscular_rays/composite > tone");
     EXPECT_EQ(reasonFor(scene.plan(), "crepuscular_rays/march"), "the beams are out of view");
@@ -159,7 +159,7 @@ TEST(MuseumPlan, OutOfViewTheHallIsPlannedAsIfItWereEmpty)
     EXPECT_EQ(toString(later), toString(bare));
     EXPECT_EQ(toString(later), "hall/walls > hall/floor > sky > tone");
     EXPECT_EQ(trianglesOf(later), trianglesOf(bare));
-    // Whatever the exhibit is set to, it costs nothing more.
+    // No setting of the exhibit makes it more expensive.
     Scene costly = scene;
     costly.object().set(test::sdfTable().shownAs, SdfShown::mesh);
     costly.object().set(test::sdfTable().showBox, true);
@@ -187,7 +187,7 @@ TEST(MuseumPlan, DrawsTheShadowOfWhatIsOutOfViewWhenTheShadowIsNot)
     seeItsShadowOnly(scene);
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph"), "out of view");
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "it ran");
-    scene.see({0, 1.65, -3}, {0, 3, -12});  // Towards the window, the shadow falls behind the visitor.
+    scene.see({0, 1.65, -3}, {0, 3, -12});  // Toward the window, the shadow is behind the visitor.
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "neither it nor its shadow is in view");
 }
 
@@ -229,11 +229,11 @@ TEST(MuseumPlan, ProbeAndHallShadowAreKeptWhileTheLightIsTheSame)
     const render::PersistentState kept = keptAfter(first);
     EXPECT_GT(kept.passes.size(), 8U);
     scene.object().set(test::sdfTable().morph, 0.25);
-    scene.hall().set(test::hallTable().exposure, 1.0);  // Develops the picture, does not light the room.
+    scene.hall().set(test::hallTable().exposure, 1.0);  // Exposure changes the display, and not the light in the room.
     turnAway(scene);
     const FramePlan second = scene.plan(kept);
     for (const auto& [pass, key] : kept.passes) {
-        // Only the shadow of what has changed is another.
+        // Only the shadow of the changed exhibit differs.
         const bool ofExhibits = pass.rfind("probe/", 0) != 0 && pass.rfind("hall/", 0) != 0;
         EXPECT_EQ(reasonFor(second, pass), ofExhibits ? "it ran" : "unchanged since it last ran") << pass;
     }
@@ -386,7 +386,7 @@ TEST(MuseumPlan, ReadsOnlyImagesThatAPassBeforeItWroteOrThatAreKept)
 
 TEST(MuseumPlan, WhatIsTranslucentIsBlendedOverTheSky)
 {
-    // Translucent things do not write depth: a sky drawn after them would cover them.
+    // Translucent surfaces do not write depth: a sky drawn after them would cover them.
     Scene scene;
     const std::string order = toString(scene.plan());
     EXPECT_LT(order.find(" > sky"), order.find(" > hall/plaques")) << order;
@@ -460,7 +460,7 @@ TEST(Button, IsSquashedToATenthInATenthOfASecondAndComesBack)
 
 TEST(Occluder, HidesExactlyWhatNoRayPasses)
 {
-    // Against rays: what is called hidden has no corner, and no inner point, that is seen past the wall.
+    // Compared with rays: a hidden box has no corner and no inner point that is visible past the wall.
     test::Random random(4);
     int hidden = 0;
     for (int i = 0; i < 4000; ++i) {

@@ -1,4 +1,4 @@
-// One glTF object, drawn by the hall and as a sprite: both show the colors that its materials have.
+// A glTF object drawn in the hall and as a sprite: both show the colors of its materials.
 
 #include "exhibits/pixel_art/pixel_art_table.h"
 #include "exhibits/sprites/sprite_shots.h"
@@ -21,7 +21,7 @@ using test::gallery;
 using test::GltfBuilder;
 using test::hallTable;
 
-constexpr float gray = 0.5F;  ///< Of the square above each tested one, in the same light.
+constexpr float gray = 0.5F;  ///< Gray of the square above each tested one, in the same light.
 
 std::string pngOf(const std::vector<glm::vec4>& pixels, int width)
 {
@@ -33,7 +33,7 @@ std::string pngOf(const std::vector<glm::vec4>& pixels, int width)
     return "data:image/png;base64," + test::base64(test::bytesOf(folder / "a.png"));
 }
 
-/// A row of squares of 1 m that look along +z, and over each of them a gray one.
+/// Row of squares of 1 m that face +z, each with a gray one above it.
 class Squares {
 public:
     Squares()
@@ -42,21 +42,21 @@ public:
         builder_.json["images"] = builder_.json["textures"] = builder_.json["samplers"] = Json::array();
     }
 
-    /// Adds one; what it is of, beside its color, is up to `more`. Returns its material.
+    /// Adds a square; `more` sets its attributes beside the color. Returns its material.
     Json& add(const glm::vec4& color, const std::vector<float>& vertexColor = {})
     {
         square(static_cast<float>(count_), 1, 0, 0, {});
         ++count_;
         return behind(color, vertexColor, 0);
     }
-    /// A further one in the place of the last one, so far behind it.
+    /// Adds a square behind the last one, at this distance.
     Json& behind(const glm::vec4& color, const std::vector<float>& vertexColor = {}, float far = 0.1F)
     {
         builder_.json["materials"].push_back(material(color));
         square(static_cast<float>(count_ - 1), 0, -far, builder_.json["materials"].size() - 1, vertexColor);
         return builder_.json["materials"].back();
     }
-    /// The number of a new texture.
+    /// Adds a texture and returns its index.
     unsigned texture(const std::vector<glm::vec4>& pixels, int width, int filter)
     {
         const auto n = static_cast<unsigned>(builder_.json["textures"].size());
@@ -93,11 +93,11 @@ private:
     int count_ = 0;
 };
 
-/// Linear light at a place of the row of squares: x in squares from the left, y from their lower edges, z towards the
+/// Linear light at a place of the row of squares: x in squares from the left, y from their lower edges, z toward the
 /// eye.
 using LightAt = std::function<glm::dvec3(const glm::dvec3& place)>;
 
-/// How much light a square sends at a point of it against the gray one above it: its color, whatever the light is.
+/// Returns the ratio of a square's light at a point to that of the gray one above it: its color, whatever the light.
 glm::dvec3 colorBy(const LightAt& light, int square, glm::dvec2 at = {0.5, 0.5})
 {
     const glm::dvec3 above = light({square + at.x, 1.5, 0});
@@ -122,7 +122,7 @@ LightAt inTheHall(const std::string& file, int squares)
         hall.set(*off, false);
     const OwnObjectRows& rows = hallTable().objects.front();
     hall.set(rows.model, file);
-    // High and small, so that the light is the same all over it.
+    // High up and small, so that the light on it is uniform.
     hall.set(rows.modelStand, ObjectStand::ownPlinth);
     hall.set(rows.modelPlinthHeight, 1.0);
     hall.set(rows.modelSize, 0.8);
@@ -170,12 +170,12 @@ LightAt asSprite(const std::string& file, int squares)
 
 class OneMaterial : public test::GlTest {
 protected:
-    /// Both renderers' colors against the true ones.
+    /// Compares the colors of both renderers with the true ones.
     static void expectColor(const std::array<LightAt, 2>& light, int square, const glm::dvec3& truth,
                             glm::dvec2 at = {0.5, 0.5})
     {
-        // A rough surface mirrors 4 % of the hall beside its color, and of lamps that are brighter than what lights it:
-        // 0.085 at most beside a gray of 0.5. Sprites have their color in 8 bits or better.
+        // A rough surface reflects 4 % of the hall in addition to its color, and lamps that are brighter than its
+        // illumination: at most 0.085 relative to a gray of 0.5. Sprites have colors of 8 bits or better.
         const double tolerances[] = {0.1, 0.01};
         for (std::size_t i = 0; i < 2; ++i) {
             const glm::dvec3 off = glm::abs(colorBy(light.at(i), square, at) - truth);
@@ -197,7 +197,7 @@ TEST_F(OneMaterial, HasItsColorsInTheHallAndAsASprite)
     Json& dark = squares.add({0.3, 0.3, 0.3, 1});
     dark["emissiveFactor"] = Json::array({1.0, 1.0, 1.0});
     dark["emissiveTexture"] = Json{{"index", squares.texture({{0, 0, 0, 1}}, 1, nearest)}};
-    // Six tenths of blue over red, all of the red where nothing is before it, and a hole in what is before it.
+    // 60 % blue over red, red only behind a fully transparent part, and a hole in the part in front.
     squares.add({0.05, 0.05, 0.6, 0.6})["alphaMode"] = "BLEND";
     squares.behind(red);
     squares.add({0.05, 0.05, 0.6, 0})["alphaMode"] = "BLEND";
@@ -206,7 +206,7 @@ TEST_F(OneMaterial, HasItsColorsInTheHallAndAsASprite)
     mask["alphaMode"] = "MASK";
     mask["alphaCutoff"] = 0.5;
     squares.behind(red);
-    // Opacity of the vertices counts like that of the material.
+    // Opacity of the vertices is applied like that of the material.
     squares.add({0.05, 0.05, 0.6, 1}, {1, 1, 1, 0.25F, 1, 1, 1, 0.25F, 1, 1, 1, 0.25F, 1, 1, 1, 0.25F})["alphaMode"] =
         "BLEND";
     squares.behind(red);
@@ -217,7 +217,7 @@ TEST_F(OneMaterial, HasItsColorsInTheHallAndAsASprite)
     const std::array<LightAt, 2> light{inTheHall(file, squares.count()), asSprite(file, squares.count())};
     expectColor(light, 0, {0.7, 0.2, 0.1});
     expectColor(light, 1, {0.1, 0.6, 0.3});
-    // Beside the middle, a filtered picture would be between its two colors.
+    // Beside the center, a filtered texture would be between its two colors.
     expectColor(light, 2, red, {0.4, 0.6});
     expectColor(light, 2, blue, {0.6, 0.6});
     expectColor(light, 3, {0.3, 0.3, 0.3});

@@ -1,4 +1,4 @@
-// Pictures of the visitor's own objects: each at its place, and nothing else of the picture changed.
+// Pictures of the visitor's own objects: each at its place, with the rest of the picture unchanged.
 
 #include "render/files/assets.h"
 #include "tests/support/gallery.h"
@@ -15,7 +15,7 @@ using test::Shot;
 
 class OwnObjectsPictures : public test::GlTest {};
 
-/// The hall from its entrance without what spreads light from one thing to another, so that a change is where it is.
+/// Returns a shot of the hall from its entrance without indirect light, so that changes stay local.
 Shot plainHall()
 {
     Shot shot;
@@ -47,7 +47,7 @@ TEST_F(OwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPixelsA
         Shot without = shot;
         without.hall().set(rows.model, std::string());
         const Picture picture = without.take();
-        // The box of the object and of the plinth below it.
+        // Bounds of the object and of the plinth below it.
         render::Box box = one.box;
         box.low -= glm::dvec3(0.15, one.box.low.y, 0.15);
         box.high += 0.15;
@@ -62,7 +62,7 @@ TEST_F(OwnObjectsPictures, EachStandsAtItsPlaceAndTakingOneAwayChangesItsPixelsA
         EXPECT_GT(changed, 8);
         EXPECT_EQ(inBox, changed);
     }
-    // All taken away, the hall is as it was to the bit.
+    // Without objects, the hall is exactly as before.
     for (const OwnObjectRows& rows : hallTable().objects) shot.hall().set(rows.model, std::string());
     EXPECT_EQ(test::largestDifference(none.image, shot.take().image), 0);
 }

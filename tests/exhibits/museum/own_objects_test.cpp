@@ -1,4 +1,4 @@
-// The visitor's own objects: up to four, each where its rows put it.
+// The visitor's own objects: up to four, each at the place of its parameters.
 
 #include "exhibits/framework/preset.h"
 #include "render/files/assets.h"
@@ -33,7 +33,7 @@ const HallTable& table()
     return test::hallTable();
 }
 
-/// With a bear at each of these places.
+/// Returns a scene with a bear at each of these places.
 Scene withBears(std::initializer_list<std::size_t> places)
 {
     Scene scene;
@@ -42,7 +42,7 @@ Scene withBears(std::initializer_list<std::size_t> places)
     return scene;
 }
 
-/// Of the only one here: the middle of its lowest side.
+/// Returns the center of the lowest side of the only object.
 dvec3 foot(const Scene& scene)
 {
     const auto all = museum().ownObjects(museum().prepare(scene.sceneState, scene.request));
@@ -66,7 +66,7 @@ TEST(OwnObjects, EmptyPlacesCostNothingAndAreSaidToBeEmpty)
     for (std::size_t which = 1; which < mostOwnObjects; ++which)
         EXPECT_EQ(reasonFor(plan, passes.at(which)), "no file is chosen for it");
     EXPECT_EQ(museum().assets().builds("hall.plinth"), 0) << "a plinth was made for nobody";
-    // One that was there and was taken away leaves the very plan.
+    // After adding and removing an object, the plan is the same.
     const std::string before = test::wholeText(plan);
     Scene again = withBears({1, 3});
     EXPECT_NE(test::wholeText(again.plan()), before);
@@ -113,13 +113,13 @@ TEST(OwnObjects, StandWhereTheirRowsSayAndWallsAndFurnitureKeepThemOff)
     const dvec3 free = foot(scene);
     scene.hall().set(rows.modelAcross, 0.9);
     EXPECT_NEAR(foot(scene).x - free.x, 0.4, 1e-9);
-    // On the floor it stands lower by the height of its plinth.
+    // On the floor it is lower by the height of its plinth.
     scene.hall().set(rows.modelStand, ObjectStand::floor);
     EXPECT_NEAR(free.y - foot(scene).y, 0.8, 1e-9);
-    // The free plinth is there for any of them, as for the first.
+    // Any of the objects can use the free plinth.
     scene.hall().set(rows.modelStand, ObjectStand::freePlinth);
     EXPECT_NEAR(glm::distance(foot(scene), foot(withBears({0}))), 0, 1e-9);
-    // Into the wall, and into the free plinth: it is kept off, by half its width at least.
+    // Into the wall, and into the free plinth: it is kept away by at least half of its width.
     scene.hall().set(rows.modelStand, ObjectStand::ownPlinth);
     const auto kept = [&](double x, double z) {
         scene.hall().set(rows.modelAcross, x);
@@ -141,7 +141,7 @@ TEST(OwnObjects, AndTheirPlinthsStopTheVisitor)
         EXPECT_LT(glm::distance(museum().walk(from, to), to), 1e-9) << "the bare hall stops one here";
         EXPECT_GT(museum().walk(prepared, from, to).z, middle.z + 0.3);
     }
-    // The hall without any is the hall.
+    // The hall without objects is unchanged.
     const Scene none = withBears({});
     const dvec3 from(-4.9, 1.65, -1.9), to(-4.9, 1.65, -3.5);
     EXPECT_EQ(museum().walk(museum().prepare(none.sceneState, none.request), from, to), museum().walk(from, to));

@@ -1,4 +1,4 @@
-// What the visitor points at is what is drawn there; and an exhibit cut out of the hall.
+// Picking with the pointer finds what is drawn; and exhibits cut out of the hall.
 
 #include "tests/support/gallery.h"
 
@@ -13,7 +13,7 @@ using test::Shot;
 
 class PickTest : public test::GlTest {};
 
-/// Compares the distance to what is pointed at with the depth that was drawn, pixel by pixel.
+/// Compares the distance of the picked point with the drawn depth, pixel by pixel.
 void expectWhatIsDrawn(Shot& shot, const char* where)
 {
     shot.request.frame.time = 0;
@@ -24,12 +24,12 @@ void expectWhatIsDrawn(Shot& shot, const char* where)
     const auto prepared = gallery().museum.prepare(shot.sceneState, shot.request.frame);
     int compared = 0, wrong = 0;
     p.each([&](int x, int y) {
-        if ((x + y) % 3 != 0) return;  // Pointing takes a millisecond.
+        if ((x + y) % 3 != 0) return;  // One query takes a millisecond.
         const glm::dvec2 ndc((x + 0.5) / p.width() * 2 - 1, 1 - (y + 0.5) / p.height() * 2);
         ++compared;
         const auto found = gallery().museum.pick(prepared, shot.request.frame, ndc);
         if (!p.hit(x, y)) {
-            // Through the window one sees the sky; pointing at its panes is no mistake.
+            // The sky is visible through the window; picking its panes is correct.
             wrong += found && found->exhibit != panes;
             return;
         }
@@ -37,11 +37,11 @@ void expectWhatIsDrawn(Shot& shot, const char* where)
         const double distance = gallery().museum.distanceTo(prepared, shot.request.frame, ndc) * cosine;
         const double beyond = p.depth(x, y) - distance;
         if (found && found->exhibit == panes && beyond > 0) return;
-        // A coat is pointed at as a whole; what is drawn lies somewhere between its hairs.
+        // A coat is picked as a whole; the drawn depth is somewhere between its hairs.
         const double tolerance = found && found->exhibit == fur && !found->button ? 0.4 : 0.02 + 0.01 * p.depth(x, y);
         wrong += !(std::abs(beyond) < tolerance);
     });
-    // Pixels on an outline, and the margin in which a button can be clicked.
+    // Pixels on outlines, and the margin around buttons.
     EXPECT_LT(wrong, compared / 33) << where << ": " << wrong << " of " << compared;
 }
 

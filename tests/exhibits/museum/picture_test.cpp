@@ -1,4 +1,4 @@
-// The picture as a whole: a function of its inputs, however it is cut, sampled, or what was drawn before.
+// The picture as a whole: a function of its inputs, independent of tiles, sampling and earlier pictures.
 
 #include "tests/support/gallery.h"
 #include "tests/support/planned.h"
@@ -30,7 +30,7 @@ TEST_F(PictureTest, IsTheSameTwice)
 
 TEST_F(PictureTest, IsTheSameWhateverWasDrawnBefore)
 {
-    // What is kept between frames (shadow map, probe, average) must not remember more than its key says.
+    // Data kept between frames (shadow map, probe, average) must not depend on more than their key.
     for (const bool inHall : {false, true}) {
         Shot shot;
         if (inHall) shot.inHall();
@@ -42,7 +42,7 @@ TEST_F(PictureTest, IsTheSameWhateverWasDrawnBefore)
         other.hall().set(hallTable().sunElevation, 0.8);
         other.request.samples = 2;
         (void)other.take();
-        Shot moved = shot;  // Same light, another object while the probe is captured anew ...
+        Shot moved = shot;  // Same light, another object while the probe is captured again ...
         moved.object().set(sdfTable().morph, 0.0);
         (void)moved.take();
         EXPECT_EQ(test::largestDifference(shot.take().image, before.image), 0) << (inHall ? "in the hall" : "alone");
@@ -71,7 +71,7 @@ TEST_F(PictureTest, RunningEverythingChangesNothingButTheCost)
         const Picture needed = shot.take();
         shot.request.frame.runEverything = true;
         EXPECT_EQ(test::largestDifference(shot.take().image, needed.image), 0);
-        // From behind, too: what is out of view is then marched and not seen.
+        // Also from behind: invisible parts are then ray marched.
         shot.request.frame.runEverything = false;
         shot.see({0, 1.6, 3}, {0, 1.6, 12});
         const Picture behind = shot.take();
@@ -114,11 +114,11 @@ TEST_F(PictureTest, AloneIsTheSameByTilesWithSupersamplingToo)
 
 TEST_F(PictureTest, InTheHallIsTheSameByTilesToOneLevel)
 {
-    // Corners of the walls are rounded in each tile's own clip space. That is a level of 255 at most, but for one
-    // pixel in a thousand: where two surfaces meet within the rounding the other one may be seen, and a comparison
-    // with the shadow map may fall the other way. One of the 25 texels under the tent weighs at most 49/144 of a
-    // quarter, 8.5 % of the sun's light: 22 levels of a pixel that is white in the sun and black in the shade.
-    // What is marched is the same to the bit.
+    // Corners of walls are rounded differently in each tile's clip space. The difference is at most a level of 255,
+    // except for one pixel in a thousand: where two surfaces meet, the other one may be visible, and a comparison with
+    // the shadow map may have another result. One of the 25 texels of the tent filter has a weight of at most 49/144 of
+    // a quarter, 8.5 % of the sun's light: 22 levels of a pixel that is white in the sun and black in shade.
+    // Ray-marched surfaces are exactly equal.
     Shot shot;
     shot.inHall().size(101, 75);
     shot.request.frame.averageIn = AverageIn::display;
@@ -167,7 +167,7 @@ TEST_F(PictureTest, ConvergesWithMoreSamples)
     const double sixteen = test::colorDifference(with(16), reference);
     EXPECT_LT(four, 0.75 * one);
     EXPECT_LT(sixteen, 0.75 * four);
-    // Control: it is not one picture drawn again and again.
+    // Control: the samples differ.
     EXPECT_GT(one, 0.005);
 }
 
@@ -235,7 +235,7 @@ TEST_F(PictureTest, EveryShadowFilterAndMapSizeDrawsTheSameShadow)
 
 TEST_F(PictureTest, AStopOfExposureDoublesTheLightBeforeTheCurve)
 {
-    // Linear light is handed out as it is: exposure develops the displayed picture only.
+    // Linear light is returned unchanged: exposure applies to the displayed picture only.
     Shot shot;
     const Picture linear = shot.take();
     shot.hall().set(hallTable().exposure, 1.0);
@@ -271,8 +271,8 @@ TEST_F(PictureTest, APressedButtonIsSquashed)
 
 TEST_F(PictureTest, OutOfViewTheExhibitsCostWhatAHallWithoutExhibitsCosts)
 {
-    // As they open, towards the floor before the door: no exhibit, no stand and no beam of the sun is in view. The dust
-    // is, wherever one looks, and takes one pass.
+    // The initial state, toward the floor in front of the door: no exhibit, stand or sunbeam is in view. The dust
+    // always is, and takes one pass.
     const Museum empty{std::vector<std::unique_ptr<Exhibit>>{}};
     const auto counters = [](const Museum& museum, const glm::dvec3& target, bool dusty = false) {
         render::gl::Renderer renderer;
@@ -285,20 +285,20 @@ TEST_F(PictureTest, OutOfViewTheExhibitsCostWhatAHallWithoutExhibitsCosts)
         frame.raster.size = {64, 36};
         frame.camera = {{0.5, 1.65, 9}, target, 0.959931};
         (void)renderer.draw(
-            test::planned(museum, sceneState, frame, renderer.persistentState()));  // Shadow map and probe are made.
+            test::planned(museum, sceneState, frame, renderer.persistentState()));  // Shadow map and probe exist now.
         auto all = renderer.draw(test::planned(museum, sceneState, frame, renderer.persistentState())).counters;
-        all.erase("programs");  // Of everything built so far.
+        all.erase("programs");  // Counts all programs built so far.
         return all;
     };
     const glm::dvec3 away(0.5, 1.2, 12);
     auto bare = counters(empty, away);
     auto furnished = counters(gallery().museum, away);
-    // The sun's map of what stands still is kept beside that with the mobile, where one hangs.
+    // The sun's map of static objects is kept beside the one with the mobile, if there is a mobile.
     EXPECT_EQ(furnished["images"], bare["images"] + 1);
     furnished.erase("images");
     bare.erase("images");
     EXPECT_EQ(furnished, bare);
-    // Higher up, the beam of the oculus reaches into the view: its march and its place over the picture are two more.
+    // Higher up, the beam of the oculus is in view, with two more passes: its march and its compositing.
     EXPECT_EQ(counters(gallery().museum, away, true)["passes"], bare["passes"] + 1);
     auto beam = counters(gallery().museum, {0.5, 3.2, 12}, true);
     EXPECT_EQ(beam["passes"], counters(empty, {0.5, 3.2, 12})["passes"] + 2);

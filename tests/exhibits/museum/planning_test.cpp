@@ -1,5 +1,5 @@
-// Planning only reads: the same prepared picture gives the same plan, to the last byte, whoever planned before or at
-// the same time, and no file is opened.
+// Planning only reads: the same prepared picture gives exactly the same plan, whatever was or is being planned
+// elsewhere, and no file is opened.
 
 #include "exhibits/framework/random_values.h"
 #include "exhibits/fur/fur_table.h"
@@ -30,7 +30,8 @@ std::string textOf(const Museum& museum, const Scene& scene)
     return wholeText(test::planned(museum, scene.sceneState, scene.request));
 }
 
-/// Random values of every exhibit in turn, at random times, pressed or not, seen from its best view.
+/// Returns scenes with random values of each exhibit in turn, at random times, with the button pressed or not, from its
+/// best view.
 std::map<std::string, Scene> randomScenes(int ofEach)
 {
     std::map<std::string, Scene> scenes;
@@ -76,7 +77,7 @@ TEST(Planning, TwiceGivesTheSamePlanToTheLastByte)
     }
 }
 
-/// Two users who have everything that is resolved set differently.
+/// Returns the scenes of two users, who differ in everything that is resolved.
 std::vector<Scene> twoUsers()
 {
     const FurTable fur;
@@ -100,7 +101,7 @@ std::vector<Scene> twoUsers()
             coat.set(fur.ringModel, std::string("models/teddy.glb"));
         else
             scene.hall().set(test::hallTable().objects.front().model, render::asset("models/teddy.glb").string());
-        // Both see all of it.
+        // Both see everything.
         scene.request.runEverything = true;
         scene.request.time = 0.9;
     }
@@ -160,7 +161,7 @@ TEST(Planning, TheMeshDependsOnTheShapeAlone)
     }
 }
 
-/// While it lives, no file can be opened.
+/// While an object exists, no file can be opened.
 class NoFileCanBeOpened {
 public:
     NoFileCanBeOpened()
@@ -223,7 +224,7 @@ TEST(Planning, ManyThreadsPrepareAndPlanAtOnce)
     std::vector<std::thread> threads;
     for (std::size_t t = 0; t < 4; ++t)
         threads.emplace_back([&, t] {
-            // Each from another place, so that they meet in all of them.
+            // Each thread starts at another scene, so that all scenes are planned concurrently.
             auto at = std::next(scenes.begin(), static_cast<std::ptrdiff_t>(t * scenes.size() / 4));
             for (std::size_t n = 0; n < scenes.size(); ++n) {
                 wrong += textOf(own, at->second) != expected.at(at->first);

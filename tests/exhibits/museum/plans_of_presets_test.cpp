@@ -1,4 +1,4 @@
-// What every shipped preset draws.
+// Plans of all shipped presets.
 
 #include "tests/support/scenes_of_presets.h"
 
@@ -12,7 +12,8 @@ namespace {
 
 using namespace test;
 
-/// "sdf_morph/glass" -> its plan, seen from the preset's own place or the exhibit's best view.
+/// Returns the plans of all presets by name ("sdf_morph/glass"), seen from the preset's camera or the exhibit's best
+/// view.
 std::map<std::string, render::FramePlan> plansOfPresets(bool everything = false)
 {
     std::map<std::string, render::FramePlan> plans;

@@ -1,4 +1,4 @@
-// An exhibit whose rows come from a file: tables follow the file, and values follow the tables.
+// Exhibits whose parameters come from a file: tables follow the file, and values follow the tables.
 
 #include "exhibits/museum/read_tables.h"
 
@@ -19,7 +19,7 @@ class ReadTables : public testing::Test {
 protected:
     [[nodiscard]] const Exhibit& balls() const { return balls_; }
     [[nodiscard]] std::string path(const char* name) const { return (folder_.path() / name).string(); }
-    /// Initial values with this file, under the table that it gives.
+    /// Returns initial values with this file, under the table that it gives.
     [[nodiscard]] ParameterValues valuesOf(const std::string& file)
     {
         ParameterValues values = balls().parameters().initial();
@@ -122,7 +122,7 @@ TEST_F(ReadTables, PresetsSurviveAFileThatChangedSince)
     const TabledSceneState tabled = read(parsed(text).values);
     EXPECT_EQ(rowOf(tabled.sceneState.values[0], "blueRadius"), Value(3.25));
     EXPECT_EQ(rowOf(tabled.sceneState.values[0], "greenRadius"), Value(1.0));
-    // Nobody knows the red ball now: the note says so, and the value is kept.
+    // The red ball is unknown now: a note says so, and the value is kept.
     ASSERT_EQ(tabled.notes.size(), 1U);
     EXPECT_NE(tabled.notes[0].find("redRadius"), std::string::npos) << tabled.notes[0];
     EXPECT_NE(presetOf(tabled.sceneState.values[0]).find("\"redRadius\": 1.25"), std::string::npos);

@@ -1,5 +1,5 @@
-// Reasons in the frame report: each skipped step of every exhibit and of the hall has one, and it is true. What it
-// claims is looked up in the settings, the request and the view, by code that shares nothing with the plans.
+// Reasons in the frame report: each skipped pass of every exhibit and of the hall has one, and it is true. The claim is
+// checked with the settings, the request and the view, by code that shares nothing with the plans.
 
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/random_values.h"
@@ -21,13 +21,13 @@ namespace {
 using test::building;
 using test::museum;
 
-/// A skipped step, and the picture that goes without it.
+/// Skipped pass, and its picture.
 struct Skipped {
     const ScanCase& picture;
     const render::FramePlan& plan;
     const render::CulledPass& step;
 
-    /// Of the subject whose step it is: "fur/coat" is the fur's.
+    /// Returns the values of the pass's subject: "fur/coat" belongs to the fur.
     [[nodiscard]] const ParameterValues& values() const
     {
         const std::string subject = step.name.substr(0, step.name.find('/'));
@@ -49,7 +49,7 @@ struct Skipped {
     }
     [[nodiscard]] bool alone() const { return picture.frame.alone.has_value(); }
     [[nodiscard]] Sun sun() const { return sunOf(test::hallTable(), picture.sceneState.values[hallIndex]); }
-    /// Whether the middle of the picture's view could show this point, were nothing before it.
+    /// Returns whether the point is in the view, if nothing is in front of it.
     [[nodiscard]] bool inView(const glm::dvec3& point) const
     {
         const glm::dvec4 clip = plan.view.clipFromWorld * glm::dvec4(point, 1);
@@ -90,7 +90,7 @@ bool isAlone(const Skipped& s)
     return s.alone();
 }
 
-/// What a picture shows, and Run everything changes no bit of, as run_everything_test.cpp measures.
+/// Claims about pictures, which run_everything_test.cpp checks: "Run everything" changes no bit.
 bool measuredByPictures(const Skipped&)
 {
     return true;
@@ -123,7 +123,7 @@ bool floorOutOfView(const Skipped& s)
     return true;
 }
 
-/// Of an exhibit, by its bounds; that a part of it is, pictures measure.
+/// Claims about an exhibit, checked by its bounds. Claims about a part of it are checked by pictures.
 bool outOfView(const Skipped& s)
 {
     if (s.step.name.find('/') != std::string::npos && !s.step.name.ends_with("/shadow")) return true;
@@ -141,7 +141,7 @@ bool noLightAtAll(const Skipped& s)
     return s.sun().strength == 0 && (s.alone() || s.ofHall("skyStrength") == 0);
 }
 
-/// "noise/clouds" while the clouds are on show is no other work.
+/// Claims that another work is shown: false for "noise/clouds" while the clouds are shown.
 bool anotherWork(const Skipped& s)
 {
     const char* works[] = {"noise/field", "noise/fractal", "noise/sea", "noise/clouds"};
@@ -155,7 +155,7 @@ bool nothingLookedUp(const Skipped& s)
     return work == 3 ? s.number("cloudNoise") != 1 : s.number("march") != 1 || s.number("fieldNoise") != 1;
 }
 
-/// In either half of the pixel art.
+/// Returns whether either half of the pixel art shows this view.
 bool shows(const Skipped& s, double view)
 {
     return s.number("view") == view || (s.number("split") == 1 && s.number("rightView") == view);
@@ -170,7 +170,7 @@ const std::map<std::string, Claim>& claims()
 {
     constexpr double pi = std::numbers::pi;
     static const std::map<std::string, Claim> all{
-        // Of the picture.
+        // Reasons of the picture.
         {"the exhibit is shown alone", isAlone},
         {"a transparent background is asked for", [](const Skipped& s) { return s.picture.frame.transparent; }},
         {"the picture is asked for as linear light",
@@ -182,7 +182,7 @@ const std::map<std::string, Claim>& claims()
         {"nothing moves", [](const Skipped& s) { return s.picture.frame.movingFrame == 0; }},
         {"nobody asks for counts", [](const Skipped& s) { return !s.picture.frame.channels.evaluations; }},
         {"nothing reads what it writes", [](const Skipped& s) { return s.plan.find(s.step.name) == nullptr; }},
-        // Of the hall.
+        // Reasons of the hall.
         {"there is no hall", isAlone},
         {"there is no hall to cast it", isAlone},
         {"there is no hall to bounce it", isAlone},
@@ -229,7 +229,7 @@ const std::map<std::string, Claim>& claims()
         {"neither it nor its shadow is in view", outOfView},
         {"the sun does not reach it through window or oculus", measuredByPictures},
         {"no exhibit throws a shadow that may be seen", measuredByPictures},
-        // Of every distance field.
+        // Reasons of all distance fields.
         {"the cone pre-pass is switched off", isZero("conePrepass")},
         {"ambient occlusion is switched off",
          [](const Skipped& s) {
@@ -243,7 +243,7 @@ const std::map<std::string, Claim>& claims()
         {"the field is on show", isZero("shownAs")},
         {"a mesh is on show in place of the field", is("shownAs", 1)},
         {"the overlay is switched off", isZero("showBox")},
-        // Of the soft serve.
+        // Reasons of the soft serve.
         {"the ambient light is black",
          [](const Skipped& s) { return s.number("lighting") == 1 && s.brightest("sourceAmbient") == 0; }},
         {"the build-up has not come so far",
@@ -251,17 +251,17 @@ const std::map<std::string, Claim>& claims()
         {"it stands in the hall's light", isZero("lighting")},
         {"the ground is switched off", isZero("ground")},
         {"it stands in the hall", [](const Skipped& s) { return !s.alone(); }},
-        // Of the fur.
+        // Reasons of the fur.
         {"silhouettes are not filled with fins", isNot("silhouette", 1)},
         {"what is in view has no fins", is("silhouette", 1)},
         {"set by hand", is("byHand", 1)},
         {"at rest", [](const Skipped& s) { return s.number("byHand") == 0 && s.number("frozenAt") == 0; }},
         {"frozen", [](const Skipped& s) { return s.number("byHand") == 0 && s.number("frozenAt") > 0; }},
         {"at rest since", [](const Skipped& s) { return s.number("byHand") == 0 && s.number("frozenAt") == 0; }},
-        // Of the card.
+        // Reasons of the card.
         {"dispersion is switched off", isZero("dispersion")},
         {"no light falls on the card", [](const Skipped& s) { return noLightAtAll(s) && s.number("lamp") == 0; }},
-        // Of the sunbeams.
+        // Reasons of the sunbeams.
         {"no technique in use makes them",
          [](const Skipped& s) {
              const bool screen = s.step.name == "crepuscular_rays/mask" || s.step.name == "crepuscular_rays/rays";
@@ -300,7 +300,7 @@ const std::map<std::string, Claim>& claims()
         {"no sunbeam wider than 30 cm comes in by window or oculus",
          [](const Skipped& s) { return s.sun().towards().y < 0.99; }},
         {"the beams are out of view", measuredByPictures},
-        // Of the lake.
+        // Reasons of the lake.
         {"no lantern is afloat", isZero("crowding")},
         {"the water is a mirror: its plane is met in one step", isZero("waveHeight")},
         {"a view of numbers is on show in place of the picture", isNot("show", 0)},
@@ -318,10 +318,10 @@ const std::map<std::string, Claim>& claims()
         {"no ray is followed that the water mirrors", isZero("bounces")},
         {"a panorama is in place of the night sky", [](const Skipped& s) { return !s.namesNoFile("panorama"); }},
         {"the brightness of the stars is 0", isZero("stars")},
-        // Of the noise.
+        // Reasons of the noise.
         {"another work is on show", anotherWork},
         {"no work looks its noise up", nothingLookedUp},
-        // Of the pixel art.
+        // Reasons of the pixel art.
         {"no view on show has shadows", [](const Skipped& s) { return !shows(s, 0); }},
         {"shadows are off", isZero("shadows")},
         {"the light of the sun is black", isBlack("sunLight")},
@@ -334,7 +334,7 @@ const std::map<std::string, Claim>& claims()
          [](const Skipped& s) {
              return s.number("dither") != 3 || (s.number("palette") == 0 && s.namesNoFile("palettePicture"));
          }},
-        // Of the scenes.
+        // Reasons of the scenes.
         {"the picture is not divided", isZero("split")},
         {"its half is out of view", measuredByPictures},
         {"shadows are switched off", is("shadowMethod", 1)},
@@ -354,7 +354,7 @@ const std::map<std::string, Claim>& claims()
     return all;
 }
 
-/// The claim of a reason; of one that ends in a number of seconds, by its beginning.
+/// Returns the claim of a reason; one that ends in a number of seconds is found by its beginning.
 const Claim* claimOf(const std::string& reason)
 {
     for (const char* begins : {"frozen", "at rest since"})
@@ -363,7 +363,7 @@ const Claim* claimOf(const std::string& reason)
     return claim == claims().end() ? nullptr : &claim->second;
 }
 
-/// Settings at their ends as often as between: where effects go away.
+/// Draws random settings, often at the ends of ranges, where effects vanish.
 void drawSettings(ParameterValues& values, RandomNumbers& random)
 {
     for (std::size_t row = 0; row < values.rows().size(); ++row) {
@@ -372,7 +372,7 @@ void drawSettings(ParameterValues& values, RandomNumbers& random)
         if (info.kind == Kind::color && random.chance(0.4)) {
             values.setRow(row, glm::dvec3(0));
         } else if (info.isNumeric() && random.chance(0.5)) {
-            // Above its initial value, a count costs time and tells nothing new.
+            // Higher counts cost time and have no other reasons.
             const double high = info.kind == Kind::count ? std::get<double>(info.initial) : info.range.softHigh;
             values.setRow(row, random.chance(0.6) ? info.range.low : high);
         } else if (info.kind != Kind::count) {
@@ -400,7 +400,7 @@ TEST_P(Reasons, AreThereAndTrueWhateverIsSet)
             EXPECT_GE(step.reason.size(), 5U) << step.name << " is skipped without a reason";
             if (step.complaint) continue;
             told.insert(step.reason);
-            // The right half of a scene has values of its own, which are those of the left one by other names.
+            // The right half of a scene has the same values under other names.
             if (step.name.starts_with("sdf_scenes/right/")) continue;
             const Claim* claim = claimOf(step.reason);
             EXPECT_TRUE(claim) << step.name << ": nothing checks the reason \"" << step.reason << '"';

@@ -1,4 +1,4 @@
-// Odd sizes, extreme values, hostile times: no GL error, nothing that is not a number.
+// Unusual sizes, extreme values and times: no GL errors and only finite values.
 
 #include "render/image/image_io.h"
 #include "tests/stability/fields.h"
@@ -44,7 +44,7 @@ TEST_F(Robustness, IsErrorFreeAtEverySizeWithEverySwitch)
 TEST_F(Robustness, EveryExhibitDrawsAtItsBestView)
 {
     for (const auto& [i, exhibit] : gallery().museum.exhibits()) {
-        if (capability<OverFrame>(exhibit)) continue;  // Light alone falls on nothing: see "Rays".
+        if (capability<OverFrame>(exhibit)) continue;  // Light over the frame hits no surface: see "Rays".
         Shot shot;
         shot.request.frame.alone = i;
         shot.request.frame.camera = exhibit.bestView(shot.sceneState.values[i]);
@@ -68,13 +68,13 @@ TEST_F(Robustness, APictureOfNothingIsRefused)
     Shot shot;
     shot.size(0, 5);
     EXPECT_THROW((void)shot.take(), std::exception);
-    // A window of no height is no fault: nothing is drawn.
+    // A window of height 0 is no error: nothing is drawn.
     FrameRequest frame = shot.request.frame;
     frame.raster.size = {0, 0};
     EXPECT_TRUE(gallery().renderer.draw(test::planned(gallery().museum, shot.sceneState, frame)).ran.empty());
 }
 
-/// Random legal values of every row: half of them from the comfortable range, half from all that is legal.
+/// Sets random legal values of all parameters: half of them from the comfortable range, half from the legal one.
 void shuffle(ParameterValues& values, test::Random& random)
 {
     for (std::size_t i = 0; i < values.rows().size(); ++i) {
@@ -112,7 +112,7 @@ TEST_F(Robustness, LegalValuesNeverMakeWhatIsNotANumber)
         Shot shot;
         shuffle(shot.object(), random);
         shuffle(shot.hall(), random);
-        // Costs a minute at its highest and tells nothing new there.
+        // Higher values take a minute and test nothing more.
         shot.object().set(sdfTable().tessellation, std::min(shot.object()[sdfTable().tessellation], 40));
         shot.object().set(sdfTable().shadowRays, std::min(shot.object()[sdfTable().shadowRays], 24));
         shot.hall().set(hallTable().shadowMapSize, 256);
@@ -138,7 +138,7 @@ TEST_F(Robustness, LegalValuesNeverMakeWhatIsNotANumber)
     }
 }
 
-/// A view that shows numbers, or a picture made of them, as colors of a display.
+/// View that shows numbers, or a picture made from them, as display colors.
 struct NumbersShown {
     const char* exhibit;
     const char* row;
@@ -207,7 +207,7 @@ TEST_F(Robustness, WhereNothingIsThereIsNeitherDepthNorNormal)
 {
     for (const bool inHall : {false, true}) {
         Shot shot;
-        if (inHall) shot.inHall().see({0, 3, 6}, {0, 4, -20});  // Through the window, the sky.
+        if (inHall) shot.inHall().see({0, 3, 6}, {0, 4, -20});  // The sky through the window.
         shot.request.frame.transparent = false;
         const Picture p = shot.take();
         int sky = 0;

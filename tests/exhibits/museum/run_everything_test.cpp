@@ -1,7 +1,7 @@
-// Running everything changes no bit: over random settings of every exhibit and of the hall, from random places, at
-// hostile times and sizes.
-//   VITRINE_SCAN_PRESETS=500   more than the 8 settings of each
-//   VITRINE_SCAN_SEED=123      begin with another seed; a failure names its own
+// Running all passes changes no bit, with random settings of every exhibit and of the hall, from random places, at
+// extreme times and sizes.
+//   VITRINE_SCAN_PRESETS=500   number of settings of each, instead of 8
+//   VITRINE_SCAN_SEED=123      first seed; a failure names its own
 
 #include "exhibits/exhibits.h"
 #include "exhibits/stability/stability_scan.h"
@@ -17,17 +17,17 @@ namespace {
 
 using test::gallery;
 
-/// What a picture consists of, and which of its passes ran.
+/// Images of a picture, and the passes that ran.
 struct Drawn {
     std::vector<render::Image> images;
     std::string passes;
-    std::string leftOut;  ///< Those that it did without, and why.
+    std::string leftOut;  ///< Skipped passes with their reasons.
 };
 
 Drawn drawn(ScanCase c, bool runEverything)
 {
     c.frame.runEverything = runEverything;
-    c.frame.channels.evaluations = false;  // They count what is run.
+    c.frame.channels.evaluations = false;  // These count the work, which differs.
     const render::FramePlan plan =
         test::planned(gallery().museum, c.sceneState, c.frame, gallery().renderer.persistentState());
     (void)gallery().renderer.draw(plan);
@@ -49,7 +49,7 @@ TEST_P(RunEverything, ChangesNoBitWhateverIsSetAndFromWhereverItIsSeen)
     int leftOut = 0;
     for (std::uint64_t seed = first; seed < first + count; ++seed) {
         const ScanCase c =
-            scanCase(gallery().museum, exhibit, seed * 7919);  // Neighbors share their light: these are none.
+            scanCase(gallery().museum, exhibit, seed * 7919);  // Consecutive seeds would have the same light.
         const Drawn needed = drawn(c, false);
         const Drawn everything = drawn(c, true);
         leftOut += needed.passes != everything.passes;
@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Exhibits, RunEverything, testing::ValuesIn(namesOfAll()
 
 using HighJump = test::GlTest;
 
-/// The furry bodies high in the air, before a camera that looks over everything that they do at rest.
+/// Furry bodies high in the air, in front of a camera that looks over their resting places.
 TEST_F(HighJump, IsSeenWhereItIs)
 {
     test::Shot shot;

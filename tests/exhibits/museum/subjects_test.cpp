@@ -1,4 +1,4 @@
-// Whose tables a museum has, and what its exhibits do only when they say so.
+// Tables of a museum, and optional capabilities of its exhibits.
 #include "tests/support/museum_on_paper.h"
 
 #include <cmath>
@@ -7,7 +7,7 @@
 namespace vitrine {
 namespace {
 
-/// At the middle of the hall, in the sun through the window; draws nothing.
+/// Exhibit in the middle of the hall, in the sunlight of the window, that draws nothing.
 class Bare : public Exhibit {
 public:
     [[nodiscard]] std::string_view name() const override { return "bare"; }
@@ -31,7 +31,7 @@ private:
     } table_;
 };
 
-/// The same, with a pass over the frame.
+/// The same with a pass over the frame.
 class Glow final : public Bare, public OverFrame {
 public:
     void planOverFrame(const PlanContext&, render::FramePlan& plan) const override
@@ -52,7 +52,7 @@ template <typename Kind> Museum museumOf()
     return Museum(std::move(exhibits));
 }
 
-/// Seen from its best view.
+/// Returns a plan from its best view.
 render::FramePlan planOf(const Museum& museum)
 {
     const SceneState sceneState = museum.initialSceneState();

@@ -1,4 +1,4 @@
-// The visitor: where he can walk, what he can press, and what he points at.
+// Visitor: places to walk, buttons to press, and objects under the pointer.
 
 #include "exhibits/hall/walk.h"
 #include "exhibits/kit/surface_net.h"
@@ -24,8 +24,8 @@ using test::Scene;
 
 constexpr double eyeHeight = 1.65;
 
-/// How far the visitor's cylinder reaches into an obstacle, meters; 0 or less: not at all. Written anew, so
-/// that it does not share a fault with the walk.
+/// Returns how far the visitor's cylinder reaches into an obstacle, in meters; 0 or less: not at all. Independent of
+/// the code of walking.
 double overlap(const Collider& collider, const dvec3& eye)
 {
     const dvec3 p = dvec3(collider.localFromWorld * glm::dvec4(eye.x, eye.y - eyeHeight, eye.z, 1));
@@ -75,9 +75,9 @@ TEST(Walk, StopsAtAWallAndSlidesAlongIt)
     EXPECT_GT(straight.x, -6.1 + visitorRadius - 0.2);
     EXPECT_LT(straight.x, -5.5);
     const dvec3 slanted = test::museum().walk(from, {-9, eyeHeight, -0.9});
-    EXPECT_NEAR(slanted.z, -0.9, 0.02);  // What the wall does not stop goes on.
+    EXPECT_NEAR(slanted.z, -0.9, 0.02);  // The part of the motion along the wall continues.
     EXPECT_GT(slanted.x, -6.1 + visitorRadius - 0.2);
-    // Control: where nothing stands, one arrives.
+    // Control: without obstacles, the visitor arrives.
     EXPECT_LT(glm::length(test::museum().walk(from, {-4.9, eyeHeight, -1.2}) - dvec3(-4.9, eyeHeight, -1.2)), 1e-9);
 }
 
@@ -118,7 +118,7 @@ TEST(Walk, EveryPlaceCanBeReachedOnFoot)
         for (const auto& [number, place] : test::building().places()) {
             const dvec3 p(place.worldFromPlace[3]);
             double distance = std::hypot(p.x - at(cell).x, p.z - at(cell).z);
-            if (distance < 3) {  // From the last cell he goes as near as he can.
+            if (distance < 3) {  // From the last cell the visitor goes as near as possible.
                 const dvec3 end = test::museum().walk(at(cell), {p.x, eyeHeight, p.z});
                 distance = std::hypot(p.x - end.x, p.z - end.z);
             }
@@ -137,7 +137,7 @@ TEST(Walk, EveryPlaceCanBeReachedOnFoot)
         ASSERT_TRUE(nearest.contains(number)) << number;
         EXPECT_LE(nearest.at(number), 2.2) << "place " << number;
     }
-    EXPECT_LT(seen.size(), 30000U);  // The walk stays in the house: 12 by 24 m are 4600 cells.
+    EXPECT_LT(seen.size(), 30000U);  // The walk stays in the building: 12 by 24 m are 4600 cells.
 }
 
 TEST(Walk, EveryPlaceStandsReadyAndTheEmptyOnesAreKnown)
@@ -156,7 +156,7 @@ TEST(Walk, EveryPlaceStandsReadyAndTheEmptyOnesAreKnown)
     EXPECT_FALSE(test::building().place(11));
 }
 
-/// The frame of the tenth place hangs in the middle arch of the right wall, its front towards the room.
+/// The frame of the tenth place hangs in the middle arch of the right wall, facing the room.
 TEST(Walk, TheFrameOfTheTenthPlaceHangsInItsArch)
 {
     const Place& place = *test::building().place(10);
@@ -167,11 +167,11 @@ TEST(Walk, TheFrameOfTheTenthPlaceHangsInItsArch)
     const render::Box box = place.stand[0].mesh->bounds.transformed(place.stand[0].modelFromPart);
     EXPECT_NEAR(box.high.x, 6, 1e-6) << "it touches the wall";
     EXPECT_NEAR(box.high.z - box.low.z, 2.4 + 2 * 0.14, 1e-6);
-    // The arch is 5.2 m wide; its plaque hangs beside the frame, within it.
+    // The arch is 5.2 m wide; the plaque hangs beside the frame, within the arch.
     const double plaque = (*place.worldFromPlaque)[3].z;
     EXPECT_GT(plaque - 0.15, box.high.z);
     EXPECT_LT(plaque + 0.15, 2.6);
-    // Normals of all triangles point away from the wall or along it, and agree with their winding.
+    // Normals of all triangles point away from the wall or along it, and match their winding.
     const render::Mesh& mesh = *place.stand[0].mesh;
     for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
         const auto at = [&](std::size_t k) { return dvec3(mesh.vertices[mesh.indices[i + k]].position); };
@@ -181,7 +181,7 @@ TEST(Walk, TheFrameOfTheTenthPlaceHangsInItsArch)
     }
 }
 
-/// The button of the sdf exhibit, world space.
+/// Returns the position of the sdf exhibit's button in world space.
 dvec3 button()
 {
     return dvec3((*test::building().place(1)->worldFromButton)[3]);
@@ -230,13 +230,13 @@ TEST(LookedAt, PressingMeltsAndPressingAgainStops)
     EXPECT_FALSE(scene.object()[test::sdfTable().animate]);
 }
 
-/// Looks at the button of the mug from the other side of its plinth, near enough to press it.
+/// Looks at the button of the mug from the other side of its plinth, close enough to press it.
 TEST(LookedAt, NoButtonAnswersThroughItsPlinth)
 {
     const dvec3 behind(-0.75, 0.62, -0.5);
     ASSERT_LT(glm::length(button() - behind), 1.95);
     EXPECT_FALSE(lookFrom(behind, button()));
-    // Control: as far away, with nothing between.
+    // Control: from the same distance, with nothing in between.
     EXPECT_TRUE(lookFrom(button() + glm::length(button() - behind) * glm::normalize(dvec3(0.3, 0.4, 1)), button()));
 }
 
@@ -248,7 +248,7 @@ std::optional<Pointed> pointed(const Scene& scene, glm::dvec2 ndc = {0, 0})
 TEST(Pick, FindsTheExhibitUnderThePointer)
 {
     Scene scene;
-    // The handle's side: the middle of a torus is a hole.
+    // Side of the handle, because the center of a torus is a hole.
     const render::Box box = test::museum()
                                 .subject(scene.sdf)
                                 .bounds(scene.object())
@@ -267,7 +267,7 @@ TEST(Pick, FindsTheExhibitUnderThePointer)
 
 TEST(Pick, AWallIsAWallThoughABoxOfAnExhibitIsBeforeIt)
 {
-    // Over the pit, below the top of the space in which its bodies jump, to the bare wall behind.
+    // Over the pit, below the top of the bodies' space, at the bare wall behind.
     Scene scene;
     scene.see({0, 1.65, 3}, {6, 1.25, 3});
     const std::size_t fur = *test::museum().find("fur");
@@ -279,7 +279,7 @@ TEST(Pick, AWallIsAWallThoughABoxOfAnExhibitIsBeforeIt)
                   {scene.sceneState.camera.eye, scene.sceneState.camera.target - scene.sceneState.camera.eye}, box),
               1);
     EXPECT_FALSE(pointed(scene));
-    // Control: what lies in the pit.
+    // Control: the bodies in the pit.
     scene.see({0, 1.65, 3}, {3.3, -0.2, 3});
     ASSERT_TRUE(pointed(scene));
     EXPECT_EQ(pointed(scene)->exhibit, fur);
@@ -307,7 +307,7 @@ TEST(Pick, AButtonIsNamedByWhatItDoes)
     scene.see(button() + dvec3(0.2, 1.5, 2.9), button());
     ASSERT_TRUE(pointed(scene));
     EXPECT_FALSE(pointed(scene)->inReach);
-    EXPECT_EQ(pointed(scene)->name, "Torus to Mug");  // A click goes there first.
+    EXPECT_EQ(pointed(scene)->name, "Torus to Mug");  // A click visits it first.
 }
 
 TEST(Pick, TheVisitorsOwnObjectCanBeVisited)
@@ -321,7 +321,7 @@ TEST(Pick, TheVisitorsOwnObjectCanBeVisited)
     ASSERT_TRUE(found);
     EXPECT_EQ(found->exhibit, std::size_t{0});
     EXPECT_EQ(found->name, "Your object: teddy.glb");
-    // Its view shows it, from outside and not from afar.
+    // Its view shows it, from outside and close by.
     scene.see(found->view);
     const auto again = pointed(scene);
     ASSERT_TRUE(again);
@@ -332,7 +332,7 @@ TEST(Pick, TheVisitorsOwnObjectCanBeVisited)
 
 TEST(Pick, AFieldIsHitWhereItsMeshIs)
 {
-    // Sphere tracing against triangles made from the same body: what one hits, the other does, at the same distance.
+    // Sphere tracing compared with triangles of the same body: both hit at the same distance.
     test::Random random(6);
     Scene scene;
     scene.object().set(test::sdfTable().morph, 0.6);
@@ -348,20 +348,20 @@ TEST(Pick, AFieldIsHitWhereItsMeshIs)
         const double field = exhibit.firstHit({scene.object()}, ray);
         const double triangles = render::firstHit(ray, *mesh, render::Faces::both);
         hits += std::isfinite(field);
-        // Rays that graze it part ways by chance.
+        // Grazing rays may differ.
         const bool same =
             std::isfinite(field) == std::isfinite(triangles) &&
             (!std::isfinite(field) || std::abs(field - triangles) * glm::length(ray.direction) < 3 * cell);
         wrong += !same;
     }
     EXPECT_GT(hits, 120);
-    EXPECT_LT(hits, 570);  // It has a hole, and rays pass by.
+    EXPECT_LT(hits, 570);  // It has a hole, and rays pass beside it.
     EXPECT_LT(wrong, 12);
 }
 
 TEST(Rays, ParallelToAFaceAreNoSpecialCase)
 {
-    // A careless slab test divides 0 by 0 there.
+    // A plain slab test is 0/0 there.
     const render::Box box{{-1, -1, -1}, {1, 1, 1}};
     for (const double y : {-1.0, -0.999, 0.0, 0.999, 1.0})
         EXPECT_EQ(render::firstHit({{0, y, 3}, {0, 0, -1}}, box), 2) << y;

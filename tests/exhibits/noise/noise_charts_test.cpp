@@ -1,4 +1,4 @@
-// The charts of the noise, against noise whose histogram, spectrum and directions are known.
+// Charts of the noise, tested with noise of known histogram, spectrum and directions.
 
 #include "exhibits/noise/noise_charts.h"
 
@@ -39,14 +39,14 @@ TEST(NoiseCharts, HistogramOfASineIsThatOfTheArcsine)
 
 TEST(NoiseCharts, SpectrumOfAWaveStandsAtItsFrequency)
 {
-    // A wave along every line: by the distance from the middle, far from it.
+    // A wave along every line: a function of the distance from the origin, far from it.
     const NoiseSample wave = [](const glm::dvec3& p) { return std::sin(2 * pi * 1.5 * glm::length(p + 1e6)); };
     const NoiseSample even = [](const glm::dvec3&) { return 0.3; };
     const ChartCurve curve = noiseSpectrum("wave", wave);
     EXPECT_LE(highestAt(curve), 1.6);
     EXPECT_NEAR(integral(curve), 1, 0.15);
     for (const double y : noiseSpectrum("even", even).y) EXPECT_EQ(y, 0);
-    // Directions differ from the wave's, so that frequencies come out lower, but none higher.
+    // Directions differ from the wave's, so that frequencies may be lower, but not higher.
     const double highest = *std::max_element(curve.y.begin(), curve.y.end());
     for (std::size_t i = 0; i < curve.x.size(); ++i) {
         if (curve.x[i] > 1.7) {
@@ -79,7 +79,7 @@ TEST(NoiseCharts, ShowTheLatticeOfValueNoiseWhichSimplexHasNot)
     ASSERT_EQ(charts.size(), 3U);
     for (const Chart& chart : charts) ASSERT_EQ(chart.curves.size(), 2U) << chart.title;
     EXPECT_LT(spread(charts[2].curves[0]), 0.6 * spread(charts[2].curves[1]));
-    // Value noise has waves of any length, simplex a band, of which a line shows the longer ones, too.
+    // Value noise has waves of any length. Simplex noise has a band, but a line also shows longer ones.
     const auto lowest = [](const ChartCurve& c) { return c.y.front() / *std::max_element(c.y.begin(), c.y.end()); };
     EXPECT_LT(lowest(charts[1].curves[0]), 0.8);
     EXPECT_GT(lowest(charts[1].curves[1]), 0.9);

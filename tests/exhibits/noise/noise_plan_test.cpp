@@ -1,4 +1,4 @@
-// What moves behind the noise frame, and the light in its clouds, without a GPU.
+// Animations behind the noise frame, and the light in its clouds, without a GPU.
 
 #include "exhibits/noise/noise_cpu.h"
 #include "exhibits/noise/noise_scene.h"
@@ -36,7 +36,7 @@ TEST(SeaWaves, RunAsDeepWaterDoesAndHoldTheSpectrumsEnergy)
             variance += 0.5 * w.amplitude * w.amplitude;
             way += w.amplitude * w.amplitude * glm::normalize(w.vector);
         }
-        // The integral of Pierson and Moskowitz' spectrum in closed form.
+        // Closed-form integral of the Pierson-Moskowitz spectrum.
         const double u = 1.026 * wind;
         const double whole = 0.0081 * std::pow(u, 4) / (4 * 0.74 * 9.81 * 9.81);
         EXPECT_NEAR(variance / whole, 1, 0.15) << wind;
@@ -109,8 +109,8 @@ TEST(NoiseScene, KeepsTheHallsLengthsBehindTheFrameExceptForTheClouds)
     EXPECT_NEAR(glm::length(glm::dvec3(noisePortal(noiseTable(), values).workFromExhibit[0])), 40, 1e-12);
 }
 
-/// Light that comes to the eye out of a slab of optical depth `depth` with `source` everywhere, in `steps`, and what is
-/// behind it.
+/// Returns the light that leaves a slab of optical depth `depth` with `source` everywhere, and light from behind, in
+/// `steps` steps.
 double through(double source, double depth, double behind, int steps)
 {
     double sum = 0, left = 1;
@@ -132,7 +132,7 @@ TEST(CloudMedium, OfAnEvenSlabIsItsClosedFormForAnyNumberOfSteps)
     for (const double depth : {0.1, 2.0, 20.0}) {
         const double exact = 3 * (1 - std::exp(-depth)) + 0.5 * std::exp(-depth);
         for (const int steps : {1, 2, 7, 64, 256}) EXPECT_NEAR(through(3, depth, 0.5, steps), exact, 1e-12);
-        // The plain sum, S T dx, does not hold this.
+        // Control: the plain sum, S T dx, depends on the steps.
         double sum = 0, left = 1;
         for (int i = 0; i < 4; ++i) {
             sum += left * 3 * depth / 4;

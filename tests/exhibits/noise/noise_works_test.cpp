@@ -1,4 +1,4 @@
-// Pictures of the works behind the noise frame, against the same noise at float64 and against themselves.
+// Pictures of the works behind the noise frame, compared with the same noise at float64 and with each other.
 
 #include "exhibits/noise/noise_scene.h"
 #include "render/glsl/cpu.h"
@@ -18,7 +18,7 @@ const NoiseTable& table()
     return t;
 }
 
-/// A small picture of one work, alone.
+/// Small picture of one work, alone.
 struct WorkShot : Shot {
     std::size_t noise = *gallery().museum.find("noise");
 
@@ -67,8 +67,8 @@ TEST_F(NoiseWorks, StayFiniteAtAnyTimeAndPlace)
             }
 }
 
-/// Threshold less the sum of octaves at float64, on the side of the empty where the eye clears its way. `block` says
-/// where in the noise the octaves begin.
+/// Returns the threshold minus the sum of octaves at float64, positive in the empty space that is kept around the eye.
+/// `block` gives the offset of the octaves.
 double outsideAt(const ParameterValues& values, const NoiseBlock& block, const dvec3& p, double clear)
 {
     const auto kind = static_cast<int>(values[table().kind]);
@@ -87,8 +87,8 @@ double outsideAt(const ParameterValues& values, const NoiseBlock& block, const d
     return values[table().threshold] - sum + clear;
 }
 
-/// How a picture of the field's distances compares with small even steps, and then halves, at float64: no bound is
-/// needed there.
+/// Comparison of a picture of the field's distances with small uniform steps and bisection at float64, which need no
+/// bound.
 struct FieldCheck {
     int checked = 0, missed = 0, early = 0;
 };
@@ -123,7 +123,7 @@ WorkShot exactShot(NoiseWork work)
     shot.values().set(table().boundShare, 1.0);
     shot.values().set(table().stepLimit, 1024);
     shot.values().set(table().hitTolerance, 0.05);
-    // Octaves that are all resolved: what fades with the distance is another sum.
+    // All octaves are resolved: fading with the distance would change the sum.
     shot.values().set(table().octaves, 3);
     return shot;
 }
@@ -138,7 +138,7 @@ TEST_F(NoiseWorks, TheFieldIsWhereTheNoiseAtFloat64CrossesItsThreshold)
             const FieldCheck check = checkField(shot);
             EXPECT_GT(check.checked, 100);
             EXPECT_EQ(check.missed, 0) << static_cast<int>(kind);
-            // A ray that grazes may end within its tolerance.
+            // A grazing ray may end within its tolerance.
             EXPECT_LE(check.early, 0.03 * check.checked) << static_cast<int>(kind);
         }
 }
@@ -162,7 +162,7 @@ TEST_F(NoiseWorks, NoRayPassesThroughTheSumOfOctavesByTheWholeBounds)
         baked.each([&](int x, int y) { off += std::abs(baked.depth(x, y) / evaluated.depth(x, y) - 1) > 0.01; });
         EXPECT_LT(off, 0.02 * 96 * 60) << static_cast<int>(sum);
     }
-    // A tenth of the bounds does pass some.
+    // Control: a tenth of the bound misses surfaces.
     WorkShot shot = exactShot(NoiseWork::fractal);
     shot.values().set(table().boundShare, 0.1);
     EXPECT_GT(checkField(shot).missed, 0);
@@ -189,7 +189,7 @@ TEST_F(NoiseWorks, OfTheDerivativeHasTheNormalsOfDifferences)
     }
 }
 
-/// Share of the surface between 6.5 and 12 m where the noise at float64 is off its threshold.
+/// Returns the share of the surface between 6.5 and 12 m at which the noise at float64 differs from its threshold.
 double shareOff(double distance)
 {
     WorkShot shot(NoiseWork::field);
@@ -221,7 +221,7 @@ TEST_F(NoiseWorks, OfTheFieldAreAsSharpTenThousandKilometersFromTheOrigin)
     EXPECT_LT(shareOff(1e7), 0.01);
 }
 
-/// Height of the tall waves over a place at rest, at float64: where that water comes from is found by iteration.
+/// Returns the height of tall waves over a place at float64. The origin of that water is found by iteration.
 double tallHeight(const NoiseBlock& block, double chop, const glm::dvec2& p)
 {
     glm::dvec2 moved(0);
@@ -274,7 +274,7 @@ TEST_F(NoiseWorks, TheSeaIsWhereItsWavesAtFloat64Are)
                 }
             EXPECT_GT(checked, 200) << wind;
             EXPECT_EQ(missed, 0) << wind << ", " << share;
-            // Where water is steeper than less of the bounds says, a ray that grazes a crest may end on it.
+            // If the water is steeper than the reduced bound, a grazing ray may end on a crest.
             EXPECT_LE(early, share < 1 ? 0.01 * checked : 0) << wind << ", " << share;
         }
 }
@@ -293,7 +293,7 @@ TEST_F(NoiseWorks, OfTheSeaMeetTheHorizonWhereItIs)
     EXPECT_EQ(wrong, 0);
 }
 
-/// Mean change per pixel and channel when the camera's view moves by a pixel, as the screen shows it.
+/// Returns the mean change per pixel and channel, as displayed, if the view moves by a pixel.
 double shimmer(NoiseWork work, int samples)
 {
     WorkShot shot(work);
@@ -329,7 +329,7 @@ TEST_F(NoiseWorks, OfTheCloudsAreAsBrightWithAnyNumberOfSteps)
     const double fine = meanWith(512, NoiseMarch::bounded);
     for (const int steps : {64, 96, 128, 256})
         EXPECT_NEAR(meanWith(steps, NoiseMarch::bounded) / fine, 1, 0.005) << steps;
-    // Even steps that are summed plainly do not hold this.
+    // Control: a plain sum of uniform steps does not.
     EXPECT_GT(std::abs(meanWith(64, NoiseMarch::halved) / fine - 1), 0.01);
 }
 
@@ -343,7 +343,7 @@ TEST_F(NoiseWorks, OfCloudsAtRestConvergeAndOweNothingToWhatWasDrawnBefore)
     };
     const Picture fine = with(64), one = with(1);
     EXPECT_LT(colorDifference(with(16), fine), 0.5 * colorDifference(one, fine));
-    // A cut: elsewhere, and back.
+    // A cut to another view, and back.
     shot.request.frame.camera.eye.x += 0.5;
     EXPECT_GT(colorDifference(with(1), one), 0);
     shot.request.frame.camera.eye.x -= 0.5;

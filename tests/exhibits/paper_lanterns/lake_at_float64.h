@@ -16,7 +16,7 @@ inline const PaperLanternsTable& lanternsTable()
     return table;
 }
 
-/// Values with the source's waves and lanterns that fill their cells: the hardest lattice.
+/// Returns values with the waves of the reference and lanterns that fill their cells: the most difficult lattice.
 inline ParameterValues sourceLake()
 {
     const PaperLanternsTable& t = lanternsTable();
@@ -29,7 +29,7 @@ inline ParameterValues sourceLake()
     return values;
 }
 
-/// The lake of these values at float64; only solid lanterns, no glowing points.
+/// Returns the lake of these values at float64; only solid lanterns, no glowing points.
 inline glsl::Lake lakeAtFloat64(const ParameterValues& values, double seconds)
 {
     static const std::shared_ptr<const render::Texture> noise = blueNoise();
@@ -42,7 +42,7 @@ inline glsl::Lake lakeAtFloat64(const ParameterValues& values, double seconds)
     return made;
 }
 
-/// All lanterns of a lattice, one by one.
+/// Returns all lanterns of a lattice.
 inline std::vector<glsl::Lake::Lantern> everyLantern(glsl::Lake& lake)
 {
     std::vector<glsl::Lake::Lantern> all;
@@ -51,7 +51,7 @@ inline std::vector<glsl::Lake::Lantern> everyLantern(glsl::Lake& lake)
     return all;
 }
 
-/// The nearest of them along a ray, each marched by itself from end to end: no cell, no bound.
+/// Returns the nearest of them along a ray. Each is marched by itself from end to end, without cells and bounds.
 inline double nearestOfAll(glsl::Lake& lake, const std::vector<glsl::Lake::Lantern>& all,
                            const glsl::Lake::LanternRay& ray)
 {
@@ -59,7 +59,7 @@ inline double nearestOfAll(glsl::Lake& lake, const std::vector<glsl::Lake::Lante
     for (const auto& l : all) {
         if (l.light < 0) continue;
         const glm::dvec3 off = l.place + glm::dvec3(0, 1, 0) - ray.origin;
-        // Nothing of a lantern is 2.2 m from its middle.
+        // A lantern reaches less than 2.2 m from its center.
         const double along = glm::dot(off, ray.direction);
         if (glm::dot(off, off) - along * along > 2.2 * 2.2 || along < -2.2 || along > nearest + 2.2) continue;
         const glm::dmat3 axes = lake.lakeFromLantern(l);

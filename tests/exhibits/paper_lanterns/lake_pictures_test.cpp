@@ -1,4 +1,4 @@
-// Pictures of the lake, against closed forms and against themselves.
+// Pictures of the lake, compared with closed forms and with each other.
 
 #include "tests/exhibits/paper_lanterns/lake_shot.h"
 #include "tests/support/plan_steps.h"
@@ -21,7 +21,7 @@ const PaperLanternsTable& rows()
 
 class LakePictures : public GlTest {};
 
-/// Mean luminance of the rows from `first` to `last`.
+/// Returns the mean luminance of the rows from `first` to `last`.
 double meanOf(const Picture& p, int first, int last)
 {
     double sum = 0;
@@ -37,7 +37,7 @@ TEST_F(LakePictures, EachLightIsOnlyItsOwn)
     const double lit = meanOf(shot.take(), 31, 60);
     shot.set(rows().candles, false);
     const Picture dark = shot.take();
-    // Airglow, and nothing else: the sky is darker than a thousandth of what the lanterns are.
+    // Only airglow: the sky is darker than a thousandth of the lanterns.
     EXPECT_LT(meanOf(dark, 31, 60), 0.02 * lit);
     EXPECT_LT(meanOf(dark, 31, 60), 0.004);
     EXPECT_GT(meanOf(dark, 0, 29), 0);
@@ -63,7 +63,7 @@ TEST_F(LakePictures, ShowsThreePartsAndTheWater)
     EXPECT_GT(parts.x, 100);
     EXPECT_GT(parts.y, 20);
     EXPECT_GT(parts.z, 20);
-    // A frame of thin wire is hardly seen; without lanterns there is no part.
+    // A frame of thin wire is hardly visible; without lanterns there are no parts.
     shot.set(rows().ringWire, 0.005).set(rows().postWire, 0.005).set(rows().frameBlend, 0.0);
     EXPECT_LT(count().z, parts.z / 2);
     shot.set(rows().crowding, 0.0);
@@ -72,7 +72,7 @@ TEST_F(LakePictures, ShowsThreePartsAndTheWater)
 
 TEST_F(LakePictures, PaperIsLitOnBothSides)
 {
-    // Into a lantern from above: its inside, and the outside of the others.
+    // View into a lantern from above: its inside, and the outside of others.
     LakeShot shot;
     shot.inTheDark().set(rows().lanterns, 1).set(rows().crowding, 1.0).set(rows().irregularity, 0.0);
     shot.request.frame.camera = {{0, 0.3, -1.2}, {0, -1.3, -3.1}, 0.5};
@@ -87,7 +87,7 @@ TEST_F(LakePictures, PaperIsLitOnBothSides)
     shot.set(rows().paperThickness, 20.0);
     const Picture thick = shot.take();
     double outside = 0, before = 0;
-    // Low on the picture is the paper's outside: thick paper lets less through.
+    // The lower part of the picture shows the paper's outside: thick paper transmits less.
     for (int x = 30; x < 66; ++x) {
         outside += thick.luminance(x, 42);
         before += p.luminance(x, 42);
@@ -99,7 +99,7 @@ TEST_F(LakePictures, AVisitorsPanoramaIsTheSkyAndIsMirrored)
 {
     const TemporaryFolder folder;
     const auto file = folder.path() / "sky.hdr";
-    // Red straight ahead, green behind.
+    // Red in front, green behind.
     writePanorama(file, [](const dvec3& d) { return d.z < 0 ? dvec3(1, 0, 0) : dvec3(0, 1, 0); });
     LakeShot shot;
     shot.set(rows().panorama, file.string()).set(rows().fog, 0.0).set(rows().crowding, 0.0).set(rows().moon, 0.0);
@@ -117,7 +117,7 @@ TEST_F(LakePictures, HorizonHasTheColorOfTheMist)
     const dvec3 c = p.color(48, 29);
     EXPECT_NEAR(c.y / c.x, 4, 0.3);
     EXPECT_NEAR(c.y / c.z, 2, 0.15);
-    // Without mist the horizon has the color of the sky alone.
+    // Without mist, the horizon has the color of the sky.
     shot.set(rows().fog, 0.0);
     const dvec3 clear = shot.take().color(48, 29);
     EXPECT_GT(std::abs(clear.y / clear.x - 4), 1);
@@ -133,7 +133,7 @@ TEST_F(LakePictures, CalmWaterMirrorsALanternWhereItStands)
     const Picture p = shot.take();
     shot.set(rows().bounces, 0);
     const Picture without = shot.take();
-    // What the mirror adds is under the lantern, and as wide.
+    // The mirror image is below the lantern and equally wide.
     double sum = 0, column = 0, own = 0, ownColumn = 0;
     p.each([&](int x, int y) {
         const double added = p.luminance(x, y) - without.luminance(x, y);
@@ -165,7 +165,7 @@ TEST_F(LakePictures, LanternsLightTheWaterAndEachOther)
     const double glowing = meanOf(shot.take(), 40, 60);
     shot.set(rows().lightCells, 0);
     EXPECT_GT(glowing, 1.03 * meanOf(shot.take(), 40, 60));
-    // Bases and frames, lit by the flames of the neighbors or not.
+    // Bases and frames, with and without light from the neighbors' flames.
     shot.set(rows().show, LakeShow::parts).set(rows().pointSize, 0.5);
     const Picture parts = shot.take();
     shot.set(rows().show, LakeShow::picture);
@@ -231,7 +231,7 @@ TEST_F(LakePictures, FarLanternsAreAsBrightAsPointsAsWhenTheyAreMarched)
     const double marched = shot.take().mean();
     shot.set(rows().pointSize, 60.0);
     EXPECT_NEAR(shot.take().mean() / marched, 1, 0.1);
-    // Beyond the rows that are walked they are reckoned as their mean.
+    // Beyond the rows that are walked, their mean is used.
     shot.set(rows().pointSize, 5.0).set(rows().rows, 9);
     EXPECT_NEAR(shot.take().mean() / marched, 1, 0.2);
 }
@@ -239,11 +239,11 @@ TEST_F(LakePictures, FarLanternsAreAsBrightAsPointsAsWhenTheyAreMarched)
 TEST_F(LakePictures, AreFiniteWhereverTheCameraIsAndWhenever)
 {
     const render::Camera cameras[] = {
-        {{0, -1.8, -1}, {0.3, -1.2, -4}, 0.9},     // under water
-        {{0, -1.45, -3.2}, {0.3, -1.4, -4}, 1.2},  // about a lantern's inside, where one is
-        {{0, 3e5, 1e6}, {0, 0, 0}, 0.5},           // far away
-        {{0, -1.6, -3}, {0, 5, -3.001}, 0.9},      // straight up
-        {{0, 2, -3}, {0, -5, -3.001}, 0.9},        // straight down
+        {{0, -1.8, -1}, {0.3, -1.2, -4}, 0.9},     // Under water.
+        {{0, -1.45, -3.2}, {0.3, -1.4, -4}, 1.2},  // At the place of a lantern's inside.
+        {{0, 3e5, 1e6}, {0, 0, 0}, 0.5},           // Far away.
+        {{0, -1.6, -3}, {0, 5, -3.001}, 0.9},      // Straight up.
+        {{0, 2, -3}, {0, -5, -3.001}, 0.9},        // Straight down.
     };
     for (const LakeLook look : {LakeLook::ours, LakeLook::source})
         for (const double moment : {0.0, 1e6})
@@ -257,7 +257,7 @@ TEST_F(LakePictures, AreFiniteWhereverTheCameraIsAndWhenever)
             }
 }
 
-/// Mean change per pixel when the view moves by a pixel.
+/// Returns the mean change per pixel if the view moves by a pixel.
 double lakeShimmer(int samples)
 {
     LakeShot shot;

@@ -5,7 +5,7 @@
 
 namespace vitrine::test {
 
-/// A small picture of the lake, alone.
+/// Small picture of the lake, alone.
 struct LakeShot : Shot {
     std::size_t lake = *gallery().museum.find("paper_lanterns");
 
@@ -22,21 +22,21 @@ struct LakeShot : Shot {
         values().set(row, value);
         return *this;
     }
-    /// Nothing but lanterns and calm water under a black sky.
+    /// Shows only lanterns and calm water under a black sky.
     LakeShot& inTheDark()
     {
         const PaperLanternsTable& t = lanternsTable();
         set(t.moon, 0.0).set(t.stars, 0.0).set(t.dusk, 0.0).set(t.fog, 0.0);
         return set(t.ripples, 0.0).set(t.waveHeight, 0.0).set(t.colors, 0.0);
     }
-    /// One lantern that is not turned; returns it.
+    /// Shows one lantern that is not rotated; returns it.
     glsl::Lake::Lantern withOneLantern()
     {
         const PaperLanternsTable& t = lanternsTable();
         set(t.lanterns, 1).set(t.crowding, 1.0).set(t.irregularity, 0.0).set(t.turned, 0.0);
         return lakeAtFloat64(values(), lakeTime(t, values(), 0)).lanternOfCell({0, 0});
     }
-    /// The camera at a place of the lake's world.
+    /// Places the camera in the lake's world.
     LakeShot& from(const glm::dvec3& eye, const glm::dvec3& target, double fovY)
     {
         const glm::dmat4 exhibitFromLake = glm::inverse(lakePortal(lanternsTable(), values()).workFromExhibit);
@@ -44,7 +44,7 @@ struct LakeShot : Shot {
                                 glm::dvec3(exhibitFromLake * glm::dvec4(target, 1)), fovY};
         return *this;
     }
-    /// The pixel that shows a place of the lake's world, from the top left.
+    /// Returns the pixel that shows a place of the lake's world, from the top left.
     [[nodiscard]] glm::dvec2 pixelOf(const Picture& p, const glm::dvec3& place)
     {
         const glm::dmat4 lakeFromExhibit = lakePortal(lanternsTable(), values()).workFromExhibit;

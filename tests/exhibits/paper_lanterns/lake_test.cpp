@@ -1,4 +1,4 @@
-// The water, and what floats on it.
+// The water and floating lanterns.
 
 #include "exhibits/paper_lanterns/lake_waves.h"
 #include "tests/exhibits/paper_lanterns/lake_at_float64.h"
@@ -43,7 +43,7 @@ TEST(LakeWaves, AreTheSourcesFiveAndStayWithinTheirBounds)
     }
     EXPECT_LE(highest, 0.2075 + 1e-6);
     EXPECT_LE(steepest, 0.1833 + 1e-4);
-    // The bounds are not far off.
+    // The bounds are tight.
     EXPECT_GT(highest, 0.17);
     EXPECT_GT(steepest, 0.12);
 }
@@ -68,7 +68,7 @@ TEST(LakeWaves, RunAsGravityMakesThem)
 {
     for (const LakeWave& wave : sourceWaves(true))
         EXPECT_NEAR(wave.frequency * wave.frequency, 9.81 * glm::length(wave.vector), 1e-6);
-    // The source's all have one speed of their phase, which none but one of deep water has.
+    // In the reference all waves have one phase speed, which at most one wave of deep water has.
     int right = 0;
     for (const LakeWave& wave : sourceWaves(false))
         right += std::abs(wave.frequency * wave.frequency / (9.81 * glm::length(wave.vector)) - 1) < 0.02;
@@ -79,8 +79,8 @@ TEST(LakeWaves, RunAsGravityMakesThem)
     EXPECT_NEAR(slopes, 0.0025, 1e-9);
 }
 
-/// Largest error of base and tilt of some lanterns over 60 s, against the plane that is nearest to the water over the
-/// square base: meters and radians.
+/// Returns the largest errors of base height and tilt of some lanterns over 60 s, in meters and radians. The true
+/// values are those of the plane that fits the water below the square base best.
 dvec2 rideError(const ParameterValues& values)
 {
     dvec2 worst(0);
@@ -116,7 +116,7 @@ TEST(LanternsAfloat, SitOnTheWaterWithinACentimeterAndADegree)
     const dvec2 error = rideError(values);
     EXPECT_LT(error.x, 0.01);
     EXPECT_LT(error.y, std::numbers::pi / 180);
-    // The source's own wave for them is none of the water's.
+    // Control: the reference's wave for lanterns is not one of the water's.
     values.set(lanternsTable().ride, LakeRide::source);
     const dvec2 rough = rideError(values);
     EXPECT_GT(rough.x, 0.1);
@@ -140,7 +140,7 @@ TEST(LanternsAfloat, DriftWithTheWindAndKeepTheirLook)
     EXPECT_NEAR(b.place.z - a.place.z, -3 * std::cos(angle), 1e-3);
 }
 
-/// The water by small even steps.
+/// Returns the distance to the water by small uniform steps.
 double waterByEvenSteps(glsl::Lake& lake, const dvec3& o, const dvec3& d)
 {
     for (double t = 0.01; t < 200; t += 0.004)
@@ -163,7 +163,8 @@ TEST(LakeWater, IsMetWhereItIsByItsBounds)
         if (truth < 0) continue;
         ++met;
         EXPECT_NEAR(lake.waterDistance(o, d, 0, 1000, 1e-5, 0.5, 256), truth, 0.02);
-        // As many even steps over as long a way, and bisection in the first one that ends below: they pass crests.
+        // The same number of uniform steps over the same distance, with bisection in the first step that ends below:
+        // crests are missed.
         const auto above = [&](double t) { return o.y + d.y * t > lake.lakeAt({o.x + d.x * t, o.z + d.z * t}).height; };
         double low = 0;
         while (low < 1000 && above(low + 1000.0 / 256)) low += 1000.0 / 256;
@@ -178,7 +179,7 @@ TEST(LakeWater, IsMetWhereItIsByItsBounds)
 TEST(LakeWater, MirrorsByFresnelsLaw)
 {
     EXPECT_NEAR(glsl::fresnelDielectric(1, 1.333), std::pow(0.333 / 2.333, 2), 1e-9);
-    // At Brewster's angle only the light that swings across is mirrored.
+    // At Brewster's angle only perpendicularly polarized light is reflected.
     const double brewster = std::atan(1.333), refracted = std::asin(std::sin(brewster) / 1.333);
     const double across = std::pow(std::sin(brewster - refracted) / std::sin(brewster + refracted), 2);
     EXPECT_NEAR(glsl::fresnelDielectric(std::cos(brewster), 1.333), 0.5 * across, 1e-9);
@@ -200,7 +201,7 @@ TEST(LakeScene, IsFiniteAndWithinItsPeriodsAtAnyTime)
         EXPECT_LT(glm::length(b.corner), 100) << seconds;
         EXPECT_LT(glm::length(glm::vec3(b.released)), 100);
     }
-    // Sixty times a second something has moved, after a million seconds as at first.
+    // Sixty times a second something has moved, also after a million seconds.
     float last = -1;
     int moved = 0;
     for (int i = 0; i < 60; ++i) {

@@ -1,4 +1,4 @@
-// Pictures of the lake that show the source's faults where they are asked to, and not otherwise.
+// Pictures of the lake that show the reference's errors on request only.
 
 #include "tests/exhibits/paper_lanterns/lake_shot.h"
 #include "tests/support/plan_steps.h"
@@ -22,7 +22,7 @@ const PaperLanternsTable& row()
     return lanternsTable();
 }
 
-/// Mean change from a column to the next one, over all rows.
+/// Returns the mean change from a column to the next one, over all rows.
 double columnStep(const Picture& p, int column)
 {
     double sum = 0;
@@ -30,7 +30,7 @@ double columnStep(const Picture& p, int column)
     return sum / p.height();
 }
 
-/// How much more changes in the middle of a picture than from column to column beside it.
+/// Returns how much larger the change is at the center of a picture than between columns beside it.
 double seamInTheMiddle(const Picture& p)
 {
     const int middle = p.width() / 2 - 1;
@@ -41,7 +41,7 @@ double seamInTheMiddle(const Picture& p)
 
 TEST_F(LakeViews, SeamOfThePaperIsNotSeenAtEitherParity)
 {
-    // The angle comes around in the middle: between two quads of pixels in one picture, within a quad in the other.
+    // The angle wraps around in the middle: between two quads of pixels in one picture, within a quad in the other.
     for (const int width : {64, 66}) {
         LakeShot shot;
         const auto l = shot.inTheDark().withOneLantern();
@@ -60,7 +60,7 @@ TEST_F(LakeViews, APanoramaHasNoSeamAtEitherParity)
 {
     const TemporaryFolder folder;
     const auto file = folder.path() / "sky.hdr";
-    // Bright behind, where the picture comes around; dark elsewhere.
+    // Bright behind, where the panorama wraps around; dark elsewhere.
     writePanorama(file, [](const dvec3& d) { return dvec3(d.z > 0.8 ? 1 : 0.125); });
     for (const int width : {64, 66}) {
         LakeShot shot;
@@ -93,7 +93,7 @@ TEST_F(LakeViews, HeightsAreThoseOfTheWaterTimesTheExaggeration)
     glsl::Lake lake = lakeAtFloat64(shot.values(), 0);
     const glm::dmat4 lakeFromExhibit = lakePortal(row(), shot.values()).workFromExhibit;
     const dvec3 eye(lakeFromExhibit * glm::dvec4(p.view.eye, 1));
-    // Mean difference of what the color says from the height times `factor`.
+    // Mean difference between the color and the height times `factor`.
     const auto difference = [&](double factor) {
         double sum = 0;
         p.each([&](int x, int y) {
@@ -110,7 +110,7 @@ TEST_F(LakeViews, HeightsAreThoseOfTheWaterTimesTheExaggeration)
     };
     EXPECT_LT(difference(exaggeration), 0.01);
     EXPECT_GT(difference(1), 0.05);
-    // The source's surface lies at -1 less the sum of its waves.
+    // The reference's surface is at -1 minus the sum of its waves.
     EXPECT_GT(difference(-exaggeration), 0.2);
 }
 
@@ -122,14 +122,14 @@ TEST_F(LakeViews, OfALanternsInsideAreWhole)
         const auto l = shot.withOneLantern();
         const dvec3 eye = l.place + dvec3(0.05, 0.9, 0.02);
         const double scale = shot.values()[row().scale];
-        // The wall from within: lit everywhere, at its distance, with nothing cut away.
+        // The wall from inside: lit everywhere, at its distance, and not clipped.
         const Picture wall = shot.from(eye, eye + dvec3(1, 0, 0), 0.9).take();
         EXPECT_EQ(notFinite(wall.image, 4), "");
         int dark = 0;
         wall.each([&](int x, int y) { dark += !(wall.luminance(x, y) > 0.1 * wall.mean()) || !wall.hit(x, y); });
-        EXPECT_LT(dark, look == LakeLook::ours ? 1 : 60);  // Its frame has no light from between wall and post.
+        EXPECT_LT(dark, look == LakeLook::ours ? 1 : 60);  // Its frame gets no light from between wall and post.
         EXPECT_NEAR(wall.depth(48, 30), 0.67 / scale, 0.01);
-        // Down upon the base, and up through the opening, where the sky is.
+        // Down at the base, and up through the opening at the sky.
         const Picture down = shot.from(eye, eye + dvec3(0, -1, 0.001), 0.5).take();
         EXPECT_EQ(notFinite(down.image, 4), "");
         EXPECT_NEAR(down.depth(48, 30), 0.86 / scale, 0.01);
@@ -137,7 +137,7 @@ TEST_F(LakeViews, OfALanternsInsideAreWhole)
         EXPECT_EQ(notFinite(up.image, 4), "");
         EXPECT_GT(up.depth(48, 30), 1e6);
         EXPECT_LT(up.depth(2, 30), 1);
-        // Control: the same view with no lantern about it.
+        // Control: the same view without a lantern around it.
         shot.set(row().crowding, 0.0);
         EXPECT_FALSE(shot.from(eye, eye + dvec3(1, 0, 0), 0.9).take().depth(48, 30) < 1);
     }
@@ -145,10 +145,10 @@ TEST_F(LakeViews, OfALanternsInsideAreWhole)
 
 TEST_F(LakeViews, OfTheDeepHaveNoHorizon)
 {
-    // Under water, across the line of sight's horizontal: no mist, and no lights of lanterns that are far away.
+    // Under water, across the horizontal: no mist, and no lights of distant lanterns.
     LakeShot shot;
     shot.from({0, -1.2, -3}, {0, -1.2, -13}, 0.9);
-    // Least and most of some rows.
+    // Minimum and maximum of some rows.
     const auto range = [&](const Picture& p) {
         dvec2 found(1e9, 0);
         for (int y = 26; y < 34; ++y)
@@ -159,13 +159,13 @@ TEST_F(LakeViews, OfTheDeepHaveNoHorizon)
     const dvec2 deep = range(shot.take());
     EXPECT_GT(deep.x, 0);
     EXPECT_LT(deep.y, 2 * deep.x);
-    // Control: over the water, the same rows hold the lights of the horizon.
+    // Control: above the water, the same rows show the lights at the horizon.
     shot.from({0, 1.2, -3}, {0, 1.2, -13}, 0.9);
     const dvec2 over = range(shot.take());
     EXPECT_GT(over.y, 10 * over.x);
 }
 
-/// Luminance around a place of the lake.
+/// Returns the luminance around a place of the lake.
 double luminanceAt(LakeShot& shot, const Picture& p, const dvec3& place)
 {
     const dvec2 pixel = shot.pixelOf(p, place);
@@ -190,7 +190,7 @@ TEST_F(LakeViews, TheMistIsLitFinitelyAroundAnEyeInAFlame)
         return p.mean();
     };
     const double here = middle({0, 0, 0});
-    // One over the square of the distance would grow by 10^4 from each of these places to the next one.
+    // The inverse square of the distance would grow by 10^4 from each of these places to the next one.
     for (const double off : {1e-6, 1e-4, 1e-2}) EXPECT_NEAR(middle({0, 0, off}) / here, 1, 0.05) << off;
     shot.set(row().fog, 0.0);
     EXPECT_NE(middle({0, 0, 0}), here) << "the mist was not lit";
@@ -205,7 +205,7 @@ TEST_F(LakeViews, ALanternShadesItsBaseFromTheMoonWhereATracedRayIsBlocked)
     glsl::Lake lake = lakeAtFloat64(shot.values(), lakeTime(row(), shot.values(), 0));
     const std::vector<glsl::Lake::Lantern> only{l};
     const dvec3 moon(lake.lake.towardsMoon);
-    // From the side, where both what the moon lights and what it does not is seen.
+    // From the side, where parts in moonlight and in shade are visible.
     const dvec3 eye = l.place + 3.0 * glm::normalize(dvec3(moon.z, 0, -moon.x)) + dvec3(0, 5, 0);
     shot.request.frame.raster.size = {192, 192};
     const Picture p = shot.from(eye, l.place, 0.6).take();
@@ -225,7 +225,7 @@ TEST_F(LakeViews, ALanternShadesItsBaseFromTheMoonWhereATracedRayIsBlocked)
             const dvec3 place = l.place + axes * dvec3(u, top + 1e-3, v);
             const dvec3 away = eye - place;
             if (met(place, glm::normalize(away), glm::length(away)) < glm::length(away)) continue;
-            // Edges of the shadow are left to the other places: those nearby have to agree.
+            // Edges of the shadow are left out: nearby places must agree.
             int blocked = 0;
             for (const dvec2 off : {dvec2(0), dvec2(0.05, 0), dvec2(-0.05, 0), dvec2(0, 0.05), dvec2(0, -0.05)})
                 blocked += met(place + axes * dvec3(off.x, 0, off.y), moon, 20) < 20;
@@ -235,7 +235,7 @@ TEST_F(LakeViews, ALanternShadesItsBaseFromTheMoonWhereATracedRayIsBlocked)
         }
     ASSERT_GT(litPlaces, 20);
     ASSERT_GT(shadedPlaces, 20);
-    // The wood is one and its normal is one: without the shadow both are equally bright.
+    // Material and normal are equal: without the shadow both are equally bright.
     EXPECT_LT(shaded / shadedPlaces, 0.3 * lit / litPlaces);
 }
 
@@ -247,7 +247,7 @@ TEST_F(LakeViews, ALanternsMoonShadowFallsOnTheWaterWhereItShows)
     const auto l = shot.withOneLantern();
     const dvec3 moon(lakeBlock(row(), shot.values(), 0).towardsMoon);
     const dvec3 aside = glm::normalize(dvec3(moon.x, 0, moon.z));
-    // Of the tube's middle: as far from its foot as the moon's height says.
+    // Shadow of the tube's center: its distance from the foot follows from the moon's height.
     const dvec3 shaded = l.place - 1.9 * aside, lit = l.place + 1.9 * aside;
     shot.from(l.place + dvec3(1.0, 12, 1.0), l.place, 0.6);
     const Picture p = shot.take();
@@ -264,7 +264,7 @@ TEST_F(LakeViews, ALanternsMoonShadowFallsOnTheWaterWhereItShows)
     EXPECT_NE(reason(), "not in the plan");
 }
 
-/// The frame of the lake in the hall by night, with so much glow.
+/// Returns a shot of the lake's frame in the hall at night, with this glow.
 LakeShot frameInTheHall(double glow)
 {
     LakeShot shot;
@@ -307,7 +307,7 @@ TEST_F(LakeViews, GlowFallsOnWallAndFloorBesideTheFrameInTheHall)
 
 TEST_F(LakeViews, TheProbeSeesTheGlow)
 {
-    // The mean light that it has, red: of the glow alone, for there is no other.
+    // Mean red light, which comes from the glow only.
     const auto seen = [&](double glow) {
         LakeShot shot = frameInTheHall(glow);
         const auto renderer = gallery().renderer.sibling();

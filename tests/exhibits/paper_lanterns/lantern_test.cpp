@@ -1,4 +1,4 @@
-// One lantern: its dimensions, its paper, its flame.
+// A lantern: its dimensions, its paper, its flame.
 
 #include "tests/exhibits/paper_lanterns/lake_at_float64.h"
 #include "tests/exhibits/paper_lanterns/traced_sheet.h"
@@ -31,7 +31,7 @@ double cappedCylinder(const dvec3& p, double halfHeight, double radius)
     return std::min(std::max(q.x, q.y), 0.0) + glm::length(glm::max(q, dvec2(0)));
 }
 
-/// The source's three parts as its text tells them, y up from the middle of the base.
+/// The reference's three parts, with y up from the center of the base.
 struct SourcesParts {
     double paper, wood, metal;
 };
@@ -53,7 +53,8 @@ SourcesParts sourcesParts(const dvec3& p)
     return parts;
 }
 
-/// How often the solid is not the source's, at random places about it that are off the surface by a millimeter.
+/// Returns the number of random places, more than a millimeter from the surface, at which the solid differs from the
+/// reference's.
 int placesUnlikeTheSources(glsl::Lake lake)
 {
     std::mt19937 random(5);
@@ -77,7 +78,7 @@ TEST(LanternShape, IsTheSources)
     EXPECT_GT(placesUnlikeTheSources(lakeAtFloat64(wider, 0)), 10);
 }
 
-/// Where the field changes its sign on the way from `from`, by halves.
+/// Returns the distance to the change of the field's sign along a ray, by bisection.
 double surfaceAlong(glsl::Lake& lake, const dvec3& from, const dvec3& direction)
 {
     double t = 0;
@@ -88,7 +89,7 @@ double surfaceAlong(glsl::Lake& lake, const dvec3& from, const dvec3& direction)
 TEST(LanternShape, HasTheDecodedDimensions)
 {
     glsl::Lake lake = lakeAtFloat64(lanternsTable().initial(), 0);
-    // Between two posts, on the outside and on the inside of the paper, which is 3 cm to each side of 75.
+    // Between two posts, outside and inside of the paper, which is 3 cm to each side of 75.
     const dvec3 across(1, 0, 0);
     EXPECT_NEAR(surfaceAlong(lake, {3, 1, 0}, -across), 3 - 0.78, 1e-6);
     EXPECT_NEAR(surfaceAlong(lake, {0, 1, 0}, across), 0.72, 1e-6);
@@ -112,7 +113,7 @@ TEST(LanternShape, TellsTheNearestPartWithTheDistance)
         const SourcesParts parts = sourcesParts(p);
         const auto found = lake.lanternField(p);
         ++seen[found.part];
-        // By the source: the least of the three, where it is not a matter of how the paper's edge is rounded.
+        // The reference takes the nearest of the three. Rounded edges of the paper are left out.
         const double least = std::min({parts.paper, parts.wood, parts.metal});
         const double second =
             parts.paper + parts.wood + parts.metal - least - std::max({parts.paper, parts.wood, parts.metal});
@@ -121,9 +122,9 @@ TEST(LanternShape, TellsTheNearestPartWithTheDistance)
         EXPECT_EQ(found.part, part) << p.x << ' ' << p.y << ' ' << p.z;
     }
     EXPECT_GT(std::min({seen[PART_PAPER], seen[PART_WOOD], seen[PART_METAL]}), 500);
-    // It asks for the field once, where the source asks again for each part.
+    // One evaluation of the field, where the reference evaluates again for each part.
     EXPECT_EQ(lake.evaluations, 20000);
-    // Control: a wider tube is told to be paper where the source has none.
+    // Control: a wider tube has paper where the reference has none.
     ParameterValues wider = lanternsTable().initial();
     wider.set(lanternsTable().paperRadius, 0.9);
     glsl::Lake other = lakeAtFloat64(wider, 0);
@@ -164,7 +165,7 @@ TEST(Flame, FlickersBetweenTheSourcesNumbers)
     EXPECT_NEAR(high, 0.725, 0.001);
 }
 
-/// Of the brightness of two lanterns of the lattice over four seconds.
+/// Returns the correlation of the brightness of two lanterns of the lattice over four seconds.
 double correlation(const ParameterValues& values, int a, int b)
 {
     double sa = 0, sb = 0, saa = 0, sbb = 0, sab = 0;
@@ -204,7 +205,7 @@ TEST(Paper, KeepsAllLightThatItDoesNotAbsorb)
                 EXPECT_NEAR(sheet.reflected + sheet.transmitted, 1, 1e-9) << scatter;
                 EXPECT_NEAR(sheet.transmitted, 1 / (1 + scatter), 1e-9) << scatter;
             }
-            // A sheet on another is one of twice the thickness: light goes back and forth between them.
+            // Two sheets act like one of twice the thickness: light is reflected back and forth between them.
             const auto both = glsl::sheetOf(2 * scatter, 2 * absorb);
             const double between = 1 / (1 - sheet.reflected * sheet.reflected);
             EXPECT_NEAR(both.transmitted, sheet.transmitted * sheet.transmitted * between, 1e-6);
@@ -213,7 +214,7 @@ TEST(Paper, KeepsAllLightThatItDoesNotAbsorb)
         }
 }
 
-/// Light that goes through a sheet and back from it, followed photon by photon from one side to the other.
+/// Returns the light transmitted and reflected by a sheet, traced photon by photon from side to side.
 dvec2 tracedSheet(double scatter, double absorb, int photons)
 {
     std::mt19937 random(8);
@@ -244,9 +245,9 @@ TEST(Paper, IsWhatTracedLightSays)
         const dvec2 traced = tracedSheet(kind.x, kind.y, 200000);
         EXPECT_NEAR(sheet.reflected, traced.x, 0.005) << kind.x << ' ' << kind.y;
         EXPECT_NEAR(sheet.transmitted, traced.y, 0.005) << kind.x << ' ' << kind.y;
-        // Beer's law alone, which knows no scattering back, is far off.
+        // Beer's law, which ignores scattering back, is far off.
         EXPECT_GT(std::abs(std::exp(-kind.y) - traced.y), 0.05);
-        // Followed in three dimensions, where two streams are a simplification.
+        // Traced in three dimensions, which two streams simplify.
         const test::SheetShares slab = test::tracedSlab(kind.x, kind.y, 100000, 1);
         EXPECT_NEAR(sheet.reflected, slab.reflected, 0.025) << kind.x << ' ' << kind.y;
         EXPECT_NEAR(sheet.transmitted, slab.transmitted, 0.025) << kind.x << ' ' << kind.y;
@@ -264,7 +265,7 @@ TEST(Paper, HasNoSeam)
         const dvec3 after(before.x, y, -before.z);
         const dvec3 a = glsl::paperFibers(before, 0.75, 0), b = glsl::paperFibers(after, 0.75, 0);
         widest = std::max({widest, std::abs(a.x - b.x), 0.01 * glm::length(a - b)});
-        // The same noise that does not come around.
+        // The same noise without wrapping around.
         const auto at = [&](double turns) {
             const dvec2 q(turns * 18, y * 5), cell = glm::floor(q);
             return glsl::gradientNoise(glm::ivec2(cell), q - cell, glm::ivec2(0), 9U).value;
@@ -294,7 +295,7 @@ TEST(Paper, TiltsAsASurfaceWithThoseBumpsDoes)
         const dvec3 flat(0.75 * std::cos(angle), y, 0.75 * std::sin(angle));
         const dvec3 fiber = glsl::paperFibers(flat, 0.75, 0);
         worst = std::min(worst, glm::dot(truth, glsl::paperNormal(flat, height * fiber)));
-        // As the source does: what the map holds is added to the normal in the world's axes.
+        // The method of the reference: the map's value is added to the normal in world axes.
         const dvec3 wrong = glm::normalize(dvec3(flat.x, 0, flat.z) / 0.75 + 0.35 * dvec3(fiber.x, fiber.x, fiber.x));
         control = std::min(control, glm::dot(truth, wrong));
     }

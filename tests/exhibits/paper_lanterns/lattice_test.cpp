@@ -1,4 +1,4 @@
-// Rays among the lanterns: none is cut, whatever the camera does.
+// Rays among the lanterns: none is clipped, whatever the camera does.
 
 #include "tests/exhibits/paper_lanterns/lake_at_float64.h"
 
@@ -22,7 +22,7 @@ struct Missed {
     int rays = 0, hits = 0, missed = 0, wrong = 0;
 };
 
-/// Rays from cameras on 100 random paths among lanterns that fill their cells.
+/// Returns the errors of rays from cameras on 100 random paths among lanterns that fill their cells.
 Missed missedBy(int repetition)
 {
     ParameterValues values = sourceLake();
@@ -66,7 +66,7 @@ TEST(Lattice, CutsNoLanternAlong100RandomPaths)
     EXPECT_EQ(ours.wrong, 0);
     const Missed nine = missedBy(REPEAT_3X3);
     EXPECT_EQ(nine.missed, 0);
-    // Its own cell alone, as naive repetition goes: rays step over the neighbors.
+    // Control: with the own cell only, like naive repetition, rays step over the neighbors.
     EXPECT_GT(missedBy(REPEAT_OWN_CELL).missed, 10);
 }
 
@@ -93,7 +93,7 @@ TEST(Lattice, LetsRaysPassTheEdgesThatTheyDoNotTouch)
             };
             early += distance(lake.walkLanterns(ray)) < truth - std::max(margin, 0.05 * truth);
             missed += distance(lake.walkLanterns(ray)) > truth + margin;
-            // Control: whatever comes within the tolerance ends there, as the source goes.
+            // Control: like in the reference, a ray ends within the tolerance of any lantern.
             edges += distance(lake.walkNeighbors(ray, REPEAT_3X3, 4000)) < truth - std::max(margin, 0.05 * truth);
         }
     EXPECT_GT(edges, 100);

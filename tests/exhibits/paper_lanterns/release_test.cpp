@@ -1,4 +1,4 @@
-// The lantern that the button sets free, among the others.
+// The lantern that the button releases, among the others.
 
 #include "exhibits/paper_lanterns/lake_release.h"
 #include "tests/exhibits/paper_lanterns/lake_at_float64.h"
@@ -18,7 +18,7 @@ using glm::dvec3;
 using test::lakeAtFloat64;
 using test::lanternsTable;
 
-/// The lake at a moment, so long after a lantern was set free.
+/// Returns the lake at a time, `since` seconds after a lantern was released.
 glsl::Lake lakeSince(const ParameterValues& values, double seconds, double since)
 {
     glsl::Lake made = lakeAtFloat64(values, seconds);
@@ -26,7 +26,7 @@ glsl::Lake lakeSince(const ParameterValues& values, double seconds, double since
     return made;
 }
 
-/// Places on a lantern: around the edges of its base, and around its tube at five heights.
+/// Returns points of a lantern: around the edges of its base, and around its tube at five heights.
 std::vector<dvec3> placesOn(const glsl::Lake& lake)
 {
     std::vector<dvec3> places;
@@ -56,7 +56,7 @@ bool isWithin(glsl::Lake& lake, const std::vector<dvec3>& places, const glsl::La
     return false;
 }
 
-/// Whether the lantern stands in one of the lattice.
+/// Returns whether the lantern intersects one of the lattice.
 bool touchesAny(glsl::Lake& lake, const glsl::Lake::Lantern& free)
 {
     const std::vector<dvec3> places = placesOn(lake);
@@ -73,9 +73,9 @@ bool touchesAny(glsl::Lake& lake, const glsl::Lake::Lantern& free)
 }
 
 struct Voyage {
-    int touched = 0, straightOn = 0;  ///< Of the moments; and by the way that leads straight on.
-    double far = 0;                   ///< Meters that it went.
-    double jump = 0;                  ///< The longest way in a fiftieth of a second.
+    int touched = 0, straightOn = 0;  ///< Times of contact on its path, and on a straight path.
+    double far = 0;                   ///< Distance traveled in meters.
+    double jump = 0;                  ///< Longest distance in a fiftieth of a second.
 };
 
 Voyage voyage(const ParameterValues& values, double begun)
@@ -100,7 +100,7 @@ Voyage voyage(const ParameterValues& values, double begun)
     return found;
 }
 
-/// As it opens; the festival's crowd; the storm.
+/// Returns the initial lake, the festival's crowd, and the storm.
 std::vector<ParameterValues> lakes()
 {
     const PaperLanternsTable& t = lanternsTable();
@@ -141,12 +141,12 @@ TEST(LanternsAfloat, OneThatRisesTouchesNoOtherOnItsWayUp)
     }
 }
 
-/// How often the room between two was reckoned, over the moments of `expectSameWay`.
+/// Numbers of distance computations between two lanterns, over the times of `expectSameWay`.
 struct Reckoned {
     int near = 0, far = 0, most = 0;
 };
 
-/// That others which are looked at 34 m farther off change nothing, bit by bit.
+/// Expects that lanterns 34 m farther away change nothing, bit by bit.
 Reckoned expectSameWay(const ParameterValues& values, double begun)
 {
     Reckoned sum;
@@ -187,18 +187,18 @@ TEST(LanternsAfloat, OneThatHasComeToRestStaysWhereItIs)
         const glm::vec4 free = lakeBlock(t, values, since, {since, 0}).released;
         return glm::vec2(free.x, free.z);
     };
-    // Between others that leave it no room, also within a step of its way.
+    // Between others without space, also within a step of its path.
     for (const double since : {20.03, 20.05, 20.09, 33.37, 59.9}) EXPECT_EQ(placeAt(since), placeAt(20)) << since;
     EXPECT_GT(glm::distance(placeAt(0), placeAt(20)), 0.3);
 }
 
-/// A crowd without room for another one, so that one of it goes.
+/// Returns a crowd without space for another lantern, so that one of its own leaves.
 ParameterValues fullLake()
 {
     const PaperLanternsTable& t = lanternsTable();
     ParameterValues values = t.initial();
     values.set(t.crowding, 1.0);
-    values.set(t.spacing, 1.0);  // No less than a lantern needs.
+    values.set(t.spacing, 1.0);  // The least that a lantern needs.
     values.set(t.release, LakeRelease::driftsAway);
     return values;
 }
@@ -219,12 +219,12 @@ TEST(LanternsAfloat, OneThatWasSetFreeStaysTheSameWhenTimeStands)
         EXPECT_EQ(stands.freedCell, first.freedCell);
         EXPECT_EQ(stands.releasedPose.z, runs.releasedPose.z);
         if (runs.released.w < 0) continue;
-        // The lake and all upon it are farther by as much as it has drifted.
+        // The lake with all lanterns is displaced by its drift.
         const dvec2 drifted = values[t.drift] * time * windOf(t, values);
         EXPECT_NEAR(runs.released.x - stands.released.x, drifted.x, 1e-4);
         EXPECT_NEAR(runs.released.z - stands.released.z, drifted.y, 1e-4);
     }
-    // Had it gone from where the lake stands now, it would be another one.
+    // Starting from the present position of the lake would select another lantern.
     const LakeBlock other = lakeBlock(t, values, 0, {4, -4});
     EXPECT_NE(other.freedCell, first.freedCell);
 }
@@ -260,14 +260,14 @@ TEST(LanternsAfloat, OneOfACrowdLeavesItsCellEmpty)
     EXPECT_EQ(afloat(10, 0), 899);
     EXPECT_EQ(afloat(15, 5), 899);
     EXPECT_EQ(afloat(200, 190), 899) << "it is gone for good";
-    // It begins where it was.
+    // It begins at its old place.
     glsl::Lake before = lakeSince(values, 10, INFINITY), after = lakeSince(values, 10, 0);
     const auto free = after.releasedLantern();
     const auto was = before.lanternOfCell(after.lake.freedCell - after.lake.firstCell);
     EXPECT_NEAR(glm::distance(free.place, was.place), 0, 1e-4);
     EXPECT_NEAR(free.turn, was.turn, 1e-5);
     EXPECT_NEAR(free.light, was.light, 1e-5);
-    // With room about, a new one comes, and none is missing.
+    // With space around, a new lantern appears, and none is missing.
     values.set(lanternsTable().spacing, 30.0);
     EXPECT_EQ(afloat(10, 5), 900);
 }

@@ -6,15 +6,15 @@
 
 namespace vitrine::test {
 
-/// What of the light on one side of a sheet leaves it.
+/// Shares of the light on one side of a sheet.
 struct SheetShares {
     double transmitted = 0, reflected = 0;
-    std::uint64_t work = 0;  ///< Scatterings that were followed, or other steps.
+    std::uint64_t work = 0;  ///< Number of scatterings, or other steps.
 };
 
-/// Light from all directions above, followed at float64 through a slab that scatters evenly in three dimensions.
-/// `scatter` and `absorb` are Kubelka and Munk's, times the thickness: 3/4 of the slab's scattering and twice its
-/// absorption (Mudgett and Richards 1971, "Multiple Scattering Calculations for Technology").
+/// Traces light from all directions above at float64 through a slab that scatters isotropically in three dimensions.
+/// `scatter` and `absorb` are those of Kubelka and Munk, times the thickness: 3/4 of the slab's scattering and twice
+/// its absorption (Mudgett and Richards 1971, "Multiple Scattering Calculations for Technology").
 inline SheetShares tracedSlab(double scatter, double absorb, std::uint64_t photons, std::uint64_t seed)
 {
     std::mt19937_64 random(seed);

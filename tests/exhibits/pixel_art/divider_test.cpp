@@ -1,4 +1,4 @@
-// The divider of the two halves, dragged in the picture.
+// The divider of the two halves, which is dragged in the picture.
 
 #include "exhibits/pixel_art/pixel_art.h"
 #include "exhibits/pixel_art/pixel_camera.h"

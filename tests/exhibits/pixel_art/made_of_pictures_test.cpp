@@ -1,4 +1,4 @@
-// What is made of many small pictures: frames of sprites, the table of methods.
+// Results made from many small pictures: frames of sprites, and the table of methods.
 
 #include "exhibits/pixel_art/method_table.h"
 #include "exhibits/pixel_art/pixel_passes.h"

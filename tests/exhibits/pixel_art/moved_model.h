@@ -7,8 +7,8 @@
 
 namespace vitrine::test {
 
-/// Writes a triangle that two animations move, of two and of three seconds: "walk" to the side, "jump" up. They end
-/// where they begin, and do not pass the same places at the same share of their time. Returns the path.
+/// Writes a triangle with two animations of two and three seconds: "walk" to the side, "jump" up. They end where they
+/// begin, and have different positions at the same share of their duration. Returns the path.
 inline std::string writeMovedModel(const TemporaryFolder& folder)
 {
     GltfBuilder b;

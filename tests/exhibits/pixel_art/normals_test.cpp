@@ -1,4 +1,4 @@
-// Normals from depth at float64: the very methods that the GPU runs, on scenes that closed forms trace.
+// Normals from depth at float64: the GPU's own methods, on scenes traced by closed forms.
 
 #include "exhibits/pixel_art/normals_cpu.h"
 #include "exhibits/pixel_art/pixel_passes.h"
@@ -38,7 +38,7 @@ dvec3 normalBy(NormalsBy method, Methods& m, const Methods::DepthLens& lens, ive
     return m.normalVoted(lens, p);
 }
 
-/// A traced picture as a depth buffer of some kind holds it.
+/// Traced picture as a depth buffer of some kind stores it.
 struct Buffer {
     explicit Buffer(const TracedPicture& traced, double levels = 0, bool standard = false, bool exact = false)
         : picture(traced), methods{[this, levels, standard, exact](ivec2 p) {
@@ -56,7 +56,7 @@ struct Buffer {
     dvec3 normal(NormalsBy method, ivec2 p) { return normalBy(method, methods, lens, p); }
 
     const TracedPicture& picture;
-    int fetches = 0;  ///< Texels of depth read so far.
+    int fetches = 0;  ///< Number of depth texels read so far.
     Methods methods;
     Methods::DepthLens lens{};
 };
@@ -186,7 +186,7 @@ TEST(NormalsFromDepth, ReversedAndStandardDepthGiveTheSameNormals)
         for (int y = 0; y < traced.size.y; ++y)
             for (int x = 0; x < traced.size.x; ++x)
                 differ += degreesBetween(reversed.normal(method, {x, y}), standard.normal(method, {x, y})) > 1e-4;
-        // Where both sides of an axis are as good, rounding decides.
+        // If both sides of an axis are equally good, rounding decides.
         EXPECT_LT(differ, traced.size.x * traced.size.y / 200) << static_cast<int>(method);
     }
 }
@@ -202,7 +202,7 @@ TEST(NormalsFromDepth, AVoteMendsBarsOfOneAndTwoTexels)
 
 TEST(NormalsFromDepth, AtTwiceTheSizeEdgesOfBarsBendNoParabola)
 {
-    // Their faces are planes of two to four texels: what lies beyond an edge must not bend the slope on this side.
+    // Their faces are planes of two to four texels: the surface beyond an edge must not change the slope on this side.
     const TracedPicture traced(cameraOf(true, {480, 270}), bars);
     Buffer buffer(traced);
     const Errors nine = errorsOf(buffer, NormalsBy::tap9);
@@ -212,7 +212,7 @@ TEST(NormalsFromDepth, AtTwiceTheSizeEdgesOfBarsBendNoParabola)
 
 TEST(NormalsFromDepth, AParabolaBendsNoMoreThanTheDepthAroundTheMiddle)
 {
-    // Depths along x from -2 on; along y all are 0.5. The middle lies on both lines; that to the right is chosen.
+    // Depths along x from -2; along y all are 0.5. The center is on both lines; the horizontal one is chosen.
     const auto slopeOf = [](std::array<double, 5> depths) {
         Methods methods{[&](ivec2 p) { return p.y == 2 ? depths[static_cast<std::size_t>(p.x)] : 0.5; }};
         Methods::DepthLens lens{};
@@ -221,15 +221,15 @@ TEST(NormalsFromDepth, AParabolaBendsNoMoreThanTheDepthAroundTheMiddle)
         lens.orthographic = true;
         lens.size = ivec2(5);
         const dvec3 n = methods.normalCurved(lens, {2, 2});
-        return -n.x / n.z;  // Of height over a texel of one meter; depth is as high.
+        return -n.x / n.z;  // Slope per texel of one meter; the depth is in meters, too.
     };
-    // A smooth curve: the parabola's slope at the middle. A plane that ends at an edge: that of the plane.
-    // Up to what rounding to floats could bend, which does not count.
+    // A smooth curve has the slope of a parabola at the center. A plane that ends at an edge has its own slope.
+    // Curvature that rounding to floats could cause is ignored.
     EXPECT_NEAR(slopeOf({0.56, 0.54, 0.5, 0.44, 0.36}), -0.05, 2e-7);
     EXPECT_NEAR(slopeOf({0.3, 0.45, 0.5, 0.55, 0.59}), 0.05, 2e-7);
 }
 
-/// The 5 tap method with neighbors beyond the border clamped to it, which is how it is often written.
+/// Returns whether the 5 tap method gives 0 if neighbors beyond the border are clamped to it, as in common code.
 bool isZeroWhenClamped(Buffer& buffer, ivec2 p)
 {
     const auto at = [&](ivec2 q) {

@@ -1,4 +1,4 @@
-// Small pictures as the GPU makes them: normals against the same methods at float64, palettes, halves, steps.
+// Small pictures from the GPU: normals compared with the same methods at float64, palettes, halves, steps.
 
 #include "exhibits/pixel_art/normals_cpu.h"
 #include "exhibits/pixel_art/pixel_passes.h"
@@ -30,13 +30,13 @@ const PixelArtTable& table()
     return t;
 }
 
-/// The images of a small picture.
+/// Images of a small picture.
 struct Small {
     Image truth, normal, depth, lit, shown;
     PixelBlock block;
 };
 
-/// A small picture of the test scene, without the hall.
+/// Small picture of the test scene, without the hall.
 struct SmallShot {
     ParameterValues values = table().initial();
     PaletteTextures palette;
@@ -117,7 +117,7 @@ TEST_F(PixelPictures, NormalsAreThoseOfTheSameMethodAtFloat64)
                     off += glm::distance(n, at(small.normal, x, row)) > 0.01;
                 }
             EXPECT_GT(seen, 1500);
-            // Where both sides of an axis are as good, rounding decides.
+            // If both sides of an axis are equally good, rounding decides.
             EXPECT_LE(off, seen / 100) << static_cast<int>(method);
         }
 }
@@ -152,7 +152,7 @@ TEST_F(PixelPictures, EitherWayRoundIsTheSamePicture)
                 EXPECT_EQ(reversed.normal.at(x, y, 3), standard.normal.at(x, y, 3));
                 differ += glm::distance(at(reversed.normal, x, y), at(standard.normal, x, y)) > 0.02;
             }
-        // One and five texels of 8160 differ, where rounding decides between two sides that are as good.
+        // One and five texels of 8160 differ, because rounding decides between two equally good sides.
         EXPECT_LE(differ, shot.size.x * shot.size.y / 1000);
     }
 }
@@ -209,8 +209,8 @@ TEST_F(PixelPictures, NormalsOfNoLengthInAModelAreDrawnAsUnitNormals)
     }
 }
 
-// The palette is asked for the color itself; the picture before it is kept in 16-bit floats, whose rounding moves a
-// color in 400 to another cell of the table at most.
+// The palette is applied to the exact color. The picture before it has 16-bit floats, whose rounding moves at most one
+// color in 400 to another cell of the table.
 TEST_F(PixelPictures, ThePaletteIsTheNearestToThePictureBeforeIt)
 {
     SmallShot shot;
@@ -304,7 +304,7 @@ TEST_F(PixelPictures, ASlowPanMovesThePictureByWholeTexelsOnly)
     SmallShot shot;
     shot.parts = barParts();
     shot.values.set(table().method, NormalsBy::trueNormals);
-    const double texel = shot.values[table().tall] / 135;  // The size of the table is what snaps.
+    const double texel = shot.values[table().tall] / 135;  // Positions snap to the texel size of the table.
     shot.size = {240, 135};
     const Image start = shot.take().lit;
     for (int step = 1; step <= 20; ++step) {
@@ -315,7 +315,7 @@ TEST_F(PixelPictures, ASlowPanMovesThePictureByWholeTexelsOnly)
         for (int y = 2; y < 133; ++y)
             for (int x = 4; x < 234; ++x)
                 differ += glm::distance(at(now, x, y), at(start, x + moved, y)) > (moved == 0 ? 0 : 0.01);
-        // Edges of shadows and of bars that end in the middle of a texel are a rounding apart.
+        // Edges of shadows, and bars that end in the middle of a texel, depend on rounding.
         EXPECT_LE(differ, moved == 0 ? 0 : 60) << step;
     }
     shot.values.set(table().snap, false);
@@ -327,7 +327,7 @@ TEST_F(PixelPictures, ASlowPanMovesThePictureByWholeTexelsOnly)
     EXPECT_GT(crawling, 500);
 }
 
-/// Texels that a pan by whole texels changes, of 29,606.
+/// Number of texels, of 29,606, that change when the camera moves by whole texels.
 struct Panned {
     int normals = 0;  ///< By more than a degree.
     int lit = 0;      ///< By more than a hundredth.
@@ -335,7 +335,7 @@ struct Panned {
 
 Panned pannedBy(int texels, SmallShot shot)
 {
-    shot.size = {240, 135};  // The size of the table is what snaps.
+    shot.size = {240, 135};  // Positions snap to the texel size of the table.
     shot.values.set(table().panX, 0.0);
     const Small start = shot.take();
     shot.values.set(table().panX, texels * shot.values[table().tall] / 135);
@@ -349,8 +349,8 @@ Panned pannedBy(int texels, SmallShot shot)
     return changed;
 }
 
-// The rasterizer leaves depths a rounding apart. Sides of equal worth are told by more than that, and no tone begins
-// where walls are; without these, 29 to 85 normals of the bars changed, and 57 to 200 texels of either scene.
+// Depths from the rasterizer differ by rounding. The methods ignore differences of this size, and no tone begins at the
+// slope of walls. Otherwise 29 to 85 normals of the bars would change, and 57 to 200 texels of either scene.
 TEST_F(PixelPictures, NormalsFromDepthStayWhenTheCameraMovesByWholeTexels)
 {
     for (const NormalsBy method : {NormalsBy::trueNormals, NormalsBy::tap9Plus, NormalsBy::parabola, NormalsBy::vote})
@@ -361,7 +361,7 @@ TEST_F(PixelPictures, NormalsFromDepthStayWhenTheCameraMovesByWholeTexels)
                 shot.values.set(table().method, method);
                 const Panned changed = pannedBy(texels, shot);
                 EXPECT_EQ(changed.normals, 0) << static_cast<int>(method) << ' ' << bars << ' ' << texels;
-                // What is left: shadows and tones that end in the middle of a texel.
+                // The rest are shadows and tones that end in the middle of a texel.
                 EXPECT_LE(changed.lit, 30) << static_cast<int>(method) << ' ' << bars << ' ' << texels;
             }
 }

@@ -11,13 +11,13 @@
 
 namespace vitrine::test {
 
-/// What a ray meets first, by closed forms at float64.
+/// First hit of a ray, from closed forms at float64.
 struct TracedHit {
     double distance = 0;
-    glm::dvec3 normal{0};  ///< World space.
+    glm::dvec3 normal{0};  ///< Normal in world space.
 };
 
-/// A ray in world space; `direction` of any length.
+/// Ray in world space; `direction` has any length.
 using TracedWorld = std::function<std::optional<TracedHit>(const glm::dvec3& origin, const glm::dvec3& direction)>;
 
 inline void nearer(std::optional<TracedHit>& best, double t, const glm::dvec3& normal)
@@ -35,7 +35,7 @@ inline void meetSphere(std::optional<TracedHit>& best, const glm::dvec3& o, cons
     nearer(best, t, v + t * d);
 }
 
-/// A box of half size `half` about `c`, turned by `turn` about y and `tilt` about x.
+/// Intersects a box of half size `half` around `c`, rotated by `turn` about y and `tilt` about x.
 inline void meetBox(std::optional<TracedHit>& best, const glm::dvec3& o, const glm::dvec3& d, const glm::dvec3& c,
                     const glm::dvec3& half, double turn, double tilt = 0)
 {
@@ -62,7 +62,7 @@ inline void meetFloor(std::optional<TracedHit>& best, const glm::dvec3& o, const
     if (d.y != 0) nearer(best, -o.y / d.y, {0, 1, 0});
 }
 
-/// Spheres, turned boxes and a floor.
+/// Spheres, rotated boxes and a floor.
 inline std::optional<TracedHit> solids(const glm::dvec3& o, const glm::dvec3& d)
 {
     std::optional<TracedHit> best;
@@ -74,7 +74,7 @@ inline std::optional<TracedHit> solids(const glm::dvec3& o, const glm::dvec3& d)
     return best;
 }
 
-/// Bars of one to two texels at 240 x 135 and a picture 9.8 m tall, before a floor.
+/// Bars of one to two texels for 240 x 135 texels and a picture 9.8 m tall, in front of a floor.
 inline std::optional<TracedHit> bars(const glm::dvec3& o, const glm::dvec3& d)
 {
     std::optional<TracedHit> best;
@@ -88,7 +88,7 @@ inline std::optional<TracedHit> bars(const glm::dvec3& o, const glm::dvec3& d)
     return best;
 }
 
-/// A picture of stored depth and true normals.
+/// Picture of stored depth and true normals.
 struct TracedPicture {
     TracedPicture(const PixelCamera& camera, const TracedWorld& world)
         : block(pixelView(camera, false).block), size(camera.size)
@@ -116,11 +116,11 @@ struct TracedPicture {
 
     PixelBlock block;
     glm::ivec2 size;
-    std::vector<double> depth;        ///< Reversed, at float64; 0: nothing.
-    std::vector<glm::dvec3> normals;  ///< View space.
+    std::vector<double> depth;        ///< Reversed depth at float64; 0: nothing.
+    std::vector<glm::dvec3> normals;  ///< Normals in view space.
 };
 
-/// As a buffer of `levels` codes holds it (0: 32-bit floats), reversed or not.
+/// Returns a depth as a buffer of `levels` codes stores it (0: 32-bit floats), reversed or not.
 [[nodiscard]] inline double stored(double reversed, double levels, bool standard)
 {
     const double d = standard ? 1 - reversed : reversed;

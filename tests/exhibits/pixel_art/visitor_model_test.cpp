@@ -1,4 +1,4 @@
-// A visitor's glTF on the screen: its animation on the exhibit's clock, and what is transparent.
+// A visitor's glTF model on the screen: its animation by the exhibit's clock, and transparency.
 
 #include "exhibits/pixel_art/pixel_art.h"
 #include "exhibits/pixel_art/pixel_passes.h"
@@ -37,7 +37,7 @@ struct VisitorModel : testing::Test {
         values.set(modelRows().animate, true);
         values.set(modelRows().turn, false);
     }
-    /// Where the triangle's first corner is.
+    /// Returns the position of the triangle's first corner.
     glm::dvec3 cornerAt(double now)
     {
         const PosedModel posed = posedModel(modelRows(), values, now, assets);
@@ -52,7 +52,7 @@ TEST_F(VisitorModel, PlaysTheChosenAnimationAtTheChosenSpeedAgainAndAgain)
     EXPECT_NEAR(cornerAt(0).x, 0, 1e-6);
     EXPECT_NEAR(cornerAt(0.6).x, 1, 1e-6);
     EXPECT_NEAR(cornerAt(1.2).x, 2, 1e-6);
-    EXPECT_NEAR(cornerAt(2.6).x, 1, 1e-6);  // The second time.
+    EXPECT_NEAR(cornerAt(2.6).x, 1, 1e-6);  // During the second pass.
     EXPECT_NEAR(cornerAt(1e6 + 0.6).x, 1, 1e-4);
     values.set(modelRows().animationSpeed, 2.0);
     EXPECT_NEAR(cornerAt(0.3).x, 1, 1e-6);
@@ -60,11 +60,11 @@ TEST_F(VisitorModel, PlaysTheChosenAnimationAtTheChosenSpeedAgainAndAgain)
     values.set(modelRows().animation, 2);
     EXPECT_NEAR(cornerAt(0.9).y, 1.5, 1e-6);
     EXPECT_EQ(cornerAt(0.9).x, 0);
-    values.set(modelRows().animation, 1000);  // Beyond the last one: the last.
+    values.set(modelRows().animation, 1000);  // Beyond the last animation: the last one.
     EXPECT_NEAR(cornerAt(0.9).y, 1.5, 1e-6);
     values.set(modelRows().animation, 0);
     EXPECT_EQ(cornerAt(0.9), cornerAt(0.2));
-    // The file was read once, whatever was asked of it.
+    // The file was read once for all queries.
     EXPECT_EQ(assets.builds("pixel_art.model"), 1);
 }
 
@@ -78,7 +78,7 @@ TEST_F(VisitorModel, IsFramedWithAllThatItsAnimationReaches)
     EXPECT_NEAR(posedModel(modelRows(), values, 0, assets).framed.high.y, 1, 1e-6);
 }
 
-/// Frames of the exhibit alone in a hall of its own.
+/// Frames of the exhibit alone in its own hall.
 struct ModelFrames : VisitorModel {
     Museum museum = [] {
         std::vector<std::unique_ptr<Exhibit>> guests;
@@ -98,7 +98,7 @@ struct ModelFrames : VisitorModel {
         request.alone = exhibit;
         return planned(museum, state, request);
     }
-    /// What is drawn again when it changes.
+    /// Returns the keys of passes, which change if they are drawn again.
     static std::map<std::string, std::uint64_t> keysOf(const render::FramePlan& plan)
     {
         std::map<std::string, std::uint64_t> keys;
@@ -123,7 +123,7 @@ TEST_F(ModelFrames, AreDrawnAgainOnlyWhereSomethingMoves)
     EXPECT_TRUE(moves());
     EXPECT_EQ(whyStill(0.5), "");
     EXPECT_TRUE(std::isfinite(art.nextChange(values, 0.5)));
-    // Between two pictures nothing moves either.
+    // Nothing changes between two frames of the animation.
     EXPECT_EQ(keysOf(planAt(0.51)), keysOf(planAt(0.53)));
 
     values.set(modelRows().animationSpeed, 0.0);
@@ -153,7 +153,7 @@ TEST_F(ModelFrames, AreDrawnAgainOnlyWhereSomethingMoves)
     EXPECT_EQ(whyStill(0.5), "the model has no animation");
 }
 
-/// A square that stands over the floor of the test scene, with this material.
+/// Returns a square over the floor of the test scene, with this material.
 WorldPart squareOf(const render::Material& material)
 {
     auto mesh = std::make_shared<render::Mesh>();
@@ -193,7 +193,7 @@ TEST_F(TransparentModel, IsCutOutWhereItsMaskSaysWithItsShadow)
     const render::Image bare = litWith({floor}, -1);
     render::Material material;
     material.baseColor = {0.9, 0.1, 0.1, 0.3};
-    // Control: whoever has no mask hides the floor and throws a shadow, whatever its opacity.
+    // Control: an opaque material hides the floor and casts a shadow, whatever its opacity.
     material.alphaMode = render::AlphaMode::opaque;
     const render::Image whole = litWith({floor, squareOf(material)}, -1);
     EXPECT_NE(whole.pixels, bare.pixels);
@@ -202,7 +202,7 @@ TEST_F(TransparentModel, IsCutOutWhereItsMaskSaysWithItsShadow)
     EXPECT_EQ(litWith({floor, squareOf(material)}, -1).pixels, whole.pixels);
     material.alphaCutoff = 0.5F;
     EXPECT_EQ(litWith({floor, squareOf(material)}, -1).pixels, bare.pixels);
-    // What is blended hides as much as it is opaque. Both opacities are too low for a shadow.
+    // A blended material hides in proportion to its opacity. Both opacities are too low for a shadow.
     material.alphaMode = render::AlphaMode::blend;
     material.doubleSided = true;
     const auto changeOf = [&](float opacity) {
@@ -257,7 +257,7 @@ TEST_F(TransparentModel, HasItsOpacityInSprites)
     EXPECT_FAILURE(seenOf("BLEND", 0, warnings), "glass.glb is to be seen");
 }
 
-/// A box of 1 m with its middle at `place`, which an animation may carry `way` further.
+/// Writes a box of 1 m with its center at `place`, which an animation may move by `way`.
 std::string writeBox(const TemporaryFolder& folder, const glm::vec3& place, const glm::vec3& way = glm::vec3(0))
 {
     GltfBuilder b;
@@ -307,8 +307,7 @@ TEST_F(SpriteFraming, HoldsAnObjectAsLargeWhereverItsFileHasIt)
         for (std::size_t i = 0; i < frames.size(); ++i)
             EXPECT_NEAR(seenPixels(frames[i]), seen[i], 0.03 * seen[i]) << place.x << ' ' << place.y << ' ' << place.z;
     }
-    // The pivot is the file's origin, as far to the side as the box is wide times ten: seen from the front, to the
-    // left.
+    // The pivot is the file's origin, ten times the box's width to the side: on the left, seen from the front.
     ParameterValues front = modelRows().initial();
     front.set(modelRows().azimuth, 0.0);
     front.set(modelRows().elevation, 0.0);
@@ -329,7 +328,7 @@ TEST_F(SpriteFraming, TakesOutHowFarAnAnimationCarriesTheObject)
     EXPECT_GT(glm::distance(inPlace.front().pivot, inPlace.back().pivot), 64);
     request.motion = SpriteMotion::kept;
     EXPECT_LT(seenPixels(framesOf(walks, request).front()), 20);
-    // A way shorter than the object is part of its motion.
+    // A movement shorter than the object is part of its animation.
     request.motion = SpriteMotion::automatic;
     const auto sways = framesOf(writeBox(folder, {0, 0, 0}, {0.6F, 0, 0}), request);
     EXPECT_NEAR(sways.front().pivot.x, sways.back().pivot.x, 1e-6);
@@ -352,7 +351,7 @@ TEST_F(SpriteFraming, FailsWhereNothingIsToBeSeen)
         const std::string path = (folder / "a.glb").string();
         writeBytes(path, builder->glb());
         EXPECT_FAILURE(framesOf(path, {2, 2, {32, 32}, {}}), why);
-        // The exhibit shows its own world in its place, and the hall nothing; both say so.
+        // The exhibit shows its own world instead, and the hall nothing. Both report it.
         render::AssetStore assets;
         ParameterValues values = modelRows().initial();
         values.set(modelRows().model, path);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double dpi = 300;
 
-/// A chart for upright lenses, 40 LPI, as linear light; a square of `side` pixels.
+/// Chart for upright lenses, 40 LPI, as linear light; a square with sides of `pixels` pixels.
 struct Drawn {
     Drawn(ChartKind kind, int views, int pixels)
         : side(static_cast<std::size_t>(pixels)),
@@ -29,7 +29,7 @@ struct Drawn {
     {
         return static_cast<std::size_t>((band.from + band.to) / 2 / 25.4 * dpi);
     }
-    /// The mean of a row over 96 lenses of 7.5 pixels.
+    /// Returns the mean of a row over 96 lenses of 7.5 pixels.
     [[nodiscard]] double meanOf(std::size_t row) const
     {
         double sum = 0;
@@ -49,7 +49,7 @@ TEST(Chart, ThePitchChartsMiddleBandHasTheSheetsPitchAndHalfTheInk)
         s.direction = direction;
         const PrintLayout layout(s);
         const Chart chart(layout, ChartKind::pitch, 0.01);
-        ASSERT_EQ(chart.bands().size(), 9U);  // What fits on 101.6 mm.
+        ASSERT_EQ(chart.bands().size(), 9U);  // All that fit on 101.6 mm.
         EXPECT_NEAR(chart.bands().front().layout.printLpi(), 39.6, 1e-9);
         EXPECT_NEAR(chart.bands().at(4).layout.printLpi(), 40, 1e-9);
         EXPECT_NEAR(chart.bands().back().layout.printLpi(), 40.4, 1e-9);
@@ -88,7 +88,7 @@ TEST(Chart, ThePhaseChartsBandsAreOneLensApartInEqualSteps)
     const Drawn drawn(ChartKind::phase, 12, 1200);
     const std::size_t count = drawn.chart.bands().size();
     ASSERT_GE(count, 8U);
-    // The first harmonic of a row at lens pitch: where under its lenses the white half lies.
+    // First harmonic of a row at lens pitch: the position of the white half below its lenses.
     const auto harmonic = [&](const Chart::Band& band) {
         std::complex<double> sum = 0;
         for (std::size_t x = 200; x < 920; ++x)
@@ -106,7 +106,8 @@ TEST(Chart, ThePhaseChartsBandsAreOneLensApartInEqualSteps)
                       "PHASE " + std::to_string(static_cast<double>(i) / static_cast<double>(count)).substr(0, 6), 0),
                   0U)
             << band.label;
-        // Half of every lens: a square wave's first harmonic is 1 / pi, a pixel's width takes sinc(1 / 7.5) of it.
+        // Half of every lens: a square wave has a first harmonic of 1 / pi, reduced by the width of a pixel to sinc(1 /
+        // 7.5) of it.
         EXPECT_NEAR(std::abs(harmonic(band)),
                     std::sin(std::numbers::pi / 7.5) / (std::numbers::pi / 7.5) / std::numbers::pi, 0.005)
             << band.label;
@@ -144,13 +145,13 @@ TEST(Chart, HasARulerInMillimetersAlongBothSides)
 {
     const Drawn drawn(ChartKind::phase, 6, 1200);
     const double millimeter = dpi / 25.4;
-    // Two millimeters from the edge all ticks are met, 3.5 from it those of 5 and 10, 4.5 from it those of 10 alone.
+    // Two millimeters from the edge are all ticks, at 3.5 those of 5 and 10, at 4.5 those of 10 only.
     for (const bool across : {true, false}) {
         for (const auto& [depth, step] : {std::pair{2.0, 1}, {3.5, 5}, {4.5, 10}}) {
-            std::vector<double> ticks;  // The middle of each.
+            std::vector<double> ticks;  // Center of each tick.
             const auto line = static_cast<std::size_t>(depth * millimeter);
             std::size_t start = 0;
-            for (std::size_t i = 110; i < 1070; ++i) {  // From 9.3 to 90.6 mm: the ruler's zero lies at 10.
+            for (std::size_t i = 110; i < 1070; ++i) {  // From 9.3 to 90.6 mm, because the ruler's zero is at 10.
                 const bool ink = (across ? drawn.at(i, line) : drawn.at(line, i)) < 0.5;
                 if (ink && start == 0) start = i;
                 if (!ink && start > 0) {
@@ -160,7 +161,8 @@ TEST(Chart, HasARulerInMillimetersAlongBothSides)
             }
             ASSERT_EQ(ticks.size(), static_cast<std::size_t>(80 / step + 1)) << depth;
             for (std::size_t i = 0; i < ticks.size(); ++i)
-                EXPECT_NEAR(ticks[i], static_cast<double>(i) * step, 0.5 / millimeter) << depth;  // Half a pixel.
+                // Within half a pixel.
+                EXPECT_NEAR(ticks[i], static_cast<double>(i) * step, 0.5 / millimeter) << depth;
         }
     }
 }

@@ -96,7 +96,7 @@ TEST(CrossTalk, CompensatedViewsLookMoreLikeThemselvesThroughTheSheet)
     ViewSet views;
     std::vector<double> levels;
     for (int k = 0; k < n; ++k) {
-        levels.push_back(k % 2 == 0 ? 0.35 : 0.6);  // Neighbors as different as mid tones are.
+        levels.push_back(k % 2 == 0 ? 0.35 : 0.6);  // Neighbors differ as much as mid tones can.
         views.add(render::Image(4, 4, 3, static_cast<float>(levels.back())));
     }
     const auto error = [&](bool compensate) {
@@ -106,7 +106,7 @@ TEST(CrossTalk, CompensatedViewsLookMoreLikeThemselvesThroughTheSheet)
         double sum = 0;
         for (int k = 0; k < n; ++k) {
             const render::Image seen = lookThrough(layout, raster, {.angle = angleOfView(layout, k)}, 256);
-            // Pixels lie differently under every lens: their mean counts.
+            // Pixels have different positions below every lens, so their mean is used.
             double mean = 0;
             for (int x = 3; x < seen.width - 3; ++x)
                 mean += static_cast<double>(seen.at(x, seen.height / 2)) / (seen.width - 6);
@@ -156,7 +156,7 @@ TEST(Dither, CodesThatEightBitsHaveStayAndOthersKeepTheirMean)
             ASSERT_LT(std::abs(x - value / 257.0), 1);
         }
         EXPECT_NEAR(sum / static_cast<double>(coarse.size()), value / 257.0, 0.02);
-        EXPECT_GT(std::abs(std::round(value / 257.0) - value / 257.0), 0.02);  // What rounding would be off by.
+        EXPECT_GT(std::abs(std::round(value / 257.0) - value / 257.0), 0.02);  // Rounding would have this error.
     }
 }
 

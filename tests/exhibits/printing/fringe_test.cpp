@@ -1,4 +1,4 @@
-// Errors of a print as its sheet shows them: the number of fringes is known in closed form.
+// Errors of a print as they appear through its sheet: the number of fringes is known in closed form.
 
 #include "exhibits/printing/optics.h"
 #include "exhibits/printing/proof.h"
@@ -24,7 +24,7 @@ ViewSet blackAndWhite()
     return views;
 }
 
-/// The frequency, in periods over the whole, that is strongest in a line of samples.
+/// Returns the strongest frequency in a line of samples, in periods over the whole line.
 double strongest(const std::vector<double>& line)
 {
     double mean = 0;
@@ -97,19 +97,19 @@ TEST(Fringes, ARotationShowsHeightTimesTangentOverPitchOfThemAndNoneWithoutIt)
 
 TEST(Fringes, TheSheetsOwnPitchShowsThemFromNearAndThePrintPitchDoesNot)
 {
-    // A narrow zone, so that the eye passes several between the edges: L |1/p - 1/p'| of them.
+    // A narrow zone, so that the eye passes several zones between the edges: L |1/p - 1/p'|.
     PrintSettings s = settingsFor(20, 600, 2, 3000, 30);
     s.sheet = derivedSheet("narrow", 20, 20);
     s.distance = 127 / 2 / std::tan(18 * radiansPerDegree);
     const auto seenWith = [&](double visualLpi) {
         PrintSettings own = s;
         own.visualLpi = visualLpi;
-        // Straight ahead, a quarter lens off the strips' border.
+        // Straight ahead, a quarter of a lens from the border between strips.
         own.phase = 0.25;
         const PrintLayout shifted(own);
         std::vector<double> line = rowOf(
             lookThrough(shifted, linearImage(shifted, printOf(shifted, blackAndWhite())), {.distance = s.distance}), 0);
-        // At the edges the eye sees the paper beside the print.
+        // At the edges the paper beside the print is visible.
         return std::vector<double>(line.begin() + 3, line.end() - 3);
     };
     const double pitch = s.sheet.pitch();
@@ -134,7 +134,7 @@ TEST_P(AngleSweep, ShowsViewsZeroToLastOnceEachInOrderAndWrapsOnBothSides)
     s.direction = c.direction;
     s.method = c.method;
     const PrintLayout layout(s);
-    std::vector<render::Image> rasters;  // Of each, one view alone is white.
+    std::vector<render::Image> rasters;  // In each raster only one view is white.
     for (int k = 0; k < c.views; ++k) {
         ViewSet views;
         for (int i = 0; i < c.views; ++i) views.add(render::Image(4, 4, 3, i == k ? 1.0F : 0.0F));

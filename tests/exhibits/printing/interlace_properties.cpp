@@ -1,5 +1,5 @@
-// The interlacer beside straightforward loops that do the same operations on one pixel after the other: the same bits,
-// for any settings and by all instructions that the processor has.
+// Interlacer compared with simple loops that do the same operations pixel by pixel: equal bits for any settings and
+// with all instruction sets of the processor.
 
 #include "exhibits/printing/interlace.h"
 #include "exhibits/printing/sheet.h"
@@ -41,7 +41,7 @@ std::uint32_t between(std::uint32_t a, std::uint32_t b, std::uint32_t part)
     return b > a ? a + (b - a) * part / 65536 : a - (a - b) * part / 65536;
 }
 
-/// A print, pixel after pixel.
+/// Reference print, computed pixel by pixel.
 class StraightforwardPrint {
 public:
     StraightforwardPrint(const PrintLayout& layout, const ViewSet& views)
@@ -84,7 +84,7 @@ private:
         return pixel_.at(c);
     }
 
-    /// What a lens shows of a row of a view.
+    /// Returns the color that a lens shows of a row of a view.
     Pixel lensOf(int k, std::int64_t lens, int row)
     {
         const auto printWidth = static_cast<double>(layout_.width());
@@ -104,7 +104,7 @@ private:
         return even;
     }
 
-    /// With the other views' share.
+    /// Returns the same with the compensation of other views.
     Pixel compensatedLens(int view, std::int64_t lens, int row)
     {
         if (compensation_.weights.empty()) return lensOf(view, lens, row);
@@ -137,7 +137,7 @@ private:
         const int height = views_.height();
         const double scale = static_cast<double>(height) / static_cast<double>(layout_.height());
         std::array<std::uint32_t, 3> mixed{};
-        if (scale > 1) {  // The mean of rows.
+        if (scale > 1) {  // Mean of several rows.
             const double from = static_cast<double>(y) * scale;
             const double to = std::min<double>(height, static_cast<double>(y + 1) * scale);
             Pixel sum{0.5F, 0.5F, 0.5F};
@@ -163,7 +163,7 @@ private:
         return mixed;
     }
 
-    /// Adds view k around a place of the raster: over one lens across the lenses, one pixel along.
+    /// Adds view k around a place of the raster: over one lens across the lenses, over one pixel along them.
     void addSample(int k, double x, double y, float weight, Pixel& sum)
     {
         const bool acrossX = std::abs(layout_.lensesPerPixelX()) >= std::abs(layout_.lensesPerPixelY());
@@ -224,7 +224,7 @@ double part()
     return *rc::gen::inRange(0, 1000) / 1000.0;
 }
 
-/// Noise, and here and there black and white.
+/// Returns views of noise, with black and white at some places.
 ViewSet anyViews(int count)
 {
     const int width = *rc::gen::inRange(1, 180);
@@ -263,7 +263,7 @@ PrintSettings anySettings(int views, bool vertical)
     return s;
 }
 
-/// By all instructions, all of it and a part of it, in codes of either size.
+/// Requires equal bits with all instruction sets, for the whole raster and a part of it, with both code sizes.
 void requireSameBits(const PrintLayout& layout, const ViewSet& views)
 {
     StraightforwardPrint print(layout, views);
@@ -283,7 +283,7 @@ void requireSameBits(const PrintLayout& layout, const ViewSet& views)
                 }
         for (const Instructions instructions : allInstructions()) {
             const Interlacer maker(layout, views, instructions);
-            // From an odd address on, and with a guard behind.
+            // Starts at an odd address, with a guard byte behind.
             std::vector<std::uint8_t> out(eight.size() + 2, 99);
             maker.fill(region, out.data() + 1, threads);
             RC_ASSERT(std::equal(eight.begin(), eight.end(), out.begin() + 1));

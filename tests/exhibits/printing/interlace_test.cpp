@@ -18,7 +18,7 @@ using test::solidViews;
 
 constexpr std::array<Method, 3> methods{Method::nearest, Method::area, Method::guard};
 
-/// The views of the first row, by solid colors.
+/// Returns the views in the first row, identified by solid colors.
 std::vector<int> viewsOfRow(const PrintLayout& layout)
 {
     std::vector<int> row;
@@ -95,7 +95,7 @@ TEST(Lenticular, TheLastColumnIsWhereTheClosedFormSays)
 {
     PrintSettings s = settingsFor(60.12, 1440, 12, 200000, 200000);
     s.method = Method::nearest;
-    const PrintLayout layout(s);  // 4e10 pixels: nothing is allocated.
+    const PrintLayout layout(s);  // 4e10 pixels, for which no memory is allocated.
     ASSERT_EQ(layout.width(), 200000);
     std::vector<Tap> taps;
     for (const std::int64_t x : {std::int64_t{0}, std::int64_t{99999}, std::int64_t{199999}}) {
@@ -157,7 +157,7 @@ TEST(Lenticular, GrayStaysGray)
 
 TEST(Lenticular, HalfBlackHalfWhiteIs188)
 {
-    // One pixel straddles the middle of the lens where black and white meet.
+    // One pixel contains the center of the lens, where black and white meet.
     ViewSet views;
     views.add(render::Image(4, 4, 3, 0.0F));
     views.add(render::Image(4, 4, 3, 1.0F));
@@ -189,7 +189,7 @@ TEST(Lenticular, SixteenBitsAgreeWithEight)
 
 TEST(Lenticular, APlainLoopInDoubleGivesTheSamePrint)
 {
-    // Interpolated rows, box over one lens, area weights, all written out once more.
+    // Interpolated rows, a box over one lens, and area weights, in an independent implementation.
     const int n = 4;
     const ViewSet views = noisyViews(n, 120, 30);
     const PrintLayout layout(settingsFor(30, 400, n, 300, 90));

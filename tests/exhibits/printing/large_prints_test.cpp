@@ -1,4 +1,4 @@
-// What is too large for memory: views in a scratch file, rasters that are never held, files read by rows.
+// Prints that are larger than memory: views in a scratch file, rasters that are never stored, files read by rows.
 
 #include "exhibits/printing/print_file.h"
 #include "exhibits/printing/print_raster.h"
@@ -39,7 +39,7 @@ std::vector<render::Image> noisyImages(int count, int width, int height)
     return images;
 }
 
-/// Lets no file of this process grow beyond `bytes`, while it lives.
+/// Limits the size of files of this process while an object exists.
 class FileSizeLimit {
 public:
     explicit FileSizeLimit(rlim_t bytes) : handler_(std::signal(SIGXFSZ, SIG_IGN))
@@ -61,7 +61,7 @@ private:
     sighandler_t handler_;
 };
 
-/// Gives temporary files another folder, while it lives.
+/// Selects another folder for temporary files while an object exists.
 class TemporaryFilesIn {
 public:
     explicit TemporaryFilesIn(const std::string& folder)
@@ -87,7 +87,7 @@ TEST(LargeViews, ViewsOnDiskGiveThePrintThatViewsInMemoryGive)
 {
     const std::vector<render::Image> images = noisyImages(5, 301, 97);
     const std::size_t one = std::size_t{301} * 97 * 3 * sizeof(std::uint16_t);  // Red, green and blue.
-    for (const std::size_t memory : {std::size_t{0}, 4 * one + one / 2}) {      // None of them, and four, in memory.
+    for (const std::size_t memory : {std::size_t{0}, 4 * one + one / 2}) {      // In memory: none of them, or four.
         ViewSet inMemory;
         ViewSet onDisk(memory);
         for (const render::Image& image : images) {
@@ -106,7 +106,7 @@ TEST(LargeViews, ViewsOnDiskGiveThePrintThatViewsInMemoryGive)
     }
 }
 
-/// Of files, in memory of this process; those of a file system in memory (TMPDIR may name one) included.
+/// Returns the bytes of files in this process's memory, including file systems in memory (TMPDIR may name one).
 std::size_t residentFileBytes()
 {
     std::ifstream status("/proc/self/status");
@@ -141,7 +141,7 @@ TEST(LargeViews, APrintOfThemTakesFewOfTheirRowsIntoMemory)
         (void)printOf(PrintLayout(s), views);
         EXPECT_LT(residentFileBytes(), before + (24U << 20U)) << direction;
     }
-    // What they would take.
+    // Memory for all rows.
     const std::size_t before = residentFileBytes();
     unsigned sum = 0;
     for (int k = 0; k < 8; ++k)
@@ -195,7 +195,7 @@ TEST(LargePrints, EveryCornerOfTwoHundredThousandSquaredIsWhatTheClosedFormSays)
                                               (static_cast<long double>(y0 + y) + 0.5L - 100000) * perPixel * along +
                                               0.5L;
                         const long double within = (u - std::floor(u)) * n;
-                        if (std::abs(within - std::round(within)) < 1e-6L) continue;  // On a strip's edge.
+                        if (std::abs(within - std::round(within)) < 1e-6L) continue;  // On the edge of a strip.
                         const int k = n - 1 - static_cast<int>(within);
                         const double level = render::srgbFromLinear((k + 1.0) / (n + 1));
                         ASSERT_NEAR(out[static_cast<std::size_t>(y * 40 + x) * 3] / 65535.0, level, 1e-3)
@@ -222,7 +222,7 @@ TEST(LargePrints, BeyondFourGigabytesATiffIsABigOneAndBelowItIsNot)
             const std::string head = bytesOf(folder / folder.files()[0]).substr(0, 4);
             EXPECT_EQ(head, height == 36000 ? std::string("II+\0", 4) : std::string("II*\0", 4));
         }
-        EXPECT_EQ(folder.files(), std::vector<std::string>{});  // It was not finished.
+        EXPECT_EQ(folder.files(), std::vector<std::string>{});  // The file was not finished.
     }
 }
 
@@ -237,7 +237,7 @@ TEST(PrintRaster, GivesTheRowsOfATiffAPngAndOfTilesInAnyOrder)
                      {.path = folder / "a.tif", .compression = render::StreamCompression::deflate, .json = json});
     (void)writePrint(layout, views, {.path = folder / "b.png", .json = json});
     ASSERT_EQ(writePrint(layout, views, {.path = folder / "t.tif", .tileWidth = 10, .json = json}).size(), 3U);
-    std::filesystem::remove(folder / "b.png.json");  // What is inside must do.
+    std::filesystem::remove(folder / "b.png.json");  // Settings are then read from inside the file.
     for (const char* name : {"a.tif", "b.png", "t.tif", "t-1.tif", "t-2.tif"}) {
         PrintRaster print = readPrint(folder / name);
         EXPECT_EQ(print.layout().lensesPerPixelX(), layout.lensesPerPixelX()) << name;
@@ -266,12 +266,12 @@ TEST(PrintRaster, ADescriptionBesideItOfAnotherPrintIsNoticedAndNotUsed)
         const std::string beside = (folder / name).string() + ".json";
         (void)writePrint(layout, views, {.path = folder / name, .json = test::descriptionOf(layout)});
         EXPECT_EQ(readPrint(folder / name).doubt(), "");
-        // A kill between two renames: the print is the new one, the file beside it the old one.
+        // As after a kill between two renames: a new print with the old file beside it.
         vitrine::test::writeBytes(beside, test::descriptionOf(older));
         const PrintRaster print = readPrint(folder / name);
         EXPECT_EQ(print.layout().lensesPerPixelX(), layout.lensesPerPixelX()) << name;
         EXPECT_NE(print.doubt().find(beside), std::string::npos) << print.doubt();
-        // What is no description at all does not hide the one inside.
+        // A damaged description does not hide the one inside.
         vitrine::test::writeBytes(beside, "{ half a descrip");
         EXPECT_EQ(readPrint(folder / name).layout().lensesPerPixelX(), layout.lensesPerPixelX()) << name;
         EXPECT_NE(readPrint(folder / name).doubt(), "");

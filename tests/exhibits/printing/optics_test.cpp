@@ -17,7 +17,7 @@ const Sheet& seventyFive = knownSheet("75-measured");
 
 TEST(LenticularOptics, AgreesWithIndependentlyComputedRays)
 {
-    // Landing points in millimeters, from a separate ray tracer, for theta 0, 10, 20 and 40 degrees.
+    // Hits in millimeters from a separate ray tracer, for theta 0, 10, 20 and 40 degrees.
     const std::array<std::pair<double, std::array<double, 4>>, 5> rays{
         {{-0.6, {0.040159898, -0.262222986, -0.526831919, -0.915702141}},
          {-0.3, {0.004377570, -0.336583347, -0.660716671, -1.241824859}},
@@ -63,7 +63,7 @@ TEST(LenticularOptics, TheEffectiveIndexIsVectorRefraction)
     for (double beta = 0; beta < 0.9; beta += 0.1)
         for (double theta = -0.7; theta < 0.7; theta += 0.1)
             for (double phi = -0.5; phi < 0.5; phi += 0.1) {
-                // Incoming direction (towards the sheet) and the surface's normal, as vectors.
+                // Incoming direction (toward the sheet) and the surface's normal.
                 const std::array<double, 3> d{-std::sin(theta) * std::cos(beta), -std::sin(beta),
                                               -std::cos(theta) * std::cos(beta)};
                 const std::array<double, 3> normal{std::sin(phi), 0, std::cos(phi)};

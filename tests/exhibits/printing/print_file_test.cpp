@@ -28,7 +28,7 @@ std::vector<std::uint8_t> codesOf(const std::filesystem::path& path)
     return codes;
 }
 
-/// A number of the TIFF's first directory; rationals as quotients.
+/// Returns a number of the TIFF's first directory; rationals as quotients.
 double tiffNumber(const std::string& bytes, unsigned wanted)
 {
     const auto read = [&](std::size_t at, std::size_t size) {
@@ -70,7 +70,7 @@ TEST(PrintFile, ATiffHasThePixelsTheExactResolutionAndTheDescription)
             EXPECT_NEAR(tiffNumber(bytes, 282) / dpi, 1, 1e-7);  // XResolution
             EXPECT_EQ(tiffNumber(bytes, 283), 1440);
             EXPECT_EQ(tiffNumber(bytes, 296), 2);                     // Inches.
-            EXPECT_EQ(tiffNumber(bytes, 282) == dpi, dpi != 361.35);  // Whole numbers exactly.
+            EXPECT_EQ(tiffNumber(bytes, 282) == dpi, dpi != 361.35);  // Whole numbers are stored exactly.
             const auto text = render::embeddedPrint(file.path);
             ASSERT_TRUE(text);
             const PrintLayout again(settingsFromJson(render::parseJson(*text, "a.tif")));
@@ -108,7 +108,7 @@ TEST(PrintFile, CarriesAColorProfileOver)
     const TemporaryFolder folder;
     const ViewSet views = noisyViews(2, 20, 20);
     const PrintLayout layout(settingsFor(40, 600, 2, 60, 60));
-    // The least that passes as a profile: a header of RGB to XYZ with an empty tag table.
+    // Minimal valid profile: a header of RGB to XYZ with an empty tag table.
     std::string profile(132, '\0');
     profile[3] = static_cast<char>(132);
     profile[8] = 2;
@@ -172,7 +172,7 @@ TEST(PrintFile, ADescriptionThatIsNoneIsRefusedWithItsKey)
                    "sheet.nominalLpi");
 }
 
-/// Runs the program; returns its exit code.
+/// Runs the program. Returns its exit code.
 int run(const std::string& arguments)
 {
     const int status = std::system((std::string(VITRINE_PROGRAM) + " " + arguments + " >/dev/null 2>&1").c_str());
@@ -185,7 +185,7 @@ TEST(PrintCommand, PrintsAndProvesAndRefusesWithoutLeavingFiles)
     const int count = 4;
     std::filesystem::create_directory(folder / "views");
     for (int k = 0; k < count; ++k) {
-        const std::string name = "views/v" + std::to_string(9 + k) + ".png";  // v9 comes before v10.
+        const std::string name = "views/v" + std::to_string(9 + k) + ".png";  // v9 is sorted before v10.
         render::writePicture(folder / name, render::Image(20 + k, 30, 3, static_cast<float>(k + 1) / (count + 1)),
                              render::PictureFormat::png8);
     }
@@ -205,13 +205,13 @@ TEST(PrintCommand, PrintsAndProvesAndRefusesWithoutLeavingFiles)
     EXPECT_EQ(
         run("print --views " + (folder / "cut.png").string() + " --lpi 40 --width-mm 20 --height-mm 15 --out " + out),
         5);
-    EXPECT_EQ(run(good + " --out /proc/nowhere/p.tif"), 2);  // Given twice.
+    EXPECT_EQ(run(good + " --out /proc/nowhere/p.tif"), 2);  // --out is given twice.
     std::filesystem::remove(folder / "cut.png");
     EXPECT_EQ(folder.files().size(), before);
 
     ASSERT_EQ(run(good + " --report " + (folder / "r.json").string()), 0);
     const PrintLayout layout(settingsFromJson(render::readJson(folder / "p.tif.json")));
-    std::filesystem::remove(folder / "p.tif.json");  // What is inside must do.
+    std::filesystem::remove(folder / "p.tif.json");  // Settings are then read from inside the file.
     for (int k = 0; k < count; ++k) {
         const std::string seen = (folder / "seen.png").string();
         const double degrees = 7.5 * (k - 1.5);  // Four views share 30 degrees.

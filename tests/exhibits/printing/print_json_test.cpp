@@ -40,7 +40,7 @@ TEST_F(SettingsText, EverySettingSurvivesItsTextWhateverItIs)
         for (std::size_t i = 0; i < values.rows().size(); ++i)
             EXPECT_EQ(back.values.row(i), values.row(i)) << values.rows()[i].name;
     }
-    EXPECT_GT(possible, 3);  // Otherwise nothing but refused settings was tried.
+    EXPECT_GT(possible, 3);  // Control: not all settings were refused.
 }
 
 TEST_F(SettingsText, APrintOfTheCommandLineBringsItsSettingsBack)
@@ -100,7 +100,7 @@ TEST_F(SettingsText, TheWrittenPrintCarriesItsSettingsAndComesBack)
     EXPECT_TRUE(beside.values == values_);
     EXPECT_EQ(beside.sources, (std::vector<std::string>{"a.png", "b.png"}));
     fs::remove(file.string() + ".json");
-    EXPECT_TRUE(savedSettings(settingsIn(file), file.string()).values == values_);  // The one inside.
+    EXPECT_TRUE(savedSettings(settingsIn(file), file.string()).values == values_);  // From inside the file.
 }
 
 }  // namespace

@@ -44,8 +44,8 @@ TEST_F(Previews, ThePreviewIsTheFileDotForDot)
 
 TEST_F(Previews, LensesAreDrawnWhereTheRasterChangesLens)
 {
-    // Two views, black and white: under every lens the raster goes from one to the other at its axis and back at
-    // its cusp, where the grid must be a whole number.
+    // Two views, black and white: below every lens the raster changes from one to the other at the axis and back at the
+    // cusp, where the grid must be a whole number.
     const auto views = std::make_shared<PrintViews>();
     views->add(render::Image(8, 8, 3, 0.0F));
     views->add(render::Image(8, 8, 3, 1.0F));
@@ -60,7 +60,7 @@ TEST_F(Previews, LensesAreDrawnWhereTheRasterChangesLens)
             const int before = row.rgb[static_cast<std::size_t>(x - 1) * 3];
             const int after = row.rgb[static_cast<std::size_t>(x) * 3];
             if (std::abs(before - after) < 200) continue;
-            // Under a lens the last view, white, lies on the left, so a cusp is where black turns white.
+            // Below a lens the last view, white, is on the left, so black turns to white at a cusp.
             const double at = grid.at0 + grid.perX * x + grid.perY * 3.5;
             const bool cusp = (before < after) != mirror;
             EXPECT_LT(std::abs(at - std::round(at) - (cusp ? 0 : 0.5) * (at > std::round(at) ? 1 : -1)), 1.0 / 12) << x;
@@ -70,7 +70,7 @@ TEST_F(Previews, LensesAreDrawnWhereTheRasterChangesLens)
     }
 }
 
-/// Mean of a picture's gray, in linear light, leaving out the outer eighth.
+/// Returns the mean gray of a picture in linear light, without the outer eighth.
 double middleLevel(const CodedPicture& picture)
 {
     double sum = 0;
@@ -92,13 +92,13 @@ TEST_F(Previews, EveryViewIsSeenAtItsAngleInOrderAndTheZoneStartsAgain)
         const auto preview = printPreview(values_, solid(count));
         for (int k = 0; k < count; ++k) {
             const double angle = angleOfView(layout, k);
-            // Across the lenses: to the right for upright ones, below for horizontal ones.
+            // Across the lenses: to the right for upright ones, downward for horizontal ones.
             const double slant = direction * degree;
             const double far = std::numeric_limits<double>::infinity();
             const Eye eye = direction == 90 ? preview->eyeAt(0, -angle, far)
                                             : preview->eyeAt(std::atan(std::tan(angle) * std::cos(slant)),
                                                              -std::atan(std::tan(angle) * std::sin(slant)), far);
-            // One view's level from the next is 1/7; cross-talk comes from both neighbors and mostly cancels.
+            // Levels of neighboring views differ by 1/7; crosstalk comes from both neighbors and mostly cancels.
             EXPECT_NEAR(middleLevel(preview->seen(eye, 200)), (k + 1.0) / (count + 1), direction == 15 ? 0.06 : 0.04)
                 << direction << " view " << k;
         }
@@ -112,7 +112,7 @@ TEST_F(Previews, TheQuickLookAgreesWithTheProofOfTheFinishedFile)
     values_.set(table_.height, 0.015);
     const int count = 8;
     const auto views = std::make_shared<PrintViews>();
-    // Each view a gradient of its own, so that place and view both count.
+    // Each view has its own gradient, so that position and view both matter.
     for (int k = 0; k < count; ++k) {
         render::Image image(120, 90, 3);
         for (int y = 0; y < 90; ++y)
@@ -143,7 +143,7 @@ TEST_F(Previews, TheQuickLookAgreesWithTheProofOfTheFinishedFile)
                             255.0));
             }
         }
-        // 8-bit codes, 32 parts of the aperture against 128, 512 directions: about one percent of the light.
+        // 8-bit codes, 32 parts of the aperture in place of 128, 512 directions: about one percent of the light.
         EXPECT_LT(difference / (3.0 * (proof.width - 4) * (proof.height - 4)), 0.012) << angle;
     }
 }

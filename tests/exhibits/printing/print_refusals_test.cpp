@@ -1,4 +1,4 @@
-// Everything that cannot be printed: its sentence, its exit code, and no file.
+// Impossible prints: the sentence, the exit code, and no file.
 
 #include "render/image/image_io.h"
 #include "tests/support/temporary_folder.h"
@@ -136,7 +136,7 @@ TEST_F(PrintRefusals, AFullDiskIsExit5NothingIsLeftAndTheEarlierPrintStands)
                                     " --lpi 40 --dpi 600 --height-mm 60 --width-mm 60 --out " + out + tiles;
         if (tiles.empty()) vitrine::test::writeBytes(out, "the earlier print");
         const std::vector<std::string> before = folder_.files();
-        for (const char* blocks : {"0", "2", "12"}) {  // Of 512 bytes; these views make a PNG of 30.
+        for (const char* blocks : {"0", "2", "12"}) {  // Blocks of 512 bytes; these views make a PNG of 30.
             const Ended ended = shell("ulimit -f " + std::string(blocks) + "; " + command);
             EXPECT_EQ(ended.code, 5) << name << ' ' << blocks << ' ' << ended.said;
             EXPECT_NE(ended.said.find(std::string("Cannot write ")), std::string::npos) << ended.said;

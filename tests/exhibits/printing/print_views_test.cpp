@@ -38,7 +38,7 @@ TEST_F(PrintViewsTest, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
     ASSERT_EQ(three->count(), 3);
     for (int k = 0; k < 3; ++k) EXPECT_NEAR(three->full().row(k, 0)[0], 65535.0 * k / 2, 12);
     values_.set(table_.views, 40);
-    EXPECT_EQ(readViews(values_, {folder_.path().string()}, {})->count(), 9);  // No more than there are.
+    EXPECT_EQ(readViews(values_, {folder_.path().string()}, {})->count(), 9);  // All that exist.
     EXPECT_THROW(static_cast<void>(readViews(values_, {}, {})), Failure);
     EXPECT_THROW(static_cast<void>(readViews(values_, files, [](double part) { return part < 0.5; })), Failure);
 
@@ -57,7 +57,7 @@ TEST_F(PrintViewsTest, ReadsFilesSpreadEvenlyAndQuiltsFromTheBottomLeft)
 
 TEST_F(PrintViewsTest, TakeTheShapeOfThePrintAndSayWhatThatCost)
 {
-    // The print is 3:2; a view of 10 x 2 loses 7 of 10 columns.
+    // The print is 3:2, so a view of 10 x 2 loses 7 of 10 columns.
     const std::string file = (folder_.path() / "wide.png").string();
     render::writePicture(file, render::Image(10, 2, 3, 0.0F), render::PictureFormat::png8);
     const auto cropped = readViews(values_, {file}, {});
@@ -120,16 +120,16 @@ TEST_F(PrintViewsTest, ShotsStandAsTheLensesShowAndDraftsAreTheSameButSmall)
     other.set(table_.phase, 0.2);
     EXPECT_TRUE(sameViews(values_, other));
     other.set(table_.lensesPerInch, 40.0);
-    EXPECT_TRUE(sameViews(values_, other));  // Files stay what they are,
+    EXPECT_TRUE(sameViews(values_, other));  // Files stay the same,
     ParameterValues wider = values_;
     wider.set(table_.width, 2 * values_[table_.width]);
-    EXPECT_FALSE(sameViews(values_, wider));  // but for what is cut off of them,
+    EXPECT_FALSE(sameViews(values_, wider));  // but their cropping changes,
     for (ParameterValues* values : {&values_, &wider}) values->set(table_.fitting, Fitting::stretch);
     EXPECT_TRUE(sameViews(values_, wider));
     for (ParameterValues* values : {&values_, &other}) values->set(table_.fitting, Fitting::crop);
     const ParameterValues fromWindow = shown(values_);
     const ParameterValues coarser = shown(other);
-    EXPECT_FALSE(sameViews(fromWindow, coarser));  // and cameras stand where the lenses need them.
+    EXPECT_FALSE(sameViews(fromWindow, coarser));  // and so do cameras, which depend on the lenses.
     EXPECT_FALSE(sameViews(values_, fromWindow));
 }
 

@@ -20,7 +20,7 @@ using test::printOf;
 using test::settingsFor;
 using test::solidViews;
 
-/// The view that the middle of the print shows, as a real number.
+/// Returns the view that the center of the print shows, as a real number.
 double viewSeen(const PrintLayout& layout, const render::Image& raster, double angle)
 {
     const render::Image seen = lookThrough(layout, raster, {.angle = angle}, 256);
@@ -50,7 +50,7 @@ TEST_P(ProofSweep, ShowsEveryViewOnceInOrderAcrossTheZoneAndStartsAgain)
             const double angle = std::atan(std::tan(angleOfView(layout, k)) / slant);
             EXPECT_NEAR(viewSeen(layout, raster, angle), k, 0.5) << k << ' ' << toString(method);
         }
-        // Half a view beyond the zone on either side, the views start again.
+        // Half a view beyond either end of the zone, the views repeat.
         const auto beyond = [&](double views) {
             const double target = views / c.views * s.sheet.pitch();
             double low = 0;
@@ -79,7 +79,7 @@ TEST(Proof, AtItsDistanceThePrintPitchShowsOneViewEverywhereAndTheLensPitchDoesN
     s.distance = 500;
     const PrintLayout fitted(s);
     PrintSettings wrong = s;
-    wrong.visualLpi = 20;  // The sheet's own pitch.
+    wrong.visualLpi = 20;  // Pitch of the sheet itself.
     const PrintLayout unfitted(wrong);
     const ViewSet views = solidViews(n);
     const auto spread = [&](const PrintLayout& layout) {
@@ -91,9 +91,9 @@ TEST(Proof, AtItsDistanceThePrintPitchShowsOneViewEverywhereAndTheLensPitchDoesN
             least = std::min(least, seen.at(x, 0));
             most = std::max(most, seen.at(x, 0));
         }
-        return static_cast<double>(most - least) * (n + 1);  // In views.
+        return static_cast<double>(most - least) * (n + 1);  // Spread in views.
     };
-    // The aperture's mean departs a little from the chief ray for which the pitch is made.
+    // The mean over the aperture differs a little from the chief ray that determines the pitch.
     EXPECT_LT(spread(fitted), 1.1);
     EXPECT_GT(spread(unfitted), 1.9);
 }
@@ -125,7 +125,7 @@ TEST(Proof, AMirroredPrintIsSeenAsTheFrontIs)
               lookThrough(back, linearImage(back, printOf(back, views)), eye).pixels);
 }
 
-/// Root mean square over the picture, but for a lens at either side.
+/// Returns the root mean square difference over the picture, except for a lens at either side.
 double distance(const render::Image& a, const render::Image& b)
 {
     double sum = 0;
@@ -135,7 +135,7 @@ double distance(const render::Image& a, const render::Image& b)
     return std::sqrt(sum / (3.0 * a.height * (a.width - 2)));
 }
 
-/// The mean of `image` over each cell of a grid.
+/// Returns the mean of `image` over each cell of a grid.
 render::Image meanOver(const render::Image& image, int columns, int rows)
 {
     render::Image mean(columns, rows, 3);
@@ -154,7 +154,7 @@ render::Image meanOver(const render::Image& image, int columns, int rows)
     return mean;
 }
 
-// Freely licensed photographs of any size; Debian has some in lomiri-wallpapers-16.04.
+// Uses freely licensed photographs of any size; Debian has some in lomiri-wallpapers-16.04.
 TEST(Proof, OfAPrintOfPhotographsShowsEachFromItsOwnSide)
 {
     const std::filesystem::path folder = "/usr/share/backgrounds";
@@ -164,12 +164,12 @@ TEST(Proof, OfAPrintOfPhotographsShowsEachFromItsOwnSide)
     constexpr int count = 4;
     if (files.size() < count)
         GTEST_SKIP() << "there are no photographs in " << folder << "; the package lomiri-wallpapers-16.04 has some";
-    constexpr int lenses = 61;  // Odd, for an axis lies in the middle: so there are whole lenses up to the sides.
+    constexpr int lenses = 61;  // Odd, because an axis is in the middle: the sides then have whole lenses.
     constexpr int rows = 40;
-    constexpr int pixels = 30;  // Per lens and row.
+    constexpr int pixels = 30;  // Pixels per lens and row.
     const PrintLayout layout(settingsFor(20, 20 * pixels, count, lenses * pixels, rows * pixels));
     ViewSet views;
-    std::vector<render::Image> photographs;  // As lenses show them.
+    std::vector<render::Image> photographs;  // Photographs at the resolution of the lenses.
     for (int k = 0; k < count; ++k) {
         const render::Image view = meanOver(render::readImage(files[static_cast<std::size_t>(k)]), 4 * lenses, rows);
         views.add(view);
@@ -181,9 +181,9 @@ TEST(Proof, OfAPrintOfPhotographsShowsEachFromItsOwnSide)
         const render::Image seen = lookThrough(layout, raster, {.angle = angleOfView(layout, k)});
         ASSERT_EQ(seen.width, lenses);
         ASSERT_EQ(seen.height, rows);
-        // Its own photograph, with as much of the others as the sheet's optics let through. That takes neighboring
-        // lenses to show the same, which photographs do not: up to 0.023 is left with those of Debian 12. Looked at
-        // half a lens beside its place, a photograph is off by up to 0.076.
+        // Expected is the view's own photograph with the crosstalk of the sheet's optics. The model assumes that
+        // neighboring lenses show the same, so up to 0.023 remains with the photographs of Debian 12. Seen half a lens
+        // beside its place, a photograph differs by up to 0.076.
         render::Image expected(lenses, rows, 3, 0.0F);
         for (int other = 0; other < count; ++other)
             for (std::size_t i = 0; i < expected.pixels.size(); ++i)

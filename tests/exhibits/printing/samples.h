@@ -10,7 +10,7 @@
 
 namespace vitrine::printing::test {
 
-/// A print of `columns` x `rows` pixels at `dpi`.
+/// Returns settings for a print of `columns` x `rows` pixels at `dpi`.
 inline PrintSettings settingsFor(double lpi, double dpi, int views, double columns, double rows)
 {
     PrintSettings s;
@@ -22,7 +22,7 @@ inline PrintSettings settingsFor(double lpi, double dpi, int views, double colum
     return s;
 }
 
-/// View k is a single level: (k + 1) / (count + 1) of linear light.
+/// Returns views of uniform levels: view k has (k + 1) / (count + 1) of linear light.
 inline ViewSet solidViews(int count)
 {
     ViewSet views;
@@ -50,7 +50,7 @@ inline std::vector<std::uint8_t> printOf(const PrintLayout& layout, const ViewSe
     return out;
 }
 
-/// What a print's file says of it.
+/// Returns the description of a print as its file has it.
 inline std::string descriptionOf(const PrintLayout& layout)
 {
     return render::writeJson(printJson(layout, layout.settings().dpiX, {"a.png"}));

@@ -13,7 +13,7 @@ namespace vitrine::printing::test {
 
 using vitrine::test::degree;
 
-/// The settings of a small print of views from files, and a folder.
+/// Test with the settings of a small print of views from files, and a folder.
 class SetUpPrint : public testing::Test {
 protected:
     vitrine::test::TemporaryFolder folder_;
@@ -26,7 +26,7 @@ protected:
         values_.set(table_.width, 0.03);
         values_.set(table_.height, 0.02);
     }
-    /// View k is one level of gray, (k + 1) / (count + 1) of linear light.
+    /// Returns views of uniform gray: view k has (k + 1) / (count + 1) of linear light.
     [[nodiscard]] static std::shared_ptr<const PrintViews> solid(int count)
     {
         const auto views = std::make_shared<PrintViews>();

@@ -33,7 +33,7 @@ TEST(ViewFiles, CountNumbersInNamesByTheirValue)
     for (const std::filesystem::path& file : viewFiles({folder.path().string()}))
         names.push_back(file.filename().string());
     EXPECT_EQ(names, (std::vector<std::string>{"view_1.tif", "view_2.JPG", "view_02b.png", "view_10.png"}));
-    // Files stand as they are given, folders among them in their place.
+    // Files keep their given order; folders are expanded in place.
     const auto mixed = viewFiles({folder / "view_10.png", folder.path().string()});
     EXPECT_EQ(mixed.size(), 5U);
     EXPECT_EQ(mixed.front().filename(), "view_10.png");
@@ -118,7 +118,8 @@ TEST(Sequence, TellsHowToTakeLessOfALongOne)
 
 TEST(Quilt, StartsAtTheBottomLeftAndGoesUpUnlessToldOtherwise)
 {
-    // Cells of 2 x 3 pixels; each pixel says its cell, counted from the top left, and its place within.
+    // Cells of 2 x 3 pixels. Each pixel contains the index of its cell, counted from the top left, and its position in
+    // it.
     render::Image quilt(8, 9, 3);
     for (int y = 0; y < 9; ++y)
         for (int x = 0; x < 8; ++x) {
@@ -145,10 +146,11 @@ TEST(Quilt, StartsAtTheBottomLeftAndGoesUpUnlessToldOtherwise)
     EXPECT_NE(refusalOf([&] { (void)viewOfQuilt(quilt, 0, 3, 0); }), "");
 }
 
-// Looking Glass's 5 x 9 quilts of 4096 x 4096 pixels: views of 819 x 455, counted from the bottom left. Here in small.
+// Like Looking Glass quilts of 5 x 9 views with 4096 x 4096 pixels, whose views have 819 x 455, counted from the bottom
+// left. Here in small.
 TEST(Quilt, ThatDoesNotDivideLeavesAMargin)
 {
-    render::Image quilt(17, 14, 1);  // 5 x 3 views of 3 x 4 pixels; 2 columns and 2 rows are left.
+    render::Image quilt(17, 14, 1);  // 5 x 3 views of 3 x 4 pixels; 2 columns and 2 rows are left over.
     for (int y = 0; y < 14; ++y)
         for (int x = 0; x < 17; ++x) quilt.at(x, y) = static_cast<float>(100 * y + x);
     const render::Image first = viewOfQuilt(quilt, 5, 3, 0);
@@ -201,15 +203,15 @@ TEST(Fitting, TurnsAndShiftsPicturesByHand)
     render::Image wide(30, 10, 3);
     for (int y = 0; y < 10; ++y)
         for (int x = 0; x < 30; ++x) wide.at(x, y, 0) = static_cast<float>(100 * y + x);
-    // Two pixels to the right and one up, of 10 x 10: two columns that were cropped at the left move into view.
+    // Moved by two pixels to the right and one up, of 10 x 10: two columns cropped at the left become visible.
     const render::Image moved = fitted(wide, 1, Fitting::crop, {0, {20, -10}});
     ASSERT_EQ(moved.width, 10);
     for (int y = 0; y < 9; ++y)
         for (int x = 0; x < 10; ++x) ASSERT_EQ(moved.at(x, y, 0), 100 * (y + 1) + 10 + x - 2) << x << ' ' << y;
     EXPECT_EQ(moved.at(4, 9, 0), 1) << "white below the picture";
-    // Half a pixel is the mean of two.
+    // Half a pixel gives the mean of two.
     EXPECT_EQ(fitted(wide, 1, Fitting::crop, {0, {5, 0}}).at(4, 3, 0), 313.5F);
-    // A quarter turn clockwise of a square takes (x, y) to (9 - y, x).
+    // A clockwise quarter turn of a square maps (x, y) to (9 - y, x).
     render::Image square(10, 10, 1);
     for (int y = 0; y < 10; ++y)
         for (int x = 0; x < 10; ++x) square.at(x, y) = static_cast<float>(100 * y + x);
@@ -283,7 +285,7 @@ TEST(ShippedViews, AreTwoSetsOf16PicturesOfOneSizeThatDiffer)
                 for (std::size_t i = 0; i < image.pixels.size(); ++i)
                     difference += std::abs(static_cast<double>(image.pixels[i] - last.pixels[i]));
                 EXPECT_GT(difference / static_cast<double>(image.pixels.size()), 0.002)
-                    << file;  // It moves from view to view.
+                    << file;  // The picture changes from view to view.
             }
             last = image;
         }

@@ -29,7 +29,7 @@ std::vector<ViewShot> shots(int count)
     return shotsOf(ViewRig(layout, scene.sceneState.camera, {90, 60}), base);
 }
 
-/// Where the exhibit's own point `p` is taken to.
+/// Returns the position of the exhibit's own point `p` in a view.
 glm::dvec3 placed(const ViewShot& shot, const glm::dvec3& p)
 {
     return glm::dvec3(shot.request.frame.exhibitTransform * glm::dvec4(p, 1));
@@ -69,8 +69,7 @@ TEST(Turn, GoesInEqualStepsAroundTheMiddleAndAFullTurnHasNoDouble)
         const glm::dvec3 a = placed(row[k], front);
         const glm::dvec3 b = placed(row[(k + 1) % 12], front);
         EXPECT_NEAR(a.y, 0.3, 1e-12);
-        EXPECT_NEAR(glm::length(b - a), 2 * std::sin(3.14159265358979323846 / 12), 1e-9)
-            << k;  // The chord of 30 degrees.
+        EXPECT_NEAR(glm::length(b - a), 2 * std::sin(3.14159265358979323846 / 12), 1e-9) << k;  // Chord of 30 degrees.
     }
     std::vector<ViewShot> odd = shots(5);
     turn(odd, 1);
@@ -81,7 +80,7 @@ TEST(Turn, ShowsDepthTheRightWayRoundAsAWalkToTheRightDoes)
 {
     std::vector<ViewShot> row = shots(9);
     turn(row, 0.5);
-    // Seen along -z: the near side moves to the left, the far side to the right, as behind a rig's cameras.
+    // Seen along -z, the near side moves to the left and the far side to the right, like with the cameras of a rig.
     EXPECT_LT(placed(row[8], {0, 0, 0.3}).x, placed(row[0], {0, 0, 0.3}).x);
     EXPECT_GT(placed(row[8], {0, 0, -0.3}).x, placed(row[0], {0, 0, -0.3}).x);
 }
@@ -101,7 +100,7 @@ TEST(Sweep, RunsFromOneEndToTheOther)
     Scene from, to;
     from.object().set(sdfTable().morph, 0.2);
     to.object().set(sdfTable().morph, 0.8);
-    from.object().set(sdfTable().hitTolerance, 0.5);  // On a logarithmic row.
+    from.object().set(sdfTable().hitTolerance, 0.5);  // A parameter with a logarithmic scale.
     to.object().set(sdfTable().hitTolerance, 8.0);
     to.object().set(sdfTable().baseColor, ColorValue{{0, 0, 0}});
     to.hall().set(hallTable().exposure, scene.sceneState.hall()[hallTable().exposure] + 1);

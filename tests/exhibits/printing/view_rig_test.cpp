@@ -16,7 +16,7 @@ using vitrine::test::refusalOf;
 const render::Camera middle{{0.3, 1.6, 2.5}, {0.1, 1.4, 0.2}, 0.7};
 const glm::ivec2 size(900, 600);
 
-/// A sheet in focus, 3 mm thick, with room for `views` views at 1200 dpi.
+/// Returns settings with a sheet in focus, 3 mm thick, with space for `views` views at 1200 dpi.
 PrintSettings cardSettings(int views, double lpi = 40)
 {
     PrintSettings s;
@@ -33,13 +33,13 @@ glm::dvec3 forwardOf(const render::Camera& camera)
     return glm::normalize(camera.target - camera.eye);
 }
 
-/// The point at `distance` along the view axis of the middle camera, and beside it by parts of the picture.
+/// Returns the point at `distance` along the view axis of the middle camera, shifted by parts of the picture.
 glm::dvec3 pointAt(double distance, double x = 0, double y = 0)
 {
     return middle.eye + render::makeView(middle, {.size = size}).direction({x, y}) * distance;
 }
 
-/// In pixels from the lower left corner.
+/// Returns a position in pixels from the lower left corner.
 glm::dvec2 pixelOf(const render::Camera& camera, const glm::dvec3& point)
 {
     const glm::dvec4 clip = render::makeView(camera, {.size = size}).clipFromWorld * glm::dvec4(point, 1);
@@ -105,12 +105,12 @@ TEST(ViewRig, WhatLiesBehindMovesWithTheEyeAndWhatLiesBeforeAgainstItInEqualStep
 
 TEST(ViewRig, DepthNearThePlaneIsAsDeepAsThePictureIsWide)
 {
-    // An eye at angle theta sees a point z behind the print shifted by z tan(theta) on it; farther away, the rig's
-    // own perspective makes it less by C / (C + Z).
+    // An eye at angle theta sees a point z behind the print shifted by z tan(theta) on it. Farther away, the rig's
+    // perspective reduces the shift by C / (C + Z).
     const PrintLayout layout(cardSettings(16));
     const ViewRig rig(layout, middle, size, {1, 1.8});
     const double lever = 3.0 / 1.56;
-    for (const double z : {0.01, -0.01, 10.0, -10.0}) {  // Millimeters of print.
+    for (const double z : {0.01, -0.01, 10.0, -10.0}) {  // Millimeters of the print.
         const glm::dvec3 point = pointAt(1.8 + z * rig.scale());
         for (const int k : {0, 5, 15}) {
             const double tangent = ((k + 0.5) / 16 - 0.5) * layout.printPitch() / lever;
@@ -149,7 +149,7 @@ TEST(ViewRig, OnALargePrintTheBudgetIsWeissmans2NTOverN)
     const DepthRange budget = rig.budget();
     const double onPrint = (budget.farthest - budget.nearest) / rig.scale();
     EXPECT_NEAR(onPrint / (2 * 12 * 3.0 / 1.56), 1, 1e-3);
-    // Views that the print cannot tell apart add nothing: 1200 dpi leaves 30 pixels for a lens.
+    // Views beyond the print's resolution add nothing: 1200 dpi has 30 pixels per lens.
     s.views = 60;
     const DepthRange many = ViewRig(PrintLayout(s), middle, size, {1, 1.8}).budget();
     EXPECT_NEAR((many.farthest - many.nearest) / rig.scale() / (2 * 30 * 3.0 / 1.56), 1, 3e-3);
@@ -183,10 +183,10 @@ TEST(ViewRig, ForHorizontalLensesTheLineIsVerticalAndStartsAtTheTop)
     const ViewRig rig(PrintLayout(s), middle, size, {1, 1.8});
     EXPECT_GT(rig.camera(0).eye.y, rig.camera(7).eye.y);
     EXPECT_NEAR(rig.camera(0).lensShift.x, 0, 1e-15);
-    EXPECT_LT(rig.camera(0).lensShift.y, 0);  // From above, the picture's middle lies below the axis.
+    EXPECT_LT(rig.camera(0).lensShift.y, 0);  // From above, the picture's center is below the axis.
     const glm::dvec3 point = pointAt(1.8, 0.5, 0.5);
     EXPECT_LT(glm::length(pixelOf(rig.camera(0), point) - pixelOf(middle, point)), 1e-6);
-    s.direction = -80;  // Strips are numbered the other way round.
+    s.direction = -80;  // Strips are numbered in the opposite order.
     EXPECT_LT(ViewRig(PrintLayout(s), middle, size, {1, 1.8}).camera(0).eye.y, middle.eye.y);
 }
 

@@ -1,4 +1,4 @@
-// Pictures by shifted lenses, and the views of a print.
+// Pictures with shifted lenses, and the views of a print.
 
 #include "exhibits/printing/view_maker.h"
 #include "tests/support/gallery.h"
@@ -21,7 +21,7 @@ TEST_F(ViewsTest, AShiftedLensSeesItsPartOfAWiderPicture)
     wide.size(96, 48);
     wide.request.frame.transparent = false;
     const Picture all = wide.take();
-    // The same pixels, from the 16th on: a multiple of 8, so that the blocks of the cone pre-pass are the same too.
+    // The same pixels from the 16th on: a multiple of 8, so that blocks of the cone pre-pass are equal.
     Shot part = wide;
     part.size(48, 48);
     part.request.frame.camera.lensShift.x = (16 + 24 - 48) * 2 * std::tan(wide.request.frame.camera.fovY / 2) / 48;
@@ -31,14 +31,14 @@ TEST_F(ViewsTest, AShiftedLensSeesItsPartOfAWiderPicture)
         const glm::dvec3 there = all.color(x + 16, y);
         far += !(glm::length(seen.color(x, y) - there) <= 0.01 * (0.1 + glm::length(there)));
         if (seen.hit(x, y) && all.hit(x + 16, y)) {
-            // A ray may stop half a pixel before the surface, which is this much of the way.
+            // A ray may stop half a pixel before the surface, which is this part of its length.
             EXPECT_NEAR(seen.depth(x, y) / all.depth(x + 16, y), 1, 0.01) << x << ',' << y;
         }
     });
-    // Rays are rounded to float, so that a pixel on an outline may fall to its other side.
+    // Rays are rounded to float, so pixels on outlines may differ.
     EXPECT_LE(far, 48 * 48 / 200);
     EXPECT_GT(test::colorDifference(seen, Shot(wide).size(48, 48).take()),
-              0.01);  // Without the shift it is another picture.
+              0.01);  // Control: without the shift the picture differs.
 }
 
 TEST_F(ViewsTest, TilesOfAShiftedLensJoinToTheBit)
@@ -96,7 +96,7 @@ TEST_F(ViewsTest, MeasuresHowFarTheSceneReaches)
     double nearest = 1e9;
     picture.each([&](int x, int y) { nearest = std::min(nearest, picture.depth(x, y)); });
     EXPECT_NEAR(alone.nearest, nearest, 0.05);
-    EXPECT_TRUE(std::isinf(alone.farthest));  // Nothing stands behind it.
+    EXPECT_TRUE(std::isinf(alone.farthest));  // Nothing is behind it.
 }
 
 }  // namespace

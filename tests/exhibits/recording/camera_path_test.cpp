@@ -1,4 +1,4 @@
-// Paths of a camera: cases whose answer is known.
+// Camera paths with known results.
 
 #include "exhibits/recording/camera_path.h"
 #include "exhibits/recording/recorder.h"
@@ -37,7 +37,8 @@ TEST(CameraPath, BetweenTwoStopsIsStraight)
 
 TEST(CameraPath, MatchesThePublishedFormOfACentripetalSpline)
 {
-    // Yuksel, Schaefer and Keyser: the tangent at an inner stop, by differences over the knots. Eyes only: one look.
+    // Tangent at an inner stop by differences over the knots (Yuksel, Schaefer and Keyser). Only positions differ, not
+    // directions.
     const std::array<Camera, 4> stops = {at(0, 0), at(1, 0), at(1, 3), at(6, 3)};
     const CameraPath path({stops.begin(), stops.end()}, false);
     const auto knot = [&](int i) {
@@ -50,7 +51,7 @@ TEST(CameraPath, MatchesThePublishedFormOfACentripetalSpline)
         const glm::dvec3 tangent = (stops.at(n).eye - stops.at(n - 1).eye) / before -
                                    (stops.at(n + 1).eye - stops.at(n - 1).eye) / (before + after) +
                                    (stops.at(n + 1).eye - stops.at(n).eye) / after;
-        // Where the path passes that stop.
+        // Point at which the path passes that stop.
         double nearest = 1, share = 0;
         for (int k = 0; k <= 100000; ++k) {
             const double away = glm::length(path.at(k / 1e5).eye - stops.at(n).eye);
@@ -65,7 +66,7 @@ TEST(CameraPath, MatchesThePublishedFormOfACentripetalSpline)
 
 TEST(CameraPath, TurnsTheShorterWayAndNeverThroughItself)
 {
-    // From north-west to north-east over north, and back from where it came: halfway it looks to one side.
+    // From north-west over north to north-east, and from north-east back. Halfway, the camera looks north.
     const CameraPath over({at(0, 0, -0.2, -1), at(0, 0, 0.2, -1)}, false);
     EXPECT_LT(lookOf(over.at(0.5)).z, -0.99);
     const CameraPath round({at(0, 0, 0, -1), at(0, 0, 0.01, 1)}, false);
@@ -81,7 +82,7 @@ TEST(CameraPath, AClosedOneComesBackInTheDirectionInWhichItLeft)
     const glm::dvec3 leaves = path.at(1e-4).eye - path.at(0).eye;
     const glm::dvec3 arrives = path.at(1).eye - path.at(1 - 1e-4).eye;
     EXPECT_GT(glm::dot(glm::normalize(leaves), glm::normalize(arrives)), 0.99999);
-    // Once round: the look turns by a whole turn and does not unwind.
+    // One orbit: the direction makes a whole turn and does not turn back.
     double turn = 0;
     for (int i = 0; i < 200; ++i) {
         const glm::dvec3 a = lookOf(path.at(i / 200.0)), b = lookOf(path.at((i + 1) / 200.0));
@@ -121,7 +122,7 @@ TEST(Turntable, KeepsTheDistanceAndTheHeight)
         EXPECT_NEAR(camera.eye.y, 2, 1e-12);
         EXPECT_EQ(camera.target, start.target);
     }
-    // Counter-clockwise from above: from +z to +x.
+    // Counter-clockwise seen from above: from +z to +x.
     const glm::dvec3 quarter = turned({{0, 0, 1}, {0, 0, 0}, 1}, pi / 2).eye;
     EXPECT_NEAR(quarter.x, 1, 1e-12);
 }

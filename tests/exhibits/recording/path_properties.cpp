@@ -1,4 +1,4 @@
-// What holds for every path of a camera.
+// Properties of all camera paths.
 
 #include "exhibits/recording/camera_path.h"
 
@@ -30,7 +30,7 @@ std::vector<Camera> anyStops()
     return stops;
 }
 
-/// What the path's length counts between two cameras that are near one another.
+/// Returns the distance that the path's length assigns to two nearby cameras.
 double step(const Camera& a, const Camera& b)
 {
     const auto bearing = [](const Camera& c) { return std::atan2(c.target.x - c.eye.x, -(c.target.z - c.eye.z)); };
@@ -48,7 +48,7 @@ RC_GTEST_PROP(CameraPathProperties, ItEndsWhereItShould, ())
     const CameraPath path(stops, false);
     RC_ASSERT(path.at(0) == stops.front());
     RC_ASSERT(path.at(1) == stops.back());
-    // And hardly before it is somewhere else.
+    // There are no jumps at its ends.
     RC_ASSERT(step(path.at(1e-7), stops.front()) < 1e-4);
     RC_ASSERT(step(path.at(1 - 1e-7), stops.back()) < 1e-4);
 }
@@ -72,7 +72,7 @@ RC_GTEST_PROP(CameraPathProperties, ItsSpeedIsConstant, ())
     for (int i = 0; i < count; ++i) {
         const auto at = [&](double part) { return path.at((i + part) / count); };
         double length = step(at(0), at(1));
-        // A chord is shorter than the arc where the path bends within it.
+        // A chord is shorter than the arc if the path bends within it.
         if (length * count < 0.99 * path.length()) {
             length = 0;
             for (int k = 0; k < finer; ++k) length += step(at(k / double{finer}), at((k + 1) / double{finer}));
@@ -88,8 +88,8 @@ RC_GTEST_PROP(CameraPathProperties, ItNeverRollsNorTurnsOver, ())
     const CameraPath path(anyStops(), *rc::gen::arbitrary<bool>());
     for (int i = 0; i <= 500; ++i) {
         const glm::dmat4 view = render::makeView(path.at(i / 500.0), {}).viewFromWorld;
-        RC_ASSERT(std::abs(view[1][0]) < 1e-9);  // The picture's horizontal is level: no height along it.
-        RC_ASSERT(view[1][1] > 0);               // And up is up.
+        RC_ASSERT(std::abs(view[1][0]) < 1e-9);  // The horizontal axis of the picture is level.
+        RC_ASSERT(view[1][1] > 0);               // The vertical axis points up.
     }
 }
 

@@ -1,4 +1,4 @@
-// Frames of a recording against pictures of their moments.
+// Frames of a recording, compared with pictures of their times.
 
 #include "exhibits/museum/render_command.h"
 #include "exhibits/recording/record.h"
@@ -17,7 +17,7 @@ using test::gallery;
 
 class RecorderTest : public test::GlTest {};
 
-/// The mug, which melts, turned round once in four frames.
+/// Recording of the melting mug, which the camera orbits in four frames.
 struct Film {
     test::Shot shot;
     RecordingRequest request;
@@ -102,17 +102,17 @@ TEST_F(RecorderTest, FramesThatAreThereAreKeptWhenTheyAreTheSame)
         EXPECT_EQ(recording.finished(), until > 1);
         return recording.kept();
     };
-    // Stopped in the third frame: two are there, whole.
+    // Stopped in the third frame: two complete frames exist.
     EXPECT_EQ(keptOf(0.6), 0);
     EXPECT_EQ(folder.files(), (std::vector<std::string>{"frames/0001.png", "frames/0002.png"}));
     const std::string bytes = test::bytesOf(folder / "frames/0001.png");
-    test::writeBytes(folder / "frames/0002.png", bytes.substr(0, bytes.size() / 2));  // A broken one.
+    test::writeBytes(folder / "frames/0002.png", bytes.substr(0, bytes.size() / 2));  // A damaged frame.
     EXPECT_EQ(keptOf(2), 1);
     EXPECT_EQ(keptOf(2), 4);
     const render::Image read = render::readImage(folder / "frames/0003.png");
     EXPECT_EQ(read.width, 40);
     EXPECT_NE(render::embeddedPreset(folder / "frames/0003.png")->find("\"camera\""), std::string::npos);
-    // Anything that changes the picture draws it anew.
+    // Any change of the picture draws all frames again.
     film.shot.object().set(test::sdfTable().animate, false);
     EXPECT_EQ(keptOf(2), 0);
     film.request.picture.samples = 2;
@@ -136,7 +136,7 @@ TEST_F(RecorderTest, AStoppedVideoLeavesNothing)
     EXPECT_TRUE(folder.files().empty());
 }
 
-/// Runs a command line as a shell does, with this build's program.
+/// Runs a command line like a shell, with this build's program.
 int runLine(std::string line)
 {
     line.replace(0, std::string("vitrine").size(), VITRINE_PROGRAM);
@@ -170,7 +170,7 @@ TEST_F(RecorderTest, ACopiedCommandLineDrawsTheSamePicture)
     ASSERT_EQ(runLine(line), 0) << line;
     const render::Image again = render::readImage(folder / "it's here.png");
     EXPECT_EQ(test::largestDifference(again, render::readImage(folder / "shown.png")), 0) << line;
-    // The control: what is in the line counts.
+    // Control: the content of the line matters.
     SceneState other = sceneState;
     other.values = museum.initialSceneState().values;
     test::useSmallMaps(other.hall(), 512);

@@ -1,4 +1,4 @@
-// Tours: as files, and through a real building.
+// Tours: in files, and through a real building.
 
 #include "exhibits/hall/walk.h"
 #include "exhibits/recording/record.h"
@@ -84,7 +84,7 @@ TEST(TourPath, GoesStraightWhereNothingStands)
     EXPECT_NEAR(path.length(), 1, 1e-6);
 }
 
-/// The nearest that any eye of the path comes to an obstacle, written anew: meters, from the eye to the solid.
+/// Returns the smallest distance in meters between an eye of the path and an obstacle. Independent of the tour's code.
 double clearance(const CameraPath& path)
 {
     double nearest = 1e9;
@@ -104,7 +104,7 @@ double clearance(const CameraPath& path)
 
 TEST(TourPath, IsLedRoundWhatStandsBetween)
 {
-    // A collider of the museum that is as high as a visitor: from one side of it to the other.
+    // From one side of each collider of the museum that is as high as a visitor to the other.
     int tried = 0;
     for (const Collider& collider : test::building().colliders()) {
         const glm::dmat4 world = glm::inverse(collider.localFromWorld);
@@ -138,12 +138,12 @@ TEST(TourPath, IsLedRoundTheVisitorsOwnObjects)
     EXPECT_NEAR(tourPath(museum().obstacles(), past).length(), 3.2, 1e-6) << "nothing else stands there";
     const CameraPath path = tourPath(obstacles, past);
     EXPECT_GT(path.length(), 3.3);
-    // Nothing of the plinth, whose sides are at least 0.18 m from its middle, is within a camera's reach.
+    // The sides of the plinth, at least 0.18 m from its center, stay out of the camera's reach.
     for (int i = 0; i <= 2000; ++i) {
         const dvec3 eye = path.at(i / 2000.0).eye;
         EXPECT_GT(std::max(std::abs(eye.x), std::abs(eye.z - 10.2)), 0.18 + cameraRadius - 0.01) << i;
     }
-    // The museum's own tour leaves out the view that the object fills.
+    // The museum's own tour leaves out the view that the object blocks.
     const Tour before = museumTour(museum(), museum().initialSceneState());
     const dvec3 eye = before.bookmarks.front().camera.eye;
     sceneState.hall().set(rows.modelAcross, before.bookmarks.back().camera.eye.x);
@@ -170,7 +170,8 @@ TEST(TourPath, ErrorsNameTheBookmarks)
     EXPECT_NE(said({0, 1.65, 10.5}, middle).find("\"there\" is inside"), std::string::npos);
     const std::string out = said({0, 1.65, 10.5}, {0, 1.65, 500});
     EXPECT_NE(out.find("\"here\" to \"there\""), std::string::npos) << out;
-    const std::string far = said({0, 1.65, 10.5}, {1e6, -1e6, 1e6});  // As far as a file may say, within seconds.
+    // The largest coordinates that a file may have; must end within seconds.
+    const std::string far = said({0, 1.65, 10.5}, {1e6, -1e6, 1e6});
     EXPECT_NE(far.find("\"here\" to \"there\""), std::string::npos) << far;
 }
 

@@ -1,4 +1,4 @@
-// The torus-mug at one moment, without a GPU.
+// The torus-mug at one time, without a GPU.
 
 #include "exhibits/sdf_morph/sdf_morph.h"
 #include "shaders/lib/bindings.glsl"
@@ -29,7 +29,7 @@ TEST(SdfMorphBody, ReachesItsShadersWithOneMorphTheOneOfTheMoment)
             const render::FramePlan plan = scene.plan();
             const render::Pass* pass = plan.find(name);
             ASSERT_TRUE(pass);
-            // `morph` is the first row of the table and the first field of the shape.
+            // `morph` is the first parameter of the table and the first field of the shape.
             EXPECT_EQ(floatAt(pass->blocks.at(BLOCK_PARAMETERS), 0), now) << name << " at " << time;
             EXPECT_EQ(floatAt(pass->blocks.at(BLOCK_EXHIBIT), 0), now) << name << " at " << time;
         }

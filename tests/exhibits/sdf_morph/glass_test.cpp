@@ -1,4 +1,4 @@
-// S14 in the hall: what is seen through glass, the glass's shadow, and which passes that takes.
+// S14 in the hall: objects seen through glass, the shadow of glass, and the passes for it.
 
 #include "exhibits/hall/hall_model.h"
 #include "tests/exhibits/sdf_morph/truth.h"
@@ -23,7 +23,7 @@ using test::Shot;
 
 class GlassInTheHall : public test::GlTest {};
 
-constexpr double hidden = 0.05;  ///< A box in which nothing of a torus is, as it lies around the hole.
+constexpr double hidden = 0.05;  ///< A box that contains nothing of the torus, because it lies inside of the hole.
 
 Shot glassInHall(double index, const dvec3& color = dvec3(1))
 {
@@ -41,7 +41,7 @@ Shot glassInHall(double index, const dvec3& color = dvec3(1))
     return shot;
 }
 
-/// Largest difference of the colors of two pictures for the eye, in levels of 255.
+/// Returns the largest difference of the colors of two displayed pictures, in levels of 255.
 double levels(const Picture& a, const Picture& b)
 {
     double most = 0;
@@ -60,21 +60,21 @@ TEST_F(GlassInTheHall, ClearGlassOfIndex1ThrowsNoShadowAndShowsWhatIsBehindIt)
     shot.object().set(sdfTable().boxSize, hidden);
     const Picture none = shot.take();
     EXPECT_LE(levels(clear, none), 1.0);
-    // Controls: of index 1.5 it is seen, and its color falls on the plinth.
+    // Controls: with index 1.5 it is visible, and its color falls on the plinth.
     EXPECT_GT(levels(glassInHall(1.5).take(), none), 20.0);
     Shot red = glassInHall(1.0, {1, 0.1, 0.1});
     red.request.frame.averageIn = AverageIn::display;
     EXPECT_GT(levels(red.take(), none), 20.0);
 }
 
-/// A ray of unit length behind the glass, by float64; nothing where it misses the glass.
+/// Ray behind the glass with a unit direction, at float64; `met` is false if it misses the glass.
 struct LeavingRay {
     bool met = false;
     dvec3 origin{0}, direction{0};
-    double share = 1;  ///< Of the light, what the surfaces let through.
+    double share = 1;  ///< Transmitted share of the light.
 };
 
-/// Snell's law; the zero vector on total reflection.
+/// Returns the direction by Snell's law; zero on total internal reflection.
 dvec3 refracted(const dvec3& direction, const dvec3& facing, double eta)
 {
     const double cosine = -glm::dot(direction, facing);
@@ -82,7 +82,7 @@ dvec3 refracted(const dvec3& direction, const dvec3& facing, double eta)
     return k < 0 ? dvec3(0) : eta * direction + (eta * cosine - std::sqrt(k)) * facing;
 }
 
-/// Of unpolarized light that meets `eta`, the index before the surface over that behind it.
+/// Returns the reflectance for unpolarized light. `eta` is the index before the surface divided by that behind it.
 double fresnel(double cosine, double eta)
 {
     const double sine2 = eta * eta * (1 - cosine * cosine);
@@ -113,7 +113,7 @@ LeavingRay through(const test::Solid& solid, const test::Ray& ray, double index)
     return leaving;
 }
 
-/// The box of stone below the exhibit, world space.
+/// Returns the bounds of the stone below the exhibit in world space.
 render::Box plinthUnder(const Shot& shot)
 {
     static const HallModel building;
@@ -127,8 +127,8 @@ render::Box plinthUnder(const Shot& shot)
     throw std::logic_error("no plinth stands below the exhibit");
 }
 
-/// Of the pixels in which float64 sees the top of the plinth through the glass: how far their light is from that of
-/// the plinth where it does, as shares.
+/// For pixels that see the top of the plinth through the glass at float64: returns the relative difference of their
+/// light from the plinth's at that point.
 std::vector<double> errorsOnThePlinth(double drawnIndex, double tracedIndex)
 {
     Shot shot = glassInHall(drawnIndex);
@@ -141,7 +141,7 @@ std::vector<double> errorsOnThePlinth(double drawnIndex, double tracedIndex)
     o.set(sdfTable().roughness, 0.0);
     o.set(sdfTable().specular, 0.0);
     o.set(sdfTable().hitTolerance, 0.05);
-    // What the glass does to the sun's light on the plinth is another matter.
+    // The glass's effect on sunlight on the plinth is not tested here.
     shot.hall().set(hallTable().sunShadows, false);
     const Picture seen = shot.take();
     o.set(sdfTable().boxSize, hidden);
@@ -170,10 +170,10 @@ TEST_F(GlassInTheHall, ThePlinthIsSeenWhereFloat64FindsItThroughTheGlass)
 {
     const std::vector<double> errors = errorsOnThePlinth(1.5, 1.5);
     ASSERT_GT(errors.size(), 300U);
-    // The rest is what the glass mirrors, and pixels in which the picture holds more than one point of the marble.
+    // The rest is reflection in the glass, and pixels with several points of the marble.
     EXPECT_LT(errors[errors.size() / 2], 0.06);
     EXPECT_LT(errors[errors.size() * 9 / 10], 0.3);
-    // Control: rays of another index find it elsewhere.
+    // Control: rays with another index hit other points.
     const std::vector<double> other = errorsOnThePlinth(1.5, 1.2);
     EXPECT_GT(other[other.size() / 2], 0.15);
     EXPECT_GT(other[other.size() * 9 / 10], 1.0);
@@ -181,7 +181,7 @@ TEST_F(GlassInTheHall, ThePlinthIsSeenWhereFloat64FindsItThroughTheGlass)
 
 TEST_F(GlassInTheHall, ColoredGlassThrowsAColoredShadow)
 {
-    // Red glass that bends nothing: where the shadow of an opaque torus lies, the sun's red is left, and little else.
+    // Red glass without refraction: in the shadow of an opaque torus, the red of the sun remains, and little else.
     const auto lit = [](Shot shot) {
         shot.hall().set(hallTable().bakedLight, false);
         shot.see({1.2, 1.6, 9.5}, {0, 0, 6.5});
@@ -194,7 +194,7 @@ TEST_F(GlassInTheHall, ColoredGlassThrowsAColoredShadow)
     const Picture dark = lit(opaque), red = lit(glassInHall(1.0, {1, 0.05, 0.05})), bright = lit(none);
     int shadow = 0, tinted = 0;
     bright.each([&](int x, int y) {
-        // The torus itself is nearer than what is behind it.
+        // Pixels of the torus itself are left out.
         if (std::abs(dark.depth(x, y) - bright.depth(x, y)) > 1e-4) return;
         const dvec3 kept = dark.color(x, y) / bright.color(x, y);
         if (kept.r > 0.7) return;

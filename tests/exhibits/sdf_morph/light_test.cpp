@@ -1,4 +1,4 @@
-// S6, S13: light on the object. H41, H42: mirrors are clean and make no light.
+// S6, S13: light on the object. H41, H42: mirrors have no noise and create no light.
 
 #include "tests/exhibits/sdf_morph/truth.h"
 #include "tests/support/gallery.h"
@@ -52,12 +52,12 @@ TEST_F(Light, TheHighlightMovesWithTheSun)
         EXPECT_GT(weight, 1);
         return sum / weight;
     };
-    // The sun stands in the direction (sin, ., -cos) of its azimuth: beyond 90 degrees it is behind the viewer.
+    // The sun is in the direction (sin, ., -cos) of its azimuth: beyond 90 degrees it is behind the viewer.
     const glm::dvec2 left = highlight(-2.4);
     const glm::dvec2 right = highlight(2.4);
     EXPECT_GT(right.x, left.x + 5);
     shot.hall().set(hallTable().sunElevation, 1.2);
-    EXPECT_LT(highlight(2.4).y, right.y - 1);  // Higher sun, higher highlight.
+    EXPECT_LT(highlight(2.4).y, right.y - 1);  // A higher sun moves the highlight up.
 }
 
 TEST_F(Light, TheEnvironmentsColorAppearsOnTheObject)
@@ -82,8 +82,8 @@ TEST_F(Light, TheEnvironmentsColorAppearsOnTheObject)
 
 TEST_F(Light, AMirrorShowsTheEnvironmentWhereTheReflectedRayGoes)
 {
-    // A smooth room that differs in every direction, and a smooth torus: each pixel shows what lies where its
-    // mirrored ray goes. Linear in the direction, so that blurring hardly changes it.
+    // A smooth environment that differs in every direction, and a smooth torus: each pixel shows the direction of its
+    // reflected ray. Radiance is linear in the direction, so that blurring hardly changes it.
     test::TemporaryFolder folder;
     const auto room = [](const dvec3& d) { return dvec3(1 + 0.7 * d.x, 1 + 0.7 * d.y, 1 + 0.7 * d.z); };
     test::writePanorama(folder / "room.hdr", room);
@@ -111,7 +111,7 @@ TEST_F(Light, AMirrorShowsTheEnvironmentWhereTheReflectedRayGoes)
     });
     ASSERT_GT(errors.size(), 200U);
     std::sort(errors.begin(), errors.end());
-    // 3 % by the lobe's fit, the rest by texels and by half a pixel of the torus.
+    // 3 % are from the fit of the lobe, the rest from texels and half a pixel of the torus.
     EXPECT_LT(errors[errors.size() / 2], 0.05);
     EXPECT_LT(errors[errors.size() * 95 / 100], 0.12);
 }
@@ -136,9 +136,10 @@ TEST_F(Light, InAWhiteRoomNothingIsBrighterThanTheRoom)
                 const Picture picture = shot.take();
                 double brightest = 0;
                 picture.each([&](int x, int y) { brightest = std::max(brightest, picture.luminance(x, y)); });
-                // 2 %: the fit of the lobe's albedo, and nine coefficients of a constant.
+                // 2 %: fit of the lobe's albedo, and nine coefficients of a constant.
                 EXPECT_LE(brightest, 1.02) << metalness << ' ' << roughness << ' ' << bounces;
-                // A polished or white surface gives all of it back; rough metal, by the lobe's fit, down to 0.44.
+                // Polished or white surfaces reflect all light. Rough metal reflects down to 0.44, by the fit of the
+                // lobe.
                 EXPECT_GE(brightest, roughness == 0 || metalness == 0 ? 0.95 : 0.44)
                     << metalness << ' ' << roughness << ' ' << bounces;
             }
@@ -146,8 +147,8 @@ TEST_F(Light, InAWhiteRoomNothingIsBrighterThanTheRoom)
 
 TEST_F(Light, AConstantRoomIsMirroredWithoutAcne)
 {
-    // A mirror torus in a constant room, seen with any number of bounces: where a ray starts on the surface
-    // it left, it would find that surface and darken a pixel here and there.
+    // A mirror torus in a uniform environment, with any number of bounces. A ray that starts on its own surface would
+    // hit it again and darken single pixels.
     test::TemporaryFolder folder;
     test::writePanorama(folder / "white.hdr", [](const dvec3&) { return dvec3(1); });
     Shot shot;
@@ -159,7 +160,8 @@ TEST_F(Light, AConstantRoomIsMirroredWithoutAcne)
     o.set(sdfTable().metalness, 1.0);
     o.set(sdfTable().roughness, 0.0);
     o.set(sdfTable().ambientOcclusion, false);
-    o.set(sdfTable().hitTolerance, 0.05);  // Near the surface, where acne grows, and near the truth.
+    // Rays start close to the surface, where errors of this kind appear, and are exact.
+    o.set(sdfTable().hitTolerance, 0.05);
     o.set(sdfTable().bounces, 0);
     const Picture none = shot.take();
     o.set(sdfTable().bounces, 4);
@@ -170,8 +172,8 @@ TEST_F(Light, AConstantRoomIsMirroredWithoutAcne)
         const test::Found truth = solid.trace(all.view, x, y);
         if (!truth.hit || truth.cosine < 0.1) return;
         const dvec3 mirrored = glm::reflect(glm::normalize(test::pixelRay(all.view, x, y).direction), truth.normal);
-        // Where the mirrored ray truly leaves, bounces must find nothing. It starts two tolerances off the
-        // surface; one is 0.8 mm after 2 m.
+        // If the reflected ray truly leaves, bounces must find nothing. It starts two tolerances off the surface; one
+        // is 0.8 mm after 2 m.
         const test::Found again = solid.trace({truth.world + 0.0016 * truth.normal, mirrored}, 0, 0, 0.0012);
         if (again.hit || again.closest < 1) return;
         ++open;
@@ -182,7 +184,7 @@ TEST_F(Light, AConstantRoomIsMirroredWithoutAcne)
 
 TEST_F(Light, EachBounceTakesLessThanTheOneBefore)
 {
-    // In a white room a gray mirror shows how often each ray met it: every meeting leaves 60 % of the light.
+    // In a white environment a gray mirror shows the number of hits of each ray: every hit leaves 60 % of the light.
     test::TemporaryFolder folder;
     test::writePanorama(folder / "white.hdr", [](const dvec3&) { return dvec3(1); });
     Shot shot;
@@ -194,7 +196,7 @@ TEST_F(Light, EachBounceTakesLessThanTheOneBefore)
     o.set(sdfTable().metalness, 1.0);
     o.set(sdfTable().baseColor, ColorValue{dvec3(0.6)});
     o.set(sdfTable().ambientOcclusion, false);
-    shot.see({0.5, 0.9, 1.3}, {-0.1, 0, 0});  // Into the cup, which mirrors itself.
+    shot.see({0.5, 0.9, 1.3}, {-0.1, 0, 0});  // View into the cup, which reflects itself.
     std::vector<double> light;
     for (int bounces = 0; bounces <= 4; ++bounces) {
         o.set(sdfTable().bounces, bounces);
@@ -233,7 +235,7 @@ TEST_F(Light, EachBounceChangesFewerPixels)
 
 TEST_F(Light, ShadowMethodsAgreeWhereTheSunIsASharpPoint)
 {
-    // With a sun without width all methods answer one question: is the way free?
+    // With a sun of width 0, all methods test only whether the ray is free.
     Shot shot;
     ParameterValues& o = shot.object();
     o.set(sdfTable().morph, 1.0);
@@ -242,7 +244,7 @@ TEST_F(Light, ShadowMethodsAgreeWhereTheSunIsASharpPoint)
     o.set(sdfTable().sunWidth, 0.000174533);
     shot.hall().set(hallTable().sunAzimuth, 2.2);
     shot.hall().set(hallTable().sunElevation, 0.6);
-    shot.see({0.3, 1.5, 1.0}, {-0.1, 0.1, 0});  // Into the cup, half of which lies in shade.
+    shot.see({0.3, 1.5, 1.0}, {-0.1, 0.1, 0});  // View into the cup, half of which is in shade.
     o.set(sdfTable().shadowMethod, SdfShadow::none);
     const Picture none = shot.take();
     o.set(sdfTable().shadowMethod, SdfShadow::hard);
@@ -256,7 +258,7 @@ TEST_F(Light, ShadowMethodsAgreeWhereTheSunIsASharpPoint)
         other.each([&](int x, int y) {
             different += std::abs(other.luminance(x, y) - hard.luminance(x, y)) > 0.1 * none.luminance(x, y);
         });
-        // The edge of the shadow, where the way is free by less than the tolerance.
+        // Edges of the shadow, where the ray is free by less than the tolerance.
         EXPECT_LT(different, 0.04 * hard.hits()) << static_cast<int>(method);
     }
 }
@@ -266,7 +268,7 @@ TEST_F(Light, WhatStandsBetweenTheSunAndTheMarchedObjectDarkensIt)
     const Museum& museum = gallery().museum;
     const std::size_t card = *museum.find("lenticular");
     Shot shot;
-    // From the sun's side. Alone, what is hit is the object.
+    // From the sun's side. Without the hall, all hits are on the object.
     const dvec3 eye(0.5, 0.35, -1.2);
     shot.see(eye, dvec3(0));
     const Picture outline = shot.take();
@@ -288,7 +290,7 @@ TEST_F(Light, WhatStandsBetweenTheSunAndTheMarchedObjectDarkensIt)
     const double azimuth = shot.hall()[hallTable().sunAzimuth];
     const dvec3 sun(std::sin(azimuth) * std::cos(elevation), std::sin(elevation),
                     -std::cos(azimuth) * std::cos(elevation));
-    // The card, eight times as large, upright across the sun's way to the object, or as far beside it.
+    // The card, eight times as large, upright between the sun and the object, or as far beside that line.
     const render::Box box = museum.subject(card).bounds(shot.sceneState.values[card]);
     const auto cardAt = [&](const dvec3& at) {
         shot.transform(glm::inverse(museum.worldFromExhibit(card)) * glm::translate(glm::dmat4(1), at) *
@@ -317,7 +319,8 @@ TEST_F(Light, TowardsASunBehindTheSurfaceNoRayIsSent)
         p.each([&](int x, int y) { sum += p.image.at(x, y, 8); });
         return sum;
     };
-    // Alone, the default sun stands behind the object; only the rim can see it. In front of it, most can.
+    // Without the hall, the initial sun is behind the object, and only the rim is lit. In front of it, most of the
+    // object is lit.
     shot.hall().set(hallTable().sunAzimuth, 0.0);
     shot.hall().set(hallTable().sunElevation, 0.05);
     const double behind = evaluations(SdfShadow::hard) - evaluations(SdfShadow::none);

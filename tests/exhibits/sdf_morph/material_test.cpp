@@ -55,7 +55,7 @@ TEST_F(Material, AnotherIndexBendsOtherwise)
 
 TEST_F(Material, ClearGlassOfIndex1IsNotThere)
 {
-    // Rays go straight on, and nothing mirrors: what is seen is what lies behind, as the probe has it.
+    // Rays go straight on without reflections, so the picture shows the probe behind the object.
     test::TemporaryFolder folder;
     const auto room = [](const dvec3& d) { return dvec3(1 + 0.7 * d.x, 1 + 0.7 * d.y, 1 + 0.7 * d.z); };
     test::writePanorama(folder / "room.hdr", room);
@@ -66,7 +66,7 @@ TEST_F(Material, ClearGlassOfIndex1IsNotThere)
     const test::Solid solid(shot.object(), glm::dmat4(1));
     std::vector<double> errors;
     through.each([&](int x, int y) {
-        // At the very edge a ray that ends half a pixel early finds a normal that faces away from it.
+        // At the very edge, a ray that ends half a pixel early gets a normal that faces away from it.
         const test::Found truth = solid.trace(through.view, x, y);
         if (!truth.hit || truth.cosine < 0.15) return;
         const dvec3 ratio = through.color(x, y) / room(glm::normalize(test::pixelRay(through.view, x, y).direction));
@@ -74,18 +74,18 @@ TEST_F(Material, ClearGlassOfIndex1IsNotThere)
     });
     ASSERT_GT(errors.size(), 200U);
     std::sort(errors.begin(), errors.end());
-    // Steps of 1/64 in the panorama and the blur of the probe's second level.
+    // Steps of 1/64 in the panorama, and the blur of the probe's second level.
     EXPECT_LT(errors[errors.size() / 2], 0.03);
     EXPECT_LT(errors.back(), 0.06);
-    // Control: glass is.
+    // Control: glass of another index is visible.
     Shot other = glass(1.5);
     other.object().set(sdfTable().morph, 0.0);
     other.hall().set(hallTable().environment, (folder / "room.hdr").string());
     EXPECT_GT(test::colorDifference(other.take(), through), 0.05);
 }
 
-/// What red glass of index 1 leaves of what is behind it, against Beer's law over the length of the way inside, which
-/// float64 walks in the world: median and ninth decile of the relative errors, and the darkest pixel.
+/// Errors of the absorption in red glass of index 1, compared with Beer's law over the length of the path inside,
+/// computed at float64: median and ninth decile of the relative errors, and the darkest pixel.
 struct GlassErrors {
     double median = 0, ninth = 0, darkest = 1;
 };
@@ -94,10 +94,10 @@ GlassErrors glassErrors(const dvec3& scale)
 {
     Shot shot = glass(1.0);
     shot.object().set(sdfTable().morph, 0.0);
-    shot.object().set(sdfTable().hitTolerance, 0.05);  // The way inside starts two tolerances below the surface.
+    shot.object().set(sdfTable().hitTolerance, 0.05);  // The path inside starts two tolerances below the surface.
     shot.transform(glm::scale(glm::dmat4(1), scale));
     const Picture clear = shot.take();
-    const double left = 0.3;  // Of 10 cm.
+    const double left = 0.3;  // Transmittance of 10 cm.
     shot.object().set(sdfTable().baseColor, ColorValue{dvec3(left)});
     const Picture tinted = shot.take();
     const test::Solid solid(shot.object(), shot.worldFromExhibit());
@@ -134,7 +134,7 @@ TEST_F(Material, ColoredGlassDarkensWithItsDepthInTheWorldHoweverItIsScaled)
 
 TEST_F(Material, SeenAlongItsFlatSideSquashedGlassIsAsThinAsItIs)
 {
-    // A torus of 0.24 m of tube, a tenth as thick: 24 mm leave 0.3^0.24 = 0.749 of what 100 mm leave 0.3 of.
+    // A torus with a tube of 0.24 m, scaled to a tenth: 24 mm transmit 0.3^0.24 = 0.749 if 100 mm transmit 0.3.
     Shot shot = glass(1.0);
     shot.object().set(sdfTable().morph, 0.0);
     shot.object().set(sdfTable().hitTolerance, 0.05);
@@ -147,7 +147,7 @@ TEST_F(Material, SeenAlongItsFlatSideSquashedGlassIsAsThinAsItIs)
     double darkest = 1;
     int through = 0;
     clear.each([&](int x, int y) {
-        // At the rim a ray within the tolerance of the surface is only half a step of its way inside.
+        // At the rim, a ray within the surface's tolerance has only half a step inside.
         if (!clear.hit(x, y) || std::abs(clear.normal(x, y).z) < 0.5) return;
         ++through;
         darkest = std::min(darkest, tinted.luminance(x, y) / clear.luminance(x, y));

@@ -1,4 +1,4 @@
-// How the torus melts into the mug over time, and the space that it takes meanwhile.
+// Morphing between torus and mug over time, and the bounds in between.
 
 #include "exhibits/sdf_morph/sdf_morph.h"
 #include "tests/support/tables.h"
@@ -20,7 +20,7 @@ TEST(Morph, StartsWhereTheSliderStands)
 
 TEST(Morph, IsTheSameAfterEveryPeriodEvenAfterThirtyYears)
 {
-    // With a speed of 1/8 Hz the period is 8 s, exactly; 1e9 s is 125 million of them.
+    // With a frequency of 1/8 Hz the period is exactly 8 s; 1e9 s are 125 million periods.
     for (const double morph : {0.0, 0.25, 0.625, 1.0})
         for (const double time : {0.0, 0.5, 1.0, 3.25, 7.75})
             for (const double start : {1e6, 1e9, -1e6})

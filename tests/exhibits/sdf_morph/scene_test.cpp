@@ -1,4 +1,4 @@
-// S4, S9, S10, S11: the object among other things. Depths are compared to the bit: the nearer one is seen.
+// S4, S9, S10, S11: the object among others. Depths are compared exactly: the nearest is visible.
 
 #include "tests/exhibits/sdf_morph/truth.h"
 #include "tests/support/gallery.h"
@@ -32,14 +32,14 @@ void hideTheSun(Shot& shot)
     shot.hall().set(hallTable().sunElevation, 0.35);
 }
 
-/// Sun through the window onto the exhibit: its shadow lies on the floor of the near half.
+/// Sets the sun to shine through the window onto the exhibit, whose shadow falls on the floor of the near half.
 void shineOnTheExhibit(Shot& shot)
 {
     shot.hall().set(hallTable().sunAzimuth, 0.0);
     shot.hall().set(hallTable().sunElevation, 0.21);
 }
 
-/// The exhibit of the hall's shot without the hall, seen by the same camera.
+/// Takes a picture of the exhibit without the hall, by the same camera.
 Picture withoutHall(const Shot& inHall)
 {
     Shot shot = inHall;
@@ -67,7 +67,7 @@ TEST_F(Scene, ThePlinthHidesTheObjectPixelExactly)
 {
     Shot shot;
     shot.inHall();
-    hideTheSun(shot);  // No shadow of the object on the hall: where the hall is nearer, nothing may change.
+    hideTheSun(shot);  // Without the object's shadow on the hall: pixels in which the hall is nearer must not change.
     shot.see({0.3, 0.2, 1.3}, {0, 1.2, 0});
     shot.request.frame.camera.fovY = 1.2;
     const Picture both = shot.take();
@@ -110,7 +110,7 @@ TEST_F(Scene, TheBoxOverlayIntersectsTheObject)
     EXPECT_GT(hidden, 10);
 }
 
-/// Adds the object's passes of `other` to `plan` under another name, as a second exhibit's.
+/// Adds the object's passes of `other` to `plan` under another name, like a second exhibit.
 render::FramePlan withTheObjectOf(const render::FramePlan& plan, const render::FramePlan& other)
 {
     render::FramePlan both;
@@ -182,7 +182,8 @@ TEST_F(Scene, TheShadowMapHoldsWhereTheSunsRaysHit)
 
         const Solid solid(shot.object(), shot.worldFromExhibit());
         const dmat4 worldFromView = glm::inverse(light.viewFromWorld);
-        const double halfTexel = 0.25 / (light.clipFromView[0][0] * map.width);  // The exhibit's: an eighth of a texel.
+        // The exhibit's own: an eighth of a texel.
+        const double halfTexel = 0.25 / (light.clipFromView[0][0] * map.width);
         int hits = 0, missing = 0, extra = 0;
         for (int y = 0; y < map.height; ++y)
             for (int x = 0; x < map.width; ++x) {
@@ -196,7 +197,7 @@ TEST_F(Scene, TheShadowMapHoldsWhereTheSunsRaysHit)
                 extra += !truth.hit && truth.closest > 1.05 && map.at(x, y) > 0;
                 if (truth.hit && !truth.grazed && truth.cosine > 0.3 && map.at(x, y) > 0) {
                     const double depth = (light.clipFromWorld * glm::dvec4(truth.world, 1)).z;
-                    // In meters: within two half texels over the slant.
+                    // In meters: within two half texels divided by the cosine.
                     EXPECT_NEAR(map.at(x, y), depth,
                                 std::abs(light.clipFromView[2][2]) * (2 * halfTexel / truth.cosine + 1e-4))
                         << x << ',' << y;
@@ -228,7 +229,7 @@ TEST_F(Scene, TheFloorIsDarkExactlyWhereTheObjectHidesTheSun)
     const dvec3 towardsSun(0, std::sin(0.21), -std::cos(0.21));
     int shaded = 0, wrong = 0, open = 0;
     with.each([&](int x, int y) {
-        // Only where the sun reaches the floor when the object is not there.
+        // Only where the sun reaches the floor without the object.
         if (!with.hit(x, y) || without.luminance(x, y) < 0.99 * lit.luminance(x, y)) return;
         const test::Ray ray = test::pixelRay(with.view, x, y);
         const dvec3 floor = ray.origin + ray.direction * with.depth(x, y);

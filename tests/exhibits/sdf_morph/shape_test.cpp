@@ -1,4 +1,4 @@
-// S1, S2, S3, S5, S8, S12: what is seen of the marched object, held against the same field at float64.
+// S1, S2, S3, S5, S8, S12: pictures of the ray-marched object, compared with the same field at float64.
 
 #include "tests/exhibits/sdf_morph/truth.h"
 #include "tests/support/gallery.h"
@@ -23,8 +23,8 @@ using test::Solid;
 
 class Shape : public test::GlTest {};
 
-/// The outline is right when every ray that meets the surface is drawn, and every pixel drawn belongs to a ray
-/// that comes within the table's tolerance. 2 %: rounding of positions at float32, 1e-5 m against half a pixel.
+/// Expects a correct outline: every ray that hits the surface is drawn, and every drawn pixel has a ray within the
+/// tolerance of the table. 2 % are allowed for rounding of positions at float32, 1e-5 m compared with half a pixel.
 void expectOutlineOfTheField(Shot& shot, const char* what)
 {
     const Picture picture = shot.take();
@@ -83,7 +83,7 @@ TEST_F(Shape, TorusAndMugAndAllBetweenHaveTheOutlineOfTheField)
 
 TEST_F(Shape, TheOutlineOfTheTorusIsNotThatOfTheMug)
 {
-    // Control: the test above can tell one shape from the other.
+    // Control: the test above distinguishes the two shapes.
     Shot shot;
     shot.object().set(sdfTable().morph, 0.0);
     const Picture torus = shot.take();
@@ -106,8 +106,7 @@ TEST_F(Shape, DepthIsThatOfTheExactShapes)
         int compared = 0;
         picture.each([&](int x, int y) {
             const Found truth = solid.trace(picture.view, x, y);
-            if (!truth.hit || truth.grazed || truth.cosine < 0.2)
-                return;  // Where the surface turns away, depth is as steep as it likes.
+            if (!truth.hit || truth.grazed || truth.cosine < 0.2) return;  // At steep surfaces, depth changes too fast.
             ++compared;
             EXPECT_NEAR(picture.depth(x, y) / truth.distance, 1, 1e-3) << "morph " << morph << " at " << x << ',' << y;
         });
@@ -117,7 +116,7 @@ TEST_F(Shape, DepthIsThatOfTheExactShapes)
 
 TEST_F(Shape, NoHolesWhileItMelts)
 {
-    // A hole is a pixel without a hit whose eight neighbors all have one, and which the field says is solid.
+    // A hole is a pixel without a hit whose eight neighbors all have one, and whose ray hits the field.
     for (int i = 0; i <= 8; ++i) {
         Shot shot;
         shot.object().set(sdfTable().morph, i / 8.0);
@@ -136,13 +135,13 @@ TEST_F(Shape, FromInsideTheBoundingMeshTheObjectIsStillSeen)
 {
     Shot torus;
     torus.object().set(sdfTable().morph, 0.0);
-    torus.see({0, 0, 0}, {1, 0, 0});  // In the hole.
+    torus.see({0, 0, 0}, {1, 0, 0});  // Camera in the hole.
     torus.request.frame.camera.fovY = 1.6;
     expectOutlineOfTheField(torus, "in the torus's hole");
 
     Shot mug;
     mug.object().set(sdfTable().morph, 1.0);
-    mug.see({-0.05, 0.1, 0}, {-0.3, -0.2, 0.1});  // In the cup.
+    mug.see({-0.05, 0.1, 0}, {-0.3, -0.2, 0.1});  // Camera in the cup.
     mug.request.frame.camera.fovY = 1.2;
     expectOutlineOfTheField(mug, "in the cup");
     Picture inside = mug.take();
@@ -162,7 +161,7 @@ TEST_F(Shape, TheOutlineStaysWholeWhileTheCameraEntersTheBoundingMesh)
         shot.see({0.05, 0.05, z}, {0.05, 0.0, -1});
         const int hits = shot.take().hits();
         if (last >= 0) {
-            // 4 mm nearer: an outline of some 200 pixels moves by a hundredth of the picture's height at most.
+            // 4 mm nearer: an outline of some 200 pixels moves by at most a hundredth of the picture's height.
             EXPECT_NEAR(hits, last, 0.02 * 64 * 36) << "step " << i;
         }
         last = hits;
@@ -172,7 +171,7 @@ TEST_F(Shape, TheOutlineStaysWholeWhileTheCameraEntersTheBoundingMesh)
 
 TEST_F(Shape, TheNearPlaneCutsNoHoleIntoTheBoundingMesh)
 {
-    // The front of the mesh lies between eye and near plane; the object behind it does not.
+    // The front of the mesh is between eye and near plane; the object behind it is not.
     Shot shot;
     shot.object().set(sdfTable().boxSize, 1.3);
     const double front = Solid(shot.object(), dmat4(1)).box().high.z;
@@ -200,7 +199,7 @@ TEST_F(Shape, InTheSolidOrOnItsSurfaceThePictureIsFinite)
     }
 }
 
-/// Transforms that a visitor can ask for, mirrored and non-uniform ones too.
+/// Returns the transforms that a visitor can set, including mirrored and non-uniform ones.
 std::vector<std::pair<const char*, dmat4>> transforms()
 {
     const dmat4 one(1);
@@ -224,7 +223,7 @@ TEST_F(Shape, FollowsItsTransform)
     }
 }
 
-/// Pixels in which two outlines differ although all their neighbors agree: not a matter of the edge.
+/// Returns the number of pixels in which two outlines differ although all neighbors agree, so not at the edge.
 int differenceOffTheEdge(const Picture& a, const Picture& b)
 {
     int count = 0;
@@ -259,8 +258,9 @@ TEST_F(Shape, OutlineAndDepthAreThoseOfTheRasterizedTwin)
         const Picture mesh = meshTwin(shot, 128);
         EXPECT_GT(mesh.hits(), 100) << name;
         EXPECT_EQ(differenceOffTheEdge(marched, mesh), 0) << name;
-        // Away from the edge the two agree to the mesh's chords: cells of 7 mm (times 2 of scale) on curves of
-        // 5 cm sag by up to 0.4 mm, seen aslant twice that; at the rim and in the handle's fillet by more.
+        // Away from the edge both differ by the chords of the mesh only: with cells of 7 mm (times a scale of 2),
+        // curves of 5 cm sag by up to 0.4 mm, twice that in slanted views, and more at the rim and in the fillet of the
+        // handle.
         std::vector<double> errors;
         marched.each([&](int x, int y) {
             if (marched.hit(x, y) && mesh.hit(x, y)) errors.push_back(std::abs(marched.depth(x, y) - mesh.depth(x, y)));
@@ -269,7 +269,7 @@ TEST_F(Shape, OutlineAndDepthAreThoseOfTheRasterizedTwin)
         EXPECT_LT(errors[errors.size() / 2], 1e-3) << name;
         EXPECT_LT(errors[errors.size() * 9 / 10], 5e-3) << name;
     }
-    // Control: a twin that does not follow is noticed.
+    // Control: a mesh of other values is detected.
     Shot shot;
     shot.object().set(sdfTable().morph, 0.85);
     const Picture still = shot.take();
@@ -281,7 +281,7 @@ TEST_F(Shape, NormalsGoByTheInverseTranspose)
 {
     for (const auto& [name, transform] : transforms()) {
         Shot shot;
-        shot.object().set(sdfTable().morph, 0.0);  // Smooth everywhere: no crease that a difference could lean across.
+        shot.object().set(sdfTable().morph, 0.0);  // Smooth everywhere: differences cannot cross a crease.
         shot.object().set(sdfTable().hitTolerance, 0.02);
         shot.transform(transform).see({0.9, 0.6, 2.6}, {0, 0, 0}).size(192, 108);
         const Picture picture = shot.take();
@@ -293,7 +293,7 @@ TEST_F(Shape, NormalsGoByTheInverseTranspose)
             if (!truth.hit || truth.grazed || truth.cosine < 0.25 || !picture.hit(x, y)) return;
             EXPECT_NEAR(glm::length(picture.normal(x, y)), 1, 1e-4);
             angles.push_back(std::acos(std::clamp(glm::dot(picture.normal(x, y), truth.normal), -1.0, 1.0)));
-            // Control: what the normal would be if it went by the transform itself.
+            // Control: a normal transformed like a vector.
             const dvec3 local = glm::normalize(glm::transpose(glm::dmat3(transform)) * truth.normal);
             const dvec3 wrong = glm::normalize(glm::dmat3(transform) * local);
             naive = std::max(naive, std::acos(std::clamp(glm::dot(wrong, truth.normal), -1.0, 1.0)));
@@ -321,7 +321,7 @@ TEST_F(Shape, NormalsStayQuietFarAway)
         std::vector<double> angles;
         picture.each([&](int x, int y) {
             if (!picture.hit(x, y)) return;
-            // Where the picture says that the surface is, so that only the estimate of the normal counts.
+            // At the surface point of the picture, so that only the error of the normal counts.
             const test::Ray ray = test::pixelRay(picture.view, x, y);
             const dvec3 truth = solid.normalAt(ray.origin + ray.direction * picture.depth(x, y));
             angles.push_back(std::acos(std::clamp(glm::dot(picture.normal(x, y), truth), -1.0, 1.0)));
@@ -344,7 +344,7 @@ TEST_F(Shape, AThinRingFarAwayIsNotLost)
 
 TEST_F(Shape, GrazingRaysLeaveNoHolesWithFewSteps)
 {
-    // A ray out of steps ends on its best candidate: everything that is solid is drawn even so.
+    // A ray without remaining steps ends at its best candidate: everything solid is drawn all the same.
     Shot shot;
     shot.object().set(sdfTable().morph, 1.0);
     shot.object().set(sdfTable().stepLimit, 9);
@@ -390,7 +390,7 @@ TEST_F(Shape, TheOverlayShowsTheBoxAndTurnsRedWhenItClips)
     EXPECT_GT(good.hits(), plain + 50);
     shot.object().set(sdfTable().boxSize, 0.6);
     const Picture clips = shot.take();
-    // Amber is a third green; the red of clipping has almost none.
+    // Amber is one third green; the red of clipping has almost none.
     const auto greenShare = [&](const Picture& p) {
         const Solid solid(shot.object(), dmat4(1));
         double share = 0;

@@ -40,7 +40,7 @@ Solid::Solid(const ParameterValues& values, const glm::dmat4& worldFromLocal)
 double Solid::distance(const glm::dvec3& local) const
 {
     const glsl::TorusMug m = torusMug(values_);
-    // At the ends, the pure shapes: not what the melt makes of them.
+    // The pure shapes at the ends, without blending.
     if (m.morph <= 0) return glsl::sdfUprightTorus(local, m);
     if (m.morph >= 1) return glsl::sdfMug(local, m);
     return glsl::sdfTorusMug(local, glsl::torusMugShape(m));
@@ -118,7 +118,7 @@ Found Solid::trace(const Ray& ray, double nearest, double halfPixel, double half
             found.cosine = side * -glm::dot(glm::normalize(gradient(local)), direction);
             return found;
         }
-        t += std::max(0.3 * d, 1e-9);  // Short, so that the closest approach is seen, too.
+        t += std::max(0.3 * d, 1e-9);  // Short steps, so that the closest approach is found, too.
     }
     return found;
 }

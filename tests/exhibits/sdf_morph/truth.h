@@ -7,47 +7,47 @@
 
 namespace vitrine::test {
 
-/// A ray of the world; `direction` may have any length: distances along it are multiples of it.
+/// Ray in world space. `direction` has any length; distances are multiples of it.
 struct Ray {
     glm::dvec3 origin{0}, direction{0, 0, -1};
 };
 
-/// Through the middle of a pixel (from the top left); its direction has length 1 along the view axis, so
-/// that distances along it are depths.
+/// Returns the ray through the center of a pixel (from the top left). Its direction has length 1 along the view axis,
+/// so that distances are depths.
 [[nodiscard]] Ray pixelRay(const render::View&, int x, int y);
 
-/// What a ray found, at float64 by short unrelaxed steps.
+/// Result of a ray at float64, with short unrelaxed steps.
 struct Found {
     bool hit = false;
-    double distance = 0;   ///< In lengths of the ray's direction.
-    glm::dvec3 world{0};   ///< Where.
-    glm::dvec3 normal{0};  ///< Of the field there, world space, outward.
-    double cosine = 0;     ///< Between normal and the way back.
-    /// How near the ray came to the surface, as a share of the tolerance there: 1 and less is a hit by the
-    /// rules of the exhibit, even where `hit` is false.
+    double distance = 0;   ///< Distance in lengths of the ray's direction.
+    glm::dvec3 world{0};   ///< Position in world space.
+    glm::dvec3 normal{0};  ///< Outward normal of the field in world space.
+    double cosine = 0;     ///< Cosine between the normal and the reversed ray.
+    /// Closest distance of the ray to the surface, relative to the tolerance there: 1 and less is a hit by the rules of
+    /// the exhibit, even if `hit` is false.
     double closest = 0;
-    bool grazed = false;  ///< Came within the tolerance before, and left it again.
+    bool grazed = false;  ///< Came within the tolerance and left it again before.
 };
 
-/// The torus-mug as float64 sees it.
+/// Torus-mug at float64.
 class Solid {
 public:
-    /// The field of these values (not animated), marched inside their box.
+    /// Field of these values (not animated), traced within its bounding box.
     Solid(const ParameterValues&, const glm::dmat4& worldFromLocal);
 
-    /// `halfPixel`: half a pixel's width at distance 1 of the ray's direction (perspective), meters.
-    /// `halfTexel`: half a texel's width everywhere (parallel rays), meters. `tolerance` is the table's.
+    /// Traces a ray. `halfPixel`: half a pixel's width in meters at distance 1 of the ray's direction (perspective).
+    /// `halfTexel`: half a texel's width in meters at any distance (parallel rays). `tolerance` is that of the table.
     [[nodiscard]] Found trace(const Ray&, double nearest, double halfPixel, double halfTexel = 0) const;
-    /// The same through the middle of a pixel.
+    /// The same for the ray through the center of a pixel.
     [[nodiscard]] Found trace(const render::View&, int x, int y) const;
-    /// Whether the ray meets the box that the object is marched in, grown by `margin` meters of its own space.
+    /// Returns whether the ray hits the object's bounding box, enlarged by `margin` meters of its own space.
     [[nodiscard]] bool meetsBox(const Ray&, double margin = 0) const;
     [[nodiscard]] double distance(const glm::dvec3& local) const;
     [[nodiscard]] glm::dvec3 toLocal(const glm::dvec3& world) const
     {
         return glm::dvec3(localFromWorld_ * glm::dvec4(world, 1));
     }
-    /// Of the field at a point of the world, world space, unit length, outward.
+    /// Returns the outward unit normal of the field at a point in world space.
     [[nodiscard]] glm::dvec3 normalAt(const glm::dvec3& world) const;
     [[nodiscard]] const render::Box& box() const { return box_; }
 
@@ -55,7 +55,7 @@ private:
     [[nodiscard]] glm::dvec3 gradient(const glm::dvec3& local) const;
 
     ParameterValues values_;
-    render::Box box_;  ///< In its own space.
+    render::Box box_;  ///< Bounds in its own space.
     glm::dmat4 worldFromLocal_, localFromWorld_;
     double largestScale_ = 1;
     double tolerance_ = 1;

@@ -13,8 +13,8 @@ namespace vitrine::test {
 
 inline constexpr int side = 32;
 
-/// Points of a cube of 8 m, the same to the bit on both sides; distance by both functions, and two of the material's
-/// numbers.
+/// Shader that evaluates points of a cube of 8 m, exactly the same as on the CPU: the distance by both functions, and
+/// two numbers of the material.
 inline const char* const pointsShader = R"(
 #include "lib/hash.glsl"
 #include "sdf_scenes/generated_field.glsl"
@@ -31,7 +31,7 @@ void main()
 }
 )";
 
-/// All of it is exact in float32 but the last subtraction, which rounds as on the GPU.
+/// Exact in float32 except for the last subtraction, which rounds like on the GPU.
 inline glm::dvec3 pointOf(int x, int y)
 {
     const glm::uvec3 bits = glsl::hashCell({x, y, 0}, 7);
@@ -97,8 +97,8 @@ inline std::vector<FoundAtPoint> drawn(const std::string& glsl, const std::vecto
     return found;
 }
 
-/// What a field by cells may give out of its grid, and farther than `exactWithin` from every surface: a smaller
-/// distance, or that to a box that holds all surfaces, and any material.
+/// Allowed results of a field with cells outside of its grid and farther than `exactWithin` from every surface: a
+/// smaller distance, or that to a box around all surfaces, and any material.
 struct ByCells {
     double exactWithin = 1e30;
     render::Box grid, held;
@@ -114,7 +114,7 @@ struct ByCells {
     }
 };
 
-/// Distances and materials against the evaluator.
+/// Compares distances and materials with the evaluator.
 inline void compareAtPoints(const scenes::SceneField& field, const std::string& glsl,
                             const std::vector<std::byte>& block, const std::string& what,
                             const std::vector<render::BufferUse>& storage = {}, const ByCells& byCells = {})
@@ -140,7 +140,7 @@ inline void compareAtPoints(const scenes::SceneField& field, const std::string& 
             unlike += like ? 0 : 1;
         }
     }
-    // Where two shapes are as near, rounding decides.
+    // If two shapes are equally near, rounding decides.
     EXPECT_LE(unlike, 2) << what << glsl;
 }
 

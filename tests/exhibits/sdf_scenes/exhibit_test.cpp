@@ -1,4 +1,4 @@
-// What the exhibit plans, without a context: what a scene lacks is left out, what cannot be read changes nothing.
+// Plans of the exhibit, without a GPU: features that a scene lacks are left out, and unreadable files change nothing.
 
 #include "exhibits/sdf_scenes/scene_reader.h"
 #include "exhibits/sdf_scenes/sdf_scenes.h"
@@ -26,7 +26,7 @@ const SdfScenesTable& table()
     return made;
 }
 
-/// The exhibit with the scene of a file, before its frame.
+/// Test scene with the exhibit showing a scene file, seen from the front of its frame.
 struct Shown : test::Scene {
     std::size_t exhibit = *museum().find("sdf_scenes");
     std::vector<std::string> unreadable;
@@ -79,19 +79,19 @@ TEST(SceneExhibit, SeesAllOfASceneThatNamesNoCamera)
                 ASSERT_GT(glm::dot(to, ahead), 0);
                 widest = std::max(widest, std::acos(glm::dot(glm::normalize(to), ahead)));
             }
-            // It is all seen, and fills a good part of the picture's height.
+            // All of it is visible, and fills a large part of the picture's height.
             EXPECT_LT(widest, 0.5 * camera.fovY) << size;
             EXPECT_GT(widest, 0.18 * camera.fovY) << size;
             const auto words = shown->program->words(numbers);
             EXPECT_GT(scenes::sceneStage(*shown, words, numbers).farthest, glm::length(camera.eye - middle) + size);
         }
-    // A camera of its own stays, and so does that of a scene without an end.
+    // A camera in the file is kept, and so is the usual one for an infinite scene.
     const std::string camera = R"("camera": {"position": [0, 0, 3], "target": [0, 0, 0]}, )";
     const auto own = shownOf(R"({"kind": "sphere", "radius": 200})", camera);
     EXPECT_EQ(scenes::sceneCamera(*own->scene, own->scene->numbersAt(0), 0).eye, glm::dvec3(0, 0, 3));
     const auto noise = shownOf(R"({"kind": "noise"})");
     EXPECT_EQ(scenes::sceneCamera(*noise->scene, noise->scene->numbersAt(0), 0).eye, glm::dvec3(0, 1.5, 5));
-    // A shape that moves by a little leaves the view where it is.
+    // A small movement of a shape does not move the camera.
     const auto eyeFor = [&](const char* x) {
         const auto shown = shownOf(std::string(R"({"kind": "sphere", "radius": 1, "translate": [)") + x + ", 0, 0]}");
         return scenes::sceneCamera(*shown->scene, shown->scene->numbersAt(0), 0).eye;
@@ -131,7 +131,7 @@ TEST(SceneExhibit, HasASliderForEachParameterOfItsScene)
     const render::Bytes before = block();
     shown.values().setRow(*row, 0.1);
     EXPECT_NE(block(), before);
-    // Another scene has other rows, and keeps those that all have.
+    // Another scene has other parameters, and keeps the values of common ones.
     shown.values().set(table().hitTolerance, 3.0);
     shown.values().set(table().scene, std::string("dahlia.json"));
     shown.read();
@@ -201,7 +201,7 @@ TEST(SceneExhibit, EveryShippedSceneIsSeenFromItsOwnCamera)
         const glm::dvec3 ahead(portal.workFromExhibit * glm::dvec4(view.target - view.eye, 0));
         EXPECT_LT(glm::distance(eye, camera.eye), 1e-9) << name;
         EXPECT_GT(glm::dot(glm::normalize(ahead), glm::normalize(camera.target - camera.eye)), 1 - 1e-12) << name;
-        // The opening cuts nothing of what the camera sees.
+        // The opening clips nothing of the camera's view.
         EXPECT_LE(scene.toOpening, scenes::SceneField(scene.scene).distance(camera.eye) + 1e-9) << name;
         const render::Camera round = {camera.eye, camera.target, camera.fovY};
         const scenes::SceneCamera turned = scenes::sceneCamera(*scene.scene, scene.scene->numbersAt(0), 1.0);

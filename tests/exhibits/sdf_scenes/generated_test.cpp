@@ -1,4 +1,4 @@
-// Generated shaders against the evaluator: 1,024 points each, drawn into a picture of floats.
+// Generated shaders compared with the evaluator: 1,024 points each, drawn into a float image.
 
 #include "tests/exhibits/sdf_scenes/drawn_points.h"
 
@@ -29,7 +29,7 @@ TEST_F(SceneShaders, OfTheShippedScenesAreTheEvaluator)
     }
 }
 
-/// Numbers of another moment are seen.
+/// Control: numbers of another time are detected.
 TEST_F(SceneShaders, WithOtherNumbersAreNotTheEvaluator)
 {
     const auto scene = test::sceneOf(R"json({"kind": "sphere", "radius": "0.5 + 0.0001 * t"})json");
@@ -85,7 +85,7 @@ TEST_F(SceneShaders, HaveNothingThatTheSceneHasNot)
         EXPECT_EQ(ball.find(word), std::string::npos) << word << '\n' << ball;
     EXPECT_NE(glslOf(R"({"kind": "noise"})").find("noise.glsl"), std::string::npos);
     EXPECT_NE(glslOf(R"({"kind": "pyramid"})").find("shapes.glsl"), std::string::npos);
-    // A slider changes numbers of the block and not the text.
+    // A parameter changes numbers of the block, and not the source code.
     const auto with = [&](const char* radius) {
         return glslOf(std::string(R"({"kind": "sphere", "radius": )") + radius + "}");
     };

@@ -1,4 +1,4 @@
-// A picture of two halves, each with settings of its own: what each shows, where they meet, and what they cost.
+// Pictures with two halves of different settings: their content, the divider, and their cost.
 
 #include "exhibits/sdf_scenes/sdf_scenes.h"
 #include "tests/exhibits/sdf_scenes/scene_shot.h"
@@ -16,7 +16,7 @@ using test::shippedScene;
 
 class SceneHalves : public test::GlTest {};
 
-/// Sets one row of the whole picture, or the same of the right half.
+/// Function that sets a parameter of the whole picture, or of the right half.
 struct HalvesCase {
     const char* name;
     std::function<void(ParameterValues&)> whole, right;
@@ -37,7 +37,7 @@ std::vector<HalvesCase> halvesCases()
             both("hit tolerance", t.hitTolerance, t.rightHitTolerance, 24.0)};
 }
 
-/// All channels of a pixel.
+/// Returns whether all channels of a pixel are equal.
 bool sameAt(const render::Image& a, const render::Image& b, int x, int y)
 {
     for (int c = 0; c < a.channels; ++c) {
@@ -49,12 +49,12 @@ bool sameAt(const render::Image& a, const render::Image& b, int x, int y)
 
 struct HalvesFound {
     int apart = 0;            ///< Pixels in which the two settings differ.
-    int ofNeither = 0;        ///< Pixels of the divided picture that are of neither.
-    int left = 0, right = 0;  ///< Pixels in which they differ and which are of that one.
-    int beyond = 0;           ///< Of these, those on the other side of the divider.
+    int ofNeither = 0;        ///< Pixels of the divided picture that equal neither.
+    int left = 0, right = 0;  ///< Pixels in which they differ and that equal that one.
+    int beyond = 0;           ///< Pixels of these on the wrong side of the divider.
 };
 
-/// `columnAt`: where the divider crosses a row.
+/// `columnAt` returns the column of the divider in a row.
 HalvesFound compareHalves(SceneShot shot, const HalvesCase& setting, double divider,
                           const std::function<double(int y)>& columnAt)
 {
@@ -63,7 +63,7 @@ HalvesFound compareHalves(SceneShot shot, const HalvesCase& setting, double divi
     SceneShot other = shot;
     setting.whole(other.values());
     const render::Image right = other.take().image;
-    shot.values().set(scenesTable().rightShadowMethod, SceneShadow::look);  // As to the left.
+    shot.values().set(scenesTable().rightShadowMethod, SceneShadow::look);  // The same as on the left.
     setting.right(shot.values());
     shot.values().set(scenesTable().split, true);
     shot.values().set(scenesTable().divider, divider);
@@ -81,7 +81,7 @@ HalvesFound compareHalves(SceneShot shot, const HalvesCase& setting, double divi
     return found;
 }
 
-/// Where the divider is seen in a row of the picture, counted from the top.
+/// Returns the column of the divider in a row of the picture, counted from the top.
 std::function<double(int)> dividerIn(const SceneShot& shot, double divider, const glm::dmat4& world)
 {
     const render::View view = render::makeView(shot.request.frame.camera, shot.request.frame.raster);
@@ -138,7 +138,7 @@ TEST_F(SceneHalves, CostOnePictureNotTwo)
         EXPECT_GE(columns(left) + columns(right), width);
         EXPECT_LE(columns(left) + columns(right), width + 4) << divider;
     }
-    // A tile that is all of one half.
+    // A tile that is entirely in one half.
     shot.request.frame.raster.tile = {16, 64};
     EXPECT_EQ(plan().find("sdf_scenes/right"), nullptr);
     EXPECT_EQ(plan().findSkipped("sdf_scenes/right")->reason, "its half is out of view");

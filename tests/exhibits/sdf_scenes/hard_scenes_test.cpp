@@ -1,4 +1,4 @@
-// The hard cases of tests/stability/README.md that a scene file can bring about.
+// Stability cases of tests/stability/README.md that a scene file can cause.
 
 #include "exhibits/sdf_scenes/list_glsl.h"
 #include "exhibits/sdf_scenes/near_scene.h"
@@ -24,7 +24,7 @@ void expectNumbers(const SceneField& field, const std::string& what)
     ASSERT_TRUE(std::isfinite(field.distance({1e5, -1e5, 1e5}))) << what;
 }
 
-/// Steps until a ray through the middle ends.
+/// Returns the number of steps until a ray through the center ends.
 int stepsThrough(const SceneField& field)
 {
     double t = 0;
@@ -57,7 +57,7 @@ TEST(HardScenes, TheSmallestShapesAreFiniteAndRaysPassThemQuickly)
                 text += ", \"" + std::string(field.name) + "\": " + std::to_string(size);
             }
             text += '}';
-            if (!test::readText(test::sceneText(text)).scene) continue;  // Some numbers make no shape.
+            if (!test::readText(test::sceneText(text)).scene) continue;  // Some numbers give no valid shape.
             const SceneField field = test::fieldOf(text);
             expectNumbers(field, text);
             EXPECT_TRUE(!smallest || stepsThrough(field) < 1000) << text;
@@ -75,7 +75,7 @@ TEST(HardScenes, SizesAndScalesOfZeroOrLessAreRefused)
                              R"({"kind": "box", "size": [1, 0, 1]})", R"({"kind": "torus", "minorRadius": -0.1})",
                              R"({"kind": "sphere", "scale": 0})", R"({"kind": "sphere", "scale": [1, 0, 1]})"})
         EXPECT_NE(refusal(root).find("test.json:"), std::string::npos) << root;
-    // A number that moves there is cut to its range.
+    // An animated number is clamped to its range.
     const auto scene = test::sceneOf(R"({"kind": "sphere", "radius": "0.5 - t"})");
     EXPECT_NEAR(SceneField(scene, 10).distance({1, 0, 0}), 1, 1e-3);
 }
@@ -101,7 +101,7 @@ TEST(HardScenes, BlendsOfAnyWidthStayNumbersAndAtZeroAreHard)
     const SceneField a = test::fieldOf(R"({"kind": "sphere"})");
     const SceneField b = test::fieldOf(R"({"kind": "box", "translate": [0.6, 0, 0]})");
     test::Random random(73);
-    // The share of its width by which each blend adds at most, where both operands are equal.
+    // Largest addition of each blend as a share of its width, at equal operands.
     const std::pair<const char*, double> most[] = {
         {"quadratic", 1.0 / 4}, {"cubic", 1.0 / 6}, {"circular", 1 - std::sqrt(0.5)}, {"exponential", 1.0}};
     for (const auto& [blend, share] : most) {
@@ -132,7 +132,7 @@ TEST(HardScenes, NoStepOvershootsDeepCutsAndUnevenScales)
         const SceneField field = test::fieldOf(root);
         EXPECT_EQ(test::overshoots([&](const glm::dvec3& p) { return field.distance(p); }, random, 4000), 0) << root;
     }
-    // A cut larger than the solid leaves no surface.
+    // A subtraction larger than the solid leaves no surface.
     const SceneField gone = test::fieldOf(
         R"({"kind": "subtraction", "children": [{"kind": "box", "size": 0.5}, {"kind": "sphere", "radius": 2}]})");
     for (int i = 0; i < 1000; ++i) ASSERT_GT(gone.distance(random.point(3)), 0);
@@ -162,7 +162,7 @@ TEST(HardScenes, ADepthOfTenThousandNeedsNoStack)
     const SceneField field(read.scene);
     EXPECT_EQ(field.distance({1, 0, 0}), 0.5);
     EXPECT_FALSE(scenes::sceneGlsl(field.program()).empty());
-    // What only passes its child on is no level of a list.
+    // A node that only passes on its child needs no level of a list.
     EXPECT_EQ(scenes::ListVocabulary::of(field.program()).results, 0U);
 }
 
@@ -188,7 +188,8 @@ TEST(HardScenes, CopiesFarFromTheOriginAreDistinct)
             EXPECT_NEAR(field.distance({far + aside, 0, 0}), aside - 0.2, 1e-6) << far;
 }
 
-/// A parameter that is read before it is written needs to be one: no generated function has any.
+/// Parameters that are read before they are written can only exist if functions have `out` parameters: generated ones
+/// have none.
 TEST(HardScenes, GeneratedShadersHaveNoParametersThatAreWritten)
 {
     static const std::regex written(R"(\b(out|inout)\b)");

@@ -1,4 +1,4 @@
-// Whatever a scene file says, no step may pass a surface: random trees of all kinds.
+// No step may pass a surface, whatever the scene file: random trees of all kinds.
 
 #include "exhibits/sdf_scenes/scene_functions_cpu.h"
 #include "tests/exhibits/sdf_scenes/ray_steps.h"
@@ -8,7 +8,7 @@
 namespace vitrine {
 namespace {
 
-/// The largest slope between near points.
+/// Returns the largest slope between nearby points.
 template <typename Field> double steepest(const Field& field, test::Random& random, int pairs)
 {
     double most = 0;
@@ -68,7 +68,7 @@ TEST(SceneLipschitz, NoRayPassesASurface)
     }
 }
 
-/// The same looks find what a forgotten factor does.
+/// Control: the same test detects a missing factor.
 TEST(SceneLipschitzControl, FieldsWithoutTheirFactorAreFound)
 {
     test::Random random(4);
@@ -78,7 +78,7 @@ TEST(SceneLipschitzControl, FieldsWithoutTheirFactorAreFound)
     const auto displaced = [&](const glm::dvec3& p) {
         return glsl::sdfBox(p, half) + 0.3 * glsl::sceneFractalNoise(p * 8.0, 1, 0.5);
     };
-    // One copy only, of what is not even.
+    // One copy only, of an asymmetric shape.
     const auto repeated = [&](const glm::dvec3& p) {
         const glm::dvec3 q(glsl::sceneCell(p.x, 0, 1, 0, 0, 1), p.y, p.z);
         return glsl::sdfSphere(q - glm::dvec3(0.4, 0, 0), 0.1);

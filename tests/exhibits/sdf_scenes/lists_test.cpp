@@ -1,4 +1,5 @@
-// Shaders that walk lists of steps against the evaluator: 1,024 points each. All steps; those of the point's cell.
+// Shaders that walk lists of steps, compared with the evaluator: 1,024 points each. With all steps, and with those of
+// the point's cell.
 
 #include "exhibits/sdf_scenes/list_glsl.h"
 #include "exhibits/sdf_scenes/near_scene.h"
@@ -27,7 +28,7 @@ bool fits(const scenes::ListVocabulary& v)
     return v.results <= scenes::ListVocabulary::mostResults && v.places <= scenes::ListVocabulary::mostPlaces;
 }
 
-/// Without cells, and with so many.
+/// Compares without cells, and with this many.
 void compareLists(const scenes::SceneField& field, int across, const std::string& what)
 {
     const scenes::ListVocabulary own = scenes::ListVocabulary::of(field.program());
@@ -79,7 +80,7 @@ TEST_F(SceneLists, WithPlanesAndNestedOperationsAreTheEvaluator)
     compareLists(field, 32, root);
 }
 
-/// Copies of what is endless to both sides, beside the axis: their middle is that of the sides that end.
+/// Copies of profiles that are infinite in one direction: their center is that of the finite directions.
 TEST_F(SceneLists, EndlessProfilesAroundTheAxisAreTheEvaluator)
 {
     for (const char* turned : {"[0, 0, 0]", "[0, 90, 0]", "[0, 30, 0]"}) {
@@ -87,7 +88,7 @@ TEST_F(SceneLists, EndlessProfilesAroundTheAxisAreTheEvaluator)
             "inradius": 0.2, "translate": [-0.85, 0.05, 0.4], "rotate": )") +
                                  turned + "}}";
         const scenes::SceneField field = test::fieldOf(root);
-        // A copy to each side, and the distance of the nearest is no more than to its middle line.
+        // A copy on each side; the nearest one's distance is at most that to its center line.
         for (const double side : {-1.0, 1.0})
             EXPECT_NEAR(field.sample(glm::dvec3(side * 0.85, 0.05, side * -0.4)).distance, -0.2, 1e-9) << root;
         compareLists(field, 16, root);
@@ -95,7 +96,7 @@ TEST_F(SceneLists, EndlessProfilesAroundTheAxisAreTheEvaluator)
     }
 }
 
-/// One program for all of them.
+/// One program for all kinds.
 TEST_F(SceneLists, OfEveryKindAreTheEvaluatorInOneProgram)
 {
     const scenes::ListVocabulary all = scenes::ListVocabulary::everything(4, 3);
@@ -113,7 +114,7 @@ TEST_F(SceneLists, OfEveryKindAreTheEvaluatorInOneProgram)
 }
 
 #ifdef VITRINE_RAPIDCHECK
-/// Random scenes, by the program of all kinds: 1,024 points each.
+/// Random scenes, with the program of all kinds: 1,024 points each.
 RC_GTEST_FIXTURE_PROP(SceneListsProperty, AnySceneIsTheEvaluator, (unsigned seed))
 {
     static const scenes::ListVocabulary all = scenes::ListVocabulary::everything(4, 3);

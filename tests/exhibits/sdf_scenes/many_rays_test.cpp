@@ -1,4 +1,4 @@
-// The steps of a million rays through random trees: ten times as many as in every run.
+// Steps of a million rays through random trees: ten times as many as in the usual run.
 
 #include "tests/exhibits/sdf_scenes/ray_steps.h"
 

@@ -6,7 +6,7 @@
 
 namespace vitrine::test {
 
-/// Shapes that together are as large whatever their number, in one smooth union: the root of a scene file.
+/// Returns the root of a scene file: shapes in one smooth union, whose total size does not depend on their number.
 inline std::string manyShapes(int count)
 {
     std::mt19937 engine(static_cast<unsigned>(count));

@@ -1,4 +1,4 @@
-// Meshes of scenes: closed manifolds whatever the field, as large as they should be, and true to their edges.
+// Meshes of scenes: closed manifolds for all fields, of the correct size, and with sharp edges.
 
 #include "exhibits/sdf_scenes/cell_loops.h"
 #include "exhibits/sdf_scenes/scene_mesh.h"
@@ -52,7 +52,7 @@ TEST(CellLoops, CrossEveryEdgeThatHasAnEndOnEachSide)
     EXPECT_EQ(scenes::cellLoops(0b01101001).loops, 4);  // Every other corner.
 }
 
-/// Volume and area against closed forms; a quarter of the error for half of the cell.
+/// Volume and area compared with closed forms; half the cell size gives a quarter of the error.
 TEST(SceneMesh, HasTheVolumeAndAreaOfTheBodyTheBetterTheFinerItIs)
 {
     struct Body {
@@ -77,14 +77,15 @@ TEST(SceneMesh, HasTheVolumeAndAreaOfTheBodyTheBetterTheFinerItIs)
     }
 }
 
-/// How far a vertex may be from the surface: where only the rim of a cell is cut, of which vertices keep a hundredth of
-/// a cell away; and where its search ends.
+/// Returns the allowed distance of a vertex from the surface: vertices stay a hundredth of a cell away from its sides,
+/// and their search ends at a tolerance.
 double offSurface(double cell)
 {
     return (0.01 * std::sqrt(3.0) + 0.001) * cell;
 }
 
-/// A box has flat faces and sharp edges, which a mesh has but where an edge leaves the cell whose vertex it needs.
+/// A box has flat faces and sharp edges. The mesh keeps them, except where an edge leaves the cell whose vertex it
+/// needs.
 TEST(SceneMesh, KeepsEdgesAndCornersSharp)
 {
     constexpr double edges = 4 * (1 + 0.7 + 0.5);
@@ -106,7 +107,7 @@ TEST(SceneMesh, KeepsEdgesAndCornersSharp)
         }
 }
 
-/// A ball taken from a box leaves edges of 34 degrees, thinner than a cell where they end.
+/// A ball subtracted from a box leaves edges of 34 degrees, which are thinner than a cell at their ends.
 TEST(SceneMesh, KeepsThinEdgesSharp)
 {
     const std::string root = R"({"kind": "subtraction", "rotate": [10, 30, 0], "children": [
@@ -122,9 +123,9 @@ TEST(SceneMesh, KeepsThinEdgesSharp)
         const scenes::MeshCheck check = scenes::checkMesh(mesh);
         expectGood(check);
         EXPECT_NEAR(check.volume, volume, 0.1 * (straight + thin) * cell * cell);
-        // Along the thin ones, triangles may overlap by a quarter of a cell.
+        // Along thin edges, triangles may overlap by a quarter of a cell.
         EXPECT_NEAR(check.area, area, (0.03 * straight + 0.25 * thin) * cell);
-        // Teeth would be triangles across the wedge, one in each cell along it.
+        // Wrong teeth would be triangles across the wedge, one in each cell along it.
         std::size_t teeth = 0;
         for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
             glm::dvec3 middle(0);
@@ -153,7 +154,7 @@ TEST(SceneMesh, LiesOnTheSurfaceWithItsNormalsAndColors)
     }
 }
 
-/// Random fields on coarse cells have every ambiguous neighborhood there is.
+/// Random fields with large cells contain all ambiguous neighborhoods.
 TEST(SceneMesh, IsAClosedManifoldWhateverTheField)
 {
     test::Random random(21);
@@ -197,11 +198,11 @@ TEST(SceneMesh, SkipsTheCellsThatAreFarFromTheSurface)
     EXPECT_NEAR(fine.allCells() / coarse.allCells(), 8, 1);
     EXPECT_NEAR(double(fine.nearSurface) / double(coarse.nearSurface), 4, 0.3);
     EXPECT_LT(double(fine.nearSurface), 0.06 * fine.allCells());
-    // A plane through cells of this size crosses at least so many.
+    // A plane with cells of this size crosses at least this many.
     EXPECT_GT(double(fine.nearSurface), pi / (0.01 * 0.01));
 }
 
-/// Of a thousand shapes in one blend, a point asks those that are near.
+/// Of a thousand shapes in one blend, a point evaluates only nearby ones.
 TEST(SceneMesh, AsksFewShapesOfMany)
 {
     test::Random random(22);
@@ -216,7 +217,7 @@ TEST(SceneMesh, AsksFewShapesOfMany)
     scenes::SceneMesher mesher(field, {.cell = 0.01});
     expectGood(scenes::checkMesh(mesher.mesh().value()));
     EXPECT_LT(static_cast<double>(mesher.shapesAsked()), 10.0 * static_cast<double>(mesher.evaluations()));
-    EXPECT_LT(mesher.plan().cells.x, 300);  // Not where a thousand blends might reach.
+    EXPECT_LT(mesher.plan().cells.x, 300);  // The bounds do not include all that a thousand blends could add.
 }
 
 TEST(SceneMesh, RefusesWhatHasNoEndOrNoRoom)
@@ -241,7 +242,8 @@ TEST(SceneMesh, RefusesWhatHasNoEndOrNoRoom)
     EXPECT_NE(sentenceOf(ball, {.cell = 0}), "");
 }
 
-/// A node of an operation with its initial numbers, a blend of 20 cm, and this child; others are small balls.
+/// Returns a node of an operation with its initial numbers, a blend of 20 cm, and this child; other children are small
+/// balls.
 std::string operationOn(const scenes::NodeKind& kind, const std::string& child)
 {
     const bool blends = kind.form == scenes::Form::operands;
@@ -252,7 +254,7 @@ std::string operationOn(const scenes::NodeKind& kind, const std::string& child)
     return text + R"(, "child": )" + child + '}';
 }
 
-/// The box of a scene holds every point that is inside, far ones too; and its mesh is closed.
+/// The bounds of a scene contain every point that is inside, also distant ones, and its mesh is closed.
 TEST(SceneMesh, EveryOperationHasAnEndInsideEveryOther)
 {
     test::Random random(7);
@@ -295,7 +297,7 @@ TEST(SceneMesh, NamesThePartThatHasNoEnd)
         ::testing::IsSubstring, "the repeat in line", test::refusalOf([] {
             return meshOf(R"({"kind": "repeat", "count": [0, 1, 1], "child": {"kind": "sphere", "radius": 0.2}})", 0.1);
         }));
-    // Ten turns a meter: far away, its distance is below 2 cm everywhere, and a wall of 10 cm is everywhere.
+    // Ten turns per meter: far away, its distance is below 2 cm everywhere, so a wall of 10 cm would be everywhere.
     EXPECT_PRED_FORMAT2(::testing::IsSubstring, "the twist in line", test::refusalOf([] {
                             return meshOf(R"({"kind": "onion", "thickness": 0.1, "child":
                              {"kind": "twist", "rate": 3600, "child": {"kind": "box"}}})",
@@ -327,7 +329,7 @@ TEST(SceneMesh, HasItsColorsInTheFile)
         EXPECT_TRUE(part.mesh->colors.empty());
         EXPECT_NEAR(part.mesh->bounds.halfSize().y, 0.3, 0.01);
     }
-    // Where colors run into each other, vertices have them.
+    // Vertices have colors if colors blend into each other.
     const scenes::SceneField blended = test::fieldOf(
         R"({"kind": "union", "blendWidth": 0.8, "children": [{"kind": "sphere", "radius": 0.4, "material": "red"},
             {"kind": "sphere", "radius": 0.4, "translate": [0.5, 0, 0], "material": "blue"}]})",

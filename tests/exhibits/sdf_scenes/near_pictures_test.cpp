@@ -1,4 +1,4 @@
-// Pictures by what is near each place: the same as by every shape, with one program for many trees.
+// Pictures with lists of nearby shapes: equal to those with all shapes, with one program for many trees.
 
 #include "tests/exhibits/sdf_scenes/scene_shot.h"
 #include "tests/support/planned.h"
@@ -60,7 +60,7 @@ TEST_F(NearPicture, IsThatOfEveryShape)
         every.each([&](int x, int y) {
             const double a = every.depth(x, y), b = near.depth(x, y);
             solid += a < 40 ? 1 : 0;
-            // Endless floors end where steps run out, or not at all.
+            // Infinite floors end at the limit of steps, or not at all.
             if (a > 40 && b > 40) return;
             apart += std::abs(a / b - 1) < 0.01 ? 0 : 1;
         });
@@ -115,7 +115,7 @@ TEST_F(NearPicture, ShowsHowManyShapesWereAsked)
     EXPECT_GT(all, 20 * near);
 }
 
-/// The picture of a scene whose shader has one word in place of another.
+/// Draws a scene whose shader has one text replaced by another.
 render::Image drawnWith(SceneShot& shot, const char* file, const std::string& from, const std::string& to)
 {
     render::FramePlan plan = test::planned(test::gallery().museum, shot.sceneState, shot.request.frame,
@@ -130,15 +130,15 @@ render::Image drawnWith(SceneShot& shot, const char* file, const std::string& fr
         if (pass.name != "sdf_scenes/scene") continue;
         std::map<std::string, std::string> texts = pass.shader.sources->textByPath();
         texts[file] = text;
-        // No plan of the program has another text.
+        // The plan of the program has no interface for this.
         const_cast<render::Pass&>(pass).shader.sources = std::make_shared<const render::ShaderSources>(texts);
     }
     test::gallery().renderer.draw(plan);
     return test::gallery().renderer.read(radianceImage);
 }
 
-/// How far rows are from the rows around them: along a wall the occlusion of a floor changes smoothly from row to row,
-/// and rays of the same directions for all pixels make stairs of it.
+/// Returns the mean difference of rows from the rows around them. Along a wall the occlusion of a floor changes
+/// smoothly from row to row; with equal ray directions for all pixels it would have steps.
 double stairs(const render::Image& picture, int first, int last)
 {
     std::vector<double> rows;
@@ -168,14 +168,14 @@ TEST_F(NearPicture, OcclusionHasNoBandsWhereFixedDirectionsHave)
     const render::Image ours =
         drawnWith(shot, light, "float turn = pixelNumber(17u);", "float turn = pixelNumber(17u);");
     const render::Image fixed = drawnWith(shot, light, "float turn = pixelNumber(17u);", "float turn = 0.3;");
-    // The floor before the wall.
+    // The floor in front of the wall.
     EXPECT_LT(stairs(ours, 52, 92), 0.5 * stairs(fixed, 52, 92)) << stairs(ours, 52, 92);
     EXPECT_GT(stairs(fixed, 52, 92), 0.01) << "control";
 }
 
 TEST_F(NearPicture, GlassMirrorsTheSceneAtItsFirstSide)
 {
-    // Nothing shines but a board behind the eye, which the ball's middle mirrors by 4 %.
+    // The only light is a board behind the eye, of which the center of the ball reflects 4 %.
     const std::string head = R"("camera": {"position": [0, 0, 4], "target": [0, 0, 0], "fieldOfView": 40},
  "environment": {"kind": "sky", "zenith": [0, 0, 0], "horizon": [0, 0, 0], "ground": [0, 0, 0]},
  "materials": {"glass": {"model": "pbr", "color": [1, 1, 1], "roughness": 0, "transmission": 1, "refractiveIndex": 1.5},

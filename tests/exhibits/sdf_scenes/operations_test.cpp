@@ -1,5 +1,5 @@
-// What operations do to distances and materials: without a blend, with one beyond all measure, with equal operands, in
-// any order; copies, and what changes a single shape.
+// Effect of operations on distances and materials: without a blend, with an extreme one, with equal operands, in any
+// order; copies, and operations on a single shape.
 
 #include "exhibits/sdf_scenes/scene_functions_cpu.h"
 #include "tests/exhibits/sdf_scenes/support.h"
@@ -71,7 +71,7 @@ TEST(SceneOperations, BlendsAddAtMostTheirShareAndOnlyNearBoth)
                 ASSERT_GE(glsl::sceneIntersection(p.x, p.y, k, profile), std::max(p.x, p.y));
                 ASSERT_GE(glsl::sceneSubtraction(p.x, p.y, k, profile), std::max(p.x, -p.y));
             });
-            // All of it where both are as far.
+            // The whole addition at equal distances.
             EXPECT_NEAR(glsl::sceneUnion(0.3, 0.3, width, profile), 0.3 - most[profile] * width, 1e-9 * (1 + width));
         }
 }
@@ -90,7 +90,7 @@ TEST(SceneOperations, DoNotCareForTheOrderOfTwo)
 TEST(SceneOperations, OfThreeGiveTheSameInAnyOrderWhereTheyCan)
 {
     for (const char* blend : blends) {
-        // The exponential blend is the same in any order; the others agree within what they add.
+        // The exponential blend does not depend on the order; the others agree up to their addition.
         const double tolerance = std::string(blend) == "exponential" ? 1e-12 : 0.3 * 0.3;
         const SceneField one = test::fieldOf(operation("union", blend, "0.3", {ball, box, ring}));
         const SceneField other = test::fieldOf(operation("union", blend, "0.3", {ring, ball, box}));
@@ -139,7 +139,7 @@ TEST(SceneOperations, NestToAnyDepth)
     eachPoint(7, 50, [&](const glm::dvec3& p) { ASSERT_EQ(deep.distance(p), flat.distance(p)); });
 }
 
-/// The derivative of a blend by its second operand is the share that its material has.
+/// The derivative of a blend by its second operand is the weight of that material.
 TEST(SceneOperations, SharesAreTheDerivativesOfBlends)
 {
     using Function = double (*)(double, double, double, int);
@@ -155,7 +155,7 @@ TEST(SceneOperations, SharesAreTheDerivativesOfBlends)
             eachPoint(8, 400, [&](const glm::dvec3& p) {
                 const double h = 1e-6;
                 if (std::abs(p.x - p.y) < 1e-3 || std::abs(p.x + p.y) < 1e-3)
-                    return;  // The circle's slope jumps there.
+                    return;  // The slope of the circle jumps there.
                 const double slope =
                     (pair.distance(p.x, p.y + h, 0.4, profile) - pair.distance(p.x, p.y - h, 0.4, profile)) / (2 * h);
                 ASSERT_NEAR(pair.share(p.x, p.y, 0.4, profile), pair.sign * slope, 1e-4) << profile;
@@ -187,7 +187,7 @@ TEST(SceneOperations, BlendMaterialsWhereTheyBlendShapes)
     }
 }
 
-/// Every copy written out gives the same distances as a repetition.
+/// A repetition must equal the union of all its copies.
 TEST(SceneOperations, RepetitionsAreTheUnionOfTheirCopies)
 {
     test::Random random(9);
@@ -281,7 +281,7 @@ TEST(SceneOperations, ProfilesAreExtrudedAndRevolvedToShapesThatAreKnown)
         const SceneField made = test::fieldOf(twin.made);
         const SceneField known = test::fieldOf(twin.known);
         eachPoint(13, 300, [&](const glm::dvec3& p) {
-            // A round box built by rounding is the same outside, and inside nearer by as much as corners differ.
+            // A rounded box is equal outside; inside, it is nearer by the difference of the corners.
             const double d = known.distance(p);
             ASSERT_NEAR(std::max(made.distance(p), 0.0), std::max(d, 0.0), 1e-12) << twin.made;
             ASSERT_EQ(made.distance(p) < 0, d < 0) << twin.made;

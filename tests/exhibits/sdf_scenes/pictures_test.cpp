@@ -1,4 +1,4 @@
-// The exhibit's pictures against the evaluator of the same file, and against closed forms.
+// Pictures of the exhibit compared with the evaluator of the same file, and with closed forms.
 
 #include "render/image/image_io.h"
 #include "render/image/srgb.h"
@@ -25,7 +25,7 @@ protected:
     test::TemporaryFolder folder_;
 };
 
-/// Where a ray meets the field, at float64; infinity: nowhere within `far`.
+/// Returns the distance at which a ray hits the field, at float64; infinity if it does not within `far`.
 double firstHit(const scenes::SceneField& field, const dvec3& origin, const dvec3& d, double start, double far)
 {
     double t = start;
@@ -55,7 +55,7 @@ TEST_F(ScenePicture, ShowsSurfacesWhereTheEvaluatorFindsThem)
                 const double truth = firstHit(field, origin, ray / perDepth, 0, 40);
                 const dvec3 aside(scene * glm::dvec4(test::rayOf(p.view, x + 1, y + 1), 0));
                 const double beside = firstHit(field, origin, glm::normalize(aside), 0, 40);
-                // Of what is as small as a pixel, the pixel's width decides.
+                // For objects as small as a pixel, the pixel's width decides.
                 if (!std::isfinite(truth) || std::abs(beside / truth - 1) > 0.05) continue;
                 const dvec3 point = origin + ray / perDepth * truth;
                 dvec3 slope;
@@ -78,7 +78,8 @@ TEST_F(ScenePicture, ShowsSurfacesWhereTheEvaluatorFindsThem)
     }
 }
 
-/// A ball of radius 1 at the origin and what else, as the source lights it, seen from z = 4; at 48 x 48 pixels.
+/// Returns a shot of a ball of radius 1 at the origin with other shapes, in the reference's lighting, seen from z = 4;
+/// 48 x 48 pixels.
 SceneShot sourceShot(const test::TemporaryFolder& folder, const std::string& others, const std::string& lights,
                      const std::string& look)
 {
@@ -95,7 +96,7 @@ SceneShot sourceShot(const test::TemporaryFolder& folder, const std::string& oth
     return shot;
 }
 
-/// The number that is shown.
+/// Returns the displayed number.
 dvec3 shownAt(const test::Picture& p, int x, int y)
 {
     const dvec3 c = p.color(x, y);
@@ -139,7 +140,7 @@ TEST_F(ScenePicture, AsInTheSourceIsPhongWithAMirrorShownAsNumbers)
 
 TEST_F(ScenePicture, BouncesAreCounted)
 {
-    // The eye between two boards that mirror each other: each bounce adds up to half of the one before.
+    // The eye between two boards that reflect each other: each bounce adds up to half of the one before.
     SceneShot shot(test::writeScene(folder_, R"({"kind": "union", "material": "mirror", "children": [
       {"kind": "sphere", "radius": 1}, {"kind": "box", "size": [90, 90, 0.1], "translate": [0, 0, 5]},
       {"kind": "box", "size": [90, 90, 0.1], "translate": [0, 0, -5]}]})",
@@ -165,7 +166,7 @@ TEST_F(ScenePicture, WhatIsBehindTheLightKeepsNothingAway)
         shot.values().set(scenesTable().occlusionMethod, SceneOcclusion::none);
         return shownAt(shot.take(), 19, 24).x;
     };
-    // A board behind the light, beside the eye, and one before it.
+    // A board behind the light, beside the eye, and one in front of it.
     const char* behind = R"(, {"kind": "box", "size": [20, 20, 0.1], "translate": [0, 0, 9]})";
     const char* before = R"(, {"kind": "box", "size": [0.4, 0.4, 0.02], "translate": [0, 0, 2.2]})";
     for (const char* look : {"", R"(, "softShadows": 20)"}) {
@@ -174,7 +175,7 @@ TEST_F(ScenePicture, WhatIsBehindTheLightKeepsNothingAway)
         EXPECT_NEAR(middle(behind, look), lit, 0.01) << look;
         SceneShot shaded = sourceShot(folder_, before, light, look);
         SceneShot open = sourceShot(folder_, "", light, look);
-        // It hides the ball's middle from the eye, and more of it from the light.
+        // The board hides the center of the ball from the eye, and more of it from the light.
         const test::Picture with = shaded.take(), without = open.take();
         double darker = 0;
         with.each([&](int x, int y) { darker = std::max(darker, without.luminance(x, y) - with.luminance(x, y)); });
@@ -184,7 +185,7 @@ TEST_F(ScenePicture, WhatIsBehindTheLightKeepsNothingAway)
 
 TEST_F(ScenePicture, OcclusionOfAWallIsAHalfAtItsFoot)
 {
-    // A floor before an endless wall; light from everywhere, white.
+    // A floor in front of an infinite wall, in white light from everywhere.
     const std::string head = R"("camera": {"position": [0, 2, 2], "target": [0, 0, 0], "fieldOfView": 40},
  "environment": {"kind": "sky", "zenith": [1, 1, 1], "horizon": [1, 1, 1], "ground": [1, 1, 1]},
  "materials": {"chalk": {"model": "pbr", "color": [0.5, 0.5, 0.5], "roughness": 1, "reflectance": 0}},)";
@@ -201,7 +202,7 @@ TEST_F(ScenePicture, OcclusionOfAWallIsAHalfAtItsFoot)
         return sum;
     };
     const double all = openness(SceneOcclusion::none, 17);
-    // Row 17 lies just before the wall's foot. Of a wall's light half of the weight is missing there.
+    // Row 17 is just in front of the wall's foot. The wall hides half of the weighted light there.
     const double rays = openness(SceneOcclusion::hemisphere, 17) / all;
     EXPECT_GT(rays, 0.44);
     EXPECT_LT(rays, 0.58);
@@ -219,7 +220,7 @@ TEST_F(ScenePicture, OcclusionOfAWallIsAHalfAtItsFoot)
         blocked += (1 - std::min(height, before) / height) / k;
         weights += 1.0 / k;
     }
-    // Its sample lies anywhere in the pixel, from whose upper to whose lower edge the value changes by a tenth.
+    // Its sample is anywhere in the pixel, between whose upper and lower edges the value changes by a tenth.
     EXPECT_NEAR(openness(SceneOcclusion::taps, 17) / all, 1 - blocked / weights, 0.03);
     EXPECT_NEAR(openness(SceneOcclusion::cones, 17) / all, openness(SceneOcclusion::hemisphere, 17) / all, 0.15);
     shot.values().set(scenesTable().occlusionRange, 0.01);
@@ -267,12 +268,12 @@ TEST_F(ScenePicture, AFaceThatChangedIsSeenWhenTheSceneIsReadAgain)
                                     "\"environment\": {\"kind\": \"faces\"" + faces + "},\n" +
                                         R"("camera": {"position": [0, 0, 0], "target": [0, 0, -1]},)"));
     const double before = shot.take().color(48, 32).x;
-    write("front", 1);  // Not the one by whose path the store knows the picture.
+    write("front", 1);  // Not the file whose path is the key of the picture in the store.
     shot.read();
     EXPECT_GT(shot.take().color(48, 32).x, before + 0.1);
 }
 
-/// The pass of a look that rests.
+/// Returns the pass of an idle scene state.
 render::Pass restingPass(SceneShot& shot, bool rests = true)
 {
     FrameRequest frame = shot.request.frame;
@@ -304,7 +305,7 @@ TEST_F(ScenePicture, FoldedNumbersDrawTheSamePictureFromTheSameInputs)
         double sum = 0;
         for (std::size_t i = 0; i < whole.pixels.size(); ++i) {
             sum += double(whole.pixels[i]);
-            // At an outline, rounding decides which side a ray passes.
+            // At outlines, rounding decides.
             apart += std::abs(whole.pixels[i] - folded.pixels[i]) > 2e-3F * (1 + std::abs(whole.pixels[i]));
         }
         EXPECT_GT(sum, 100) << name;
@@ -394,7 +395,7 @@ TEST_F(ScenePicture, ASliderOfTheSceneMovesWhatItNamesWithoutAnotherProgram)
     const render::ShaderKey key = shader();
     shot.set("size", 1.0);
     EXPECT_EQ(shader(), key);
-    // Seen from 5 radii, a ball's outline is 1 / sqrt(24) wide; from 10 of them, 1 / sqrt(99).
+    // Seen from 5 radii, a ball's outline is 1 / sqrt(24) wide; from 10 radii, 1 / sqrt(99).
     EXPECT_NEAR(static_cast<double>(pixels()) / before, 99.0 / 24, 0.5);
     shot.values().set(scenesTable().look, SceneLook::source);
     EXPECT_FALSE(shader() == key) << "control: another look does compile";

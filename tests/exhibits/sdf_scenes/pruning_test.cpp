@@ -1,4 +1,4 @@
-// What is left out of a scene in a part of space cannot be missed there.
+// Pruning: steps that are left out in a part of space have no effect there.
 
 #include "exhibits/sdf_scenes/near_scene.h"
 #include "exhibits/sdf_scenes/pruning.h"
@@ -15,13 +15,13 @@
 namespace vitrine {
 namespace {
 
-/// How two evaluations of points of a ball differ: all steps, and those that are left for a ball `trusted` times as
-/// large.
+/// Differences between two evaluations at points of a ball: with all steps, and with those kept for a ball `trusted`
+/// times as large.
 struct Differences {
     int points = 0, distances = 0, signs = 0, nodes = 0, leftOut = 0;
 };
 
-/// Several trees in one operation, as far apart as they come.
+/// Returns several trees in one operation, at random distances.
 std::string randomOperation(test::Random& random)
 {
     const char* const kinds[] = {"union", "subtraction", "intersection", "xor"};
@@ -33,7 +33,7 @@ std::string randomOperation(test::Random& random)
         const int children = 2 + random.below(6);
         for (int i = 0; i < children; ++i) text += (i > 0 ? ", " : "") + test::randomTree(random, 2);
         text += "]}";
-        if (test::readText(test::sceneText(text)).scene) return text;  // Some numbers make no end.
+        if (test::readText(test::sceneText(text)).scene) return text;  // Some numbers give an infinite scene.
     }
 }
 
@@ -42,7 +42,7 @@ void compare(const scenes::SceneField& field, test::Random& random, int points, 
     const glm::dvec3 center = random.point(2);
     const double radius = std::pow(10.0, random.number(-2.5, -0.5));
     scenes::Pruner pruner(field.program(), field.words());
-    // From a larger ball first, as a walk down from large cells does.
+    // First for a larger ball, like in the subdivision of large cells.
     const scenes::PrunedSteps outer = pruner.prune(field.program().steps(), center, 2 * radius * trusted);
     const glm::dvec3 inside = center + random.number(0, 1) * radius * random.direction();
     const scenes::PrunedSteps inner = pruner.prune(outer.steps, inside, radius * trusted);
@@ -73,7 +73,7 @@ TEST(Pruning, LeavesDistanceSignAndShapeAsTheyAreInTheBall)
     EXPECT_GT(found.leftOut, 1000);
 }
 
-/// The same comparison finds what is left out for too small a ball.
+/// Control: the comparison detects pruning for too small a ball.
 TEST(PruningControl, TooSmallARadiusIsFound)
 {
     test::Random random(11);
@@ -85,7 +85,7 @@ TEST(PruningControl, TooSmallARadiusIsFound)
     EXPECT_GT(found.nodes, 0);
 }
 
-/// A row of balls, each `apart` from the next, in one operation.
+/// Returns a row of balls in one operation, each `apart` from the next.
 std::string rowOfBalls(int count, double apart, const std::string& operation)
 {
     std::string text = "{" + operation + ", \"children\": [";
@@ -110,7 +110,7 @@ TEST(Pruning, OfAUnionKeepsWhatIsWithinItsBlend)
     EXPECT_EQ(shapesLeft(rowOfBalls(100, 1, R"("kind": "union")"), atBall50, 0.1), 1U);
     EXPECT_EQ(shapesLeft(rowOfBalls(100, 1, R"("kind": "union", "blend": "cubic", "blendWidth": 0.5)"), atBall50, 0.1),
               1U);
-    // Each ball blends with its neighbors, and so does the blend of all before it: their effect fades.
+    // Each ball blends with its neighbors, and so does the blend of all earlier ones: their effect fades.
     const std::string chain = rowOfBalls(100, 1, R"("kind": "union", "blend": "cubic", "blendWidth": 1.2)");
     EXPECT_LE(shapesLeft(chain, atBall50, 0.02), 10U);
     EXPECT_LE(shapesLeft(chain, atBall50, 0.02, scenes::Pruner::asShaders), 6U);
@@ -151,7 +151,7 @@ TEST(OccupiedBox, HoldsAllThatIsInsideAndIsNarrow)
             ASSERT_TRUE(!box.empty() && box.contains(p)) << root;
         }
     }
-    // A thousand balls that blend: by what the blends may add, the scene might be as wide as this.
+    // A thousand blended balls: bounds that add up all blends would be this large.
     const scenes::SceneField many = test::fieldOf(rowOfBalls(1000, 0.002, R"("kind": "union", "blendWidth": 0.1)"));
     EXPECT_GT(many.box().high.y, 10);
     const render::Box narrow = scenes::occupiedBox(many.program(), many.words(), many.program().steps(), many.box());
@@ -194,10 +194,10 @@ void compareCells(const glm::ivec3& count)
 TEST(PruningCells, SayWhatIsNearAndHowFarAnEmptyCellIsFromASurface)
 {
     compareCells({512, 8, 8});
-    compareCells({512, 16, 16});  // By two threads.
+    compareCells({512, 16, 16});  // With two threads.
 }
 
-/// What finding the cells of a scene takes, a cell with shapes.
+/// Costs of finding a scene's cells, for each cell with shapes.
 struct CellCosts {
     double evaluations = 0, each = 0, bound = 0;
 };
@@ -221,7 +221,7 @@ TEST(PruningCells, TakeHardlyMoreForEachCellOfManyShapes)
     EXPECT_GT(of1024.bound, 300 * of1024.evaluations) << "control: asking every shape for every cell";
 }
 
-/// Unions of eight, so deep, each ball within the blend of all others.
+/// Returns nested unions of eight, in which each ball is in the blend of all others.
 std::string crowd(int depth)
 {
     std::string text = R"({"kind": "union", "blend": "cubic", "blendWidth": 5, "children": [)";
@@ -241,10 +241,10 @@ TEST(PruneCells, EndWithTheirBudgetAndTheSceneIsWholeWithoutThem)
         return scenes::pruneCells(field.program(), field.words(), steps, box, glm::ivec3(across),
                                   scenes::Pruner::asShaders, budget);
     };
-    for (const int across : {12, 48}) {  // On one thread, and on two.
+    for (const int across : {12, 48}) {  // With one thread, and with two.
         const scenes::SceneCells all = pruned(across, {});
         EXPECT_TRUE(all.whole);
-        EXPECT_GT(all.meanShapes, 250);  // Of 512.
+        EXPECT_GT(all.meanShapes, 250);  // Of 512 shapes.
         EXPECT_FALSE(pruned(across, {.bytes = 10'000}).whole);
         const scenes::SceneCells few = pruned(across, {.evaluations = 50'000});
         EXPECT_FALSE(few.whole);
@@ -260,7 +260,7 @@ TEST(NearScene, HasNoCellsWhereAllShapesAreInEach)
                                         {.evaluations = 1'000'000});
     EXPECT_TRUE(near->crowded);
     EXPECT_TRUE(near->cells.cells.empty());
-    // Where cells hold few of many shapes, larger ones do.
+    // If cells contain few of many shapes, larger cells are used.
     const scenes::SceneField many = test::fieldOf(test::manyShapes(600));
     const auto coarse = scenes::nearScene(many.program(), many.words(), scenes::ListVocabulary::of(many.program()), 96,
                                           {.evaluations = 1'000'000});

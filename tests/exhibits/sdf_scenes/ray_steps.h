@@ -6,7 +6,7 @@
 
 namespace vitrine::test {
 
-/// How many of some rays pass through a surface in a step, all steps being as long as the field says.
+/// Returns the number of rays that pass a surface in a step whose length is the field's distance.
 template <typename Field> int overshoots(const Field& field, Random& random, int rays)
 {
     int passed = 0;
@@ -17,7 +17,7 @@ template <typename Field> int overshoots(const Field& field, Random& random, int
         for (int step = 0; step < 60 && t < 12; ++step) {
             const double d = field(origin + t * direction);
             if (std::abs(d) < 1e-4) break;
-            // Anywhere on the way, the sign is the one at its start.
+            // Within the step, the sign must be the same as at its start.
             const double within = t + std::abs(d) * random.number(0.2, 1);
             const double there = field(origin + within * direction);
             if (std::abs(there) > 1e-9 && (there < 0) != (d < 0)) {

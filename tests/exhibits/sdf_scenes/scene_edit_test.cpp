@@ -1,4 +1,4 @@
-// Saving: what was not touched keeps its text, and what was written is read again.
+// Saving scenes: unedited parts keep their text, and written ones can be read again.
 
 #include "render/files/json_text.h"
 #include "tests/exhibits/sdf_scenes/support.h"
@@ -56,7 +56,8 @@ TEST(SceneEdit, WrappingANodeKeepsItsText)
     ASSERT_TRUE(test::readText(wrapped).scene);
 }
 
-/// Load, save, load: the same text; and every number of every scene, written with another value and back again.
+/// Loading, saving and loading gives the same text; also after writing every number of every scene with another value
+/// and back.
 TEST(SceneEdit, RoundTripsEveryNumberOfTheShippedScenes)
 {
     for (const auto& entry :
@@ -84,7 +85,7 @@ TEST(SceneEdit, RandomTreesSurviveRandomEdits)
     for (int sample = 0; sample < 300; ++sample) {
         const std::string original = test::sceneText(test::randomTree(random, 3));
         const JsonText text(original, "a.json");
-        // A member is taken out of some node and put back at its end: the same scene.
+        // A member is removed from a node and appended to it again: the scene is the same.
         const auto scene = test::readText(original).scene;
         const scenes::Node& node =
             scene->nodes[static_cast<std::size_t>(random.below(static_cast<int>(scene->nodes.size())))];

@@ -1,4 +1,4 @@
-// The fifteen compositions of the source as scene files, and the source's own scene objects.
+// The fifteen compositions of the reference as scene files, and the reference's own scene objects.
 
 #include "tests/exhibits/sdf_scenes/support.h"
 
@@ -19,7 +19,7 @@ std::vector<std::filesystem::path> shippedScenes()
     return paths;
 }
 
-/// Those that the source does not have.
+/// Returns whether the reference does not have this scene.
 bool isOurs(const std::filesystem::path& path)
 {
     static const std::set<std::string> ours{"dahlia", "mercury", "rotunda", "still_life"};
@@ -34,7 +34,7 @@ TEST(SceneFiles, TheFifteenCompositionsAreRead)
         ASSERT_TRUE(scene.scene) << test::findingsText(scene);
         EXPECT_FALSE(scene.scene->name.empty()) << path;
         EXPECT_FALSE(scene.scene->about.empty()) << path;
-        // The camera is outside of everything, and looks at something.
+        // The camera is outside of all shapes, and looks at one.
         const scenes::SceneField field(scene.scene);
         const std::vector<double> n = scene.scene->numbersAt(0);
         const double* c = &n[scene.scene->camera.numbers];
@@ -70,7 +70,7 @@ TEST(SceneFiles, ThatAreNotThereAreFindings)
     EXPECT_EQ(read.findings.front().file, "/nowhere/scene.json");
 }
 
-/// Everything that a scene object of the source may have.
+/// Scene object of the reference with all its members.
 const char* const sourceObject = R"({
   "name": "All",
   "camera": {"position": [0, 3, 10], "target": [0, 0, 0], "up": [0, 1, 0], "fov": 65},
@@ -110,10 +110,10 @@ TEST(SceneFiles, SceneObjectsOfTheSourceAreRead)
         {{-40, 0, 5}, 1},                           // Above the plane, whose normal points away from the eye.
         {{5.9, 0.9, 0}, 0.9 * std::sqrt(2.0) - 1},  // Beyond the end of the leaning cylinder.
         {{8, 0, 1.5}, 0.2},                         // Beyond the end of the capsule.
-        {{1.7, 0, -5}, 0.1},                 // Before the long side of the box, turned and grown by its rounding.
-        {{0, 0, -9}, std::hypot(0.4, 0.4)},  // Within the frame.
+        {{1.7, 0, -5}, 0.1},  // In front of the long side of the box, which is rotated and enlarged by its rounding.
+        {{0, 0, -9}, std::hypot(0.4, 0.4)},  // Inside of the frame.
         {{0, 1.5, -15}, 0.25},               // Above the ring, upright.
-        {{20.25, 0.25, 0.5}, 0.5},           // Before the triangle.
+        {{20.25, 0.25, 0.5}, 0.5},           // In front of the triangle.
         {{25, 1.8, 0}, 0.2},                 // Above the link.
         {{30, 3.5, 0}, 0.5},                 // Above the tip of the cone.
         {{35, 0.8, 0}, 0.3},
@@ -123,7 +123,7 @@ TEST(SceneFiles, SceneObjectsOfTheSourceAreRead)
         {{55, 2, 0}, 0.5}};
     for (const auto& [p, distance] : known)
         EXPECT_NEAR(field.distance(p), distance, 1e-9) << p.x << ' ' << p.y << ' ' << p.z;
-    // The second shape without the first: the box ends where the ball was.
+    // The second shape without the first: the box ends at the ball.
     EXPECT_GT(field.distance({60, 0, 0}), 0);
     EXPECT_LT(field.distance({61.5, 0, 0}), 0);
     // k begins where distances differ by it.
@@ -164,7 +164,7 @@ TEST(SceneFiles, WhatIsWrongInThemIsSaidWhereItStands)
     }
 }
 
-/// The source's "Primitives" has a triangle without area beside one with; it divides by zero there, and draws the rest.
+/// The reference's "Primitives" has a triangle of area 0. It divides by zero there, and draws the rest.
 TEST(SceneFiles, ShapesOfTheSourceThatAreNoneAreLeftOutOfTheOthers)
 {
     const std::string text = R"({"camera": {"position": [0, 0, 9], "target": [0, 0, 0], "up": [0, 1, 0], "fov": 65},
@@ -189,7 +189,7 @@ TEST(SceneFiles, ShapesOfTheSourceThatAreNoneAreLeftOutOfTheOthers)
     EXPECT_NEAR(field.distance({4.2, 3.2, 3.5}), 0.5, 1e-9);
     EXPECT_NEAR(field.distance({20, 0, 1.5}), 0.5, 1e-9);
     EXPECT_GT(field.distance({30, 0, 0}), 8);
-    // Its second shape is what the first is taken from: nothing is left of it.
+    // Subtracting its second shape leaves nothing.
     EXPECT_GT(field.distance({40, 0, 0}), 8);
     EXPECT_TRUE(test::readText(test::sceneText(R"({"kind": "sphere"})")).scene->leftOut.empty());
 }

@@ -1,4 +1,4 @@
-// What the reader says about bad input: file, line, column, key, and what to do. Never a crash, however deep or large.
+// Findings about invalid input: file, line, column, key, and what to do. No crash, whatever the depth and size.
 
 #include "render/failure.h"
 #include "tests/exhibits/sdf_scenes/support.h"
@@ -16,7 +16,7 @@ std::string first(const std::string& text)
     return read.findings.empty() ? std::string() : read.findings.front().text();
 }
 
-/// The first finding about a root that begins in line 3, column 9.
+/// Returns the first finding about a root that begins in line 3, column 9.
 std::string about(const std::string& root, const std::string& head = "")
 {
     return first(test::sceneText(root, head));
@@ -110,7 +110,7 @@ TEST(SceneReader, ComputesNumbersFromTimeAndParameters)
     EXPECT_NEAR(later[node.translate + 1], 1, 1e-12);
     EXPECT_NEAR(later[node.translate + 2], 0.75, 1e-12);
     EXPECT_NEAR(later[node.rotate + 1], 1.5 * std::acos(-1.0), 1e-12);
-    // Whatever a slider says, it is within the parameter's range, and the number within its own.
+    // A slider's value is clamped to the parameter's range, and the number to its own.
     EXPECT_NEAR(scene->numbersAt(0, {99})[node.numbers], 4, 1e-12);
     EXPECT_NEAR(scene->numbersAt(0, {-5})[node.numbers], 0.02, 1e-12);
 }
@@ -170,7 +170,7 @@ TEST(SceneReader, CutsCyclesOfInstances)
 
 TEST(SceneReader, CountsWhatInstancesBring)
 {
-    // Twenty times twice as many: a million from a page.
+    // Each of twenty nodes contains two of the one before: a million nodes from one page.
     std::string head = R"("nodes": {"n0": {"kind": "sphere"})";
     for (int i = 1; i <= 20; ++i) {
         const std::string before = "{\"kind\": \"instance\", \"of\": \"n" + std::to_string(i - 1) + "\"}";
@@ -178,7 +178,7 @@ TEST(SceneReader, CountsWhatInstancesBring)
     }
     EXPECT_NE(about(R"({"kind": "instance", "of": "n20"})", head + "},").find("more than 16384 nodes"),
               std::string::npos);
-    // A chain of instances brings no nodes of its own, and ends as well.
+    // A chain of instances has no nodes of its own, and is limited, too.
     head = R"("nodes": {"n0": {"kind": "sphere"})";
     for (int i = 1; i <= 1000; ++i)
         head += ",\n\"n" + std::to_string(i) + R"(": {"kind": "instance", "of": "n)" + std::to_string(i - 1) + "\"}";
@@ -222,7 +222,7 @@ TEST(SceneReader, RefusesADepthOf100000AndAMillionNodes)
     EXPECT_NEAR(test::fieldOf(nested).distance({2, 0, 0}), 1.5, 1e-12);
 }
 
-/// Files of one folder, from a map.
+/// Reads files of one folder from a map.
 scenes::ReadScene readFiles(const std::map<std::string, std::string>& files)
 {
     const auto open = [&](const std::string& path) {

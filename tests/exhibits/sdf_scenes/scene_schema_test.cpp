@@ -1,4 +1,4 @@
-// The published schema against the reader: what one refuses by its form, the other refuses, too.
+// The published schema compared with the reader: both refuse the same wrong forms.
 
 #include "exhibits/sdf_scenes/scene_schema.h"
 #include "tests/exhibits/sdf_scenes/support.h"
@@ -14,7 +14,7 @@ namespace {
 
 using render::Json;
 
-/// The words of JSON Schema that the scene's uses, for values that nest little.
+/// Validates by the keywords of JSON Schema that the scene's schema uses.
 bool fits(const Json& value, const Json& schema, const Json& whole);
 
 bool fitsType(const Json& value, const std::string& type)
@@ -91,7 +91,7 @@ bool readerTakes(const std::string& text)
     return test::readText(text).scene != nullptr;
 }
 
-/// The schema with a line for each thing that it describes, not for each word.
+/// Returns the schema as text with a line for each described element.
 std::string written(const Json& value, std::size_t depth = 0)
 {
     std::string flat = value.dump();
@@ -125,7 +125,7 @@ TEST(SceneSchema, TakesEveryKindOfNodeThatTheReaderTakes)
     }
 }
 
-/// A value that is wrong in one way, for a field.
+/// Returns values that are wrong in one way each, for a field.
 std::vector<std::string> wrongValues(const scenes::Field& field)
 {
     using scenes::FieldType;

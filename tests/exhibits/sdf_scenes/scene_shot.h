@@ -17,7 +17,7 @@ inline const SdfScenesTable& scenesTable()
     return table;
 }
 
-/// A scene alone, from its own camera: linear, with depth and normals.
+/// Shot of a scene alone, from its own camera: linear, with depth and normals.
 struct SceneShot {
     SceneState sceneState = gallery().museum.initialSceneState();
     PictureRequest request;
@@ -32,7 +32,7 @@ struct SceneShot {
         read();
     }
     [[nodiscard]] ParameterValues& values() { return sceneState.values[subject]; }
-    /// Reads the file that is named; the sentences of what cannot be read.
+    /// Reads the named file. Returns the sentences on unreadable files.
     std::vector<std::string> read()
     {
         TabledSceneState tabled = gallery().museum.readTables(sceneState);
@@ -65,7 +65,7 @@ struct SceneShot {
         }
         return {maker.picture(), render::makeView(request.frame.camera, request.frame.raster)};
     }
-    /// The evaluator of what is shown.
+    /// Returns the evaluator of the shown scene.
     [[nodiscard]] scenes::SceneField field()
     {
         std::vector<double> own;
@@ -73,7 +73,7 @@ struct SceneShot {
             own.push_back(values()[row]);
         return scenes::SceneField(shown().scene, values()[scenesTable().moment], own);
     }
-    /// The scene's own space from the exhibit's, which is the world's where it is alone.
+    /// Returns the transform to the scene's own space from the exhibit's, which is the world's if it is alone.
     [[nodiscard]] glm::dmat4 sceneFromWorld()
     {
         const scenes::Scene& scene = *shown().scene;
@@ -82,7 +82,7 @@ struct SceneShot {
     }
 };
 
-/// Through the middle of a pixel (from the top left), length 1 along the view axis.
+/// Returns the ray through the center of a pixel (from the top left), with length 1 along the view axis.
 inline glm::dvec3 rayOf(const render::View& view, int x, int y)
 {
     const glm::dvec2 size(view.raster.size);
@@ -94,7 +94,7 @@ inline std::filesystem::path shippedScene(const std::string& name)
     return std::filesystem::path(VITRINE_SOURCE_DIR) / "assets/scenes" / (name + ".json");
 }
 
-/// Writes a scene around a root; `head` are further members, each with a comma behind it.
+/// Writes a scene file with this root; `head` are further members, each followed by a comma.
 inline std::filesystem::path writeScene(const TemporaryFolder& folder, const std::string& root,
                                         const std::string& head = "", const std::string& name = "scene.json")
 {

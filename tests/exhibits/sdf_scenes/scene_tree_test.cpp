@@ -1,4 +1,4 @@
-// The scene's tree as visitors edit it: what each change makes of the document, and of the picture's shader.
+// Edits of the scene's tree: their effect on the document and on the shader.
 
 #include "exhibits/framework/preset_values.h"
 #include "exhibits/museum/named_files.h"
@@ -34,7 +34,7 @@ const std::string written = R"({"format": "vitrine-scene",   "version": 1,
  ]}}
 )";
 
-/// The exhibit with a scene of its own.
+/// Test scene with the exhibit showing its own scene.
 struct Edited : test::Scene {
     test::TemporaryFolder folder;
     std::size_t exhibit = *museum().find("sdf_scenes");
@@ -77,7 +77,7 @@ struct Edited : test::Scene {
     [[nodiscard]] std::string text() { return values()[row().document]; }
     [[nodiscard]] render::Pass pass() const { return *plan().find("sdf_scenes/scene"); }
     [[nodiscard]] ExhibitState state() { return {values()}; }
-    /// From the scene's camera to a point of the scene, as the exhibit sees it.
+    /// Returns the ray from the scene's camera to a point of the scene, in the exhibit's space.
     [[nodiscard]] render::Ray towards(const glm::dvec3& point)
     {
         const auto& table = static_cast<const SdfScenesTable&>(values().table());
@@ -160,7 +160,7 @@ TEST(SceneTree, ANumberChangesItsOwnTextAloneAndCompilesNothing)
     EXPECT_EQ(e.text(), expected);
     EXPECT_EQ(e.pass().shader, before.shader);
     EXPECT_NE(e.pass().blocks.at(BLOCK_EXHIBIT), before.blocks.at(BLOCK_EXHIBIT));
-    // One of three keeps the other two, an expression among them.
+    // Editing one of three numbers keeps the other two, one of which is an expression.
     e.set("root.children[1]", "translateY", 0.5);
     EXPECT_NE(e.text().find("\"translate\": [\"gap\", 0.5, 0]"), std::string::npos) << e.text();
     EXPECT_EQ(e.pass().shader, before.shader);
@@ -250,14 +250,14 @@ TEST(SceneTree, ThePlaceOfANodeGoesBackIntoItsNumbers)
     EXPECT_NE(e.text().find("[\"gap\", 0.75, 0]"), std::string::npos) << e.text();
     EXPECT_NE(e.text().find("\"rotate\": [90, 0, 0]"), std::string::npos) << e.text();
     EXPECT_EQ(e.pass().shader, shader) << "what is dragged compiles nothing";
-    // The middle of the torus stands where its place says.
+    // The center of the torus is at the position of its place.
     const TreePlace now = e.shown().placeOf(e.state(), "root.children[1]").value();
     const glm::dvec3 middle(now.exhibitFromParent * glm::dvec4(now.translate, 1));
     const render::Ray ray = e.towards({1, 0.75, 0});
     EXPECT_LT(glm::length(glm::cross(glm::normalize(middle - ray.origin), ray.direction)), 1e-9);
 }
 
-/// A small ball in an operation that bends space, and where its middle is shown.
+/// A small ball in an operation that bends space, and the displayed position of its center.
 struct BentBall {
     std::shared_ptr<const scenes::ShownScene> shown;
     TreePlace place;
@@ -277,7 +277,7 @@ struct BentBall {
     {
         return glm::dvec3(place.exhibitFromParent * glm::dvec4(place.translate + moved, 1));
     }
-    /// As if the operation left space as it is.
+    /// Returns the position without the effect of the operation.
     [[nodiscard]] glm::dvec3 withoutTheOperation() const
     {
         const std::vector<double> numbers = shown->scene->numbersAt(0);
@@ -292,8 +292,8 @@ TEST(SceneTree, HandlesStandWhereOperationsThatBendSpaceShowTheirNode)
     struct Case {
         const char* operation;
         glm::dvec3 at;
-        bool elsewhere = true;  ///< Not where it would be without the operation.
-        int dragged = 0;        ///< The first axis along which space goes on evenly there.
+        bool elsewhere = true;  ///< Not at the position without the operation.
+        int dragged = 0;        ///< First axis along which space is smooth there.
     };
     const Case cases[] = {
         {R"("kind": "twist", "rate": 90)", {0.7, 0.9, 0.2}},
@@ -315,7 +315,7 @@ TEST(SceneTree, HandlesStandWhereOperationsThatBendSpaceShowTheirNode)
         if (c.elsewhere) {
             EXPECT_GT(ball.distance(ball.withoutTheOperation()), 0) << "control: " << c.operation;
         }
-        // Dragged a little along each axis, the ball follows the handle.
+        // After a small drag along each axis, the ball is at the handle.
         for (int axis = c.dragged; axis < 2; ++axis) {
             glm::dvec3 moved(0);
             moved[axis] = 0.01;

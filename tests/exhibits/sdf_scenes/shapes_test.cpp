@@ -1,4 +1,4 @@
-// Every shape of scene files against its inside, known from what it is: sign, distance, slope, under all transforms.
+// All shapes of scene files compared with their definition: sign, distance and slope, with all transforms.
 
 #include "exhibits/sdf_scenes/scene_functions_cpu.h"
 #include "tests/exhibits/sdf_scenes/solids.h"
@@ -22,7 +22,7 @@ struct Sample {
     test::Inside inside;
 };
 
-/// A shape of random numbers that make one.
+/// Returns a valid shape with random numbers.
 Sample sampleOf(const NodeKind& kind, test::Random& random, const std::string& further = "")
 {
     while (true) {
@@ -73,8 +73,7 @@ TEST(SceneShapes, HaveTheSignOfTheirInside)
     });
 }
 
-/// Nothing of the other side is nearer than the distance says; and the point that it says is nearest, down the
-/// gradient, is one of the surface.
+/// No point of the other side is nearer than the distance. The nearest point, down the gradient, is on the surface.
 TEST(SceneShapes, AreExactWhereTheirTableSaysSo)
 {
     test::Random random(12);
@@ -94,12 +93,12 @@ TEST(SceneShapes, AreExactWhereTheirTableSaysSo)
                 unlike += test::isOnSurface(sample.inside, nearest, 1e-4, random) ? 0 : 1;
             }
         }
-        // Where two points are as near, the gradient leads to neither; random points hardly lie there.
+        // If two points are equally near, the gradient leads to neither; few random points are there.
         EXPECT_LE(unlike, points / 50) << kind.name;
     });
 }
 
-/// The same looks tell a bound from a distance, and find what is too far.
+/// Control: the same tests distinguish bounds from distances, and detect errors.
 TEST(SceneShapesControl, BoundsAndFaultsAreFound)
 {
     test::Random random(18);
@@ -131,12 +130,12 @@ TEST(SceneShapes, HaveAGradientOfLengthOneWhereTheyAreExact)
             EXPECT_LE(slope, 1 + 1e-6) << sample.json;
             unlike += counts && std::abs(slope - 1) > 1e-6 ? 1 : 0;
         }
-        // Where the nearest point changes, differences across the crease are shorter; random points hardly lie there.
+        // At creases of the field, differences are shorter; few random points are there.
         EXPECT_LE(unlike, 2) << kind.name;
     });
 }
 
-/// The transforms once more, without the library's words: the point goes through the inverse matrix.
+/// The transforms once more without the library: points are multiplied by the inverse matrix.
 TEST(SceneShapes, AllTurnMoveAndScale)
 {
     test::Random random(14);
@@ -203,7 +202,7 @@ TEST(SceneShapes, TheEllipsoidIsExactAtAnyAspect)
     for (int set = 0; set < 2000; ++set) {
         const glm::dvec3 r(std::pow(10, random.number(-2.5, 0)), std::pow(10, random.number(-2.5, 0)),
                            std::pow(10, random.number(-2.5, 0)));
-        // A point of the surface and its normal give points whose distance is known, until the normals cross.
+        // Points along the normal of a surface point have known distances, until normals cross.
         const glm::dvec3 u = random.direction();
         const glm::dvec3 foot = u * r;
         const glm::dvec3 normal = glm::normalize(u / r);
@@ -212,7 +211,7 @@ TEST(SceneShapes, TheEllipsoidIsExactAtAnyAspect)
                 << r.x << ' ' << r.y << ' ' << r.z;
         }
         const double least = std::min({r.x, r.y, r.z});
-        const double curved = least * least / std::max({r.x, r.y, r.z});  // The smallest radius of curvature.
+        const double curved = least * least / std::max({r.x, r.y, r.z});  // Smallest radius of curvature.
         EXPECT_NEAR(glsl::sceneEllipsoid(foot - normal * (0.9 * curved), r), -0.9 * curved, 2e-5);
         EXPECT_NEAR(glsl::sceneEllipsoid(glm::dvec3(0), r), -least, 1e-5);
     }
@@ -236,7 +235,7 @@ TEST(SceneShapes, TheNoiseNeverExceedsItsSlopeAndItsRange)
         most = std::max(most, std::abs(glsl::sceneValueNoise(p)));
     }
     EXPECT_LE(steepest, glsl::noiseSteepest(glsl::NOISE_VALUE));
-    EXPECT_GE(steepest, 0.7 * glsl::noiseSteepest(glsl::NOISE_VALUE));  // It is no loose bound.
+    EXPECT_GE(steepest, 0.7 * glsl::noiseSteepest(glsl::NOISE_VALUE));  // The bound is tight.
     EXPECT_LE(most, 1);
     EXPECT_GE(most, 0.9);
 }

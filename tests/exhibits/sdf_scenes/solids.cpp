@@ -48,7 +48,7 @@ double toTriangle(const dvec3& p, const dvec3& a, const dvec3& b, const dvec3& c
     return std::min({toSegment(p, a, b), toSegment(p, b, c), toSegment(p, c, a)});
 }
 
-/// Distance from the axis through a and b, and place along it from 0 at a to 1 at b.
+/// Returns the distance from the axis through a and b, and the position along it from 0 at a to 1 at b.
 dvec2 besideAxis(const dvec3& p, const dvec3& a, const dvec3& b)
 {
     const dvec3 ab = b - a;
@@ -56,7 +56,7 @@ dvec2 besideAxis(const dvec3& p, const dvec3& a, const dvec3& b)
     return {glm::length(p - a - ab * along), along};
 }
 
-/// In one of the balls whose centers and radii run from one end to the other.
+/// Returns whether a point is in one of the balls whose centers and radii are interpolated between both ends.
 bool isInHull(const dvec3& p, const dvec3& a, const dvec3& b, double ra, double rb)
 {
     double low = 0;
@@ -120,7 +120,7 @@ void addRound(std::map<std::string_view, Make>& all)
     };
     all["cutHollowSphere"] = [](const double* v) {
         return [r = v[0], rim = std::acos(std::clamp(v[1] / v[0], -1.0, 1.0)), wall = v[2]](const dvec3& p) {
-            const double angle = std::max(std::atan2(std::hypot(p.x, p.z), p.y), rim);  // From +y down.
+            const double angle = std::max(std::atan2(std::hypot(p.x, p.z), p.y), rim);  // Measured from +y downward.
             return std::hypot(std::hypot(p.x, p.z) - r * std::sin(angle), p.y - r * std::cos(angle)) < wall / 2;
         };
     };

@@ -23,7 +23,7 @@ std::string vector(const glm::dvec3& v)
     return '[' + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + ']';
 }
 
-/// A number of moderate size within the field's range.
+/// Returns a number of moderate size within the field's range.
 double randomNumber(const Field& field, Random& random)
 {
     if (field.type == FieldType::count) return std::floor(random.number(field.low, std::min(field.high, 7.0)));
@@ -123,7 +123,7 @@ std::string randomTree(Random& random, int depth)
             further += ']';
         }
         const std::string text = randomNode(kind, random, further);
-        if (readText(sceneText(text)).scene) return text;  // Some numbers make no shape, or no end.
+        if (readText(sceneText(text)).scene) return text;  // Some numbers give no valid shape, or an infinite scene.
     }
 }
 

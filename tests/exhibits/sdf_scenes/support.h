@@ -11,27 +11,27 @@
 
 namespace vitrine::test {
 
-/// A scene file around a root; `head` are further members, each with a comma behind it.
+/// Returns a scene file with this root; `head` are further members, each followed by a comma.
 [[nodiscard]] std::string sceneText(const std::string& root, const std::string& head = "");
 
-/// What the reader makes of a text without includes.
+/// Reads a text without includes.
 [[nodiscard]] scenes::ReadScene readText(const std::string& text, const scenes::SceneLimits& limits = {});
 
-/// A scene that must be read.
+/// Return the scene or field of a root, which must be valid.
 [[nodiscard]] std::shared_ptr<const scenes::Scene> sceneOf(const std::string& root, const std::string& head = "");
 [[nodiscard]] scenes::SceneField fieldOf(const std::string& root, const std::string& head = "");
 
-/// The findings, a line each.
+/// Returns the findings, one in each line.
 [[nodiscard]] std::string findingsText(const scenes::ReadScene&);
 
-/// A node of this kind with random numbers that are legal, as JSON; `further` members have a comma before each.
+/// Returns a node of this kind with random legal numbers, as JSON; `further` members have a comma in front.
 [[nodiscard]] std::string randomNode(const scenes::NodeKind&, Random&, const std::string& further = "");
-/// A tree of all kinds, nested at most this deep.
+/// Returns a tree of all kinds with this nesting depth at most.
 [[nodiscard]] std::string randomTree(Random&, int depth);
-/// Members "translate", "rotate" and "scale", each with a comma before it.
+/// Returns the members "translate", "rotate" and "scale", each with a comma in front.
 [[nodiscard]] std::string randomPlace(Random&, bool evenScale);
 
-/// By central differences.
+/// Returns the gradient by central differences.
 [[nodiscard]] glm::dvec3 gradientAt(const scenes::SceneField&, const glm::dvec3& p);
 
 }  // namespace vitrine::test

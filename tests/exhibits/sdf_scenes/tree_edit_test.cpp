@@ -1,4 +1,4 @@
-// Changes of a scene's tree: each is read again, does what it says, and leaves the rest of the text alone.
+// Edits of a scene's tree: each result can be read, has the intended effect, and leaves the rest of the text unchanged.
 
 #include "exhibits/sdf_scenes/record_kinds.h"
 #include "exhibits/sdf_scenes/scene_edit.h"
@@ -29,7 +29,7 @@ std::shared_ptr<const scenes::Scene> readAgain(const std::string& text)
     return read.scene;
 }
 
-/// The largest difference of two scenes' distances at random points.
+/// Returns the largest difference of two scenes' distances at random points.
 double largestDifference(const std::string& a, const std::string& b)
 {
     const scenes::SceneField before(readAgain(a)), after(readAgain(b));
@@ -71,7 +71,7 @@ TEST(TreeEdit, ACopyHasANameOfItsOwnAndChangesNoDistance)
     EXPECT_EQ(readAgain(copy.text)->nodes[2].name, "ball 2");
     EXPECT_NE(copy.text.find("{\"kind\": \"sphere\", \"name\": \"ball\", \"radius\": 0.50}"), std::string::npos);
     EXPECT_EQ(readAgain(SceneEdit(copy.text).duplicated("root.children[0]").text)->nodes[2].name, "ball 3");
-    // Where there is room for one.
+    // Only where there is space for a copy.
     for (const std::string node : {"root", "root.children[2].child"}) {
         const EditedScene both = SceneEdit(sceneOfThree).duplicated(node);
         EXPECT_EQ(both.path, node + ".children[1]");
@@ -116,7 +116,7 @@ TEST(TreeEdit, MovingReordersAndReparents)
             EXPECT_EQ(readAgain(moved.text)->nodes.size(), readAgain(unions)->nodes.size());
             EXPECT_EQ(largestDifference(unions, moved.text), 0);
         }
-    // Into a list behind it, before it, and out again.
+    // Into a list behind it, in front of it, and out again.
     for (const std::string& node : {nodes[0], nodes[2]}) {
         const EditedScene in = SceneEdit(unions).moved(node, nodes[1], 0);
         EXPECT_EQ(kindAt(in.text, in.path), kindAt(unions, node));
@@ -141,7 +141,7 @@ TEST(TreeEdit, AnotherKindKeepsWhatItHasToo)
     EXPECT_EQ(SceneEdit(rounded).ofKind("root.children[0]", *findKind("box")).text, sized);
     const std::string cut = SceneEdit(sized).ofKind("root", *findKind("intersection")).text;
     EXPECT_NE(cut.find("\"blend\": \"cubic\", \"blendWidth\": 0.2"), std::string::npos);
-    // Every shape becomes every other, and every operation every other of one child.
+    // Every shape can become any other, and every operation any other of one child.
     const std::string one = test::sceneText("{\"kind\": \"union\", \"children\": [{\"kind\": \"sphere\"}]}");
     for (const NodeKind& from : scenes::nodeKinds())
         for (const NodeKind& to : scenes::nodeKinds()) {
@@ -186,7 +186,7 @@ TEST(TreeEdit, NumbersAreWrittenInTheUnitOfTheFile)
     std::string expected = sceneOfThree;
     expected.replace(expected.find("0.50"), 4, "0.75");
     EXPECT_EQ(large.text, expected);
-    // Every field of every kind is written so that it is read again as what it was.
+    // All fields of all kinds are written so that reading gives the same values.
     test::Random random(5);
     for (const NodeKind& kind : scenes::nodeKinds()) {
         if (kind.form != scenes::Form::shape) continue;
@@ -270,7 +270,7 @@ TEST(TreeEdit, RandomEditsOfRandomTreesAreReadAgain)
                 }
                 ++done;
             } catch (const Failure&) {
-                // It made no sense for this node.
+                // The edit is impossible for this node.
             }
         }
     }

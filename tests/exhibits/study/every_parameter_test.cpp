@@ -1,5 +1,5 @@
-// Every accuracy parameter of every exhibit and of the hall, studied as by the plain command: its study shows an error,
-// or its table says why there is none.
+// All accuracy parameters of all exhibits and of the hall, studied like by the plain command: each study shows an
+// error, or the table says why there is none.
 
 #include "exhibits/study/study.h"
 #include "tests/support/gallery.h"
@@ -35,12 +35,12 @@ StudyResult measured(const StudyRequest& request)
     return study.takeResult();
 }
 
-/// What a small study of one parameter found.
+/// Result of a small study of one parameter.
 struct Found {
     StudyResult result;
     double largest = 0;  ///< Error of the least exact value.
-    double second = 0;   ///< Error of the second most exact value; of a choice, the largest.
-    bool costs = false;  ///< Whether counted work differs between two values.
+    double second = 0;   ///< Error of the second most exact value; for a choice, the largest.
+    bool costs = false;  ///< Counted work differs between two values.
 };
 
 Found measure(std::size_t subject, std::size_t row)
@@ -49,8 +49,8 @@ Found measure(std::size_t subject, std::size_t row)
     StudyAxis& axis = request.axes.front();
     const ParameterInfo& info = rowOf(request.sceneState, axis);
     const Exactness exact = exactness(info);
-    // Where a study checks its reference against a value nearby, that value need not be among its points: the most
-    // exact values take the longest. Pictures in motion are not checked.
+    // If a study checks its reference with a nearby value, that value need not be among its points, because the most
+    // exact values take longest. Pictures in motion are not checked.
     const bool isChecked = !exact.neighbors.empty() && !studiesMotion(request);
     double nearest = exact.exact;
     if (info.isNumeric()) {
@@ -72,7 +72,7 @@ Found measure(std::size_t subject, std::size_t row)
     return found;
 }
 
-/// A line of the table of all parameters: where each is studied, and what that found.
+/// Prints a line of the table of all parameters: where each is studied, and the result.
 void print(const std::string& name, const Found& found)
 {
     std::string where;
@@ -145,7 +145,7 @@ TEST_F(OneParameter, ShellsAreNotCappedByTheLevelOfDetail)
     EXPECT_NE(result.points[1].counters, result.points[2].counters);
     EXPECT_GT(result.uncertainty, 0) << "128 shells are not 256";
 
-    // As they are set, level of detail draws as many shells for 40 as for 256.
+    // With unchanged settings, level of detail draws as many shells for 40 as for 256.
     request.asSet = true;
     const StudyResult capped = measured(request);
     EXPECT_TRUE(capped.changes.empty());

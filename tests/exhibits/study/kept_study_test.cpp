@@ -1,4 +1,4 @@
-// Studies that were kept: what comes back from their files, what is refused, what stays on the disk.
+// Kept studies: reading their files, refused files, and storage on disk.
 
 #include "exhibits/study/kept_rows.h"
 #include "exhibits/study/study.h"
@@ -17,7 +17,7 @@ namespace {
 using namespace test;
 using render::Json;
 
-/// A study of an exhibit whose law is known, finished.
+/// Test with a finished study of an exhibit with a known law.
 class KeptStudies : public testing::Test {
 protected:
     static std::vector<std::unique_ptr<Exhibit>> exhibits()
@@ -26,7 +26,7 @@ protected:
         all.push_back(std::make_unique<KnownExhibit>(sumOfParts()));
         return all;
     }
-    /// Measured once for all cases.
+    /// Returns the result, measured once for all tests.
     [[nodiscard]] static const StudyResult& measured(const Museum& museum, const StudyRequest& request)
     {
         static const StudyResult result = [&] {
@@ -104,7 +104,7 @@ TEST_F(KeptStudies, GiveTheirValuesToTheRowsThatAreThere)
     other.parameters[0].name = "strides";
     EXPECT_EQ(rowsOf(other, museum_.subjects(), look).missingRow, "strides");
     other = kept;
-    other.points[0].values[0] = 1e9;  // Beyond the row's range.
+    other.points[0].values[0] = 1e9;  // Beyond the parameter's range.
     EXPECT_FALSE(valuesOf(other, 0, rows, look, wrong));
     EXPECT_EQ(wrong, "steps");
 }
@@ -174,7 +174,7 @@ TEST_F(KeptStudies, AreListedTheNewestFirstRenamedDeletedAndBroughtBack)
     store_.rename(older, "");
     EXPECT_EQ(readStudy(older).name, "");
 
-    // A file that cannot be read is listed, and left alone.
+    // An unreadable file is listed and left alone.
     writeBytes(folder_ / "studies/broken.json", "{\"format\": ");
     all = store_.list();
     ASSERT_EQ(all.size(), 3U);
@@ -229,7 +229,7 @@ TEST_F(KeptStudies, KeepTheirPictures)
             for (std::size_t i = 0; i < sheet.points; ++i)
                 expectSame(sheet.picture(i, view), result_.points[i].shots[view].picture);
         }
-        // Settings differ in these pictures, so one in another's place is noticed.
+        // Settings differ in these pictures, so mixing them up would be detected.
         EXPECT_NE(sheet.picture(0, 0).pixels, sheet.picture(sheet.points - 1, 0).pixels);
     };
     expectAll(path);
@@ -238,7 +238,7 @@ TEST_F(KeptStudies, KeepTheirPictures)
     EXPECT_TRUE(std::filesystem::is_empty(folder_ / "studies"));
     expectAll(store_.restore(removed));
 
-    // Of another study, or of none.
+    // Pictures of another study, or of none.
     KeptStudy other = readStudy(path);
     other.points.pop_back();
     EXPECT_FAILURE(store_.pictures(path, other), "does not hold the pictures");
@@ -264,12 +264,12 @@ TEST_F(KeptStudies, ThePicturesOfTheOldestWithoutANameMakeRoom)
     EXPECT_FALSE(std::filesystem::exists(picturesOf(second)));
     EXPECT_TRUE(std::filesystem::exists(second)) << "its numbers stay";
     EXPECT_TRUE(std::filesystem::exists(picturesOf(third)));
-    // Those with names do not go, so what is new does.
+    // Pictures of named studies are kept, so the new ones are dropped.
     tight.rename(third, "Mine, too");
     EXPECT_FAILURE(tight.keepPictures(second, sheet), "were not kept");
     EXPECT_FALSE(std::filesystem::exists(picturesOf(second)));
     EXPECT_TRUE(std::filesystem::exists(picturesOf(first)) && std::filesystem::exists(picturesOf(third)));
-    // A study that makes room takes its pictures along.
+    // Removing a study for space removes its pictures.
     const auto fourth = tight.keep(json_, "2026-11-04T10:00:00", true);
     EXPECT_FALSE(std::filesystem::exists(second));
     tight.rename(third, "");

@@ -12,7 +12,7 @@
 
 namespace vitrine::test {
 
-/// Numbers that trade accuracy for work, and one that does not.
+/// Table with parameters that trade accuracy for work, and one that does not.
 struct KnownTable final : Parameters {
     Group group1 = group("Accuracy");
     Count steps = count("steps", 8, {1, 1024, logarithmic}, "More is exact.", quality(256));
@@ -22,14 +22,14 @@ struct KnownTable final : Parameters {
     Real hue = real("hue", 0.5, none, {0, 1}, "No question of accuracy.");
 };
 
-/// What a picture of these values is off by, and what it costs: by law, not by drawing.
+/// Error and cost of a picture with given values, by formulas and not by drawing.
 struct KnownLaw {
     std::function<double(const KnownTable&, const ParameterValues&, double viewDifficulty)> error;
     std::function<double(const KnownTable&, const ParameterValues&, double viewDifficulty)> cost;
-    bool noisy = false;  ///< The error is the standard deviation of noise; else an offset.
+    bool noisy = false;  ///< The error is the standard deviation of noise; otherwise an offset.
 };
 
-/// An exhibit that hands what the law says to the painter, in one pass.
+/// Exhibit that passes the results of the law to the backend, in one pass.
 class KnownExhibit final : public Exhibit {
 public:
     explicit KnownExhibit(KnownLaw law) : law_(std::move(law)) {}
@@ -71,12 +71,12 @@ private:
     KnownTable table_;
 };
 
-/// Draws what KnownExhibit says; its milliseconds are the work, with noise where asked for.
+/// Backend that draws the results of KnownExhibit. Its milliseconds are the work, with noise if `timeNoise` is set.
 class KnownBackend final : public render::RenderBackend {
 public:
     double timeNoise = 0;
     int drawn = 0;
-    int provisional = 0;  ///< Frames that left work for later ones, or built on earlier ones.
+    int provisional = 0;  ///< Number of frames that left work for later ones, or used earlier ones.
 
     void seed(unsigned number) { engine_.seed(number); }
 
@@ -116,7 +116,7 @@ private:
     render::PersistentState kept_;
 };
 
-/// Errors fall with the work; each parameter has a part in both.
+/// Returns a law in which errors fall with the work, and each parameter contributes to both.
 inline KnownLaw sumOfParts()
 {
     KnownLaw law;

@@ -1,4 +1,4 @@
-// Studies held against each other: which costs may be, and what is said at equal cost and equal error.
+// Comparison of studies: possible costs, and results at equal cost and equal error.
 
 #include "exhibits/study/study_comparison.h"
 
@@ -9,7 +9,8 @@
 namespace vitrine {
 namespace {
 
-/// A study whose points cost and err so, in evaluations of one view of 10 x 10 pixels, a millisecond for each thousand.
+/// Returns a study whose points have these costs and errors. Costs are evaluations of one view of 10 x 10 pixels, with
+/// a millisecond for each thousand.
 KeptStudy studyOf(const std::vector<std::pair<double, double>>& costsAndErrors)
 {
     KeptStudy study;
@@ -58,10 +59,10 @@ TEST(StudyComparison, TimesAreComparedOnOneMachineAtOneSizeByOneClockOnly)
 TEST(StudyComparison, OffersCountedWorkEverywhereAndTimesWhereTheyMayBeCompared)
 {
     const KeptStudy a = studyOf({{100, 0.1}, {200, 0.05}});
-    // Neither how a picture is cut into passes, nor a count that tells no settings apart.
+    // Neither the number of passes, nor a count that is equal for all settings.
     EXPECT_EQ(sharedCosts({a, a}), (std::vector<std::string>{"ms", "evaluations"}));
     KeptStudy b = a;
-    b.clockTrusted = false;  // Then times are a choice, but no longer the first.
+    b.clockTrusted = false;  // Times are then possible, but not preferred.
     EXPECT_EQ(sharedCosts({b, b}), (std::vector<std::string>{"evaluations", "ms"}));
     b.renderer = "a graphics card";
     EXPECT_EQ(sharedCosts({a, b}), std::vector<std::string>{"evaluations"});
@@ -88,7 +89,7 @@ TEST(StudyComparison, CountsArePerPixelSoThatSizesDoNotMatter)
 
 TEST(StudyComparison, BetweenTwoSettingsIsTheirPowerLawAndBeyondTheEndsNothing)
 {
-    // B errs as 1 / cost from 100 to 10000.
+    // B has errors of 1 / cost from 100 to 10000.
     const KeptStudy b = studyOf({{100, 0.1}, {10000, 0.001}, {5000, 0.2}});
     const KeptStudy a = studyOf({{50, 0.3}, {1000, 0.05}, {20000, 0.0001}});
     const StudyComparison comparison = compareStudies({a, b}, {"A", "B"}, "evaluations");

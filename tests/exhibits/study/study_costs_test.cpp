@@ -1,4 +1,4 @@
-// Costs of a study along both axes, and what is said of them.
+// Costs of a study on both axes, and the sentences on them.
 
 #include "exhibits/study/study_costs.h"
 #include "exhibits/study/study_text.h"
@@ -15,7 +15,7 @@ using test::KnownBackend;
 using test::KnownExhibit;
 using test::KnownTable;
 
-/// A study of "steps" of an exhibit whose law is known, step by step.
+/// Study of "steps" of an exhibit with a known law, step by step.
 class StudyOfSteps {
 public:
     StudyOfSteps()
@@ -85,7 +85,7 @@ TEST(StudyCosts, WorkHasOneNameFromThenOnThatAllSettingsAreDrawn)
         const bool all = std::all_of(result.points.begin(), result.points.end(), isDrawn);
         ASSERT_TRUE(all || result.workName.empty());
         if (names.empty() || names.back() != result.workName) names.push_back(result.workName);
-        // Nothing has a place on the axis of time before it was timed, and nothing that was timed loses it.
+        // No setting is on the time axis before it was timed, and none leaves it afterwards.
         const StudyCosts costs = costsAlong(CostAxis::time, steps.request(), result);
         EXPECT_EQ(costs.name, "ms");
         for (std::size_t i = 0; i < result.points.size(); ++i) {
@@ -107,13 +107,14 @@ TEST(StudyCosts, AreWhatTheLawSaysAlongBothAxes)
     const StudyCosts work = costsAlong(CostAxis::work, steps.request(), result);
     ASSERT_EQ(result.views.size(), 3U);
     for (std::size_t i = 0; i < result.points.size(); ++i) {
-        // A frame takes its work in thousands; the cost of a setting is the mean of its views, its work their sum.
+        // A frame takes a millisecond per thousand of work. The cost of a setting is the mean over its views, its work
+        // is their sum.
         EXPECT_NEAR(time.settings[i].cost, work.settings[i].cost / 3000, 1e-9);
         EXPECT_TRUE(time.settings[i].interval.holds(time.settings[i].cost));
         EXPECT_GT(time.settings[i].interval.confidence, 0.95);
         EXPECT_EQ(work.settings[i].interval.low, work.settings[i].interval.high);
     }
-    // More steps cost more and err less: all are on the front of either.
+    // More steps have more cost and less error: all are on both fronts.
     EXPECT_EQ(time.front.size(), result.points.size());
     EXPECT_EQ(work.front, time.front);
     EXPECT_EQ(work.name, "work");
@@ -152,7 +153,7 @@ TEST(StudyCosts, WhatIsNotMeasuredAgainstEverythingExactHasNoSuchError)
     while (steps.study().step()) {
         for (const StudyPoint& point : steps.result().points)
             for (const StudyShot& shot : point.shots) before = before || (!shot.picture.empty() && !shot.modelError);
-        // Nothing is 0 before it is known.
+        // Unknown values are not 0.
         for (const StudyPoint& point : steps.result().points) ASSERT_TRUE(!point.modelError || *point.modelError > 0);
     }
     EXPECT_TRUE(before);
@@ -167,7 +168,7 @@ TEST(StudyCosts, TheMostTellingCounterIsWorkAndNotHowAPictureIsCut)
     EXPECT_EQ(mostTellingCounter(
                   {Counters{{"shells", 48}, {"evaluations", 100}}, Counters{{"shells", 768}, {"evaluations", 200}}}),
               "evaluations");
-    // Samples that stay, of sixteen times the layers: a few more. The layers tell what was done.
+    // With sixteen times the layers there are only a few more visible samples. The layers measure the work.
     EXPECT_EQ(mostTellingCounter(
                   {Counters{{"shells", 48}, {"samples", 118'971}}, Counters{{"shells", 768}, {"samples", 139'137}}}),
               "shells");
@@ -178,14 +179,14 @@ TEST(StudyCosts, ALawWhoseIntervalSaysNothingIsNotTold)
     StudyCosts costs;
     costs.name = "evaluations";
     EXPECT_EQ(lawSentence(costs), "");
-    // The report's own: 1.44 times, 0.169 to 12.2.
+    // Numbers of a real report: a factor of 1.44, from 0.169 to 12.2.
     costs.law = render::PowerLaw{.slope = -0.526, .slopeInterval = {-3.61, 2.565, 0.95}, .points = 3};
     EXPECT_EQ(lawSentence(costs).find("1.44"), std::string::npos) << lawSentence(costs);
     EXPECT_NE(lawSentence(costs).find("measure more values"), std::string::npos) << lawSentence(costs);
     const double infinite = std::numeric_limits<double>::infinity();
     costs.law->slopeInterval = {-infinite, infinite, 0.95};
     EXPECT_EQ(lawSentence(costs).find("inf"), std::string::npos) << lawSentence(costs);
-    // Ends a factor of 3.9 apart are told, 4.1 are not.
+    // Intervals with a factor of 3.9 between their ends are reported, 4.1 are not.
     for (const auto& [factor, told] : {std::pair(3.9, true), std::pair(4.1, false)}) {
         costs.law->slopeInterval = {-0.5, -0.5 + std::log2(factor), 0.95};
         EXPECT_EQ(lawSentence(costs).find("times the field evaluations") != std::string::npos, told) << factor;

@@ -1,4 +1,4 @@
-// Studies of real pictures whose law is known.
+// Studies of real pictures with a known law.
 
 #include "exhibits/study/study.h"
 #include "render/gl/frame_clock.h"
@@ -47,7 +47,7 @@ double meanOf(const render::Image& image)
     return sum / (3.0 * image.width * image.height);
 }
 
-/// What `samplePosition` errs by at edges of all directions, by their exact areas: no picture is in it.
+/// Returns the error of `samplePosition` at edges of all directions, from exact areas, without a picture.
 double errorOfEdges(int samples)
 {
     return edgeError(samples, [&](int i) { return render::samplePosition(i, samples); });
@@ -55,28 +55,28 @@ double errorOfEdges(int samples)
 
 TEST_F(StudyOfPictures, SupersamplesOfEdgesConvergeAsTheirSequenceShould)
 {
-    // The mug alone: all that differs from sample to sample are outlines and creases.
+    // The mug alone: samples differ only at outlines and creases.
     StudyRequest request = requestFor(0, supersamplesRow, {2, 4, 8, 16, 32, 64});
     request.size = {128, 72};
     request.views = 1;
     const StudyResult result = run(request);
     ASSERT_EQ(result.points.size(), 6U);
     ASSERT_TRUE(result.converged) << result.convergence;
-    // A sequence of low discrepancy: half the error for 2^(4/3) times the samples, where random ones need four times.
+    // Low-discrepancy sequence: half the error needs 2^(4/3) times the samples; random samples need four times as many.
     ASSERT_TRUE(result.law);
     EXPECT_TRUE(result.law->slopeInterval.holds(-4.0 / 3))
         << result.law->slope << " in " << result.law->slopeInterval.low << " to " << result.law->slopeInterval.high;
     EXPECT_GT(result.law->slope, -1.75) << "no better than random, which is -2";
-    // And each error is to the first what it is of straight edges.
+    // The ratio of each error to the first is that of straight edges.
     for (std::size_t i = 1; i < result.points.size(); ++i) {
         const auto samples = static_cast<int>(request.axes[0].values[i]);
         const double expected = errorOfEdges(samples) / errorOfEdges(2);
         EXPECT_NEAR(result.points[i].error / result.points[0].error / expected, 1, 0.25) << samples;
     }
-    // The weights of the samples sum to 1, however many there are: more of them make no picture brighter.
+    // The weights of the samples sum to 1: more samples make no picture brighter.
     for (const StudyPoint& point : result.points)
         for (std::size_t view = 0; view < result.views.size(); ++view) {
-            // The mean of independent errors of this size, four standard deviations.
+            // Mean of independent errors of this size, four standard deviations.
             const double noise = point.shots[view].errors.at(render::Metric::rmse) / std::sqrt(128.0 * 72);
             EXPECT_NEAR(meanOf(point.shots[view].picture), meanOf(result.references[view]), 4 * noise + 1e-4);
         }
@@ -84,8 +84,8 @@ TEST_F(StudyOfPictures, SupersamplesOfEdgesConvergeAsTheirSequenceShould)
 
 TEST_F(StudyOfPictures, SupersamplesOfTheHallFollowTheEdgesOnceThereAreTwo)
 {
-    // As visitors see it, beams and grain and all. Between few samples and 16 the sequence is not yet as good as its
-    // law: straight edges, too, cost more than three times the samples there, and so does the hall.
+    // With the visitors' settings, including beams and noise. Up to 16 samples the sequence has not reached its law:
+    // straight edges need more than three times the samples there, and so does the hall.
     StudyRequest request = requestFor(0, supersamplesRow, {2, 4, 8, 16});
     request.subject = 0;
     request.views = 1;
@@ -125,14 +125,14 @@ TEST_F(StudyOfPictures, AWiderToleranceCostsFewerEvaluationsAndMoreError)
             << "distance to the surface";
     }
     EXPECT_TRUE(result.converged) << result.convergence;
-    // Processor time against processor time: how busy the machine is has no say in it.
+    // Both are processor times, so that other work on the machine has no influence.
     EXPECT_EQ(result.clock, render::gl::trustedClock(true).name);
     EXPECT_LT(result.overheadMilliseconds, 0.02 * result.points[0].time->median);
 }
 
 TEST_F(StudyOfPictures, WhatIsKeptBetweenFramesIsDrawnAnewWhereItIsStudied)
 {
-    // Kept as it is by the frames that follow, a shadow map would seem to cost nothing, whatever its size.
+    // If later frames reused it, a shadow map would seem to cost nothing, whatever its size.
     const auto passes = [](const char* row, std::vector<double> values) {
         StudyRequest request = requestFor(0, row, std::move(values));
         request.subject = 0;

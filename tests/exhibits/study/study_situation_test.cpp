@@ -1,4 +1,4 @@
-// Where a study measures: settings and views in which its parameters show, from what the tables say.
+// Situation of a study: settings and views in which its parameters have an effect, according to the tables.
 
 #include "exhibits/framework/make_act.h"
 #include "exhibits/study/study_situation.h"
@@ -160,7 +160,7 @@ TEST(StudySituation, WhatIsStudiedItselfIsNotSetForTheOther)
 
 TEST(StudySituation, ViewsThatShowNothingAreLeftOut)
 {
-    // One of the fur's views is set by hand, in which no spring moves.
+    // In one of the fur's views the motion is set by hand, so no spring moves.
     const StudyRequest request = requestOf("fur", {"springModel"});
     for (const StudyView& view : situationOf(request).views) EXPECT_NE(view.name, "spin of 120 degrees");
 }

@@ -1,4 +1,4 @@
-// Studies of exhibits whose law of error and cost is known.
+// Studies of exhibits with known laws of error and cost.
 
 #include "exhibits/exhibits.h"
 #include "exhibits/study/study.h"
@@ -69,7 +69,7 @@ TEST(Study, MeasuresTheErrorAndTheWorkThatTheLawSays)
     const double rms = std::sqrt((1 + 4 + 1.75 * 1.75) / 3);
     for (const StudyPoint& point : result.points) {
         const double steps = valueOf(request, point);
-        // Against the reference that was taken: it may have been doubled.
+        // Compared with the reference that was used, which may have been doubled.
         EXPECT_NEAR(point.error, rms * std::abs(0.2 / steps - 0.2 / result.exact[0]), 1e-6) << steps;
         EXPECT_NEAR(static_cast<double>(point.counters.at("work")),
                     1000 * difficulties * (1 + 0.1 * steps + 0.3 * 4) * 0.6, 3)
@@ -89,7 +89,7 @@ TEST(Study, TellsNumericalErrorFromModelError)
     const StudyResult result = subject.run(request);
     const double rms = std::sqrt((1 + 4 + 1.75 * 1.75) / 3);
     for (const StudyPoint& point : result.points) {
-        // Rough method, few rays and the shortcut: what no number of steps mends.
+        // Errors of the approximate method, few rays and the shortcut, which more steps do not reduce.
         const double others = 0.05 / 2 - 0.05 / 8 + 0.02 + 0.001;
         ASSERT_TRUE(point.modelError);
         EXPECT_NEAR(*point.modelError, rms * std::abs(others + 0.2 / valueOf(request, point) - 0.2 / result.exact[0]),
@@ -101,7 +101,8 @@ TEST(Study, DoublesItsReferenceUntilItNoLongerMatters)
 {
     Subject subject(sumOfParts());
     StudyRequest request = subject.request({"steps"});
-    // Half as exact as 256 are 128 steps: off by 0.2 / 256, which the error of 200 steps is not four times of.
+    // Half as exact as 256 steps are 128, with an error of 0.2 / 256. The error of 200 steps is not four times as
+    // large.
     request.axes[0].values = {4, 16, 64, 200};
     const StudyResult result = subject.run(request);
     EXPECT_GT(result.exact[0], 256);
@@ -116,7 +117,8 @@ TEST(Study, SaysWhichErrorsItsReferenceCannotTell)
 {
     Subject subject(sumOfParts());
     StudyRequest request = subject.request({"steps"});
-    request.axes[0].values = {4, 1000};  // The legal limit is 1024: nothing is exact enough to tell 1000 from it.
+    // The legal limit is 1024, so no value is exact enough to measure the error of 1000.
+    request.axes[0].values = {4, 1000};
     const StudyResult result = subject.run(request);
     EXPECT_FALSE(result.converged);
     EXPECT_FALSE(result.points[0].uncertain);
@@ -133,7 +135,7 @@ TEST(Study, SaysThatAReferenceIsExactByMeaningOnlyWhereItsRowSaysSo)
     const StudyResult shortcut = convergence({"shortcut"});
     EXPECT_EQ(shortcut.convergence, "The reference is exact by the meaning of the parameter.");
     EXPECT_TRUE(shortcut.converged);
-    // A choice is taken for exact: nothing beyond it could tell.
+    // A choice counts as exact, because there is nothing to compare it with.
     const StudyResult method = convergence({"method"});
     EXPECT_EQ(method.convergence, "What counts as exact is not checked: Method at exact.");
     EXPECT_FALSE(method.converged);
@@ -146,7 +148,7 @@ TEST(Study, SaysThatAReferenceIsExactByMeaningOnlyWhereItsRowSaysSo)
     EXPECT_EQ(rays.convergence.rfind("With Rays at 32 the reference changes by ", 0), 0U) << rays.convergence;
 }
 
-/// Numbers whose initial value counts as exact, in the middle of their range and at its end.
+/// Table with parameters whose initial value counts as exact, in the middle of the range and at its end.
 struct AtTheirBest final : Parameters {
     Real step = real("step", 0.001, none, {1e-6, 1, logarithmic}, "Too small is as bad as too large.", quality(0.001));
     Count rate = count("rate", 240, {15, 240, logarithmic}, "More is exact.", quality(240));
@@ -182,7 +184,7 @@ TEST(Study, HasSeveralViewsOfEveryExhibitAndOfTheHall)
 
 TEST(Study, FindsTheLawOfSampling)
 {
-    // Noise falls with the root of the samples, the work grows with them: cost = c error^-2.
+    // Noise falls with the root of the samples, and work grows with them: cost = c error^-2.
     KnownLaw law;
     law.noisy = true;
     law.error = [](const KnownTable& t, const ParameterValues& v, double) { return 0.3 / std::sqrt(v[t.steps]); };
@@ -229,7 +231,8 @@ TEST(Study, FindsTheLawAlongTheBestOfTwoParameters)
     Subject subject(std::move(law));
     const StudyResult result = subject.run(subject.request({"method", "steps"}));
     ASSERT_TRUE(result.law);
-    // Against 256 steps, not against endlessly many: a little less than twice the work for half of what differs.
+    // The reference has 256 steps, not infinitely many, so halving the difference needs a little less than twice the
+    // work.
     EXPECT_NEAR(result.law->slope, -1, 0.05);
     EXPECT_EQ(lawSentence(result).rfind("With the best of the settings, halving the error costs ", 0), 0U)
         << lawSentence(result);
@@ -254,7 +257,7 @@ TEST(Study, SaysWhenNothingDependsOnWhatIsStudied)
 TEST(Study, MarksWhatIsDominated)
 {
     KnownLaw law = sumOfParts();
-    // The fair method is dearer than the exact one.
+    // The method "fair" is more expensive than "exact".
     law.cost = [](const KnownTable& t, const ParameterValues& v, double) {
         return v[t.method] == 1 ? 5.0 : 1.0 + v[t.method];
     };
@@ -288,7 +291,7 @@ TEST(Study, LeavesTheLookAsItWasHoweverEarlyItStops)
     EXPECT_TRUE(subject.museum.initialSceneState() == before);
 }
 
-/// Every setting of these axes, measured.
+/// All settings of these axes, measured.
 struct Sweep {
     Subject subject;
     StudyRequest request;
@@ -341,7 +344,7 @@ TEST(StudyChooser, TheBestWithinATimeIsTheOneThatAnExhaustiveSweepFinds)
         const StudyResult result = sweep.subject.run(sweep.request);
         ASSERT_TRUE(result.choice) << limit;
         EXPECT_TRUE(result.choice->holds);
-        // A frame costs its law times the mean difficulty of the three views; the held-out ones are no harder.
+        // A frame costs its law times the mean difficulty of the three views; the held-out views are no harder.
         double best = 1e9;
         for (const auto& [cost, error] : sweep.worst)
             if (cost * (1 + 2 + 1.75) / 3 <= limit) best = std::min(best, error);
@@ -354,7 +357,7 @@ TEST(StudyChooser, TheBestWithinATimeIsTheOneThatAnExhaustiveSweepFinds)
 
 TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
 {
-    // Rays change nothing here, neither error nor work, and all else is 100 ms beside which the steps are little.
+    // Rays change neither error nor work here. Everything else takes 100 ms, compared with which the steps are little.
     KnownLaw law = sumOfParts();
     law.error = [](const KnownTable& t, const ParameterValues& v, double difficulty) {
         return difficulty * (0.2 / v[t.steps] - 0.2 / 256 + (v[t.method] == 0 ? 0.02 : 0.0));
@@ -392,7 +395,7 @@ TEST(StudyChooser, NoiseOfTheClockIsNotTakenForASaving)
 
 TEST(StudyChooser, ALimitThatOnlyTheExactKeepsIsKeptWhereOneParameterHangsOnAnother)
 {
-    // Steps help only without the shortcut, as a level of detail caps a count.
+    // Steps have an effect only without the shortcut, like a count that level of detail limits.
     KnownLaw law = sumOfParts();
     law.error = [](const KnownTable& t, const ParameterValues& v, double d) {
         return d * (v[t.shortcut] ? 0.1 : 0.2 / v[t.steps] - 0.2 / 256);
@@ -425,7 +428,7 @@ TEST(StudyChooser, TheSentenceSaysDearerWhereTheChoiceIsDearer)
 
 TEST(StudyChooser, AWinnerThatFailsInAHeldOutViewIsNotChosen)
 {
-    // The held-out views, of difficulties 1.5 and 1.25, are ten times as hard as their number says.
+    // The held-out views, of difficulties 1.5 and 1.25, are ten times as hard as stated.
     KnownLaw law = sumOfParts();
     const auto honest = law.error;
     law.error = [honest](const KnownTable& t, const ParameterValues& v, double d) {
@@ -438,7 +441,7 @@ TEST(StudyChooser, AWinnerThatFailsInAHeldOutViewIsNotChosen)
     ASSERT_TRUE(result.choice);
     EXPECT_TRUE(result.choice->holds);
     EXPECT_LE(result.choice->heldOutError, 0.1);
-    // By the studied views alone, a cheaper one would have done.
+    // By the studied views alone, a cheaper setting would have been sufficient.
     bool cheaper = false;
     for (const StudyPoint& p : result.points)
         cheaper = cheaper || (p.worstError <= 0.1 && p.cost < result.points[result.choice->point].cost);
