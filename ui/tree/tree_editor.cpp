@@ -12,6 +12,8 @@
 namespace vitrine::ui {
 namespace {
 
+constexpr std::size_t mostRemembered = 64;  ///< Number of earlier selections.
+
 /// Returns the cause of problems of editing the tree. They are removed by the next successful edit.
 QString treeEditCause()
 {
@@ -57,8 +59,14 @@ void TreeEditor::refresh()
         tree_ = std::move(now);
         if (another) emit treeChanged();
     }
-    // If an undo removed the selected node, the one selected before it is selected again.
-    if (!selected_.empty() && tree_.find(selected_) == TreeNode::none) select(std::exchange(selectedBefore_, {}));
+    // If an undo removed the selected node, the latest one selected before it that still exists is selected again.
+    if (!selected_.empty() && tree_.find(selected_) == TreeNode::none) {
+        while (!selectedBefore_.empty() && tree_.find(selectedBefore_.back()) == TreeNode::none)
+            selectedBefore_.pop_back();
+        selected_ = selectedBefore_.empty() ? std::string() : selectedBefore_.back();
+        if (!selectedBefore_.empty()) selectedBefore_.pop_back();
+        emit selectionChanged();
+    }
     emit valuesChanged();
 }
 
@@ -66,7 +74,11 @@ void TreeEditor::select(const std::string& node)
 {
     const std::string wanted = tree_.find(node) == TreeNode::none ? std::string() : node;
     if (wanted == selected_) return;
-    selectedBefore_ = std::exchange(selected_, wanted);
+    if (!selected_.empty()) {
+        if (selectedBefore_.size() == mostRemembered) selectedBefore_.erase(selectedBefore_.begin());
+        selectedBefore_.push_back(selected_);
+    }
+    selected_ = wanted;
     emit selectionChanged();
 }
 

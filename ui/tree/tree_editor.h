@@ -62,7 +62,7 @@ private:
     Tree tree_;
     std::shared_ptr<const Parameters> table_;  ///< Table from which the tree was made.
     std::string selected_;
-    std::string selectedBefore_;
+    std::vector<std::string> selectedBefore_;  ///< The latest last; an undo returns to it.
 };
 
 }  // namespace vitrine::ui

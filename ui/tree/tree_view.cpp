@@ -1,6 +1,7 @@
 #include "ui/tree/tree_view.h"
 
 #include "ui/kit/text.h"
+#include "ui/parameters/shown_text.h"
 #include "ui/tree/tree_editor.h"
 
 #include <QDropEvent>
@@ -8,12 +9,15 @@
 #include <QKeyEvent>
 
 #include <algorithm>
+#include <map>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 namespace vitrine::ui {
 namespace {
 
-constexpr int mostUnfolded = 500;  ///< Number of nodes. Larger trees are unfolded to the first level only.
+constexpr std::size_t mostUnfolded = 500;  ///< Number of nodes. Larger trees are unfolded to the first level only.
 
 }  // namespace
 
@@ -32,6 +36,7 @@ TreeView::TreeView(TreeEditor& editor, QWidget* parent) : QTreeWidget(parent), e
     header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     connect(&editor_, &TreeEditor::treeChanged, this, &TreeView::rebuild);
     connect(&editor_, &TreeEditor::selectionChanged, this, &TreeView::showSelection);
+    connect(&editor_, &TreeEditor::valuesChanged, this, &TreeView::showSelectedSize);
     connect(this, &QTreeWidget::currentItemChanged, this, [this](QTreeWidgetItem* item) {
         if (!filling_) editor_.select(item ? nodeOf(*item) : std::string());
     });
@@ -57,6 +62,7 @@ void TreeView::rebuild()
     filling_ = true;
     clear();
     std::vector<QTreeWidgetItem*> items;
+    std::map<std::string_view, std::vector<QTreeWidgetItem*>> nodesOfTitle;
     QTreeWidgetItem* shared = nullptr;
     for (const TreeNode& node : editor_.tree().nodes) {
         QTreeWidgetItem* item = nullptr;
@@ -74,6 +80,7 @@ void TreeView::rebuild()
         item->setData(0, Qt::UserRole, QString::fromStdString(node.id));
         item->setText(0, text(Tree::title(node)));
         item->setText(1, node.name.empty() ? QString() : text(node.kind));
+        nodesOfTitle[Tree::title(node)].push_back(item);
         item->setCheckState(0, node.hidden ? Qt::Unchecked : Qt::Checked);
         item->setToolTip(
             0, tr("The check mark shows or hides it. Drag it, or press Ctrl and the arrows, to reorder; F2 renames."));
@@ -83,6 +90,11 @@ void TreeView::rebuild()
         item->setFlags(flags);
         items.push_back(item);
     }
+    for (const auto& [title, alike] : nodesOfTitle)
+        for (std::size_t i = 0; alike.size() > 1 && items.size() <= mostUnfolded && i < alike.size(); ++i) {
+            alike[i]->setData(1, Qt::UserRole, true);
+            showSize(*alike[i]);
+        }
     if (items.size() <= mostUnfolded)
         expandAll();
     else
@@ -90,6 +102,25 @@ void TreeView::rebuild()
     filling_ = false;
     filter();
     showSelection();
+}
+
+void TreeView::showSize(QTreeWidgetItem& item) const
+{
+    const TreeNode& node = editor_.tree().nodes[editor_.tree().find(nodeOf(item))];
+    const std::optional<TreeRows> rows = editor_.source()->rowsOf(editor_.values(), node.id);
+    QString size;
+    for (std::size_t i = 0; rows && size.isEmpty() && i < rows->values.rows().size(); ++i) {
+        const ParameterInfo& info = rows->values.rows()[i];
+        if (info.kind == Kind::real) size = said(label(info)) + QLatin1Char(' ') + shownText(info, rows->values.row(i));
+    }
+    const QString kind = node.name.empty() ? QString() : text(node.kind);
+    item.setText(1, kind.isEmpty() || size.isEmpty() ? kind + size : kind + QStringLiteral(", ") + size);
+}
+
+void TreeView::showSelectedSize()
+{
+    QTreeWidgetItem* item = editor_.selected().empty() ? nullptr : itemOf(editor_.selected());
+    if (item && item->data(1, Qt::UserRole).toBool()) showSize(*item);
 }
 
 void TreeView::setWords(const QString& words)

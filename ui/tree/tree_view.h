@@ -40,6 +40,9 @@ protected:
 
 private:
     void rebuild();
+    /// Beside a node whose title another one has, too: its first number, "radius 0.42 m".
+    void showSize(QTreeWidgetItem&) const;
+    void showSelectedSize();
     void filter();
     [[nodiscard]] bool hasWords(const QTreeWidgetItem&) const;
     void showSelection();

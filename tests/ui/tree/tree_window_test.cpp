@@ -142,6 +142,37 @@ private slots:
         QCOMPARE(shown(), (QStringList{"union", "left", "right"}));
     }
 
+    void undoingSeveralAdditionsReturnsToWhatWasSelected()
+    {
+        const std::string left = "root.children[0]";
+        editor().select(left);
+        QVERIFY(editor().apply({TreeEdit::What::add, "root", "sphere"}, "first"));
+        const std::string first = editor().selected();
+        QVERIFY(editor().apply({TreeEdit::What::add, "root", "sphere"}, "second"));
+        QVERIFY(editor().selected() != first && first != left);
+        stack().undo();
+        QCOMPARE(editor().selected(), first);
+        stack().undo();
+        QCOMPARE(editor().selected(), left);
+        QCOMPARE(TreeView::nodeOf(*dock().view().currentItem()), left);
+    }
+
+    void nodesOfOneTitleAreToldApartByTheirFirstNumber()
+    {
+        QVERIFY(editor().apply({TreeEdit::What::add, "root", "sphere"}, "first"));
+        const std::string first = editor().selected();
+        QCOMPARE(dock().view().itemOf(first)->text(1), QString());  // No other node has its title.
+        QVERIFY(editor().apply({TreeEdit::What::add, "root", "sphere"}, "second"));
+        const std::string second = editor().selected();
+        const auto beside = [this](const std::string& node) { return dock().view().itemOf(node)->text(1); };
+        QVERIFY2(beside(first).startsWith("Radius 0."), qPrintable(beside(first)));
+        QCOMPARE(beside(second), beside(first));
+        const TreeRows rows = editor().source()->rowsOf(editor().values(), second).value();
+        editor().setRow(rows.values.table().find("radius").value(), 0.123, 0, "third");
+        QCOMPARE(beside(second), QString::fromUtf8("Radius 0.123\u2009m"));
+        QVERIFY(beside(first) != beside(second));
+    }
+
     void kindsAreOfferedInGroupsAndFoundByWords()
     {
         click(at(1, 0));
