@@ -84,14 +84,16 @@ protected:
             if (a->text().remove('&') == QString::fromUtf8(text)) return a;
         return nullptr;
     }
-    void dragRoughness(int pixels) { drag("roughness", pixels); }
-    void drag(const char* row, int pixels)
+    void dragRoughness(int percent) { drag("roughness", percent); }
+    /// Drags a row's slider from near its left end by so many percent of its width, however wide the panel is.
+    void drag(const char* row, int percent)
     {
         auto* slider = in<ui::ValueSlider>(row);
         const QPoint from(12, slider->height() / 2);
         QTest::mousePress(slider, Qt::LeftButton, {}, from);
-        for (int x = 0; x <= pixels; x += 2) QTest::mouseMove(slider, from + QPoint(x, 0));
-        QTest::mouseRelease(slider, Qt::LeftButton, {}, from + QPoint(pixels, 0));
+        const auto at = [&](int part) { return from + QPoint(slider->width() * part / 100, 0); };
+        for (int part = 0; part <= percent; part += 2) QTest::mouseMove(slider, at(part));
+        QTest::mouseRelease(slider, Qt::LeftButton, {}, at(percent));
     }
 };
 

@@ -25,7 +25,12 @@ float idleInk()
     return theme().highContrast ? 0.75F : 0.45F;
 }
 
-constexpr int markRoom = 14;  // Width in pixels of a mark beside a label.
+constexpr int markRoom = 14;     // Width in pixels of a mark beside a label.
+constexpr int labelShare = 36;   // Percent of a row's width.
+constexpr int editorRoom = 231;  // Pixels that the rest of a row keeps before labels take more than their share.
+constexpr int roomyLabel = 190;  // Pixels up to which they do so.
+constexpr int gaugeWidth = 16;   // Pixels at the usual type size.
+constexpr int betweenParts = 4;
 
 void paintWave(QPainter& painter, const QPointF& middle)
 {
@@ -153,7 +158,7 @@ void ResetDot::paintEvent(QPaintEvent*)
 
 GaugeMark::GaugeMark(QWidget* parent) : QAbstractButton(parent)
 {
-    growSize(*this, 16, 22);
+    growSize(*this, gaugeWidth, 22);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(Qt::PointingHandCursor);
     setAttribute(Qt::WA_Hover);
@@ -221,7 +226,7 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
     // Label and gauge share one width, so that all editors begin at the same place.
     auto* naming = new QHBoxLayout;
     naming->setContentsMargins(0, 0, 0, 0);
-    naming->setSpacing(4);
+    naming->setSpacing(betweenParts);
     naming->addWidget(label_, 1);
     why_ = new IdleMark(this);
     why_->setAccessibleName(tr("%1: why does it do nothing?").arg(name));
@@ -299,8 +304,18 @@ void ParameterRow::resizeEvent(QResizeEvent* event)
 
 void ParameterRow::alignEditors()
 {
-    // In a wider panel labels are wider. All rows have the same width, so that all editors begin at the same place.
-    naming_->setFixedWidth(std::clamp(width() * 36 / 100, grown(narrowestLabel, *this), grown(widestLabel, *this)));
+    // All rows have the same width, so that all editors begin at the same place.
+    const int roomy = std::min(width() - grown(editorRoom, *this), grown(roomyLabel, *this));
+    naming_->setFixedWidth(std::clamp(std::max(width() * labelShare / 100, roomy), grown(narrowestLabel, *this),
+                                      grown(widestLabel, *this)));
+}
+
+int ParameterRow::widthForLabel(const ParameterInfo& row, const QWidget& panel)
+{
+    const int gauge = row.qualityReference ? grown(gaugeWidth, panel) + betweenParts : 0;
+    const int naming = panel.fontMetrics().horizontalAdvance(said(labelInGroup(row))) + 1 + gauge;
+    if (naming <= grown(roomyLabel, panel)) return naming + grown(editorRoom, panel);
+    return (std::min(naming, grown(widestLabel, panel)) * 100 + labelShare - 1) / labelShare;
 }
 
 bool ParameterRow::matches(const ParameterInfo& row, const QString& words)

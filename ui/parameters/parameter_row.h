@@ -79,6 +79,9 @@ public:
     static constexpr int rowHeight = 26;
     static constexpr int narrowestLabel = 112, widestLabel = 240;
 
+    /// Returns the width at which a row shows this parameter's label whole, in pixels.
+    [[nodiscard]] static int widthForLabel(const ParameterInfo&, const QWidget& panel);
+
     ParameterRow(const ValueRef&, QWidget* parent);
 
     [[nodiscard]] const ParameterInfo& info() const { return editor_->row(); }

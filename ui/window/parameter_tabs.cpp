@@ -8,6 +8,8 @@
 #include <QTabBar>
 #include <QVBoxLayout>
 
+#include <algorithm>
+
 namespace vitrine::ui {
 
 ParameterTabs::ParameterTabs(Subjects subjects, History& history, QWidget* parent)
@@ -50,6 +52,16 @@ void ParameterTabs::choose(std::size_t subject)
 std::size_t ParameterTabs::shown() const
 {
     return panel_->exhibit();
+}
+
+int ParameterTabs::widthForLabels() const
+{
+    constexpr int besides = 24;  // Scroll bar and margins.
+    int widest = 0;
+    for (const auto& subject : subjects_)
+        for (const ParameterInfo& row : subject->parameters().rows())
+            widest = std::max(widest, ParameterRow::widthForLabel(row, *panel_));
+    return widest + besides;
 }
 
 void ParameterTabs::show()

@@ -24,6 +24,8 @@ public:
     void choose(std::size_t subject);
     /// Returns the subject whose parameters the panel shows.
     [[nodiscard]] std::size_t shown() const;
+    /// Returns the width at which the longest label of all subjects is shown whole, in pixels.
+    [[nodiscard]] int widthForLabels() const;
     [[nodiscard]] ParameterPanel& panel() const { return *panel_; }
 
 signals:

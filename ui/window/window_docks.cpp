@@ -50,7 +50,9 @@ WindowDocks::WindowDocks(QMainWindow& window, Workbench& workbench)
     addStudy();
     addLedgerAndLog();
     window_.resizeDocks({docks_[0], docks_[1]}, {400, 300}, Qt::Vertical);
-    window_.resizeDocks({docks_[0], parametersDock_}, {240, 360}, Qt::Horizontal);
+    // Wide enough for the longest label, up to 30 % of the window.
+    const int labels = std::clamp(parameters_->widthForLabels(), 360, std::max(360, window_.width() * 3 / 10));
+    window_.resizeDocks({docks_[0], parametersDock_}, {240, labels}, Qt::Horizontal);
     followType(window_, [this] { followSmallerType(); });
 }
 

@@ -137,6 +137,32 @@ private slots:
         window_.reset();
     }
 
+    void labelsAreReadWholeInAWindowOfTheFirstSize()
+    {
+        window_->close();
+        window_.reset();
+        QFile::remove(home_->filePath("vitrine/window.ini"));
+        QFile::remove(home_->filePath("vitrine/session.json"));
+        window_ = std::make_unique<MainWindow>(*museum_, *renderers_);
+        window_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
+        QStringList cut;
+        int read = 0;
+        for (std::size_t i = 0; i < museum_->subjects().size(); ++i) {
+            window_->choose(i);
+            QTest::qWait(20);
+            for (ParameterRow* row : window_->panel().findChildren<ParameterRow*>()) {
+                const auto* label = row->findChild<RowLabel*>();
+                if (!row->isVisible() || row->idle()) continue;  // A mark asks why a row does nothing.
+                ++read;
+                if (label->fontMetrics().horizontalAdvance(label->text()) > label->width()) cut << label->text();
+            }
+        }
+        QVERIFY(read > 200);
+        QVERIFY2(cut.isEmpty(), qPrintable(cut.join(", ")));
+        QVERIFY2(window_->viewport().width() * 10 > window_->width() * 4, "the picture keeps its room");
+    }
+
     void aPrintOfWhatIsShownIsRenderedAndCancelLeavesNothing()
     {
         window_->openPrintDialog();
