@@ -34,6 +34,7 @@
 #include <future>
 #include <memory>
 #include <numeric>
+#include <stdexcept>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -176,6 +177,27 @@ class MemoryTest : public QObject {
         return {render::gl::liveGlNames(), stored.get_future().get(), render::processMemory().own, objectsOf(*window_)};
     }
 
+    /// Takes a hundred steps, prints what is kept after them, and returns it.
+    [[nodiscard]] Kept hundredSteps()
+    {
+        const int begun = step_;
+        round();
+        if (step_ != begun + 100) throw std::logic_error("a round has a hundred steps");
+        const Kept now = kept();
+        QString line = QStringLiteral("step %1: own %2 MB, GL names %3, objects %4")
+                           .arg(step_)
+                           .arg(double(now.ownBytes) / 1e6, 0, 'f', 1)
+                           .arg(now.glNames)
+                           .arg(std::accumulate(now.objects.begin(), now.objects.end(), 0));
+        for (const auto& s : now.stored)
+            line += QStringLiteral(", %1 %2 (%3 MB)")
+                        .arg(QString::fromStdString(s.what))
+                        .arg(s.count)
+                        .arg(double(s.bytes) / 1e6, 0, 'f', 1);
+        qInfo("%s", qPrintable(line));
+        return now;
+    }
+
     /// How many objects of each class are below it. Those of charts are left out: how many labels have room, and
     /// whether a law is drawn, depends on the times that were measured.
     [[nodiscard]] static QMap<QString, int> objectsOf(const QObject& top)
@@ -232,31 +254,20 @@ private slots:
 
     void whatAThousandStepsKeepIsWhatTwoHundredKept()
     {
-        Kept at100, at200;
+        std::vector<Kept> after;  // Each hundred steps.
         const int rounds = std::max(static_cast<int>(test::environmentNumber("VITRINE_MEMORY_STEPS", 1000)) / 100, 3);
-        for (int i = 1; i <= rounds; ++i) {
-            round();
-            QCOMPARE(step_, 100 * i);
-            const Kept now = kept();
-            if (i == 1) at100 = now;
-            if (i == 2) at200 = now;
-            QString line = QStringLiteral("step %1: own %2 MB, GL names %3, objects %4")
-                               .arg(step_)
-                               .arg(double(now.ownBytes) / 1e6, 0, 'f', 1)
-                               .arg(now.glNames)
-                               .arg(std::accumulate(now.objects.begin(), now.objects.end(), 0));
-            for (const auto& s : now.stored)
-                line += QStringLiteral(", %1 %2 (%3 MB)")
-                            .arg(QString::fromStdString(s.what))
-                            .arg(s.count)
-                            .arg(double(s.bytes) / 1e6, 0, 'f', 1);
-            qInfo("%s", qPrintable(line));
-            if (i != rounds) continue;
-            QCOMPARE(grown(at100, at200, now), QString());
-            // Undo keeps every step, some 0.3 KB each; the rest is how a heap of this size breathes.
-            const double growth = double(now.ownBytes - at200.ownBytes) / 1e6;
-            QVERIFY2(growth < 16, qPrintable(QStringLiteral("%1 MB more").arg(growth)));
+        while (static_cast<int>(after.size()) < rounds) after.push_back(hundredSteps());
+        QString more = grown(after[0], after[1], after.back());
+        if (!more.isEmpty()) {
+            // On a busy machine a round can need a shader program for the first time. A leak grows with each round.
+            qInfo("more than at first: %s", qPrintable(more));
+            after.push_back(hundredSteps());
+            more = grown(after[after.size() - 3], after[after.size() - 2], after.back());
         }
+        QCOMPARE(more, QString());
+        // Undo keeps every step, some 0.3 KB each; the rest is how a heap of this size breathes.
+        const double growth = double(after.back().ownBytes - after[1].ownBytes) / 1e6;
+        QVERIFY2(growth < 16, qPrintable(QStringLiteral("%1 MB more").arg(growth)));
     }
 
     void cleanupTestCase()
