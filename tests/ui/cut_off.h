@@ -16,14 +16,14 @@
 
 namespace vitrine::test {
 
-/// What a control needs to show its words; where it elides them by design, only their height counts.
+/// Returns the size that a control needs for its text. If it elides the text by design, only the height counts.
 inline QSize neededSize(const QWidget& widget)
 {
     const int line = widget.fontMetrics().height();
     const bool mayElide = widget.sizePolicy().horizontalPolicy() == QSizePolicy::Ignored;
     if (const auto* label = qobject_cast<const QLabel*>(&widget)) {
         if (label->text().isEmpty()) return {0, 0};
-        // Names of rows are elided in the middle; the tooltip of the row has them whole.
+        // Names of parameters are elided in the middle; the tooltip has the full name.
         if (qobject_cast<const ui::RowLabel*>(label)) return {0, line};
         if (label->wordWrap()) return {0, label->heightForWidth(label->width())};
         return {mayElide ? 0 : label->sizeHint().width(), label->sizeHint().height()};
@@ -46,15 +46,15 @@ inline QSize neededSize(const QWidget& widget)
     return {0, 0};
 }
 
-/// Whether the widget lies in a part that can be scrolled into sight.
+/// Returns whether the widget is in an area that can be scrolled.
 inline bool scrolls(const QWidget& widget)
 {
     const QWidget* parent = widget.parentWidget();
     return parent && parent->parentWidget() && qobject_cast<const QAbstractScrollArea*>(parent->parentWidget());
 }
 
-/// Whether the widget is in a panel that lies behind others of its stack, or in a stack's tabs while there is no stack:
-/// Qt keeps those beyond the window's edge.
+/// Returns whether the widget is in a panel behind others of its stack, or in the tab bar of a stack that does not
+/// exist. Qt keeps those beyond the window's edge.
 inline bool isStackedBehind(const QWidget& widget)
 {
     for (const QWidget* part = &widget; part->parentWidget(); part = part->parentWidget())
@@ -63,8 +63,8 @@ inline bool isStackedBehind(const QWidget& widget)
     return false;
 }
 
-/// The labels, buttons and fields below `root` that are seen and not whole: smaller than their words, or beyond the
-/// edge of what they are in. One line each.
+/// Returns the visible labels, buttons and fields below `root` that are cut off: smaller than their text, or beyond the
+/// edge of their parent. One line each.
 inline QStringList cutOff(const QWidget& root)
 {
     QStringList all;

@@ -7,8 +7,8 @@
 
 namespace vitrine::test {
 
-/// Pictures at rest are the mean of that many samples in place of sixteen, which a software renderer takes seconds for.
-/// Nothing of it can be undone.
+/// Sets the number of supersamples of static pictures, in place of sixteen, which take a software renderer seconds.
+/// Makes no undo step.
 inline void takeFewSamples(ui::MainWindow& window, double samples)
 {
     window.history().set(0, *window.museum().subject(0).parameters().find("supersamples"), samples, ui::newGesture());

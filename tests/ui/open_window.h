@@ -22,14 +22,14 @@
 
 namespace vitrine::test {
 
-/// A test of the whole window on a real OpenGL context, over a gallery whose picture is one color.
+/// Test of the whole window with a real OpenGL context, over a gallery whose picture has one color.
 class OpenWindow : public QObject {
 protected:
     std::unique_ptr<QTemporaryDir> home_;
     std::unique_ptr<PaintedGallery> gallery_;
     std::unique_ptr<ui::MainWindow> window_;
 
-    /// One more for the gallery to show; null: none.
+    /// Returns a further exhibit for the gallery; null: none.
     [[nodiscard]] virtual std::unique_ptr<Exhibit> anotherExhibit() { return nullptr; }
 
     static void prepare()
@@ -40,7 +40,7 @@ protected:
     }
     void start()
     {
-        // Every case has folders of its own; nothing of the user's is ever touched.
+        // Every test has folders of its own; the user's are never touched.
         home_ = std::make_unique<QTemporaryDir>();
         QVERIFY(home_->isValid());
         for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME", "XDG_CACHE_HOME"})
@@ -72,7 +72,7 @@ protected:
         return window_->history().sceneState().values[exhibit][gallery_->table().roughness];
     }
     [[nodiscard]] QListWidget* presets() { return window_->findChild<ui::PresetList*>()->findChild<QListWidget*>(); }
-    /// The presets of that name; shipped ones are in the list, too.
+    /// Returns the presets of this name, including shipped ones.
     [[nodiscard]] QList<QListWidgetItem*> rowsNamed(const char* name)
     {
         return presets()->findItems(QString::fromUtf8(name), Qt::MatchExactly);

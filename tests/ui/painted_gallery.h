@@ -15,7 +15,7 @@
 
 namespace vitrine::test {
 
-/// An exhibit with a table and nothing to draw, on the plinth in the middle of the hall.
+/// Exhibit with a table and nothing to draw, on the plinth in the middle of the hall.
 class PlainExhibit final : public Exhibit, public HasButton, public OffersComparisons {
 public:
     [[nodiscard]] std::string_view name() const override { return "sdf_morph"; }
@@ -53,15 +53,15 @@ public:
 
     bool moves = false;
     double movesFor = 0;          ///< Seconds after a press.
-    double changesIn = INFINITY;  ///< Seconds: it looks another way by then, without moving before.
-    std::string file;             ///< That it is made of; empty: of none. Set while nothing is drawn, as `read` is.
+    double changesIn = INFINITY;  ///< Seconds until it looks different, without an animation before.
+    std::string file;             ///< File that it shows; empty: none. Set this and `read` only while nothing is drawn.
     std::function<render::AssetStore::Made<int>(const std::string&)> read;
 
 private:
     SampleTable table_;
 };
 
-/// Draws gray, whatever is asked for.
+/// Backend that always draws gray.
 class BlankBackend final : public render::RenderBackend {
 public:
     render::FrameReport draw(const render::FramePlan& plan) override
@@ -69,7 +69,7 @@ public:
         size_ = glm::max(glm::ivec2(ui::RenderThread::taskTile), plan.view.raster.size);
         return {};
     }
-    /// As large as any tile, and as what was drawn; depth is one number.
+    /// Returns a uniform gray image, at least as large as a tile and as the last picture; depth has one channel.
     [[nodiscard]] render::Image read(const std::string& name) override
     {
         return {size_.x, size_.y, name.find("epth") == std::string::npos ? 4 : 1, 0.5F};
@@ -82,7 +82,7 @@ private:
     glm::ivec2 size_{ui::RenderThread::taskTile};
 };
 
-/// The hall with plain exhibits in it.
+/// Hall with plain exhibits.
 struct PlainMuseum {
     explicit PlainMuseum(std::unique_ptr<Exhibit> another = nullptr) : museum(exhibits(std::move(another))) {}
 
@@ -100,10 +100,10 @@ private:
     }
 };
 
-/// A museum of plain exhibits, and renderers whose picture is one color: roughness of exhibit 1 is its red.
+/// Museum of plain exhibits, and renderers whose picture has one color: its red is the roughness of exhibit 1.
 class PaintedGallery final : public ui::Renderers {
 public:
-    /// With another exhibit after the plain one, or none.
+    /// `another` is added after the plain exhibit, if it is not null.
     explicit PaintedGallery(std::unique_ptr<Exhibit> another = nullptr)
     {
         if (another) own_ = std::make_unique<PlainMuseum>(std::move(another));
@@ -115,13 +115,13 @@ public:
     [[nodiscard]] const Museum& museum() { return shown().museum; }
     [[nodiscard]] PlainExhibit& exhibit() { return *shown().plain; }
     [[nodiscard]] const SampleTable& table() { return exhibit().parameters(); }
-    /// The middle of the exhibit's button, world space.
+    /// Returns the center of the exhibit's button in world space.
     [[nodiscard]] static glm::dvec3 button()
     {
         static const HallModel building;
         return (*building.place(1)->worldFromButton)[3];
     }
-    /// A visitor looks at it from this far away on the floor, meters.
+    /// Returns the camera of a visitor who looks at the button from this distance on the floor, in meters.
     [[nodiscard]] static render::Camera towardsButton(double meters)
     {
         const glm::dvec3 aside = button() + meters * glm::normalize(glm::dvec3(0.3, 0, 1));
@@ -230,19 +230,19 @@ public:
         return std::make_unique<BlankBackend>();
     }
 
-    /// Of the pictures drawn so far.
+    /// Requests of the pictures drawn so far.
     [[nodiscard]] std::vector<FrameRequest> requests() const
     {
         const std::scoped_lock lock(mutex_);
         return requests_;
     }
-    /// The same of the second look.
+    /// Requests of the pictures of B drawn so far.
     [[nodiscard]] std::vector<FrameRequest> otherRequests() const
     {
         const std::scoped_lock lock(mutex_);
         return otherRequests_;
     }
-    /// What was drawn last.
+    /// Scene state of the last drawn picture.
     [[nodiscard]] SceneState drawn() const
     {
         const std::scoped_lock lock(mutex_);
@@ -255,23 +255,24 @@ public:
     }
 
     std::atomic<int> opened = 0, closed = 0;
-    std::thread::id thread;             ///< That opened it.
-    std::atomic<int> betterBuilds = 0;  ///< Asked for while values rest; a hundred more for each that did not.
-    std::atomic<int> strangers = 0;     ///< Pictures drawn on another one.
-    std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set while nothing is drawn.
+    std::thread::id thread;  ///< Thread that opened the renderers.
+    /// Number of requests for specialized programs while values were idle; requests at other times add a hundred.
+    std::atomic<int> betterBuilds = 0;
+    std::atomic<int> strangers = 0;  ///< Number of pictures drawn on another thread.
+    std::function<void(const FrameRequest&, const Unwanted&)> beforeDrawing;  ///< Set only while nothing is drawn.
     std::atomic<int> pictureReads = 0;
     std::atomic<int> othersForgotten = 0;
     std::atomic<int> smallDrawn = 0, smallForgotten = 0;
-    std::function<void()> beforeSmall;          ///< Of each small picture; set while none is drawn.
-    std::atomic<int> unfinishedFrames = 0;      ///< The next so many call for another one.
-    std::atomic<bool> greenIsTheClock = false;  ///< A whole round of it in two seconds.
+    std::function<void()> beforeSmall;          ///< Called before each small picture; set only while none is drawn.
+    std::atomic<int> unfinishedFrames = 0;      ///< Number of next frames that report unfinished work.
+    std::atomic<bool> greenIsTheClock = false;  ///< Green shows the clock, with a period of two seconds.
     std::vector<render::gl::ShaderProblem> shaderProblems;
-    std::exception_ptr thrown;                   ///< By every frame that is drawn from now on; null: nothing.
-    std::exception_ptr otherThrown;              ///< The same of the second look.
-    std::vector<render::CulledPass> complaints;  ///< Of every frame that is drawn from now on.
+    std::exception_ptr thrown;                   ///< Thrown by all further frames; null: none.
+    std::exception_ptr otherThrown;              ///< Thrown by all further frames of B; null: none.
+    std::vector<render::CulledPass> complaints;  ///< Complaints of all further frames.
 
 private:
-    /// Read once for all that have no other exhibit.
+    /// Museum that is shared by all galleries without another exhibit.
     [[nodiscard]] PlainMuseum& shown()
     {
         static PlainMuseum shared;

@@ -1,12 +1,12 @@
 #pragma once
 
-// Qt Test's own limit of five seconds fails where the machine is slow or does something else as well. Tests wait for
-// what will come; the limit is there for what never does. Precompiled into every program of this folder.
+// Qt Test's limit of five seconds is too short for slow or busy machines. Tests wait for events that will come; the
+// limit is for those that never do. Precompiled into all programs of this folder.
 #include <QSignalSpy>
 #include <QTest>
 
 namespace vitrine::test {
-inline constexpr int patience = 300000;  ///< Milliseconds.
+inline constexpr int patience = 300000;  ///< Limit in milliseconds.
 }
 
 #undef QTRY_VERIFY

@@ -6,8 +6,8 @@
 
 namespace vitrine::test {
 
-/// Lets the pointer rest there. The real one goes there, too: wherever else it stood, the next event of its own would
-/// tell the widget that the pointer has left.
+/// Moves the pointer to this place. The real pointer is moved, too, because its next event at another place would
+/// report that it has left the widget.
 inline void pointAt(QWidget& widget, const QPoint& place)
 {
     QCursor::setPos(widget.mapToGlobal(place));

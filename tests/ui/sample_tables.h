@@ -6,7 +6,7 @@ namespace vitrine::test {
 
 enum class Method { forward, tetrahedron, central };
 
-/// Rows that act only sometimes, words for numbers, groups that start folded.
+/// Table with parameters that have an effect only sometimes, words for numbers, and groups that start folded.
 struct IdleTable final : Parameters {
     Group sun = group("Sun");
     Choice<Method> sunBy =
@@ -18,7 +18,7 @@ struct IdleTable final : Parameters {
     Count steps = count("steps", 8, {1, 64}, "Of the march.");
 };
 
-/// One row of every kind, unit style and scale.
+/// Table with one parameter of every kind, unit style and scale.
 struct SampleTable final : Parameters {
     Group shape = group("Shape");
     Real morph = real("morph", 0.5, none, {0, 1},

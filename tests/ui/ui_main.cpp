@@ -1,4 +1,4 @@
-// One program for all tests of the window: `ui_test CLASS [FUNCTION...]`, without arguments the classes.
+// One program for all tests of the window: `ui_test CLASS [FUNCTION...]`; without arguments it lists the classes.
 #include "tests/ui/ui_main.h"
 
 #include <cstdio>

@@ -7,11 +7,11 @@
 
 namespace vitrine::test {
 
-/// Makes the application of its kind, runs the test's functions that the arguments name (all without any), and returns
-/// how many failed.
+/// Makes the application and runs the test functions named by the arguments, or all of them. Returns the number of
+/// failures.
 using RunsTest = int (*)(int argc, char** argv);
 
-/// Adds a class to those that the program runs: its first argument says which.
+/// Registers a test class with the program, whose first argument selects it.
 struct AddedTest {
     AddedTest(const char* name, RunsTest);
 };
@@ -29,7 +29,7 @@ template <typename Application, typename Test> int runUnder(int argc, char** arg
 
 #define VITRINE_ADD_TEST(Test, run) static const vitrine::test::AddedTest added##Test(#Test, run);  // NOLINT
 
-/// The class's test functions under Qt's own application.
+/// Registers a test class that runs in a QApplication.
 #define VITRINE_UI_TEST(Test) VITRINE_ADD_TEST(Test, (&vitrine::test::runUnder<QApplication, Test>))
-/// The same under the window's application, which survives what handlers throw.
+/// Registers a test class that runs in the window's application, which survives exceptions of handlers.
 #define VITRINE_WINDOW_TEST(Test) VITRINE_ADD_TEST(Test, (&vitrine::test::runUnder<vitrine::ui::Application, Test>))

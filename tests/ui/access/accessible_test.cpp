@@ -1,5 +1,5 @@
-// What a screen reader is told, asked within the program: where there is no AT-SPI, new widgets without a name fail
-// here.
+// Accessibility as screen readers get it, queried within the program. New widgets without a name fail here even without
+// AT-SPI.
 #include "tests/ui/access/accessible_tree.h"
 #include "tests/ui/access/every_part.h"
 #include "tests/ui/ui_main.h"
@@ -88,7 +88,7 @@ private slots:
         QCOMPARE(roughness(), 0.5);
         QCOMPARE(value->currentValue().toDouble(), 0.5);
         QCOMPARE(window_->history().stack().count(), 1);
-        value->setCurrentValue(7);  // Within its ends.
+        value->setCurrentValue(7);  // Clamped to its range.
         QCOMPARE(roughness(), 1.0);
         window_->history().stack().undo();
         window_->history().stack().undo();

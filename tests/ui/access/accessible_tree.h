@@ -10,7 +10,8 @@
 
 namespace vitrine::test {
 
-/// Whether somebody who cannot see it must be told what this is: what takes the focus, or is pressed, chosen or set.
+/// Returns whether a screen reader must be able to name this part: it takes the focus, or can be pressed, chosen or
+/// set.
 [[nodiscard]] inline bool needsName(const QAccessibleInterface& part)
 {
     switch (part.role()) {
@@ -37,14 +38,14 @@ namespace vitrine::test {
     case QAccessible::Dialog:
     case QAccessible::Notification:
     case QAccessible::AlertMessage: return true;
-    case QAccessible::StaticText:  // Without words there is nothing to say ...
+    case QAccessible::StaticText:  // Parts without text need no name,
     case QAccessible::Cell:
-    case QAccessible::TreeItem: return false;  // ... as in a cell that is empty.
+    case QAccessible::TreeItem: return false;  // such as an empty cell.
     default: return part.state().focusable;
     }
 }
 
-/// What a screen reader could not say of this part and all in it that can be seen, a line each.
+/// Collects what a screen reader could not say about this part and all visible parts in it, a line each.
 inline void complain(QAccessibleInterface* part, const QString& where, QStringList& complaints)
 {
     if (!part || !part->isValid() || part->state().invisible) return;

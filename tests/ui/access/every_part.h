@@ -18,19 +18,19 @@
 
 namespace vitrine::test {
 
-/// The window with every panel and every dialog of it, whatever they are: those that are added later come by
-/// themselves, as actions whose names end in three dots, and as docks.
+/// Test of the window with all panels and dialogs. New ones are found automatically, as actions whose names end in
+/// three dots, and as docks.
 class EveryPart : public OpenWindow {
 protected:
     [[nodiscard]] std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<SdfScenes>(); }
 
     void activate(QWidget* window)
     {
-        QApplication::setActiveWindow(window);  // No window manager does it under Xvfb.
+        QApplication::setActiveWindow(window);  // Under Xvfb there is no window manager.
         QTRY_COMPARE(QApplication::activeWindow(), window);
     }
-    /// Opens every panel and, for each, calls `look` while it is in front; a tree is on show, and the exhibit has rows
-    /// of all kinds.
+    /// Opens every panel and calls `look` while it is in front. A tree is shown, and the exhibit has parameters of all
+    /// kinds.
     void forEveryDock(const std::function<void(QDockWidget&)>& look)
     {
         for (QDockWidget* dock : window_->docks().all()) {
@@ -43,7 +43,7 @@ protected:
             dock->setHidden(closed);
         }
     }
-    /// Opens one dialog after the other, calls `look`, and sees to it that it is gone afterwards.
+    /// Opens all dialogs one after the other, calls `look`, and closes each.
     void forEveryDialog(const std::function<void(const QString& name, QWidget&)>& look)
     {
         window_->choose(1);
@@ -75,14 +75,14 @@ protected:
         lookAt(
             "Sprites",
             [this] {
-                static const PixelArt sprites;  // Its table outlives the dialog.
+                static const PixelArt sprites;  // The table must outlive the dialog.
                 (new ui::SpriteDialog(sprites.parameters().initial(), *gallery_, window_->viewport().renderThread(),
                                       window_.get()))
                     ->show();
             },
             look);
     }
-    /// The dialogs that are seen; those of the system are not ours.
+    /// Returns the visible dialog of the program; dialogs of the system do not count.
     [[nodiscard]] static QWidget* openDialog()
     {
         for (QWidget* each : QApplication::topLevelWidgets())
@@ -95,7 +95,7 @@ private:
                 const std::function<void(const QString&, QWidget&)>& look)
     {
         open();
-        // What has nothing to ask just now opens nothing.
+        // Some actions open nothing at the moment.
         if (!QTest::qWaitFor([] { return openDialog() || QApplication::activePopupWidget(); }, 500)) return;
         if (QWidget* menu = QApplication::activePopupWidget(); menu && !menu->inherits("QDialog")) {
             menu->close();

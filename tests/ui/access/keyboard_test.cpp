@@ -1,4 +1,4 @@
-// The whole window by the keyboard alone.
+// The whole window used by keyboard only.
 #include "tests/ui/access/every_part.h"
 #include "tests/ui/access/keyboard_walk.h"
 #include "tests/ui/ui_main.h"
@@ -18,7 +18,7 @@ using namespace vitrine::ui;
 class KeyboardTest : public test::EveryPart {
     Q_OBJECT
 
-    /// The letter behind the single ampersand; null: none.
+    /// Returns the letter after the single ampersand; null: none.
     [[nodiscard]] static QChar mnemonic(const QString& text)
     {
         for (qsizetype i = 0; i + 1 < text.size(); ++i) {
@@ -81,7 +81,7 @@ private slots:
             const test::KeyboardWalk walk = test::walkByTab(dialog);
             stops += static_cast<int>(walk.stops.size());
             for (const QString& each : walk.complaints) complaints << name + QLatin1String(": ") + each;
-            // What Enter does where no control has a meaning of its own for it: one thing, or nothing by design.
+            // Enter on a control without a meaning for it activates one default button, or nothing by design.
             QStringList defaults, byThemselves;
             for (const QPushButton* each : dialog.findChildren<QPushButton*>()) {
                 if (each->isVisible() && each->isDefault()) defaults << each->text();
@@ -90,7 +90,7 @@ private slots:
             if (defaults.size() > 1 || (defaults.isEmpty() && !byThemselves.isEmpty()))
                 complaints << QStringLiteral("%1: Enter presses %2 of %3")
                                   .arg(name, defaults.join('|'), byThemselves.join('|'));
-            // In a field that is being typed in, the first one brings its value back.
+            // In a field with typed text, the first Esc restores its value.
             const QPointer<QWidget> before = &dialog;
             for (int i = 0; i < 2 && before && before->isVisible(); ++i) {
                 QWidget* focus = QApplication::focusWidget();
@@ -119,13 +119,13 @@ private slots:
         pressF6(Qt::ShiftModifier);
         pressF6(Qt::ShiftModifier);
         QCOMPARE(dockWithFocus(), window_->findChild<QDockWidget*>("parameters"));
-        // Where it was in a panel, it comes back to.
+        // A panel that had the focus before focuses the same control again.
         auto* slider = in<ValueSlider>("roughness");
         slider->setFocus();
         pressF6();
         pressF6(Qt::ShiftModifier);
         QVERIFY(slider->hasFocus());
-        // A message, the comparison and a panel that is opened take part.
+        // Messages, the comparison and newly opened panels are included.
         window_->say(MessageStrip::Mood::problem, "Something went wrong.");
         window_->comparison().holdPresent();
         auto* log = window_->findChild<QDockWidget*>("log");

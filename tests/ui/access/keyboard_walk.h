@@ -8,7 +8,7 @@
 
 namespace vitrine::test {
 
-/// What the Tab key goes through within `root`, and what is wrong with it, a line each.
+/// Widgets that Tab visits within `root`, and errors, a line each.
 struct KeyboardWalk {
     QList<QWidget*> stops;
     QStringList complaints;
@@ -26,7 +26,8 @@ struct KeyboardWalk {
            (widget.inherits("QTabBar") || !widget.objectName().startsWith(QLatin1String("qt_")));
 }
 
-/// Whether the eye that reads from left to right and from top to bottom has to go back from one to the other.
+/// Returns whether the second rectangle comes before the first in reading order, from left to right and from top to
+/// bottom.
 [[nodiscard]] inline bool goesBack(const QRect& from, const QRect& to)
 {
     const QRect line(to.x(), from.y(), 1, from.height()), column(from.x(), to.y(), from.width(), 1);
@@ -36,7 +37,7 @@ struct KeyboardWalk {
     return (sameLine && to.right() < from.left()) || (sameColumn && to.bottom() < from.top());
 }
 
-/// Whether a picture of the widget and what is close around it is another one with the focus than without.
+/// Returns whether the widget and its surroundings look different with the focus.
 [[nodiscard]] inline bool showsFocus(QWidget& widget)
 {
     QWidget* window = widget.window();
@@ -48,14 +49,14 @@ struct KeyboardWalk {
     return with != without;
 }
 
-/// Goes through `root` by the Tab key alone, from its first stop until it leaves it or comes back.
+/// Walks through `root` with the Tab key, from its first stop until it leaves or returns.
 [[nodiscard]] inline KeyboardWalk walkByTab(QWidget& root)
 {
     KeyboardWalk walk;
     QList<QWidget*> wanted;
     for (QWidget* each : root.findChildren<QWidget*>())
         if (isStop(*each) && each->window() == root.window()) wanted << each;
-    // A dialog is entered where it puts the focus.
+    // A dialog begins where it sets the focus.
     QWidget* first = root.isWindow() && wanted.contains(root.focusWidget()) ? root.focusWidget() : nullptr;
     for (QWidget* next = root.nextInFocusChain(); next != &root && !first; next = next->nextInFocusChain())
         if (wanted.contains(next)) first = next;

@@ -1,4 +1,4 @@
-// The window as a screen reader has it: its tree over AT-SPI, on a session bus of its own, asked by a script.
+// The window as a screen reader gets it: its AT-SPI tree on a session bus of its own, queried by a script.
 #include "tests/ui/access/every_part.h"
 #include "tests/ui/ui_main.h"
 
@@ -23,7 +23,7 @@ class ScreenReaderTest : public test::EveryPart {
 
     QProcess reader_;
 
-    /// The next line that the script says; the window goes on meanwhile, as it is asked by it.
+    /// Returns the next line of the script. The window's event loop keeps running, because the script queries it.
     QJsonObject line()
     {
         QElapsedTimer time;
@@ -39,7 +39,7 @@ class ScreenReaderTest : public test::EveryPart {
         return line();
     }
     QJsonObject ask(const char* what, const char* name) { return ask({{"do", what}, {"name", name}}); }
-    /// In one panel: the whole window has thousands of parts, each of which is asked over the bus.
+    /// Asks about one panel. The whole window has thousands of parts, each of which takes a query over the bus.
     QJsonObject askIn(const char* panel, QJsonObject request)
     {
         request["within"] = panel;
@@ -61,7 +61,7 @@ private slots:
     {
         prepare();
         reader_.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-        // The libraries come with the system's Python, which need not be the first one.
+        // The libraries are installed for the system's Python, which may not be the first in PATH.
         const QString system = QStringLiteral("/usr/bin/python3");
         reader_.start(QFile::exists(system) ? system : QStringLiteral("python3"),
                       {QStringLiteral(VITRINE_SCREEN_READER)});
@@ -72,7 +72,8 @@ private slots:
     void init()
     {
         start();
-        QTRY_VERIFY(!ask({{"do", "heard"}}).contains("app"));  // The bridge to the bus comes a moment after the window.
+        // The bridge to the bus appears shortly after the window.
+        QTRY_VERIFY(!ask({{"do", "heard"}}).contains("app"));
     }
     void cleanup() { finish(); }
     void cleanupTestCase()
@@ -100,7 +101,7 @@ private slots:
         look("window", {});
         forEveryDock([&](QDockWidget& dock) { look(dock.objectName(), within(dock)); });
         forEveryDialog([&](const QString& name, QWidget& dialog) {
-            if (dialog.windowType() != Qt::Popup) look(name, within(dialog));  // Those are no windows to the desktop.
+            if (dialog.windowType() != Qt::Popup) look(name, within(dialog));  // Popups are no windows for the desktop.
         });
         complaints.removeDuplicates();
         QVERIFY2(complaints.isEmpty(), qPrintable('\n' + complaints.join('\n')));

@@ -1,4 +1,4 @@
-// The dock of charts, over an exhibit that offers some and one that does not. No GL.
+// Dock of charts, over an exhibit with charts and one without. No GL.
 
 #include "tests/exhibits/study/known_law.h"
 #include "tests/ui/ui_main.h"
@@ -27,7 +27,7 @@ namespace {
 std::atomic<int> made{0};
 std::thread::id madeOn;
 
-/// Its charts say what `steps` is.
+/// Exhibit whose charts show the value of `steps`.
 class Charted final : public Exhibit, public HasCharts {
 public:
     [[nodiscard]] std::string_view name() const override { return "charted"; }

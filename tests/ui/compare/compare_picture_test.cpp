@@ -1,4 +1,4 @@
-// The picture of B in the real window: when it is drawn, from where, what is made of it, and what it costs.
+// Picture of B in the real window: when it is drawn, its camera, its use, and its cost.
 
 #include "tests/ui/compare/open_comparison.h"
 #include "tests/ui/ui_main.h"
@@ -41,17 +41,17 @@ private slots:
         QCOMPARE(gallery_->strangers, 0);
         const std::size_t drawn = gallery_->otherRequests().size();
         QTest::qWait(500);
-        QCOMPARE(gallery_->otherRequests().size(), drawn);  // At rest nothing is drawn of either.
+        QCOMPARE(gallery_->otherRequests().size(), drawn);  // While idle neither A nor B is drawn.
         dragRoughness(40);
         rest();
         QVERIFY(roughness() != 0.8);
-        QCOMPARE(gallery_->otherRequests().size(), drawn);  // An edit of A is none of B.
+        QCOMPARE(gallery_->otherRequests().size(), drawn);  // An edit of A does not draw B.
     }
 
     void anEditOfAAfterARestDrawsNothingOfB()
     {
         compare();
-        QTRY_VERIFY(gallery_->betterBuilds > 0);  // The values rest.
+        QTRY_VERIFY(gallery_->betterBuilds > 0);  // The values are idle.
         dragInPicture(0.2, 0.3);
         rest();
         QVERIFY2(gallery_->requests().back().rests, "a control: A was drawn as what rests is");
@@ -86,7 +86,7 @@ private slots:
         settle();
         QCOMPARE(failed.count(), 1);
         action("Hold what is on show as B")->trigger();
-        QTRY_COMPARE(failed.count(), 2);  // Another B: said again.
+        QTRY_COMPARE(failed.count(), 2);  // A new B reports its failure again.
         settle();
         gallery_->otherThrown = nullptr;
         setRoughness(0.2);
@@ -113,8 +113,8 @@ private slots:
         action("Hold what is on show as B")->trigger();
         window_->history().set(1, row, std::string(), newGesture());
         rest();
-        // A control: where no file changes, nothing is drawn for longer than files are looked at. On a busy machine a
-        // better program, or a picture of another size, may come before that.
+        // Control: without a change of files, nothing is drawn for longer than the interval of checks. On a busy
+        // machine, a specialized program or a picture of another size may come first.
         std::size_t drawn = 0;
         for (int turn = 0; turn < 10 && drawn != gallery_->otherRequests().size(); ++turn) {
             drawn = gallery_->otherRequests().size();
@@ -181,7 +181,7 @@ private slots:
         rest();
         ValueSlider& gain = desk().bar().gain();
         QVERIFY(gain.isVisible());
-        // B's red is 51 of 255 and A's 56: half of the difference of the codes, times the gain, below the middle.
+        // B's red is 51 of 255 and A's is 56: half of the difference of the codes, times the gain, below the middle.
         for (const auto& [key, times] : {std::pair{Qt::Key_Home, 1}, {Qt::Key_PageUp, 0}, {Qt::Key_End, 64}}) {
             QTest::keyClick(&gain, key);
             if (times != 0) QCOMPARE(desk().overlay().gain(), times);

@@ -1,4 +1,4 @@
-// What is compared, how it is shown and what moves between A and B, in the real window.
+// Comparison in the real window: sources of B, modes, and copying values between A and B.
 
 #include "tests/ui/compare/open_comparison.h"
 #include "tests/ui/ui_main.h"
@@ -21,7 +21,7 @@ using namespace vitrine::ui;
 class CompareWindowTest : public test::OpenComparison {
     Q_OBJECT
 
-    /// The entry of the menu of B's sources, or of one within it.
+    /// Returns an entry of the menu of sources for B, or of one of its submenus.
     [[nodiscard]] static QAction* entry(QMenu& menu, const QString& text)
     {
         for (QAction* each : menu.actions()) {
@@ -122,7 +122,7 @@ private slots:
         QVERIFY(std::abs(middle(0.25) - 204) <= 1);
         QVERIFY(std::abs(middle(0.75) - 51) <= 1);
         QVERIFY2(std::abs(shownAt(0.25, 0.02).red() - 0x20) <= 1, "above a picture of half the size is nothing");
-        // As far as the same way in the whole picture, which is twice as wide: also across the middle.
+        // A drag has the same effect as in the whole picture, which is twice as wide, also across the middle.
         for (const auto& [from, to] : {std::pair{0.7, 0.8}, {0.6, 0.3}, {0.2, 0.9}}) {
             const double before = heading();
             const int pixels = at(to).x() - at(from).x();
@@ -184,7 +184,7 @@ private slots:
         stack.undo();
         expect(0.8, 0.2, 1);
 
-        // The same of one row, in its menu.
+        // The same for one parameter, in its menu.
         window_->history().set(1, gallery_->table().morph.row, 0.9, newGesture());
         const auto openMenu = [&] {
             auto* row = window_->panel().row("roughness");
@@ -198,7 +198,7 @@ private slots:
         take->trigger();
         menu->close();
         QCOMPARE(roughness(), 0.2);
-        QCOMPARE(desk().bar().differenceText(), QString("1 row differs"));  // The other one was left alone.
+        QCOMPARE(desk().bar().differenceText(), QString("1 row differs"));  // The other parameter still differs.
         stack.undo();
         menu = openMenu();
         entry(*menu, "Copy to B")->trigger();
@@ -240,14 +240,14 @@ private slots:
         settle();
         QAction* preset = entry(sources(), "Dull  Dusty");
         QVERIFY(preset);
-        QCOMPARE(preset->text(), QString("Dull && Dusty"));  // A single one would mark a key.
+        QCOMPARE(preset->text(), QString("Dull && Dusty"));  // A single ampersand would mark a shortcut key.
         preset->trigger();
         QTRY_VERIFY(desk().other().held());
         QCOMPARE(otherRoughness(), 0.3);
         QCOMPARE(desk().other().name(), QString("Dull & Dusty"));
         QCOMPARE(roughness(), 0.7);
 
-        // A picture that carries a preset.
+        // A picture that contains a preset.
         Preset inside{"sdf_morph", "From a picture", window_->history().sceneState().values[1], std::nullopt};
         inside.values.set(gallery_->table().roughness, 0.45);
         const QString picture = home_->filePath("picture.png");
@@ -257,7 +257,7 @@ private slots:
         QTRY_COMPARE(otherRoughness(), 0.45);
         QCOMPARE(desk().other().name(), QString("From a picture"));
 
-        // What the values were before the last edit; the present ones stay.
+        // Values from before the last edit; the present ones stay.
         const int steps = window_->history().stack().count();
         QAction* step = entry(sources(), "At the start");
         QVERIFY(step);
@@ -266,12 +266,12 @@ private slots:
         QCOMPARE(roughness(), 0.7);
         QCOMPARE(window_->history().stack().count(), steps);
         window_->history().stack().undo();
-        QAction* undone = entry(sources(), "After “Change roughness”");  // The last one, which is undone now.
+        QAction* undone = entry(sources(), "After “Change roughness”");  // The last step, which is undone now.
         QVERIFY(undone);
         undone->trigger();
         QTRY_COMPARE(otherRoughness(), 0.7);
 
-        // Of two, the later one is B, however long the former takes to be read.
+        // The later of two sources becomes B, even if the earlier one takes longer to read.
         desk().holdFile(picture);
         action("Hold what is on show as B")->trigger();
         settle();
@@ -281,7 +281,7 @@ private slots:
         action("Hold what is on show as B")->trigger();
         QTRY_COMPARE(otherRoughness(), 0.7);
 
-        // What cannot be read changes nothing and is said.
+        // An unreadable file changes nothing and is reported.
         const QString bad = home_->filePath("bad.json");
         QFile file(bad);
         QVERIFY(file.open(QIODevice::WriteOnly));

@@ -1,4 +1,4 @@
-// What the visited exhibit offers to be compared with, in the real window.
+// Comparisons that the visited exhibit offers, in the real window.
 
 #include "tests/ui/compare/open_comparison.h"
 #include "tests/ui/ui_main.h"
@@ -21,7 +21,8 @@ class OfferedTest : public test::OpenComparison {
         return nullptr;
     }
     [[nodiscard]] QImage grabbed() { return view().grab().toImage(); }
-    /// Where the two differ in a column, beside the line and what it is dragged by.
+    /// Returns whether two pictures of equal size are equal in their lower half, between two columns given as shares
+    /// of the width.
     [[nodiscard]] static bool sameWithin(const QImage& a, const QImage& b, double from, double to)
     {
         if (a.size() != b.size()) return false;
@@ -69,7 +70,7 @@ private slots:
         rest();
         const QImage b = grabbed();
         action("B alone")->trigger();
-        action("Flicker")->trigger();  // A alone, in a picture of the same size: the bar stays below it.
+        action("Flicker")->trigger();  // A alone, in a picture of the same size, because the bar stays.
         rest();
         const QImage a = grabbed();
         QVERIFY(sameWithin(both, a, 0, 0.48));
@@ -105,7 +106,7 @@ private slots:
         QCOMPARE(otherMorph(), 0.5);
         setRoughness(0.3);
         QCOMPARE(otherRoughness(), 0.8);
-        // Its own edit ends that, and undone it follows again.
+        // An edit of B ends following; undoing it resumes.
         setMorph(0.7);
         desk().other().give(1, "roughness");
         QCOMPARE(otherRoughness(), 0.3);
@@ -116,7 +117,7 @@ private slots:
         QCOMPARE(otherRoughness(), 0.8);
         setMorph(0.1);
         QCOMPARE(otherMorph(), 0.1);
-        // Another B follows nothing.
+        // Another B does not follow.
         action("Hold what is on show as B")->trigger();
         setMorph(0.4);
         QCOMPARE(otherMorph(), 0.1);

@@ -9,7 +9,8 @@
 
 namespace vitrine::test {
 
-/// The comparison of A and B in the real window, over a gallery whose picture is one color: the roughness is its red.
+/// Test of the comparison of A and B in the real window, over a gallery whose picture has one color: its red is the
+/// roughness.
 class OpenComparison : public OpenWindow {
 protected:
     [[nodiscard]] ui::CompareDesk& desk() { return window_->comparison(); }
@@ -19,14 +20,14 @@ protected:
         window_->history().set(1, gallery_->table().roughness.row, value, ui::newGesture());
     }
     [[nodiscard]] double otherRoughness() { return desk().other().sceneState().values[1][gallery_->table().roughness]; }
-    /// Both pictures are finished, and so is what is made of them.
+    /// Waits until both pictures and their difference are finished.
     void rest()
     {
         settle();
         QTRY_VERIFY(!desk().picture().wanted() || desk().picture().finished());
         QTest::qWait(30);
     }
-    /// A is 0.8 and B 0.2; a wipe between them.
+    /// Sets A to 0.8 and B to 0.2, with a wipe between them.
     void compare()
     {
         window_->choose(1);
@@ -36,7 +37,7 @@ protected:
         setRoughness(0.8);
         rest();
     }
-    /// As it is on the screen, what lies over the picture included; shares of width and height.
+    /// Returns a color of the screen including overlays; coordinates are shares of width and height.
     [[nodiscard]] QColor shownAt(double x, double y = 0.7)
     {
         const QImage all = view().grab().toImage();
@@ -44,7 +45,7 @@ protected:
     }
     [[nodiscard]] bool isA(double x) { return std::abs(shownAt(x).red() - 204) <= 1; }
     [[nodiscard]] bool isB(double x) { return std::abs(shownAt(x).red() - 51) <= 1; }
-    /// Where the visitor looks, radians about the upright axis.
+    /// Returns the view direction in radians about the vertical axis.
     [[nodiscard]] double heading()
     {
         const render::Camera camera = window_->history().sceneState().camera;

@@ -1,4 +1,4 @@
-// The pad of four settings in the real window: what its handle makes of the look, by pointer and keys.
+// Pad of four settings in the real window: the effect of its handle by pointer and keys.
 
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
@@ -23,16 +23,16 @@ class ExplorePadTest : public test::OpenWindow {
     [[nodiscard]] QUndoStack& stack() { return window_->history().stack(); }
     void setRoughness(double value) { window_->history().set(1, gallery_->table().roughness.row, value, newGesture()); }
     [[nodiscard]] bool near(double a, double b) { return std::abs(a - b) < 0.01; }
-    /// By the keyboard, as one who does not see the list.
+    /// Chooses by keyboard, without opening the list.
     void choose(std::size_t corner, const char* name)
     {
         QComboBox& chooser = dock().chooser(corner);
         chooser.setFocus();
         QTest::keyClicks(&chooser, QString::fromUtf8(name));
         QTRY_VERIFY(dock().corners().ready());
-        QTest::qWait(QApplication::keyboardInputInterval() + 20);  // The next letters begin another word.
+        QTest::qWait(QApplication::keyboardInputInterval() + 20);  // After this pause, letters start another search.
     }
-    /// On show is 0.6, and there are presets of 1 ("Rough") and of 0.2 ("Slick").
+    /// Sets 0.6, with presets of 1 ("Rough") and 0.2 ("Slick").
     void explore()
     {
         window_->choose(1);

@@ -1,4 +1,4 @@
-// Nine variations in the real window: drawn in the background, picked, gone on from, kept from what is locked.
+// Nine variations in the real window: drawn in the background, picked, varied further, with locked parameters kept.
 
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
@@ -22,7 +22,7 @@ using namespace vitrine::ui;
 class VariationsTest : public test::OpenWindow {
     Q_OBJECT
 
-    std::counting_semaphore<> may_{0};  // Draw small pictures, where a test lets them wait.
+    std::counting_semaphore<> may_{0};  // Permits to draw small pictures, in tests that delay them.
 
     [[nodiscard]] ExploreDock& dock() { return window_->docks().explore(); }
     [[nodiscard]] Variations& nine() { return dock().variations(); }
@@ -55,7 +55,7 @@ class VariationsTest : public test::OpenWindow {
             if (label->text().contains(QString::fromUtf8(words))) return true;
         return false;
     }
-    /// An entry of the menu of a row's group.
+    /// Chooses an entry of the menu of a group.
     void fromHeadingMenu(const char* heading, const char* entry)
     {
         window_->docks().showParameters();
@@ -80,7 +80,7 @@ private slots:
     void init() { start(); }
     void cleanup()
     {
-        may_.release(1000);  // Also where a test ended early.
+        may_.release(1000);  // Needed if a test ended early.
         finish();
     }
 
@@ -115,7 +115,8 @@ private slots:
         for (const QLabel* label : window_->docks().explore().findChildren<QLabel*>()) shown << label->text();
         QVERIFY2(shown.contains("Variation 1 of 9 is being drawn."), qPrintable(shown.join('|')));
         window_->history().set(1, gallery_->table().roughness.row, 0.75, newGesture());
-        // The next of theirs may have begun before the visitor's picture was asked for; then that one is waited for.
+        // Drawing of the next variation may have begun before the visitor's picture was ordered, which then waits for
+        // it.
         const auto drawnBetween = [this] { return std::abs(red() - 191) <= 1; };
         for (int i = 0; i < 4 && !drawnBetween(); ++i) {
             may_.release();

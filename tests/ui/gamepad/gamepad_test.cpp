@@ -1,4 +1,4 @@
-// A gamepad that SDL makes up, in the hands of a visitor of the real window.
+// A virtual gamepad of SDL in the real window.
 #include "tests/ui/gamepad/virtual_pad.h"
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
@@ -15,7 +15,7 @@ using namespace vitrine::ui;
 
 namespace {
 
-/// Whether a library of this name is in the process.
+/// Returns whether a library of this name is loaded in the process.
 bool isLoaded(const char* library)
 {
     QFile maps("/proc/self/maps");
@@ -33,14 +33,14 @@ class GamepadTest : public test::OpenWindow {
     [[nodiscard]] render::Camera camera() { return window_->history().sceneState().camera; }
     void plugIn()
     {
-        QApplication::setActiveWindow(window_.get());  // No window manager does it under Xvfb.
+        QApplication::setActiveWindow(window_.get());  // Under Xvfb there is no window manager.
         QTRY_VERIFY(window_->isActiveWindow());
         control().open();
         pad_ = std::make_unique<test::VirtualPad>();
         QVERIFY2(pad_->works(), SDL_GetError());
         QTRY_VERIFY(control().connected());
     }
-    /// Down, seen, and up again, seen, once the sticks rest.
+    /// Presses and releases a button and waits until both are noticed and the sticks are idle.
     void press(SDL_GameControllerButton button)
     {
         QTRY_VERIFY(control().interval() != 16);
@@ -62,13 +62,13 @@ private slots:
     void withoutAGamepadNothingIsOpenedAndNothingIsAsked()
     {
         if (padIsPlugged()) QSKIP("A gamepad is plugged into this machine.");
-        QTest::qWait(2500);  // It looks for one two seconds after the start.
+        QTest::qWait(2500);  // The search begins two seconds after the start.
         QVERIFY(!control().opened());
         QCOMPARE(control().interval(), 0);
         QVERIFY(!isLoaded("libvitrine_gamepad"));
         control().open();
         QVERIFY(isLoaded("libvitrine_gamepad"));
-        QTRY_COMPARE(control().interval(), 1000);  // Opened, with none connected.
+        QTRY_COMPARE(control().interval(), 1000);  // Opened, without a connected gamepad.
         QVERIFY(!control().connected());
     }
 
@@ -82,9 +82,10 @@ private slots:
             for (double way = 0; way <= 1.4; way += 0.001) {
                 const Push push = pushOf(way * x, way * y);
                 const double length = std::hypot(push.x, push.y);
-                QVERIFY(length >= before - 1e-12 && length <= 1 + 1e-12);  // But for rounding at the edge.
+                QVERIFY(length >= before - 1e-12 && length <= 1 + 1e-12);  // Except for rounding at the edge.
                 const double slope = (length - before) / 0.001;
-                QVERIFY(way > stickIsFull || std::abs(slope - slopeBefore) < 0.01);  // No jerk up to the edge.
+                // No jump of the slope up to the edge.
+                QVERIFY(way > stickIsFull || std::abs(slope - slopeBefore) < 0.01);
                 if (length > 0) QVERIFY(std::abs(push.x * y - push.y * x) < 1e-12);  // The direction is kept.
                 before = length;
                 slopeBefore = slope;
@@ -111,7 +112,7 @@ private slots:
         visitor.jumpTo({{0, 1.65, 5}, {0, 1.65, 0}, 0.9});
         for (int i = 0; i < 10; ++i) visitor.advance(0.1, look);
         QVERIFY(std::abs(headingOf(visitor.camera().target - visitor.camera().eye).yaw - 1.5) < 1e-9);
-        // All the way is as fast as a key, and half of it slower.
+        // Full deflection is as fast as a key, half of it slower.
         WalkKeys full, key;
         full.ahead = 1;
         key.forward = true;
@@ -128,7 +129,7 @@ private slots:
         const double before = camera().eye.z;
         pad_->stick(SDL_CONTROLLER_AXIS_LEFTY, -1);
         QTRY_VERIFY(camera().eye.z < before - 0.05);
-        pad_.reset();  // While it is pushed.
+        pad_.reset();  // Removed while the stick is deflected.
         QTRY_VERIFY(!control().connected());
         QTRY_COMPARE(control().interval(), 1000);
         settle();
@@ -143,9 +144,10 @@ private slots:
         plugIn();
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0.8);
         QTRY_VERIFY(headingOf(camera().target - camera().eye).yaw > 0.2);
-        pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0.1);  // Within its rest.
+        pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0.1);  // Within the dead zone.
         QTRY_VERIFY(!window_->viewport().sticks().moves());
-        pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0);  // Out of it, the way that both axes make counts.
+        // Outside of the dead zone, the length of both axes together counts.
+        pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0);
         settle();
         const double yaw = headingOf(camera().target - camera().eye).yaw;
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTY, -0.8);
@@ -185,7 +187,7 @@ private slots:
         pad_->trigger(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 0);
         const double x = camera().eye.x;
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 1);
-        QTRY_VERIFY(camera().eye.x < x - 0.05);  // As a drag to the right does.
+        QTRY_VERIFY(camera().eye.x < x - 0.05);  // Like a drag to the right.
         pad_->stick(SDL_CONTROLLER_AXIS_RIGHTX, 0);
         press(SDL_CONTROLLER_BUTTON_Y);
         QTRY_COMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
@@ -225,10 +227,10 @@ private slots:
         QCOMPARE(QApplication::focusWidget(), in<ValueSlider>("roughness"));
         const double before = roughness();
         pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, true);
-        QTRY_VERIFY(roughness() > before + 0.05);  // It repeats as long as it is held ...
+        QTRY_VERIFY(roughness() > before + 0.05);  // It repeats while it is held ...
         pad_->button(SDL_CONTROLLER_BUTTON_DPAD_RIGHT, false);
         QTRY_VERIFY(control().interval() != 16);
-        QCOMPARE(window_->history().stack().count(), 1);  // ... as one step.
+        QCOMPARE(window_->history().stack().count(), 1);  // ... as one undo step.
         window_->history().stack().undo();
         QCOMPARE(roughness(), before);
         QWidget* now = QApplication::focusWidget();
@@ -253,7 +255,7 @@ private slots:
         press(SDL_CONTROLLER_BUTTON_DPAD_DOWN);
         QVERIFY(QApplication::focusWidget() && QApplication::focusWidget() != first);
         QVERIFY(dialog->isAncestorOf(QApplication::focusWidget()));
-        pad_->stick(SDL_CONTROLLER_AXIS_LEFTY, -1);  // The picture is not at hand.
+        pad_->stick(SDL_CONTROLLER_AXIS_LEFTY, -1);  // The dialog keeps the input from the picture.
         press(SDL_CONTROLLER_BUTTON_B);
         pad_->stick(SDL_CONTROLLER_AXIS_LEFTY, 0);
         QTRY_VERIFY(!dialog || !dialog->isVisible());

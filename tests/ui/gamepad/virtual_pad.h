@@ -7,7 +7,7 @@
 
 namespace vitrine::test {
 
-/// A gamepad that SDL makes up, plugged in as long as this lives. SDL's joysticks must have been started.
+/// Virtual gamepad of SDL, connected while the object exists. SDL's joystick subsystem must be initialized.
 class VirtualPad {
 public:
     VirtualPad()
@@ -15,7 +15,7 @@ public:
                                            SDL_CONTROLLER_BUTTON_MAX, 0)),
           id_(SDL_JoystickGetDeviceInstanceID(index_)), joystick_(SDL_JoystickOpen(index_))
     {
-        // A trigger that is let go is at the end of its axis, not in its middle.
+        // A released trigger is at the end of its axis, and not in the middle.
         trigger(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 0);
         trigger(SDL_CONTROLLER_AXIS_TRIGGERRIGHT, 0);
     }
@@ -29,12 +29,12 @@ public:
     VirtualPad& operator=(const VirtualPad&) = delete;
 
     [[nodiscard]] bool works() const { return index_ >= 0 && joystick_; }
-    /// -1 to 1.
+    /// Moves a stick to -1 to 1.
     void stick(SDL_GameControllerAxis axis, double way)
     {
         SDL_JoystickSetVirtualAxis(joystick_, axis, static_cast<Sint16>(std::lround(way * 32767)));
     }
-    /// 0 to 1.
+    /// Moves a trigger to 0 to 1.
     void trigger(SDL_GameControllerAxis axis, double way)
     {
         SDL_JoystickSetVirtualAxis(joystick_, axis, static_cast<Sint16>(std::lround(way * 65535 - 32768)));

@@ -1,4 +1,4 @@
-// The real window in German: menus, panel and messages; what it writes is what it writes in English.
+// The real window in German: menus, panel and messages. Written files are the same as in English.
 
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
@@ -28,7 +28,7 @@ private:
         ui::speak(language);
         start();
     }
-    /// Drags a slider, saves what came of it, and returns the file's bytes.
+    /// Drags a slider, saves a preset, and returns the file's bytes.
     [[nodiscard]] QByteArray savedPreset(const QString& language)
     {
         startIn(language);
@@ -43,7 +43,7 @@ private:
             if (QFile saved(QString::fromStdString(entry.path().string()));
                 entry.is_regular_file() && saved.open(QIODevice::ReadOnly))
                 bytes += saved.readAll();
-        // It loads again, in either language.
+        // The file can be loaded in either language.
         window_->resetEverything();
         if (roughness() == chosen) return {};
         presets()->setCurrentItem(rowsNamed("Rough one").front());
@@ -106,7 +106,7 @@ private slots:
             spoken << presets()->item(i)->data(Qt::AccessibleTextRole).toString();
         QVERIFY2(spoken.join(' ').contains(QStringLiteral("Material")) && !spoken.join(' ').contains("material"),
                  qPrintable(spoken.join(' ')));
-        // A copy is the visitor's own: it keeps the words that he saw.
+        // A copy is the visitor's own and keeps the displayed text.
         presets()->setCurrentItem(mug);
         window_->shelf().duplicate();
         const QList<QListWidgetItem*> copies =

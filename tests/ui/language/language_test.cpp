@@ -1,4 +1,4 @@
-// The German translation: complete, alike in its places and mnemonics, and chosen by the locale or by the visitor.
+// German translation: complete, with equal placeholders and mnemonics, and selected by the locale or the visitor.
 
 #include "tests/ui/ui_main.h"
 
@@ -24,7 +24,7 @@ using namespace vitrine;
 
 namespace {
 
-/// The exhibits of which tests ask German texts.
+/// Returns the exhibits whose German texts are tested.
 std::vector<std::unique_ptr<Exhibit>> completeExhibits()
 {
     auto exhibits = allExhibits();
@@ -34,7 +34,7 @@ std::vector<std::unique_ptr<Exhibit>> completeExhibits()
 
 struct Message {
     QString source, comment;
-    QStringList translations;  ///< Two where numbers stand.
+    QStringList translations;  ///< Two for texts with numbers.
     bool finished = true;
 };
 
@@ -53,7 +53,8 @@ QList<Message> messagesOfTheFile()
             all.last().finished = xml.attributes().value(QLatin1String("type")).isEmpty();
             QString text;
             while (xml.readNext() != QXmlStreamReader::EndElement && !xml.atEnd()) {
-                if (xml.isStartElement()) all.last().translations << xml.readElementText();  // One for each number.
+                // One for each plural form.
+                if (xml.isStartElement()) all.last().translations << xml.readElementText();
                 if (xml.isCharacters()) text += xml.text();
             }
             if (!text.trimmed().isEmpty()) all.last().translations << text;
@@ -62,7 +63,7 @@ QList<Message> messagesOfTheFile()
     return xml.hasError() ? QList<Message>{} : all;
 }
 
-/// "%1", "%n", "{1}": each as often as it stands there; "{=1}" counts as "{1}".
+/// Returns the placeholders "%1", "%n", "{1}" as often as they occur; "{=1}" counts as "{1}".
 QStringList placesOf(QString text)
 {
     text.replace(QStringLiteral("{="), QStringLiteral("{"));
@@ -79,7 +80,7 @@ qsizetype mnemonicsOf(QString text)
     return text.remove(QStringLiteral("&&")).count(mark);
 }
 
-/// What a table says to people.
+/// Returns all texts of a table for people.
 std::set<std::string> textsOf(const Parameters& table)
 {
     std::set<std::string> texts;
@@ -92,7 +93,7 @@ std::set<std::string> textsOf(const Parameters& table)
     return texts;
 }
 
-/// Whether one of the small words of English, of which German has none, stands in a text.
+/// Returns whether a text contains a short English word that German does not have.
 bool englishIn(const QString& text)
 {
     static const QRegularExpression small(
@@ -263,7 +264,7 @@ private slots:
             for (std::size_t i = 0; i < hall.rows().size(); ++i) {
                 const ParameterInfo& row = hall.rows()[i];
                 if (row.kind != Kind::real) continue;
-                // What is shown for editing is read back, with either sign.
+                // The text for editing can be read back, with either decimal sign.
                 const QString shown = ui::editedText(row, row.initial);
                 QVERIFY2(!german || !shown.contains(QLatin1Char('.')), qPrintable(shown));
                 for (QString typed : {shown, QString(shown).replace(QLatin1Char(','), QLatin1Char('.'))}) {

@@ -35,7 +35,7 @@ class LessonWindowTest : public test::OpenWindow {
 
     void activate()
     {
-        QApplication::setActiveWindow(window_.get());  // No window manager does it under Xvfb.
+        QApplication::setActiveWindow(window_.get());  // Under Xvfb there is no window manager.
         window_->viewport().setFocus();
     }
     [[nodiscard]] LessonDesk& desk() { return window_->lessons(); }
@@ -140,7 +140,7 @@ private slots:
         desk().next();
         QTRY_VERIFY(says("Read: time of a picture 43.8 ms"));
         settle();
-        // From here on every picture waits, so that those of the step before are the last.
+        // All later pictures wait, so that those of the step before are the last.
         const auto go = std::make_shared<std::atomic<bool>>(false);
         const auto goOn = qScopeGuard([go] { *go = true; });
         gallery_->beforeDrawing = [go](const FrameRequest&, const Renderers::Unwanted&) {
@@ -153,7 +153,7 @@ private slots:
         QVERIFY(says("in the step before 43.8 ms"));
         *go = true;
         QTRY_VERIFY(says("Read: time of a picture 43.8 ms"));
-        // The same where a visitor changes a value within a step, and where he comes back to it.
+        // The same if a visitor changes a value within a step, and returns to it.
         settle();
         *go = false;
         window_->history().set(1, *window_->history().sceneState().values[1].table().find("roughness"), 0.5,

@@ -42,7 +42,7 @@ private slots:
         QCOMPARE(history.sceneState().values[0].row(rows.document), Value(std::string()));
         history.stack().undo();
         QVERIFY(history.sceneState() == look);
-        // What was written to its file is no step, and undo shows what it showed.
+        // Writing a document to its file is no step, and undo restores the earlier picture.
         history.set(0, rows.document, std::string("edited twice"), 0);
         SceneState saved = history.sceneState();
         saved.values[0].setRow(rows.document, std::string());
@@ -206,7 +206,7 @@ private slots:
         QVERIFY(history.sceneState() == start());
     }
 
-    // Tables that a file gives:
+    // Tables given by a file:
 
     void tablesThatAreReadBelongToTheStepThatNamedTheirFile()
     {
@@ -260,11 +260,11 @@ private slots:
         tabled.values[0] = ParameterValues(after);
         history.exchangeTables(tabled);
         QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));
-        // The row of the newer step stands elsewhere now.
+        // The parameter of the newer step has another index now.
         QSignalSpy changed(&history, &History::changed);
         QSignalSpy replaced(&history, &History::replaced);
         history.stack().redo();
-        QCOMPARE(replaced.count(), 1);  // More than one row is another.
+        QCOMPARE(replaced.count(), 1);  // More than one parameter changed.
         QCOMPARE(changed.count(), 0);
         QCOMPARE(rowOf(history.sceneState().values[0], "blueRings").value(), Value(16.0));
         QCOMPARE(rowOf(history.sceneState().values[0], "blueRadius").value(), Value(4.0));

@@ -1,4 +1,4 @@
-// Groups of one kind in the real window: edited together, copied to one another, each step undone at once.
+// Groups of one kind in the real window: edited together and copied to each other; each edit is one undo step.
 
 #include "tests/support/balls.h"
 #include "tests/ui/open_window.h"
@@ -37,7 +37,7 @@ class GroupEditsTest : public test::OpenWindow {
             if (button->text() == QString::fromUtf8(title)) return button;
         return nullptr;
     }
-    /// The menu of a widget; closed by `choose`.
+    /// Returns the menu of a widget, which `choose` closes.
     [[nodiscard]] QMenu* menuOf(QWidget* widget)
     {
         QContextMenuEvent event(QContextMenuEvent::Mouse, QPoint(4, 4), widget->mapToGlobal(QPoint(4, 4)));

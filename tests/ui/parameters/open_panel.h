@@ -19,7 +19,7 @@
 
 namespace vitrine::test {
 
-/// A test of the parameter panel over a table with a row of every kind.
+/// Test of the parameter panel over a table with a parameter of every kind.
 class OpenPanel : public QObject {
 protected:
     const SampleTable table_{};
@@ -71,7 +71,7 @@ protected:
         QVERIFY(QTest::qWaitForWindowExposed(panel_.get(), patience));
         panel_->activateWindow();
     }
-    /// How much a row's label stands out: the largest difference from its background, 0 to 255.
+    /// Returns the contrast of a parameter's label: the largest difference from its background, 0 to 255.
     [[nodiscard]] int ink(ui::ParameterRow* row)
     {
         const QImage seen = row->findChild<ui::RowLabel*>()->grab().toImage();
@@ -81,7 +81,7 @@ protected:
             for (int x = 0; x < seen.width(); ++x) most = std::max(most, std::abs(qGray(seen.pixel(x, y)) - back));
         return most;
     }
-    /// Chooses an entry of the row's menu.
+    /// Chooses an entry of the parameter's menu.
     void choose(std::string_view row, const char* entry)
     {
         QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, panel_->row(row)->mapToGlobal(QPoint(5, 5)));

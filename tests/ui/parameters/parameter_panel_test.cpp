@@ -18,7 +18,7 @@ using namespace vitrine::ui;
 
 namespace {
 
-/// Counts how often each row of a panel, or anything in it, is painted.
+/// Counts how often each row of a panel, including its children, is painted.
 class PaintCounter final : public QObject {
 public:
     explicit PaintCounter(ParameterPanel& panel)
@@ -42,7 +42,7 @@ private:
 
 }  // namespace
 
-/// The panel as a whole: what is in it, where, and what becomes of a change.
+/// The panel as a whole: its content, its layout, and the effect of changes.
 class ParameterPanelTest : public test::OpenPanel {
     Q_OBJECT
 
@@ -155,7 +155,7 @@ private slots:
         history_->stack().undo();
         QVERIFY(values() == before);
 
-        // A whole group, and all of it free again.
+        // Locks a whole group, and unlocks all of it.
         choose("morph", "Lock the group");
         panel_->vary();
         QVERIFY(values().row(table_.tube.row) == before.row(table_.tube.row));
@@ -308,7 +308,7 @@ private slots:
         choose("speed", "Paste all");
         QCOMPARE(values()[table_.roughness], 0.7);
         QCOMPARE(values()[table_.morph], 0.125);
-        QCOMPARE(values()[table_.stepLimit], 96);  // What is not in it is initial, as with a preset.
+        QCOMPARE(values()[table_.stepLimit], 96);  // Values that are not in the text become initial, as for presets.
         QCOMPARE(history_->stack().count(), before + 1);
         const ParameterValues kept = values();
         QApplication::clipboard()->setText("a poem");
@@ -336,7 +336,7 @@ private slots:
 
     void fieldsStandOutInBothThemes()
     {
-        // WCAG 2.2, 1.4.11: 3:1 for what tells a control from its surroundings; contrast by 1.4.3's formula.
+        // WCAG 2.2, 1.4.11: 3:1 for edges of controls; contrast by the formula of 1.4.3.
         const auto luminance = [](const QColor& c) { return glm::dot(linear(c), glm::dvec3(0.2126, 0.7152, 0.0722)); };
         const auto contrast = [&](const QColor& a, const QColor& b) {
             const double x = luminance(a) + 0.05;

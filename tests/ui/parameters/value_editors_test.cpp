@@ -15,7 +15,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// How one value is dragged, stepped, typed and chosen.
+/// Dragging, stepping, typing and choosing of single values.
 class ValueEditorsTest : public test::OpenPanel {
     Q_OBJECT
 
@@ -60,7 +60,7 @@ private slots:
         ValueSlider* morph = slider("morph");
         const QPoint from(morph->width() / 2, morph->height() / 2);
         drag(morph, from, 25);
-        QVERIFY(values()[table_.morph] > 0.6);  // The picture follows while dragging.
+        QVERIFY(values()[table_.morph] > 0.6);  // The picture follows during the drag.
         release(morph, from + QPoint(25, 0));
         QCOMPARE(history_->stack().count(), 1);
         QCOMPARE(history_->stack().undoText(), QString("Change morph"));
@@ -128,7 +128,7 @@ private slots:
         QVERIFY(std::abs(values()[table_.morph] - 1.0 / 3) < 1e-15);
         type("tilt", "30deg");
         QVERIFY(std::abs(values()[table_.tilt] - 0.5235987755982988) < 1e-12);
-        type("tilt", "45");  // Without a unit: in the one shown.
+        type("tilt", "45");  // Without a unit, the displayed one is used.
         QVERIFY(std::abs(values()[table_.tilt] - 0.7853981633974483) < 1e-12);
         type("tubeRadius", "2*10");
         QVERIFY(std::abs(values()[table_.tube] - 0.020) < 1e-12);
@@ -149,7 +149,7 @@ private slots:
     {
         type("morph", "import os");
         QVERIFY(values() == table_.initial());
-        QVERIFY(field("morph")->editing());  // Still there to be mended.
+        QVERIFY(field("morph")->editing());  // The text stays for correction.
         QTest::keyClick(field("morph"), Qt::Key_Escape);
         QCOMPARE(field("morph")->text(), QString("0.5"));
     }
@@ -215,7 +215,7 @@ private slots:
         code->selectAll();
         QTest::keyClicks(code, "#808080");
         QTest::keyClick(code, Qt::Key_Return);
-        QVERIFY(std::abs(values()[table_.base].value.x - 0.21586) < 1e-4);  // sRGB 128: IEC 61966-2-1.
+        QVERIFY(std::abs(values()[table_.base].value.x - 0.21586) < 1e-4);  // sRGB code 128 (IEC 61966-2-1).
         QCOMPARE(history_->stack().count(), 3);
     }
 
@@ -292,7 +292,7 @@ private slots:
     void aDecimalCommaIsTakenWhereItIsTheLanguages()
     {
         type("roughness", "0,05");
-        QCOMPARE(values()[table_.roughness], 0.25);  // In English, it is none.
+        QCOMPARE(values()[table_.roughness], 0.25);  // Invalid in English.
         QTest::keyClick(field("roughness"), Qt::Key_Escape);
         const QLocale before;
         QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
@@ -321,7 +321,7 @@ private slots:
         }
         enter("reddish");
         QVERIFY(values()[table_.base].value == glm::dvec3(1, 0, 0));
-        QCOMPARE(code->text(), QStringLiteral("reddish"));  // Still there to be mended.
+        QCOMPARE(code->text(), QStringLiteral("reddish"));  // The text stays for correction.
         QVERIFY(QToolTip::text().contains(QStringLiteral("\"reddish\" is no value for “Base color”")));
         QCOMPARE(code->palette().color(QPalette::Text), theme().error);
         enter("#00ff00");

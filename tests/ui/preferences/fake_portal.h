@@ -13,7 +13,7 @@
 
 namespace vitrine::test {
 
-/// A message bus of its own, for as long as it lives.
+/// Private message bus while the object exists.
 class PrivateBus {
 public:
     PrivateBus()
@@ -34,7 +34,7 @@ public:
     PrivateBus(const PrivateBus&) = delete;
     PrivateBus& operator=(const PrivateBus&) = delete;
 
-    /// Empty when there is no dbus-daemon.
+    /// Returns the address; empty if there is no dbus-daemon.
     [[nodiscard]] const QString& address() const { return address_; }
 
 private:
@@ -42,7 +42,7 @@ private:
     QString address_;
 };
 
-/// A desktop's portal, as far as settings go.
+/// Desktop portal with the interface for settings.
 class FakePortal final : public QDBusVirtualObject {
 public:
     using Spaces = QMap<QString, QVariantMap>;

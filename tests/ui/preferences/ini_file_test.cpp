@@ -1,4 +1,5 @@
-// Settings files that are none: pipes, folders, devices, too much. Nothing waits, and nothing is written there.
+// Settings files that are no regular files: pipes, folders, devices, very large ones. Nothing blocks, and nothing is
+// written to them.
 
 #include "ui/kit/ini_file.h"
 

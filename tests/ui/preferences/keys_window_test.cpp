@@ -13,7 +13,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// Other shortcuts for commands, given in the dialog by pressing them.
+/// Changed shortcuts of commands, entered in the dialog by pressing them.
 class KeysWindowTest : public test::OpenPreferences {
     Q_OBJECT
 
@@ -108,7 +108,7 @@ private slots:
         QTest::keyClick(button("Take it"), Qt::Key_Space);
         QVERIFY(action("Wipe")->shortcut().isEmpty());
         QCOMPARE(action("Record…")->shortcut(), QKeySequence("Ctrl+W"));
-        // Giving it back asks as well, and all at once can be given back.
+        // Restoring a shortcut also asks, and all can be restored at once.
         wipeIsReset();
         QTest::mouseClick(button("Reset all"), Qt::LeftButton);
         QCOMPARE(action("Wipe")->shortcut(), QKeySequence("Ctrl+W"));

@@ -15,7 +15,7 @@
 
 namespace vitrine::test {
 
-/// A test of the window and its preferences, on a message bus of its own.
+/// Test of the window and its preferences, on a private message bus.
 class OpenPreferences : public OpenWindow {
 protected:
     [[nodiscard]] const ui::PreferenceValues& values() { return window_->preferences().values().values(); }
@@ -36,7 +36,7 @@ protected:
             if (each->accessibleName() == QLatin1String(name)) return each;
         return nullptr;
     }
-    /// As the arrow keys and Enter do it.
+    /// Chooses like the arrow keys and Enter.
     void choose(const char* name, const char* item)
     {
         auto* box = control<QComboBox>(name);
@@ -74,7 +74,7 @@ protected:
     }
 };
 
-/// Runs it under an application that has the bus from its start.
+/// Runs the test in an application that uses the bus from its start.
 template <typename Test> int runWithBus(int argc, char** argv)
 {
     const PrivateBus bus;

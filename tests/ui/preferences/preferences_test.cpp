@@ -19,7 +19,7 @@
 
 using namespace vitrine::ui;
 
-/// What is kept, and what a file that anyone may have written does to it.
+/// Saving of preferences, and the effect of files with arbitrary content.
 class PreferencesTest : public QObject {
     Q_OBJECT
 
@@ -150,11 +150,11 @@ private slots:
         write("wheelSpeed=300\n" + line + "\n");
         Preferences preferences;
         PreferenceValues expected;
-        expected.wheelSpeed = 300;  // What is good is taken all the same.
+        expected.wheelSpeed = 300;  // Valid values are used all the same.
         QVERIFY(preferences.values() == expected);
         QVERIFY2(preferences.complaint().contains(name) && preferences.complaint().contains(file()),
                  qPrintable(preferences.complaint()));
-        // Setting anything mends the file.
+        // The next change repairs the file.
         expected.typeSize = 110;
         preferences.set(expected);
         Preferences again;
@@ -205,7 +205,7 @@ private slots:
 
     void aFolderThatCannotBeWrittenIsSaidAndChangesHold()
     {
-        QFile blocker(home_->filePath("vitrine"));  // Where the folder would be.
+        QFile blocker(home_->filePath("vitrine"));  // A file in place of the folder.
         QVERIFY(blocker.open(QIODevice::WriteOnly));
         blocker.close();
         Preferences preferences;
@@ -221,7 +221,7 @@ private slots:
     {
         QCOMPARE(contrastOf(Qt::black, Qt::white), 21.0);
         QCOMPARE(contrastOf(Qt::red, Qt::red), 1.0);
-        // Computed by hand from WCAG 2.2's definition of relative luminance.
+        // Computed by hand from the definition of relative luminance in WCAG 2.2.
         QVERIFY(std::abs(contrastOf(QColor("#777777"), Qt::white) - 4.478) < 0.001);
     }
 
@@ -235,7 +235,7 @@ private slots:
                     QVERIFY2(contrastOf(ink, ground) >= least,
                              qPrintable(
                                  QString("%1 on %2: %3").arg(ink.name(), ground.name()).arg(contrastOf(ink, ground))));
-                // Outlines and the focus, which is in the accent.
+                // Outlines and the focus, which has the accent color.
                 QVERIFY(contrastOf(theme.outline, ground) >= 3);
             }
             applyTheme(*qApp, theme);
@@ -301,7 +301,7 @@ private slots:
         QCOMPARE(quit.shortcuts(), QList<QKeySequence>{QKeySequence("Alt+F4")});
         QVERIFY(keys.differs(open) && keys.differs(quit));
 
-        QAction open2("&Öffnen…"), quit2("&Beenden");  // In the next session, and another language.
+        QAction open2("&Öffnen…"), quit2("&Beenden");  // In the next session, in another language.
         open2.setObjectName("open");
         quit2.setObjectName("quit");
         open2.setShortcut(QKeySequence("Ctrl+O"));

@@ -20,11 +20,11 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// Every preference but keys, set in the dialog with keys and clicks, and what the window makes of it.
+/// All preferences except shortcuts, set in the dialog with keys and clicks, and their effect on the window.
 class PreferencesWindowTest : public test::OpenPreferences {
     Q_OBJECT
 
-    /// How far dragging by so many pixels turns the visitor's look, radians: sideways and up.
+    /// Returns the rotation of the view in radians by a drag of this many pixels: sideways and up.
     [[nodiscard]] glm::dvec2 turnOf(const QPoint& drag)
     {
         Viewport& viewport = window_->viewport();
@@ -73,7 +73,7 @@ private slots:
         QVERIFY(theme().highContrast);
         QCOMPARE(QApplication::palette().color(QPalette::WindowText), theme().text);
         QCOMPARE(Preferences::saved().theme, ThemeChoice::highContrast);
-        QVERIFY(action("High contrast")->isChecked());  // The View menu says so, too.
+        QVERIFY(action("High contrast")->isChecked());  // The View menu shows it, too.
         closeWindow();
         openWindow();
         QCOMPARE(values().theme, ThemeChoice::highContrast);
@@ -164,7 +164,7 @@ private slots:
         settle();
         QTRY_COMPARE(window_->docks().ledger().reasonText(), reason);
         QVERIFY2(commandLineOf(*window_).contains("--samples 2 "), qPrintable(commandLineOf(*window_)));
-        // What the hall says stays what it says.
+        // The hall's parameter stays unchanged.
         QCOMPARE(pictureQuality(window_->history().sceneState().hall()).supersamples, 8);
         choose("Samples at rest", "As many as the hall says");
         QTRY_VERIFY(window_->viewport().schedule().still() && window_->viewport().schedule().samples() == 8);
@@ -201,18 +201,18 @@ private slots:
         const double stood = window_->viewport().time();
         gallery_->forgetRequests();
         window_->visit(1);
-        QCOMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);  // At once.
+        QCOMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);  // Immediately.
         settle();
         QCOMPARE(window_->viewport().time(), stood);
         const std::vector<FrameRequest> drawn = gallery_->requests();
         QVERIFY(!drawn.empty());
         for (const FrameRequest& request : drawn) QVERIFY(request.camera == drawn.back().camera);
-        QVERIFY(drawn.front().cut);  // Nothing of what was seen before is carried along.
+        QVERIFY(drawn.front().cut);  // The history is discarded.
         QTest::keyClick(&window_->viewport(), Qt::Key_Escape);
         QCOMPARE(window_->viewport().mode(), CameraControl::Mode::walk);
         window_->viewport().goBack();
         QCOMPARE(window_->viewport().mode(), CameraControl::Mode::orbit);
-        // Whoever presses a button wants to see what it does.
+        // A visitor who presses a button wants to see its effect.
         window_->viewport().press();
         QVERIFY(!action("Pause clock")->isChecked());
         QTRY_VERIFY(window_->viewport().time() > stood);
@@ -229,7 +229,7 @@ private slots:
         choose("Motion", "Reduced");
         QVERIFY(action("Pause clock")->isChecked());
         choose("Motion", "Full");
-        QVERIFY(!action("Pause clock")->isChecked());  // It stood for that reason alone.
+        QVERIFY(!action("Pause clock")->isChecked());  // It was stopped only for this reason.
         action("Pause clock")->trigger();
         choose("Motion", "Reduced");
         choose("Motion", "Full");
@@ -252,7 +252,7 @@ private slots:
         QTRY_COMPARE(theme(), highContrastTheme(true));
         desktop.change(test::FakePortal::appearance, "contrast", 0U);
         QTRY_COMPARE(theme(), darkTheme());
-        // The visitor's own choice goes before it.
+        // The visitor's own choice has priority.
         QVERIFY(openDialog());
         choose("Motion", "Full");
         QVERIFY(!reducedMotion());

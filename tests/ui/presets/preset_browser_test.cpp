@@ -20,7 +20,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// Presets as a visitor tags them, finds them by tags, and looks at them closely.
+/// Presets in use: tagging, searching by tags, and the large preview.
 class PresetBrowserTest : public test::OpenWindow {
     Q_OBJECT
 
@@ -52,7 +52,7 @@ class PresetBrowserTest : public test::OpenWindow {
         return texts.join('\n');
     }
     void select(const char* name) { presets()->setCurrentItem(rowsNamed(name).front()); }
-    /// Types the tags of the selected preset into the dialog that the menu opens.
+    /// Enters the tags of the selected preset in the dialog of the menu.
     void tag(const char* name, const QString& tags)
     {
         select(name);
@@ -102,7 +102,7 @@ private slots:
         QCOMPARE(
             window_->findChild<MessageStrip*>()->texts(),
             QStringList{name + " comes with the exhibit and cannot be renamed. Duplicate it, and rename the copy."});
-        // Control: one of the visitor's own is renamed in its line.
+        // Control: the visitor's own preset is renamed in its line.
         window_->shelf().saveUnder("Mine");
         select("Mine");
         QTest::keyClick(presets(), Qt::Key_F2);
@@ -118,7 +118,7 @@ private slots:
         QCOMPARE(tagsInFile("dull.json"), QStringList());
         window_->history().stack().redo();
         QCOMPARE(tagsInFile("dull.json"), (QStringList{"stone", "night"}));
-        // What is in use is saved with its tags, and nobody is blamed for having changed the file.
+        // The preset in use is saved with its tags, and no message blames a change of the file.
         tag("Smooth", "silk");
         dragRoughness(90);
         window_->shelf().save();
@@ -187,7 +187,7 @@ private slots:
         tag("Rough", "stone");
         const qsizetype all = found().size();
         QTRY_VERIFY(chip("stone"));
-        QVERIFY(chip("material"));  // Of those that come with the exhibit.
+        QVERIFY(chip("material"));  // A tag of a preset that comes with the exhibit.
         chip("stone")->setFocus();
         QTest::keyClick(chip("stone"), Qt::Key_Space);
         QCOMPARE(found(), (QStringList{"Dull", "Rough"}));
@@ -196,14 +196,14 @@ private slots:
         QTest::mouseClick(chip("night"), Qt::LeftButton);
         QTest::keyClicks(words(), "rou");
         QCOMPARE(found(), QStringList{"Rough"});
-        // What is pressed stays so while presets come and go.
+        // Pressed tags stay pressed when presets are added and removed.
         words()->clear();
         tag("Smooth", "stone");
         QVERIFY(chip("stone")->isChecked());
         QCOMPARE(found(), (QStringList{"Dull", "Rough", "Smooth"}));
         QTest::mouseClick(chip("stone"), Qt::LeftButton);
         QCOMPARE(found().size(), all);
-        // Words find tags, too.
+        // Words also find tags.
         QTest::keyClicks(words(), "night");
         QCOMPARE(found(), QStringList{"Dull"});
         words()->clear();

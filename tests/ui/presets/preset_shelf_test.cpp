@@ -16,7 +16,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// Presets as a visitor saves, loads, names and recognizes them.
+/// Presets in use: saving, loading, naming and recognizing them.
 class PresetShelfTest : public test::OpenWindow {
     Q_OBJECT
 
@@ -48,8 +48,7 @@ private slots:
         action("Save preset as…")->trigger();
         auto* ask = window_->findChild<NameDialog*>();
         QVERIFY(ask);
-        // The heading is in the dialog, in full, and the dialog is not in front of what stands in the middle of the
-        // picture.
+        // The heading is complete inside of the dialog, which does not cover the middle of the picture.
         auto* heading = ask->findChild<QLabel*>();
         QCOMPARE(heading->text(), QString("Save preset of The hall as"));
         QVERIFY(heading->height() >= heading->heightForWidth(heading->width()));
@@ -105,7 +104,7 @@ private slots:
         window_->history().stack().redo();
         window_->history().stack().redo();
         QCOMPARE(marked(), QString("Smooth"));
-        // A step in place of what was undone brings no mark back.
+        // A new step after an undo does not restore the mark.
         window_->history().stack().undo();
         dragRoughness(30);
         QCOMPARE(marked(), QString("Dull"));
@@ -120,7 +119,7 @@ private slots:
         window_->shelf().saveUnder("Dull");
         const double dull = roughness();
         load("Smooth");
-        window_->history().stack().undo();  // Dull again.
+        window_->history().stack().undo();  // Back to "Dull".
         dragRoughness(90);
         window_->shelf().save();
         const double saved = roughness();

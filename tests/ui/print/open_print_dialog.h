@@ -20,7 +20,7 @@
 
 namespace vitrine::test {
 
-/// A test of the print dialog with views from files: no OpenGL.
+/// Test of the print dialog with views from files; without OpenGL.
 class OpenPrintDialog : public QObject {
 protected:
     std::unique_ptr<QTemporaryDir> home_;
@@ -56,7 +56,7 @@ protected:
         QFile file(path);
         return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
     }
-    /// Types a number, as a visitor does.
+    /// Types a number like a visitor.
     void type(const char* row, const QString& text)
     {
         auto* field = dialog_->findChild<ui::ParameterPanel*>()->row(row)->findChild<ui::NumberField*>();

@@ -9,12 +9,13 @@
 
 namespace vitrine::test {
 
-/// A still life before a striped wall, seen from `count` places on a line; written to `folder`, in viewing order.
+/// Writes a still life in front of a striped wall, seen from `count` places on a line, to `folder` in viewing order.
+/// Returns the files.
 inline QStringList paintedViews(const QString& folder, int count)
 {
     QStringList files;
     for (int k = 0; k < count; ++k) {
-        const double aside = count > 1 ? 2.0 * k / (count - 1) - 1 : 0;  // Of the camera, -1 to 1.
+        const double aside = count > 1 ? 2.0 * k / (count - 1) - 1 : 0;  // Position of the camera, -1 to 1.
         QImage image(960, 680, QImage::Format_RGB32);
         QPainter painter(&image);
         painter.setRenderHint(QPainter::Antialiasing);

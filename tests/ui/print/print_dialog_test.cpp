@@ -18,7 +18,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// The print dialog with views from files: what is set, what it says, and what comes back.
+/// Print dialog with views from files: settings, messages, and restoring them.
 class PrintDialogTest : public test::OpenPrintDialog {
     Q_OBJECT
 
@@ -109,7 +109,7 @@ private slots:
         QCOMPARE(turn->value(), 0.0);
         type(view, "2");
         QCOMPARE(turn->value(), 1.5);
-        // Steps of one field are one step to undo.
+        // Consecutive steps in one field are one undo step.
         right->setFocus();
         for (int i = 0; i < 3; ++i) QTest::keyClick(right, Qt::Key_Up);
         settle();
@@ -121,7 +121,7 @@ private slots:
         settle();
         QCOMPARE(places(), std::string());
         type(turn, "3");
-        // Places belong to their pictures: others are read as they are.
+        // Places belong to their pictures: other pictures have none.
         dialog_->open(solidViews(4));
         settle();
         QCOMPARE(places(), std::string());
@@ -134,11 +134,11 @@ private slots:
         dialog_->open(solidViews(4));
         settle();
         QVERIFY(button("Export")->isEnabled());
-        set("width", 0.1575);  // The views' shape.
-        set("zone", 1.2);      // Of 58.5 degrees at most, with this index.
+        set("width", 0.1575);  // Aspect ratio of the views.
+        set("zone", 1.2);      // Beyond the largest zone of 58.5 degrees for this index.
         QVERIFY2(warnings().contains("58.49"), qPrintable(warnings()));
         QVERIFY(!button("Export")->isEnabled());
-        set("zone", 0.6);  // A sheet for depth: of one for flips, the dialog would warn.
+        set("zone", 0.6);  // A sheet for depth; one for flips would cause a warning.
         QCOMPARE(warnings(), QString());
         QVERIFY(button("Export")->isEnabled());
     }

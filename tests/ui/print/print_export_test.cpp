@@ -13,7 +13,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// The print dialog writes prints and charts, or nothing.
+/// Writing of prints and charts by the print dialog, and failures.
 class PrintExportTest : public test::OpenPrintDialog {
     Q_OBJECT
 
@@ -44,7 +44,7 @@ private slots:
         QVERIFY(written.values == before);
         QCOMPARE(written.sources.size(), std::size_t{6});
 
-        // Everything else, then the print dropped on the dialog: all is back.
+        // After changing everything, dropping the print on the dialog restores all settings.
         set("phase", 0);
         set("lensesPerInch", 30);
         dialog_->open({out + "/card.tif"});
@@ -60,7 +60,7 @@ private slots:
         set("height", 0.02);
         const QString out = home_->filePath("out");
         QDir().mkpath(out);
-        // A chart has a name of its own: it never takes a print's place.
+        // A chart has its own file name and never replaces a print.
         dialog_->setPath(out + "/card.tif");
         dialog_->setChart(true);
         QVERIFY2(dialog_->path().contains("chart"), qPrintable(dialog_->path()));
@@ -86,7 +86,7 @@ private slots:
         };
         write();
         QCOMPARE(filesIn(out), (QStringList{"card.tif", "card.tif.json"}));
-        // The next one is written beside it without being asked for.
+        // The next export has the next free name automatically.
         QCOMPARE(dialog_->path(), out + "/card-2.tif");
         const QByteArray first = contentOf(out + "/card.tif");
         set("phase", 0.5);
@@ -104,7 +104,7 @@ private slots:
         dialog_->open(solidViews(12));
         settle();
         set("width", 1.2);
-        set("height", 1.2);  // 34,000 x 34,000 dots: seconds at least.
+        set("height", 1.2);  // 34,000 x 34,000 dots take several seconds.
         const QString out = home_->filePath("out");
         QDir().mkpath(out);
         dialog_->setPath(out + "/card.tif");
@@ -140,7 +140,7 @@ private slots:
         QVERIFY(dialog_->values() == before);
         QVERIFY(!QDir(home_->filePath("nowhere")).exists());
         QVERIFY(button("Export")->isEnabled());
-        // And views that cannot be read.
+        // The same for unreadable views.
         dialog_->open({home_->filePath("absent.png"), home_->filePath("absent2.png")});
         settle();
         QVERIFY2(said().contains("absent.png"), qPrintable(said()));

@@ -11,7 +11,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// What the print dialog shows of the print before it is written.
+/// Previews of the print dialog.
 class PrintPreviewTest : public test::OpenPrintDialog {
     Q_OBJECT
 
@@ -73,7 +73,7 @@ private slots:
         const auto hue = [&](std::size_t eye) {
             return eyes->seen(eye).pixelColor(eyes->seen(eye).width() / 2, eyes->seen(eye).height() / 2).hueF();
         };
-        // 65 mm at 400 mm are 9.3 of the zone's 31 degrees, so about 3.6 of 12 views, of 25 degrees of hue each.
+        // 65 mm at 400 mm are 9.3 of the zone's 31 degrees, or about 3.6 of 12 views with 25 degrees of hue each.
         const double views = static_cast<double>(hue(1) - hue(0)) * 360 / 25;
         QVERIFY2(views > 2.6 && views < 4.6, qPrintable(QString::number(views)));
         QTest::keyClick(eyes, Qt::Key_Right);
@@ -100,7 +100,7 @@ private slots:
         QTest::keyClick(strips, Qt::Key_Minus);
         QVERIFY(strips->zoom() < before * 2);
         for (int i = 0; i < 40; ++i) QTest::keyClick(strips, Qt::Key_Minus);
-        QTRY_VERIFY(strips->image().width() > strips->width());  // Whole dots, shown smaller.
+        QTRY_VERIFY(strips->image().width() > strips->width());  // Whole dots, displayed smaller.
     }
 };
 

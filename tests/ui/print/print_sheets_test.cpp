@@ -13,7 +13,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// Lens sheets in the print dialog, and undo of all that is set there.
+/// Lens sheets in the print dialog, and undo of all its settings.
 class PrintSheetsTest : public test::OpenPrintDialog {
     Q_OBJECT
 
@@ -35,7 +35,7 @@ private slots:
         bar->choose("Mine");
         settle();
         QVERIFY(number("LPI in the file") > 60);
-        bar->save("40-3d");  // A shipped one: refused.
+        bar->save("40-3d");  // Shipped sheets cannot be replaced.
         QVERIFY2(said().contains("40-3d"), qPrintable(said()));
         bar->remove("Mine");
         QCOMPARE(bar->current(), QString());
@@ -49,8 +49,7 @@ private slots:
             QVERIFY2(at >= 0, sheet.name.c_str());
             const QString shown = list->itemText(at);
             QVERIFY2(shown.startsWith(QString("%1 LPI, ").arg(sheet.nominalLpi)), qPrintable(shown));
-            // Derived for 30 and 50 degrees by the paraxial focus; the exact ray through the middle differs by a
-            // little.
+            // Derived for 30 and 50 degrees by the paraxial focus; the exact ray through the center differs a little.
             const double degrees = shown.mid(shown.lastIndexOf(' ')).chopped(1).toDouble();
             const QString name = QString::fromStdString(sheet.name);
             if (name.endsWith("-3d")) QVERIFY2(shown.contains("3D") && std::abs(degrees - 30) <= 3, qPrintable(shown));
@@ -112,7 +111,7 @@ private slots:
         undo();
         QVERIFY(dialog_->files().isEmpty());
         QVERIFY(!button("Export")->isEnabled());
-        undo();  // Nothing before that.
+        undo();  // There is nothing before it.
         QVERIFY(dialog_->values() == before);
 
         redo();
@@ -122,7 +121,7 @@ private slots:
         redo();
         QVERIFY(dialog_->values() == chosen);
         QCOMPARE(dialog_->findChild<SheetBar*>()->current(), QString("20-flip"));
-        // Also from a number field in which nothing is typed.
+        // Also from a number field without typed text.
         press(Qt::ControlModifier, dialog_->findChild<ParameterPanel*>()->row("phase")->findChild<NumberField*>());
         QVERIFY(dialog_->values() == typed);
     }

@@ -1,5 +1,5 @@
-// Draws the print dialog into pictures, dark and light, to look at: show_print_dialog FOLDER [VIEWS...]. Views
-// are pictures or a folder; without them, painted ones.
+// Draws pictures of the print dialog, dark and light, for inspection: show_print_dialog FOLDER [VIEWS...]. Views are
+// pictures or a folder; without them, painted ones are used.
 #include "tests/ui/print/painted_views.h"
 
 #include "exhibits/exhibits.h"

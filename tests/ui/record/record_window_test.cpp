@@ -1,4 +1,4 @@
-// Bookmarks, copies of the picture, and films, in the real window.
+// Bookmarks, copies of the picture, and recordings, in the real window.
 
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
@@ -36,7 +36,7 @@ class RecordWindowTest : public test::OpenWindow {
     }
     void press(Qt::Key key, Qt::KeyboardModifiers with)
     {
-        QApplication::setActiveWindow(window_.get());  // No window manager does it under Xvfb.
+        QApplication::setActiveWindow(window_.get());  // Under Xvfb there is no window manager.
         QTest::keyClick(&window_->viewport(), key, with);
         settle();
     }
@@ -84,10 +84,10 @@ private slots:
         press(Qt::Key_3, Qt::ControlModifier | Qt::AltModifier);
         QCOMPARE(window_->bookmarks().name(3).left(1), QStringLiteral("3"));
         stand(-0.5);
-        press(Qt::Key_4, Qt::NoModifier);  // None: one stays.
+        press(Qt::Key_4, Qt::NoModifier);  // There is no bookmark, so the camera stays.
         QCOMPARE(camera().eye.x, -0.5);
         QVERIFY(action("Keep this view as bookmark 4"));
-        press(Qt::Key_4, Qt::ControlModifier);  // It becomes one.
+        press(Qt::Key_4, Qt::ControlModifier);  // The camera becomes the bookmark.
         QCOMPARE(window_->bookmarks().name(4).left(1), QStringLiteral("4"));
         stand(0.25);
         press(Qt::Key_4, Qt::ControlModifier);
@@ -131,7 +131,7 @@ private slots:
         QVERIFY(file.open(QIODevice::ReadOnly));
         const Tour tour = parseTour(file.readAll().toStdString(), "tour.json");
         QCOMPARE(tour.bookmarks.size(), std::size_t{2});
-        QCOMPARE(tour.bookmarks[0].camera.eye.x, -0.5);  // By number.
+        QCOMPARE(tour.bookmarks[0].camera.eye.x, -0.5);  // Sorted by number.
         QCOMPARE(tour.bookmarks[1].camera.eye.x, 0.5);
     }
 

@@ -1,4 +1,4 @@
-// Where the texts of charts stand, read from the SVG that they write: none over another, none beyond the edge. No GL.
+// Positions of texts in charts, read from their SVG: none overlaps another or extends beyond the edge. No GL.
 
 #include "tests/ui/ui_main.h"
 
@@ -21,7 +21,7 @@ using namespace vitrine::ui;
 
 namespace {
 
-/// A text as it is painted, with the place of its ink.
+/// Painted text with the rectangle of its ink.
 struct PaintedText {
     QString words;
     QRectF place;
@@ -60,7 +60,7 @@ std::vector<PaintedText> textsIn(const QByteArray& svg)
     return texts;
 }
 
-/// A range of costs and of errors.
+/// Range of costs and errors.
 struct Ranges {
     const char* name;
     std::vector<double> costs, errors;
@@ -127,7 +127,7 @@ private slots:
             chart.setFont(font);
             chart.showStudy(studyOf(ranges));
             const std::vector<PaintedText> texts = textsIn(chart.svg(size));
-            QVERIFY2(texts.size() >= 3, ranges.name);  // Two titles and a label at least.
+            QVERIFY2(texts.size() >= 3, ranges.name);  // At least two titles and a label.
             for (std::size_t i = 0; i < texts.size(); ++i) {
                 QVERIFY2(QRectF(QPointF(0, 0), size).adjusted(-1, -1, 1, 1).contains(texts[i].place),
                          qPrintable(QStringLiteral("%1: “%2” ends beyond the edge")
@@ -191,11 +191,11 @@ private slots:
         for (const PaintedText& text : textsIn(chart.svg(exportedChart))) words << text.words;
         QCOMPARE(words.count(QStringLiteral("samples in all views")), 1);
         for (const QString& each : words) QVERIFY2(!each.contains("milliseconds"), qPrintable(each));
-        // On the screen, too: the same as in a chart that never had the other.
+        // Also on the screen: the same as in a chart that never had the other content.
         StudyChart fresh;
         fresh.showStudy(study);
         for (StudyChart* each : {&chart, &fresh}) {
-            each->setFocusPolicy(Qt::NoFocus);  // Its frame would be the only difference.
+            each->setFocusPolicy(Qt::NoFocus);  // Its focus frame would be the only difference.
             each->resize(500, 240);
             each->show();
             QVERIFY(QTest::qWaitForWindowExposed(each));
@@ -206,7 +206,8 @@ private slots:
 
     void nothingOfATitleStaysWhereTheChartWasLarger()
     {
-        // As in the panel of studies: the chart in a splitter over words, which come later and take some of its height.
+        // Like in the panel of studies: the chart in a splitter above a text, which appears later and takes some of its
+        // height.
         QWidget window;
         auto* split = new QSplitter(Qt::Horizontal, &window);
         auto* chart = new StudyChart;
@@ -256,7 +257,7 @@ private slots:
 
     void intervalsOfTimesStandAtTheirPoints()
     {
-        // Costs that do not grow with the number of the setting, each with an interval of its own.
+        // Costs that do not grow with the index of the setting, each with its own interval.
         ChartedStudy study = studyOf(manyRanges()[2]);
         const std::vector<double> costs{181, 84, 138, 330, 761};
         for (std::size_t i = 0; i < costs.size(); ++i) {

@@ -1,4 +1,4 @@
-// Studies that are kept, compared and exported, in the real dock. No GL.
+// Studies kept, compared and exported in the real dock. No GL.
 
 #include "tests/ui/study/open_study_dock.h"
 #include "tests/ui/ui_main.h"
@@ -74,7 +74,7 @@ class KeptStudiesTest : public test::OpenStudyDock {
         QTest::keyClick(list(), Qt::Key_Space);
         QCOMPARE(list()->item(row)->checkState(), Qt::Checked);
     }
-    /// A file of a study as the dock wrote it, changed.
+    /// Writes a changed copy of a study's file.
     [[nodiscard]] QString changedFile(const QString& name, const std::function<void(QJsonObject&)>& change)
     {
         const StudyStore store = test::storeIn(home_->path());
@@ -109,7 +109,7 @@ private slots:
         QTest::keyClick(list(), Qt::Key_Return);
         QVERIFY(dock_->view().showsKept());
         QCOMPARE(dock_->chart().points().size(), points);
-        // Its pictures come a moment later.
+        // Its pictures are read a moment later.
         QTRY_VERIFY(pictures()->spokenText().isEmpty());
         QVERIFY(!words().join(' ').contains("pictures were not kept"));
         QTest::keyClick(pictures(), Qt::Key_Return);
@@ -119,7 +119,7 @@ private slots:
         pictures()->setFixedSize(size);
         const QImage kept = pictures()->grab().toImage();
         QCOMPARE(kept, measured);
-        // A click applies its values, as of one that was just measured.
+        // A click applies its values, like for a study that was just measured.
         const auto& shown = dock_->chart().points();
         std::size_t other = 0;
         while (shown[other].present) ++other;
@@ -195,7 +195,7 @@ private slots:
         QCOMPARE(comparison.curves.size(), std::size_t{2});
         QCOMPARE(comparison.cost, std::string("ms"));
         QCOMPARE(dialog->chart().legend->itemCount(), 2);
-        // Told apart by mark and line, not by color alone.
+        // Distinguished by mark and line, and not by color only.
         QList<QCPGraph*> fronts;
         for (int i = 0; i < dialog->chart().graphCount(); ++i)
             if (dialog->chart().legend->hasItemWithPlottable(dialog->chart().graph(i)))
@@ -206,7 +206,7 @@ private slots:
         auto* table = dialog->findChild<QTableWidget*>();
         QCOMPARE(static_cast<std::size_t>(table->rowCount()), comparison.differences.size());
         QVERIFY(table->rowCount() > 0);
-        // One machine, one size, one clock: milliseconds are offered, with how sure they are.
+        // One machine, size and clock: milliseconds are offered, with their confidence.
         auto* costs = dialog->findChild<QComboBox*>();
         QStringList cells;
         for (int row = 0; row < table->rowCount(); ++row) cells << table->item(row, 5)->text();
@@ -294,7 +294,7 @@ private slots:
         QCOMPARE(QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts).size(), 1 + points);
         for (const char* name : {"two.csv", "two.json", "two.png", "two.svg"}) {
             const QString path = home_->filePath(name);
-            // The dialog is modal: it is answered from within.
+            // The dialog is modal and is answered by a timer.
             QTimer answer;
             connect(&answer, &QTimer::timeout, &answer, [&] {
                 auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
@@ -309,7 +309,7 @@ private slots:
             QTRY_VERIFY2(QFileInfo(path).size() > 100, name);
         }
         QCOMPARE(QImage(home_->filePath("two.png")).size(), QSize(1920, 1200));
-        // What was saved together opens together.
+        // A file with several studies can be opened.
         close();
         const QString kept = home_->path() + "/studies";
         QVERIFY(QDir(kept).removeRecursively());

@@ -11,7 +11,7 @@
 
 namespace vitrine::test {
 
-/// A store of studies in a folder of the test's own.
+/// Returns a store of studies in a folder of the test.
 inline StudyStore storeIn(const QString& folder)
 {
     const std::filesystem::path path = folder.toStdString();
@@ -32,7 +32,7 @@ inline std::vector<std::unique_ptr<Exhibit>> knownExhibit()
     return all;
 }
 
-/// Takes its time, so that there is something to see while it measures.
+/// Backend that takes its time, so that the measurement can be observed.
 class SlowBackend final : public render::RenderBackend {
 public:
     explicit SlowBackend(bool clockTrusted) : clockTrusted_(clockTrusted) {}
@@ -52,13 +52,13 @@ private:
     bool clockTrusted_;
 };
 
-/// A museum, and renderers that measure it by a painter without GL. Nothing else of them is asked for.
+/// Museum with renderers that measure it by a backend without GL; other functions are not used.
 class KnownGallery final : public ui::Renderers {
 public:
     Museum museum{knownExhibit()};
     KnownTable table;
     std::thread::id measuredOn;
-    bool clockTrusted = true;  ///< Of the studies that are started from now on.
+    bool clockTrusted = true;  ///< Used for all studies started later.
 
     void open() override {}
     void close() override {}

@@ -1,4 +1,4 @@
-// The pictures of a study large: zoomed and moved together, read pixel by pixel, wiped. No GL.
+// Large pictures of a study: zoomed and moved together, pixel values, wipe. No GL.
 
 #include "tests/ui/study/open_study_dock.h"
 #include "tests/ui/ui_main.h"
@@ -37,7 +37,7 @@ private slots:
         const QImage before = panes.grab().toImage();
         emit dock_->chart().hovered(0);
         QVERIFY(panes.grab().toImage() != before);
-        // The view is that of the study, whichever of the two is changed.
+        // Both choices of the view stay equal.
         auto* view = large->findChild<QComboBox*>();
         QCOMPARE(view->count(), 3);
         view->setCurrentIndex(2);
@@ -63,7 +63,7 @@ private slots:
         QVERIFY(QTest::qWaitForWindowExposed(&large));
         const double fitting = panes.scale();
         QVERIFY(fitting > 1);
-        // Beyond 100 %, every pixel is a square of one color, in all panes at the same place.
+        // Beyond 100 %, every pixel is a square of one color, at the same place in all panes.
         const auto colorAt = [&](std::size_t pane, QPointF pixel) {
             const QPointF at = panes.panes()[pane].center() + (pixel - panes.middle()) * panes.scale();
             return panes.grab().toImage().pixelColor(at.toPoint());
@@ -72,7 +72,7 @@ private slots:
         QVERIFY(bright.red() > 250);
         QCOMPARE(colorAt(0, {6.8, 1.8}), bright);
         QCOMPARE(colorAt(1, {6.2, 1.2}), colorAt(1, {6.8, 1.8}));
-        // The wheel keeps the pixel below the pointer where it is, whichever pane it is in.
+        // The wheel keeps the pixel under the pointer in place, in any pane.
         const auto pixelAt = [&](std::size_t pane, QPointF at) {
             return (at - panes.panes()[pane].center()) / panes.scale() + panes.middle();
         };
@@ -85,7 +85,7 @@ private slots:
         const QPointF now = pixelAt(1, at);
         QVERIFY(std::abs(now.x() - held.x()) < 1e-6 && std::abs(now.y() - held.y()) < 1e-6);
         QCOMPARE(pixelAt(0, panes.panes()[0].center()), pixelAt(2, panes.panes()[2].center()));
-        // Dragging takes the picture along.
+        // Dragging moves the picture.
         const QPoint start = panes.panes()[0].center().toPoint();
         const QPointF middle = panes.middle();
         QTest::mousePress(&panes, Qt::LeftButton, {}, start);
@@ -127,7 +127,7 @@ private slots:
             QTRY_COMPARE(panes.pixel(), std::optional(QPoint(6, 1)));
             QCOMPARE(panes.reading(), QString("Pixel 6, 1: setting 0.25 0 0; reference 0.5 0.5 0.5; error 0.125"));
         }
-        // Without a pointer, it is the one in the middle.
+        // Without a pointer, the pixel is the central one.
         QEvent leave(QEvent::Leave);
         QApplication::sendEvent(&panes, &leave);
         QCOMPARE(panes.pixel(), std::optional(QPoint(4, 2)));

@@ -13,7 +13,7 @@
 
 namespace vitrine::test {
 
-/// A test of the dock of studies, over a gallery whose laws are known, with a store of its own. No GL.
+/// Test of the dock of studies, over a gallery with known laws, with its own store. No GL.
 class OpenStudyDock : public QObject {
 protected:
     std::unique_ptr<QTemporaryDir> home_;

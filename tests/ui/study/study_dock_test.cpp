@@ -1,4 +1,4 @@
-// The study dock: what it shows, applies and leaves alone, over an exhibit whose law is known. No GL.
+// Study dock over an exhibit with a known law: what it shows and applies. No GL.
 
 #include "tests/ui/point_at.h"
 #include "tests/ui/study/known_gallery.h"
@@ -140,7 +140,7 @@ private slots:
         QTest::keyClick(&chart, Qt::Key_Right);
         QVERIFY2(said().contains("Chosen: "), qPrintable(said()));
         const QString cheapest = said();
-        QTest::keyClick(&chart, Qt::Key_Left);  // There is none below it.
+        QTest::keyClick(&chart, Qt::Key_Left);  // There is no point below it.
         QCOMPARE(said(), cheapest);
         QTest::keyClick(&chart, Qt::Key_Return);
         const double applied = valueNow("steps");
@@ -225,10 +225,10 @@ private slots:
         const QImage hovered = pictures->grab().toImage();
         vitrine::test::pointAt(chart, chart.rect().topRight() + QPoint(-3, 3));  // Over the empty part of the chart ...
         QEvent leave(QEvent::Leave);
-        QApplication::sendEvent(&chart, &leave);  // ... and out of it.
+        QApplication::sendEvent(&chart, &leave);  // ... and out of the chart.
         QCOMPARE(pictures->grab().toImage(), hovered);
         QTest::mouseClick(&chart, Qt::LeftButton, {}, chart.rect().topRight() + QPoint(-3, 3));
-        QVERIFY(pictures->grab().toImage() != hovered);  // A press beside all points: the present one again.
+        QVERIFY(pictures->grab().toImage() != hovered);  // A click beside all points shows the present setting again.
     }
 
     void anEmptyChartShowsNoScale()
@@ -274,7 +274,7 @@ private slots:
             if (dock_->result().points.empty()) continue;
             if (titles.isEmpty() || titles.back() != chart.costTitle()) titles << chart.costTitle();
             for (std::size_t i = 0; i < chart.points().size(); ++i) {
-                // In its place by its time, or not there yet.
+                // At the position of its time, or not shown yet.
                 const StudyPoint& point = dock_->result().points[i];
                 QCOMPARE(chart.points()[i].cost, point.time ? point.time->median : 0.0);
             }
@@ -288,7 +288,7 @@ private slots:
         QCOMPARE(chart.costTitle(), QString("work in all views"));
         for (std::size_t i = 0; i < chart.points().size(); ++i)
             QCOMPARE(chart.points()[i].cost, static_cast<double>(dock_->result().points[i].counters.at("work")));
-        // The choice stays for the next study.
+        // The choice is kept for the next study.
         dock_->ask(1, row("rays"));
         finish();
         QCOMPARE(chart.costTitle(), QString("work in all views"));
@@ -306,7 +306,7 @@ private slots:
             if (!dock_->result().points.empty() && (titles.isEmpty() || titles.back() != dock_->chart().costTitle()))
                 titles << dock_->chart().costTitle();
         }
-        titles.removeAll(QString("counted work"));  // Under an empty chart, before all settings are drawn.
+        titles.removeAll(QString("counted work"));  // Title of the empty chart, before all settings are drawn.
         QCOMPARE(titles, QStringList{"work in all views"});
         dock_->view().chooseCostAxis(CostAxis::time);
         QVERIFY(dock_->chart().costTitle().contains("not trusted"));
@@ -331,7 +331,7 @@ private slots:
         };
         while (!isDrawn(study.result().points.front())) QVERIFY(study.step());
         view.showMeasured(request, study.result(), render::Json::object(), true);
-        // The present setting has its turn later.
+        // The present setting is measured later.
         QCOMPARE(caption(), QString("Steps 8 is not measured yet."));
         QVERIFY(!pictures->isVisible());
         QVERIFY(!view.chart().xAxis->visible());
@@ -400,7 +400,7 @@ private slots:
         QVERIFY(dock_->running());
         QCOMPARE(dock_->result().points.size(), before);
         QCOMPARE(dock_->chart().points().front().text, words);
-        dock_->stop();  // Before it has a point.
+        dock_->stop();  // Before its first point.
         QCOMPARE(dock_->result().points.size(), before);
         QVERIFY(!dock_->result().front.empty());
         dock_->ask(1, row("rays"));
@@ -446,7 +446,7 @@ private slots:
         const QImage seen = pictures->grab().toImage();
         for (int y = 0; y < seen.height(); ++y)
             for (int x = 0; x < seen.width(); ++x) colors << seen.pixel(x, y);
-        QVERIFY(colors.size() > 60);  // A ramp, not a few tones of gray and text.
+        QVERIFY(colors.size() > 60);  // A color ramp, and not a few tones of gray and text.
     }
 
     void theChartIsOfTheThemeInUse()

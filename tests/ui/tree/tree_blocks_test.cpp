@@ -1,4 +1,4 @@
-// The panel over the smallest exhibit with a tree: nothing in it knows what the tree is of.
+// Panel of the minimal exhibit with a tree, which shows that it does not depend on the kind of tree.
 
 #include "tests/support/blocks.h"
 #include "tests/ui/open_window.h"
@@ -132,7 +132,7 @@ private slots:
     {
         auto& viewport = window_->viewport();
         const QSize room = viewport.size();
-        // The camera of the best view is 4 m away: 0.5 m to the right.
+        // The camera of the best view is 4 m away; the block is 0.5 m to the right.
         const double perMeter = room.height() / (2 * viewport.view().tanHalfFov.y * 4);
         const QPoint blue(room.width() / 2 + static_cast<int>(0.5 * perMeter), room.height() / 2);
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, blue);
@@ -148,7 +148,7 @@ private slots:
         QVERIFY2(std::abs(right - left - wide) < 2, qPrintable(QString::number(right - left - wide)));
         QVERIFY(!dock().overlay().handles().empty());
         QVERIFY(QLineF(dock().overlay().handles()[0].line[0], blue).length() < 2);
-        // The key of another mode, while the picture has the focus.
+        // Shortcut of another mode, while the picture has the focus.
         window_->activateWindow();
         viewport.setFocus();
         QTRY_VERIFY(viewport.hasFocus());
@@ -156,7 +156,7 @@ private slots:
         QVERIFY(dock().overlay().handles()[0].line.size() > 10);
         QTest::keyClick(&viewport, Qt::Key_1);
         QCOMPARE(dock().overlay().handles()[0].line.size(), std::size_t(2));
-        // They belong on the whole picture of what is on show.
+        // Handles belong to the whole picture of A.
         action("Hold what is on show as B")->trigger();
         action("Side by side")->trigger();
         QTRY_VERIFY(viewport.covered());
@@ -165,7 +165,7 @@ private slots:
         action("End the comparison")->trigger();
         QVERIFY(dock().overlay().isVisible());
         QVERIFY(!dock().overlay().handles().empty());
-        // A click beside it selects nothing.
+        // A click beside the block selects nothing.
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, QPoint(room.width() / 2, room.height() / 2 + 5));
         QVERIFY(editor().selected().empty());
         QVERIFY(dock().overlay().handles().empty());

@@ -1,4 +1,4 @@
-// Where outlines and handles are in a picture, and what dragging a handle means. No GL.
+// Positions of outlines and handles in a picture, and the effect of dragging a handle. No GL.
 
 #include "tests/ui/ui_main.h"
 
@@ -27,7 +27,7 @@ class TreePictureTest final : public QObject {
                     return std::isfinite(render::firstHit(ray, glm::dvec3(0), radius));
                 }};
     }
-    /// The point of a place's own space, in the world.
+    /// Returns the position in world space of a point in a place's own space.
     [[nodiscard]] static glm::dvec3 moved(const TreePlace& place, const glm::dvec3& own)
     {
         return glm::dvec3(place.exhibitFromParent *
@@ -91,7 +91,7 @@ private slots:
         for (const Handle& ring : rings) {
             TreePlace to = place;
             to.rotate[ring.axis] += 1e-4;
-            // What lies on the ring moves along it: no point of the axis moves at all.
+            // Points of the ring move along it, because points of the axis do not move.
             glm::dvec3 axis(0);
             const glm::dmat3 change = to.rotation() * glm::transpose(place.rotation());
             axis = glm::normalize(
@@ -101,7 +101,7 @@ private slots:
                     dragged(HandleMode::turn, place, ring, i, ring.perUnit[i] * 0.5).rotate[ring.axis] * QPointF(1, 0);
                 QVERIFY(std::abs(step.x() - (place.rotate[ring.axis] + 0.5)) < pi / 17000);
             }
-            // The ring's plane is across that axis: seen along it, it is a circle around the middle.
+            // The ring's plane is perpendicular to that axis: seen along it, it is a circle around the center.
             const glm::dvec3 middle = place.translate;
             const QPointF center = at(middle);
             const QPointF tip = at(middle + 0.2 * axis);
@@ -137,7 +137,7 @@ private slots:
     {
         const render::View ahead = render::makeView({{0, 0, 6}, {0, 0, 0}, 0.8}, {{800, 600}});
         const auto handles = handlesOf(HandleMode::move, {}, glm::dmat4(1), ahead, widget_);
-        QCOMPARE(handles.size(), std::size_t(2));  // z points at the eye.
+        QCOMPARE(handles.size(), std::size_t(2));  // The handle of z points at the eye.
         const auto grip = gripAt(handles, handles[1].line[1] + QPointF(3, 2));
         QVERIFY(grip);
         QCOMPARE(grip->handle, std::size_t(1));

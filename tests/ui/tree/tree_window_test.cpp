@@ -40,7 +40,8 @@ const std::string twoBalls = R"({"format": "vitrine-scene",   "version": 1,
 
 }  // namespace
 
-/// A scene of shapes in the window: it is clicked, edited and saved. The picture is painted; the field is the real one.
+/// A scene of shapes in the window, which is clicked, edited and saved. The picture is painted; the field is the real
+/// one.
 class TreeWindowTest : public test::OpenWindow {
     Q_OBJECT
 
@@ -58,13 +59,13 @@ class TreeWindowTest : public test::OpenWindow {
     [[nodiscard]] TreeDock& dock() { return window_->docks().tree(); }
     [[nodiscard]] TreeEditor& editor() { return dock().editor(); }
     [[nodiscard]] QUndoStack& stack() { return window_->history().stack(); }
-    /// Of the selected node.
+    /// Returns a number of the selected node.
     [[nodiscard]] double number(const char* row)
     {
         const TreeRows rows = editor().source()->rowsOf(editor().values(), editor().selected()).value();
         return std::get<double>(rows.values.row(rows.values.table().find(row).value()));
     }
-    /// Where a point of the scene is in the picture: x, y at the depth of the balls.
+    /// Returns the position of a point of the scene in the picture: x, y at the depth of the balls.
     [[nodiscard]] QPoint at(double x, double y)
     {
         const ExhibitState state{values()};
@@ -120,7 +121,7 @@ private slots:
         QCOMPARE(shown(), (QStringList{"union", "right"}));
         QTest::keyClick(words, Qt::Key_Return);
         QCOMPARE(editor().selected(), std::string("root.children[1]"));
-        // A change rebuilds the tree; the words stay.
+        // A change rebuilds the tree; the search text stays.
         dock().action(TreeEdit::What::duplicate)->trigger();
         QTRY_COMPARE(editor().tree().nodes.size(), std::size_t{4});
         QCOMPARE(shown().size(), 3);
@@ -220,14 +221,14 @@ private slots:
         QCOMPARE(editor().selected(), std::string("root.children[1]"));
         QCOMPARE(dock().view().currentItem()->text(0), QString("right"));
         QTRY_VERIFY(!dock().overlay().outline().empty());
-        // Its radius is dragged: one step, and only its own text changes.
+        // Dragging its radius is one step and changes only its own text.
         auto* slider = dock().rows().row("radius")->findChild<ValueSlider*>();
         QVERIFY(slider);
         const render::Camera camera = window_->history().sceneState().camera;
         QToolButton* save = nullptr;
         for (QToolButton* button : dock().findChildren<QToolButton*>())
             if (button->text() == "Save") save = button;
-        // Nothing to save, or something.
+        // Checks whether there is something to save.
         const auto savable = [&](bool is) {
             return action("Save file")->isEnabled() == is && save->isEnabled() == is &&
                    action("Save file as…")->isEnabled();
@@ -249,7 +250,7 @@ private slots:
         QCOMPARE(number("radius"), 0.5);
         QCOMPARE(document(), twoBalls);
         QVERIFY(window_->docks().treeFile().unsaved().isEmpty());
-        QTRY_COMPARE(document(), std::string());  // Nothing is edited any more.
+        QTRY_COMPARE(document(), std::string());  // There are no edits left.
         QVERIFY(savable(false));
         QCOMPARE(number("radius"), 0.5);
         stack().redo();
@@ -261,13 +262,13 @@ private slots:
         QVERIFY(onDisk() != twoBalls);
         QCOMPARE(document(), std::string());
         QTRY_VERIFY(window_->docks().treeFile().unsaved().isEmpty());
-        // What was saved can still be undone.
+        // A saved edit can still be undone.
         stack().undo();
         QCOMPARE(number("radius"), 0.5);
         stack().redo();
         QTRY_COMPARE(number("radius"), dragged);
 
-        // Another program saves the file: it is read within a second or so, and the camera stays.
+        // Another program saves the file: it is read within about a second, and the camera stays.
         if (!document().empty()) QVERIFY(window_->docks().treeFile().save());
         std::string other = twoBalls;
         other.replace(other.rfind("0.50"), 4, "0.8125");
@@ -311,7 +312,7 @@ private slots:
         QCOMPARE(stack().count(), steps + 1);
         QVERIFY(number("translateX") > -0.9);
         QCOMPARE(number("translateY"), 0.0);
-        // As far as the pointer went.
+        // The ball moved as far as the pointer.
         const QPoint middle = at(number("translateX"), 0);
         QVERIFY2(std::abs(middle.x() - (at(-1, 0).x() + 40)) <= 2, qPrintable(QString::number(middle.x())));
         stack().undo();

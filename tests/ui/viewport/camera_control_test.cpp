@@ -13,7 +13,7 @@ using vitrine::render::Camera;
 
 namespace {
 
-/// A room of 8 by 6 meters that is never left.
+/// Collision test of a room without walls.
 glm::dvec3 room(const glm::dvec3&, const glm::dvec3& to)
 {
     return {std::clamp(to.x, -4.0, 4.0), to.y, std::clamp(to.z, -3.0, 3.0)};
@@ -47,7 +47,7 @@ class CameraControlTest : public QObject {
 private slots:
     void aPictureOfAnotherSizeLiesWhereTheNextOneWillShowTheSame()
     {
-        // Where a direction is seen, by the pinhole's own formula.
+        // Position of a direction in the picture, by the pinhole formula.
         const auto place = [](const glm::dvec2& tangent, const QSizeF& size) {
             const double focal = size.height() / 2 / std::tan(widened({}, size.width() / size.height()).fovY / 2);
             return QPointF(size.width() / 2 + tangent.x * focal, size.height() / 2 - tangent.y * focal);
@@ -86,7 +86,7 @@ private slots:
         const double fine = walked(2, 1.0 / 240, forward());
         for (const double frame : {1.0 / 120, 1.0 / 60, 1.0 / 17, 0.1, 0.25, 0.5})
             QVERIFY(std::abs(walked(2, frame, forward()) - fine) < 1e-9);
-        // 2 s at 1.4 m/s, less the soft start: speed × response.
+        // 2 s at 1.4 m/s, minus the soft start: speed × response.
         QVERIFY(std::abs(fine - (1.4 * 2 - 1.4 * Walker::response)) < 1e-6);
     }
 
@@ -140,7 +140,7 @@ private slots:
 
     void aThinWallStopsARunnerWithASlowMachine()
     {
-        // Only a step that ends inside the wall is stopped, as a careless collision test would do.
+        // Like a careless collision test, this one stops only steps that end inside of the wall.
         const Walkable thin = [](const glm::dvec3& from, const glm::dvec3& to) {
             return to.z < -2 && to.z > -2.2 ? from : to;
         };
@@ -265,7 +265,7 @@ private slots:
         const CameraControl::Standpoint before = control.standpoint();
         control.visit({{0, 1.1, 2}, {0, 1, 0}, 0.8});
         control.advance(0.05, {});
-        QVERIFY(control.standpoint().camera.eye == glm::dvec3(0, 1.1, 2));  // Where he is going counts.
+        QVERIFY(control.standpoint().camera.eye == glm::dvec3(0, 1.1, 2));  // The end of the glide counts.
         QCOMPARE(control.standpoint().mode, CameraControl::Mode::orbit);
         control.glideTo(before);
         for (int i = 0; i < 20; ++i) control.advance(0.05, {});

@@ -10,8 +10,8 @@ using namespace vitrine::ui;
 
 namespace {
 
-/// Draws as a machine does that needs `full` seconds for a picture at full resolution, of which `fixed`
-/// do not depend on the resolution, until nothing is left to draw. Returns how many pictures that took.
+/// Draws until nothing is left, like a machine that needs `full` seconds for a picture at full resolution, of which
+/// `fixed` do not depend on the resolution. Returns the number of pictures.
 int drawAll(DrawSchedule& schedule, double& now, double full, double fixed = 0)
 {
     int drawn = 0;
@@ -27,7 +27,7 @@ int drawAll(DrawSchedule& schedule, double& now, double full, double fixed = 0)
     return drawn;
 }
 
-/// One whose first picture is drawn, so that it is like any other time.
+/// Returns a schedule whose opening is over.
 DrawSchedule opened()
 {
     DrawSchedule schedule;
@@ -71,7 +71,7 @@ private slots:
 
         DrawSchedule quick;
         quick.setExhibits(9);
-        quick.drawn(quick.next(0).value(), 0.1);  // What it takes says nothing: no exhibit was drawn.
+        quick.drawn(quick.next(0).value(), 0.1);  // Its time has no meaning, because no exhibit was drawn.
         QCOMPARE(quick.next(0).value().mostExhibits, 1);
         quick.drawn(quick.next(0).value(), 0.1);
         QCOMPARE(quick.next(0).value(), (DrawOrder{1, 0, 16}));
@@ -79,8 +79,8 @@ private slots:
 
         DrawSchedule broken;
         broken.setExhibits(9);
-        broken.drawn({1, 15, 16}, 0);  // As the viewport says it of what failed.
-        QVERIFY(!broken.next(100));    // Nothing is tried again until something changes.
+        broken.drawn({1, 15, 16}, 0);  // Sent by the viewport after a failure.
+        QVERIFY(!broken.next(100));    // Nothing is drawn again until something changes.
         broken.changed(100);
         QCOMPARE(broken.next(100).value().mostExhibits, 0);
     }
@@ -118,7 +118,7 @@ private slots:
         DrawOrder order = schedule.next(0).value();
         schedule.begun(order);
         schedule.changed(0.001);
-        QVERIFY(!schedule.betterGivenUp());  // As quick as can be: who moves on and on sees it.
+        QVERIFY(!schedule.betterGivenUp());  // The quickest picture is shown during a long motion.
         schedule.drawn(order, 0.01);
         order = schedule.next(0.02).value();
         schedule.begun(order);
@@ -165,7 +165,7 @@ private slots:
         schedule.changed(now + 1);
         schedule.cameraMoved(now + 1);
         QVERIFY(!schedule.next(now + 1)->inMotion);
-        // Switched off, a moved camera is as any other change.
+        // Without averaging, a camera move is like any other change.
         schedule.setHistory(1);
         drawAll(schedule, now, 0.01);
         schedule.cameraMoved(now);
@@ -189,7 +189,7 @@ private slots:
             schedule.drawn(order, 0.01);
         }
         QCOMPARE(QString::fromStdString(shown), QStringLiteral("---+++"));
-        // What else changes is shown at once.
+        // Other changes are shown at once.
         schedule.cameraMoved(now + 9);
         schedule.drawn(schedule.next(now + 9).value(), 0.01);
         schedule.changed(now + 9.1);
@@ -209,14 +209,14 @@ private slots:
         }
         QCOMPARE(schedule.scaleWhileMoving(), 0.35);  // 0.4 s × 0.35² = 49 ms: within the target.
         schedule.setMoving(false, now);
-        QCOMPARE(schedule.next(now)->scale, 0.35);  // Feedback first ...
+        QCOMPARE(schedule.next(now)->scale, 0.35);  // Feedback comes first ...
         const int rest = drawAll(schedule, now, 0.4);
-        QCOMPARE(rest, 17);  // ... then sixteen at full resolution.
+        QCOMPARE(rest, 17);  // ... and then sixteen samples at full resolution.
     }
 
     void theResolutionDoesNotSwing()
     {
-        // Near every threshold, whatever the share of work that does not depend on resolution.
+        // Near all thresholds, for several shares of work that does not depend on the resolution.
         for (double full = 0.02; full < 2; full *= 1.07) {
             for (const double share : {0.0, 0.2, 0.5}) {
                 DrawSchedule schedule = opened();
@@ -257,7 +257,7 @@ private slots:
     {
         DrawSchedule schedule = opened();
         schedule.setMoving(true, 0);
-        schedule.drawn(*schedule.next(0), 1.0);  // Far too slow: the next ones will be coarser.
+        schedule.drawn(*schedule.next(0), 1.0);  // Far too slow: the next ones have a lower resolution.
         QVERIFY(schedule.scaleWhileMoving() < 1);
         QCOMPARE(schedule.reason(), QString("Moving: drawn at 100 % of full resolution"));
         schedule.drawn(*schedule.next(1), 0.05);

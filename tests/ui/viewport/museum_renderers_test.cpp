@@ -1,4 +1,4 @@
-// The renderers of the window's thread, on the museum: what they wait for, and what not.
+// Renderers of the window's thread with a museum: which programs they wait for.
 
 #include "tests/ui/ui_main.h"
 
@@ -20,7 +20,7 @@ struct FilledTable final : Parameters {
     Count number = count("number", 1, {1, 100}, "What the shader returns.");
 };
 
-/// Fills the picture with a number that its generated shader returns.
+/// Exhibit that fills the picture with a number from its generated shader.
 class Filled final : public Exhibit {
 public:
     inline static const FilledTable table;
@@ -71,7 +71,7 @@ private slots:
         frame.alone = 1;
         frame.transparent = true;
         const Renderers::Unwanted never = [] { return false; };
-        QVERIFY(!renderers.draw(sceneState, frame, never).unfinished);  // The first one is waited for.
+        QVERIFY(!renderers.draw(sceneState, frame, never).unfinished);  // The first program is waited for.
         bool unfinished = false;
         for (int number = 2; number < 8 && !unfinished; ++number) {
             sceneState.values[1].set(Filled::table.number, number);

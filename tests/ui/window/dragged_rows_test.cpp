@@ -1,4 +1,4 @@
-// What exhibits offer beside their rows: lines that are dragged in the picture, and tables to measure.
+// Optional capabilities of exhibits: lines dragged in the picture, and measured tables.
 
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
@@ -22,7 +22,7 @@ struct DividedTable final : Parameters {
     Real divider = real("divider", 0.5, none, {0, 1}, "Where.", when(split));
 };
 
-/// Counts to four, then writes that down.
+/// Measurement that counts to four and writes the count.
 class Counted final : public TableMeasurement {
 public:
     bool step(render::RenderBackend&) override
@@ -41,7 +41,7 @@ private:
     std::string csv_ = "number\n";
 };
 
-/// A square of two meters, divided by an upright line.
+/// Exhibit with a square of two meters, divided by an upright line.
 class Divided final : public Exhibit, public HasDraggedRows, public MeasuresTable {
 public:
     inline static const DividedTable table;
@@ -81,7 +81,7 @@ class DraggedRowsTest : public test::OpenWindow {
     std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<Divided>(); }
     [[nodiscard]] double divider() { return window_->history().sceneState().values[divided][Divided::table.divider]; }
     [[nodiscard]] QUndoStack& stack() { return window_->history().stack(); }
-    /// Where a point of the exhibit is in the picture.
+    /// Returns the position of a point of the exhibit in the picture.
     [[nodiscard]] QPointF at(double x, double y)
     {
         const render::View view = window_->viewport().view();
@@ -161,7 +161,7 @@ private slots:
         QCOMPARE(divider(), 0.5);
         QVERIFY(!(window_->history().sceneState().camera == camera));
         settle();
-        // So it is where there is no line.
+        // The same without a line.
         window_->history().set(divided, Divided::table.split.row, 0.0, 0);
         dragBy(at(0, 0).toPoint(), 40);
         QCOMPARE(divider(), 0.5);

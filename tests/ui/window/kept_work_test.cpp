@@ -28,7 +28,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// What the window survives, and what it brings back the next time: over a gallery whose picture is one color.
+/// Errors that the window survives, and restored sessions, over a gallery whose picture has one color.
 class KeptWorkTest : public QObject {
     Q_OBJECT
 
@@ -50,7 +50,7 @@ class KeptWorkTest : public QObject {
         window_->close();
         window_.reset();
     }
-    /// The program goes without a word: what it wrote stays as the journal of a process that is no longer there.
+    /// Simulates a crash: the written journal stays like that of a process that has ended.
     void crash(const QString& name)
     {
         const QDir folder = recovery();
@@ -65,7 +65,7 @@ class KeptWorkTest : public QObject {
         layout.close();
         session.close();
         closeWindow();
-        // What a clean exit writes was never written.
+        // Restores the layout from before, because a crash does not write it.
         QVERIFY(layout.open(QIODevice::WriteOnly | QIODevice::Truncate));
         layout.write(keptLayout);
         QFile::remove(state("session.json"));
@@ -78,7 +78,7 @@ class KeptWorkTest : public QObject {
         return QString::fromLocal8Bit(qgetenv("XDG_STATE_HOME")) + "/vitrine/" + name;
     }
     static QDir recovery() { return QDir(state("recovery")); }
-    /// The journal of this process.
+    /// Returns the journal of this process.
     static QString own()
     {
         const QStringList files =
@@ -126,7 +126,7 @@ private slots:
         openWindow();
         const QPoint alone = window_->pos();
         closeWindow();
-        // Another process with a journal of its own.
+        // Another process with its own journal.
         QProcess other;
         other.start("sleep", {"100"});
         QVERIFY(other.waitForStarted());
@@ -160,7 +160,7 @@ private slots:
             window_.get(), [] { throw 7; }, Qt::QueuedConnection);
         QTRY_COMPARE(said().size(), 4);
         QVERIFY(!said().join(' ').contains("std::"));
-        // The window works on.
+        // The window continues to work.
         const long long before = window_->viewport().picturesDrawn();
         setRoughness(0.7);
         QTRY_VERIFY(window_->viewport().picturesDrawn() > before);
@@ -211,7 +211,7 @@ private slots:
         QVERIFY(said().contains("Vitrine crashed or was stopped; your last state was restored."));
         QCOMPARE(window_->chosen(), std::size_t{1});
         QVERIFY(!dock("presets")->isVisible());
-        // At once: nothing was changed, no quiet time went by.
+        // Immediately, without a change or an idle time.
         QVERIFY(!own().isEmpty());
         QVERIFY(!recovery().exists("999999999-1.json"));
         crash("999999998-1.json");
@@ -231,7 +231,7 @@ private slots:
 
     void theJournalWaitsForNoPauseBetweenEdits()
     {
-        // Each edit comes sooner than the journal would be written after it.
+        // Each edit comes before the journal of the one before would be written.
         int edits = 0;
         for (; own().isEmpty() && edits < 8; ++edits) {
             setRoughness(0.3 + 0.01 * edits);
@@ -256,7 +256,7 @@ private slots:
             QFile kept(state("aside-session.json"));
             QVERIFY(kept.open(QIODevice::ReadOnly));
             QCOMPARE(kept.readAll(), text);
-            openWindow();  // The session that was written since.
+            openWindow();  // Restores the session written since then.
             QVERIFY2(!said().join(' ').contains("aside"), qPrintable(said().join(' ')));
         }
     }
@@ -290,7 +290,7 @@ private slots:
         }
         crash("999999990-1.json");
         openWindow();
-        QCOMPARE(roughness(), 0.25);  // As it was at first.
+        QCOMPARE(roughness(), 0.25);  // The initial value.
         const QStringList aside = recovery().entryList({"aside-*"}, QDir::Files);
         QCOMPARE(aside.size(), 1);
         QVERIFY2(said().join(' ').contains(aside.front()), qPrintable(said().join(' ')));

@@ -17,7 +17,7 @@ using namespace vitrine;
 using namespace vitrine::ui;
 using vitrine::test::rowOf;
 
-/// An exhibit whose rows are those that a file describes, in the window.
+/// An exhibit in the window whose parameters a file describes.
 class MadeRowsTest : public test::OpenWindow {
     Q_OBJECT
 
@@ -82,7 +82,7 @@ private slots:
             mayRead.acquire();
         };
         name(path("two.json"));
-        // The reader waits, the window does not: a value is set meanwhile.
+        // The reader waits, but not the window: a value is set in the meantime.
         window_->history().set(balls, *exhibit_->parameters().find("spin"), 7.0, newGesture());
         QTest::qWait(50);
         QVERIFY(!rowOf(values(), "redRadius"));
@@ -123,10 +123,10 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(rowOf(values(), "redRadius").value(), Value(0.75), vitrine::test::patience);
         QVERIFY(values().isInitial(*values().table().find("redRadius")));
         QVERIFY(!window_->panel().row("redRadius")->differs());
-        // The picture has it, and what the visitor set stays.
+        // The picture shows it, and the visitor's value stays.
         QTRY_COMPARE(rowOf(gallery_->drawn().values[balls], "redRadius").value_or(Value(0.0)), Value(0.75));
         QCOMPARE(rowOf(values(), "blueRadius").value(), Value(4.5));
-        // What undo brings back is what the file says now.
+        // Undo restores the value that is in the file now.
         undo();
         QTRY_COMPARE(rowOf(values(), "blueRadius").value(), Value(3.0));
         QTRY_COMPARE(rowOf(values(), "redRadius").value(), Value(0.75));
@@ -143,7 +143,7 @@ private slots:
         broken.close();
         QTRY_COMPARE_WITH_TIMEOUT(strip->texts().size(), 1, vitrine::test::patience);
         QVERIFY2(strip->texts().front().contains("two.json"), qPrintable(strip->texts().front()));
-        window_->choose(1);  // Whatever is on show meanwhile.
+        window_->choose(1);  // Whatever is shown in the meantime.
         test::writeBalls(path("two.json"), {{"red", 0.25}});
         QTRY_VERIFY2_WITH_TIMEOUT(strip->texts().isEmpty(), qPrintable(strip->texts().join(' ')),
                                   vitrine::test::patience);
@@ -185,7 +185,7 @@ private slots:
         QCOMPARE(rowOf(values(), "redRadius").value(), Value(3.5));
         QVERIFY(!window_->history().stack().canUndo());
 
-        // Away for a whole session, and there again.
+        // Missing for a whole session, and back again.
         closeWindow();
         QVERIFY(QFile::rename(home_->filePath("two.json"), home_->filePath("aside.json")));
         openWindow();

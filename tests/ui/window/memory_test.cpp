@@ -1,5 +1,5 @@
-// A thousand steps of ordinary use on the real window: what is kept at step 1000 is what was kept at step 200.
-//   VITRINE_MEMORY_STEPS=300   fewer, at least 300
+// A thousand steps of ordinary use on the real window: the resources at step 1000 are those at step 200.
+//   VITRINE_MEMORY_STEPS=300   number of steps, at least 300
 #include "tests/ui/ui_main.h"
 
 #include "exhibits/exhibits.h"
@@ -46,7 +46,7 @@ class MemoryTest : public QObject {
         int glNames = 0;
         std::vector<render::gl::Stored> stored;
         std::int64_t ownBytes = 0;
-        QMap<QString, int> objects;  ///< Of the window, by class: widgets, actions, timers.
+        QMap<QString, int> objects;  ///< Objects of the window by class: widgets, actions, timers.
     };
 
     std::unique_ptr<QTemporaryDir> home_;
@@ -56,7 +56,7 @@ class MemoryTest : public QObject {
     std::size_t exhibit_ = 0;
     int step_ = 0;
 
-    /// The next picture: every step is one that a visitor would see.
+    /// Waits for the next picture, because every step must be one that a visitor would see.
     void draw()
     {
         const long long drawn = window_->viewport().picturesDrawn();
@@ -151,7 +151,7 @@ class MemoryTest : public QObject {
         settle();
     }
 
-    /// Once nothing goes any more.
+    /// Counts after all temporary resources have been released.
     [[nodiscard]] Kept kept()
     {
         Kept last = reading();
@@ -198,8 +198,8 @@ class MemoryTest : public QObject {
         return now;
     }
 
-    /// How many objects of each class are below it. Those of charts are left out: how many labels have room, and
-    /// whether a law is drawn, depends on the times that were measured.
+    /// Returns the number of objects of each class below `top`. Objects of charts are left out, because their labels
+    /// and laws depend on measured times.
     [[nodiscard]] static QMap<QString, int> objectsOf(const QObject& top)
     {
         QMap<QString, int> counts;
@@ -241,7 +241,7 @@ private slots:
         window_->resize(700, 420);
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
-        // One sample of a small picture: what is counted does not depend on how fine it is.
+        // One sample of a small picture, because the counts do not depend on quality.
         SceneState sceneState = window_->history().sceneState();
         sceneState.hall().setRow(*sceneState.hall().table().find(supersamplesRow), 1.0);
         sceneState.hall().setRow(*sceneState.hall().table().find("shadowMapSize"), 512.0);
@@ -254,7 +254,7 @@ private slots:
 
     void whatAThousandStepsKeepIsWhatTwoHundredKept()
     {
-        std::vector<Kept> after;  // Each hundred steps.
+        std::vector<Kept> after;  // One entry per hundred steps.
         const int rounds = std::max(static_cast<int>(test::environmentNumber("VITRINE_MEMORY_STEPS", 1000)) / 100, 3);
         while (static_cast<int>(after.size()) < rounds) after.push_back(hundredSteps());
         QString more = grown(after[0], after[1], after.back());
@@ -265,7 +265,7 @@ private slots:
             more = grown(after[after.size() - 3], after[after.size() - 2], after.back());
         }
         QCOMPARE(more, QString());
-        // Undo keeps every step, some 0.3 KB each; the rest is how a heap of this size breathes.
+        // Undo keeps every step, about 0.3 KB each; the rest is the usual variation of the heap.
         const double growth = double(after.back().ownBytes - after[1].ownBytes) / 1e6;
         QVERIFY2(growth < 16, qPrintable(QStringLiteral("%1 MB more").arg(growth)));
     }
@@ -274,7 +274,7 @@ private slots:
     {
         window_->close();
         window_.reset();
-        // All of it was the window's.
+        // All of them belonged to the window.
         QCOMPARE(render::gl::liveGlNames(), 0);
     }
 };

@@ -38,7 +38,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// The window over the real museum, and files that cannot be shown: it says so once and goes on.
+/// The window over the real museum with unreadable files, which it reports once.
 class MissingFilesTest : public QObject {
     Q_OBJECT
 
@@ -46,7 +46,7 @@ class MissingFilesTest : public QObject {
     std::unique_ptr<Museum> museum_;
     std::unique_ptr<MuseumRenderers> renderers_;
     std::unique_ptr<MainWindow> window_;
-    QStringList unreadable_;  // Of the last picture drawn.
+    QStringList unreadable_;  // Unreadable files of the last picture.
     std::size_t fur_ = 0;
 
     [[nodiscard]] QString path(const QString& name) const { return home_->filePath(name); }
@@ -66,7 +66,7 @@ class MissingFilesTest : public QObject {
     {
         return contentOf(QString::fromStdString(render::asset("models/teddy.glb").string()));
     }
-    /// Quotes may be written as apostrophes.
+    /// Converts apostrophes to quotes.
     static QByteArray json(QByteArray text) { return text.replace('\'', '"'); }
     static QByteArray glb(QByteArray json)
     {
@@ -77,7 +77,7 @@ class MissingFilesTest : public QObject {
         };
         return "glTF" + word(2) + word(20 + json.size()) + word(json.size()) + "JSON" + json;
     }
-    /// Every one of them once ended the program.
+    /// Each of these files once crashed the program.
     QStringList writeBrokenFiles() const
     {
         write("draco.glb",
@@ -118,7 +118,7 @@ class MissingFilesTest : public QObject {
         vitrine::test::takeFewSamples(*window_, 1);
         drawAnother();
     }
-    /// The window draws: it lives.
+    /// Checks that the window still draws.
     void drawAnother()
     {
         window_->viewport().sceneStateChanged();
@@ -219,7 +219,7 @@ private slots:
         QCOMPARE(value(index, row.constData()), path(file).toStdString());
         drawAnother();
         QCOMPARE(said().size(), 1);
-        // Nobody touches the window: it looks for itself.
+        // Without input, the window notices it by itself.
         if (file.endsWith("glb")) {
             write(file, goodModel());
         } else {
@@ -228,7 +228,7 @@ private slots:
             picture.save(path(file));
         }
         QTRY_VERIFY(unreadable_.isEmpty());
-        QTRY_VERIFY2(said().isEmpty(), qPrintable(said().join(" | ")));  // What was said is no longer so.
+        QTRY_VERIFY2(said().isEmpty(), qPrintable(said().join(" | ")));  // The message has been removed.
         QCOMPARE(value(index, row.constData()), path(file).toStdString());
     }
 
@@ -387,7 +387,7 @@ private slots:
         QTRY_VERIFY(QFile::exists(path("look-2.png")));
         QCOMPARE(contentOf(path("look.png")), first);
         QTRY_COMPARE(dialog->path(), path("look-3.png"));
-        // Once more without the dialog, as the last one.
+        // Once more without the dialog, with the same settings.
         window_->again().run();
         QTRY_VERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains(path("look-3.png")));
         QCOMPARE(QImage(path("look-3.png")).size(), QSize(64, 36));
@@ -397,13 +397,13 @@ private slots:
         QTRY_VERIFY(button("Show in folder")->isVisible());
         QCOMPARE(QImageReader(path("look-3.jpg")).format(), QByteArray("jpeg"));
         qputenv("DBUS_SESSION_BUS_ADDRESS",
-                "unix:path=/nonexistent");  // No file manager answers: the folder is opened.
+                "unix:path=/nonexistent");  // There is no file manager, so the folder is opened.
         QDesktopServices::setUrlHandler("file", this, "noteOpened");
         button("Show in folder")->click();
         QTRY_COMPARE(opened_, QList<QUrl>{QUrl::fromLocalFile(QFileInfo(path("look-3.jpg")).absolutePath())});
         QDesktopServices::unsetUrlHandler("file");
         dialog->setPath(path("look-4.png"));
-        // Esc: first the export, then the dialog.
+        // Esc first cancels the export, then closes the dialog.
         for (QSpinBox* box : dialog->findChildren<QSpinBox*>())
             if (box->accessibleName() != "Width" && box->accessibleName() != "Height") box->setValue(64);
         QTRY_VERIFY(button("Export")->isEnabled());

@@ -15,7 +15,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// Rows that move, as the visitor lets them: by the row's menu and its dialog.
+/// Animating parameters by their menu and dialog.
 class MotionWindowTest : public test::OpenWindow {
     Q_OBJECT
 
@@ -165,7 +165,7 @@ private:
         const ParameterValues& values = window_->history().sceneState().values[1];
         return values.motion(*values.table().find("roughness"));
     }
-    /// Chooses from the row's menu.
+    /// Chooses from the parameter's menu.
     void choose(const char* words)
     {
         QContextMenuEvent event(QContextMenuEvent::Mouse, {5, 5}, row()->mapToGlobal(QPoint(5, 5)));

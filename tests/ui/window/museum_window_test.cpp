@@ -43,7 +43,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// The window over the real museum and the real renderer.
+/// The window over the real museum with the real renderer.
 class MuseumWindowTest : public QObject {
     Q_OBJECT
 
@@ -57,7 +57,7 @@ class MuseumWindowTest : public QObject {
     {
         renderers_ = std::make_unique<MuseumRenderers>(*museum_);
         window_ = std::make_unique<MainWindow>(*museum_, *renderers_);
-        window_->resize(1000, 560);  // A small picture: a software renderer draws it too.
+        window_->resize(1000, 560);  // Small enough for a software renderer.
         window_->show();
         QVERIFY(QTest::qWaitForWindowExposed(window_.get(), vitrine::test::patience));
         vitrine::test::takeFewSamples(*window_, 2);
@@ -69,7 +69,8 @@ class MuseumWindowTest : public QObject {
         settle();
         return window_->viewport().grabFramebuffer().convertToFormat(QImage::Format_RGB32);
     }
-    /// The picture once the viewport has taken its room: docks come and go over several turns of the event loop.
+    /// Returns the picture once the viewport has its final size: docks appear and disappear over several turns of the
+    /// event loop.
     [[nodiscard]] QImage pictureAtRest()
     {
         QImage last = picture();
@@ -81,7 +82,7 @@ class MuseumWindowTest : public QObject {
         }
         return last;
     }
-    /// Mean difference per channel, 0 to 255.
+    /// Returns the mean difference per channel, 0 to 255.
     [[nodiscard]] static double difference(const QImage& a, const QImage& b)
     {
         if (a.size() != b.size()) return 255;
@@ -125,7 +126,7 @@ private slots:
     }
     void init()
     {
-        // Every case has folders of its own; nothing of the user's is ever touched.
+        // Every test has folders of its own; the user's are never touched.
         home_ = std::make_unique<QTemporaryDir>();
         for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
             qputenv(name, home_->path().toLocal8Bit());
@@ -190,8 +191,8 @@ private slots:
         QCOMPARE(print.width(), 354);
         QFile json(home.filePath("print.png.json"));
         QVERIFY(json.open(QIODevice::ReadOnly));
-        QVERIFY(json.readAll().contains("\"scene\""));  // The look that was rendered.
-        // The hall, not a blank: many colors.
+        QVERIFY(json.readAll().contains("\"scene\""));  // The rendered scene state.
+        // The hall has many colors, and a blank picture has not.
         QSet<QRgb> colors;
         for (int y = 0; y < print.height(); ++y)
             for (int x = 0; x < print.width(); ++x) colors << print.pixel(x, y);
@@ -207,10 +208,10 @@ private slots:
         dragMorph(10);
         const ParameterValues changed = values();
         const QImage after = picture();
-        // The object fills a good part of the picture: another shape is no rounding.
+        // The object fills a large part of the picture, so another shape changes it by more than rounding.
         QVERIFY2(difference(before, after) > 1, qPrintable(QString::number(difference(before, after))));
         window_->history().stack().undo();
-        // Same inputs, same picture; the average of two samples is kept in half floats.
+        // Equal inputs give equal pictures; the mean of two samples has half floats.
         QVERIFY2(difference(before, picture()) < 0.5, qPrintable(QString::number(difference(before, picture()))));
         window_->history().stack().redo();
         window_->shelf().saveUnder("Half melted");
@@ -255,9 +256,9 @@ private slots:
     {
         window_->visit(exhibit_);
         settle();
-        QTest::qWait(1000);  // The status line and what else follows the last picture.
+        QTest::qWait(1000);  // For the status line and other work after the last picture.
         const long long drawn = window_->viewport().picturesDrawn();
-        // Not by qWait: it wakes up every 10 ms itself, which is half a percent.
+        // qWait wakes up every 10 ms, which costs half a percent.
         const double cpu = render::processCpuSeconds();
         QEventLoop idle;
         QTimer::singleShot(10000, &idle, &QEventLoop::quit);

@@ -15,11 +15,11 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// Objects of the visitor's own in the window: dropped, visited, undone, removed.
+/// The visitor's own objects in the window: dropped, visited, undone, removed.
 class OwnObjectsTest : public test::OpenWindow {
     Q_OBJECT
 
-    /// A bear of that name in the folder of the test.
+    /// Writes a bear of this name to the folder of the test.
     [[nodiscard]] QString bear(const QString& name) const
     {
         const QString path = home_->filePath(name);
@@ -38,7 +38,7 @@ class OwnObjectsTest : public test::OpenWindow {
         QDropEvent event({100, 100}, Qt::CopyAction, &data, Qt::LeftButton, {});
         QApplication::sendEvent(window_.get(), &event);
     }
-    /// The names of the files at the four places.
+    /// Returns the file names at the four places.
     [[nodiscard]] QStringList standing() const
     {
         const ParameterValues& hall = window_->history().sceneState().hall();
@@ -55,7 +55,7 @@ class OwnObjectsTest : public test::OpenWindow {
             if (menu->title().remove('&') == "Your objects") return menu;
         return nullptr;
     }
-    /// An entry of the menu as it is when it opens.
+    /// Returns an entry of the menu as it is when opened.
     [[nodiscard]] QAction* entry(const QString& text) const
     {
         emit menu()->aboutToShow();
@@ -116,8 +116,8 @@ private slots:
             const QPoint middle = window_->viewport().rect().center();
             vitrine::test::pointAt(window_->viewport(), middle - QPoint(200, 100));
             const QString name = QString::fromStdString(object.name);
-            // As a hand does, the pointer moves a little until the name stands there: events of the real pointer may
-            // come late, and what is left is forgotten.
+            // The pointer moves a little until the name is shown, because events of the real pointer may come late and
+            // reset it.
             QElapsedTimer since;
             since.start();
             for (int turn = 0; !overlays().contains(name) && since.elapsed() < vitrine::test::patience; ++turn) {
@@ -139,7 +139,7 @@ private slots:
         QCOMPARE(standing(), (QStringList{"one.glb", "", "three.glb", ""}));
         QCOMPARE(window_->history().stack().count(), 4);
         QVERIFY(!entry("Remove two.glb"));
-        // The next one takes the place that is free.
+        // The next object takes the free place.
         drop({bear("four.glb")});
         QTRY_COMPARE(standing(), (QStringList{"one.glb", "four.glb", "three.glb", ""}));
         window_->history().stack().undo();

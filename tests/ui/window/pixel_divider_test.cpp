@@ -1,4 +1,4 @@
-// The divider of the pixel art, dragged on its screen in the hall by real events of the mouse.
+// The divider of the pixel art, dragged on its screen in the hall by real mouse events.
 
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
@@ -19,7 +19,7 @@ class PixelDividerTest : public test::OpenWindow {
     std::unique_ptr<Exhibit> anotherExhibit() override { return std::make_unique<PixelArt>(); }
     [[nodiscard]] const ParameterValues& values() { return window_->history().sceneState().values[art]; }
     [[nodiscard]] QUndoStack& stack() { return window_->history().stack(); }
-    /// Where the middle of the line is in the picture.
+    /// Returns the position of the line's center in the picture.
     [[nodiscard]] QPointF line()
     {
         const render::View view = window_->viewport().view();
@@ -64,7 +64,7 @@ private slots:
         const double columns = values()[t_.divider] * sizeOf(values()[t_.resolution]).x;
         QVERIFY(std::abs(columns - std::round(columns)) < 1e-9);
         QVERIFY(values()[t_.divider] > 0.5);
-        // The pointer's 83 pixels, up to half a texel.
+        // 83 pixels of the pointer, within half a texel.
         const double texel = 83 / std::max(columns - 0.5 * sizeOf(values()[t_.resolution]).x, 1.0);
         QVERIFY2(std::abs(line().x() - before.x() - 83) <= 0.5 * texel + 1,
                  qPrintable(QStringLiteral("%1, a texel of %2").arg(line().x() - before.x()).arg(texel)));

@@ -1,4 +1,4 @@
-// Text of files and paths is plain text wherever the window shows it: Qt would read files that its HTML names.
+// Texts of files and paths are shown as plain text: Qt would load files that HTML in them names.
 
 #include "tests/ui/open_window.h"
 #include "tests/ui/ui_main.h"
@@ -27,7 +27,7 @@ using namespace vitrine::ui;
 class PlainTextTest : public test::OpenWindow {
     Q_OBJECT
 
-    /// A picture that HTML would read: one red pixel.
+    /// HTML with a picture of one red pixel.
     QString markup_;
 
     [[nodiscard]] static QLabel* tip()
@@ -36,7 +36,7 @@ class PlainTextTest : public test::OpenWindow {
             if (widget->inherits("QTipLabel") && widget->isVisible()) return qobject_cast<QLabel*>(widget);
         return nullptr;
     }
-    /// The tooltip over a widget, as the pointer at rest would open it.
+    /// Opens the tooltip of a widget, like a resting pointer.
     QLabel* tipOver(QWidget& widget)
     {
         const QPoint at = widget.rect().center();
@@ -44,7 +44,7 @@ class PlainTextTest : public test::OpenWindow {
         QApplication::sendEvent(&widget, &asked);
         return tip();
     }
-    /// Labels that would show rich text of what they hold.
+    /// Returns the labels that would show their text as rich text.
     [[nodiscard]] static QStringList richLabels()
     {
         QStringList rich;
@@ -76,7 +76,7 @@ private slots:
     {
         QWidget* widget = &window_->docks().exhibits();
         widget->setToolTip(markup_);
-        for (int i = 0; i < 2; ++i) {  // The first one, and another one in the same label.
+        for (int i = 0; i < 2; ++i) {  // The first tooltip, and another one in the same label.
             QTRY_VERIFY(tipOver(*widget));
             QCOMPARE(tip()->textFormat(), Qt::PlainText);
             QCOMPARE(tip()->text(), widget->toolTip());

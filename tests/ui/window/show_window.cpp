@@ -1,7 +1,7 @@
-// Draws the window into pictures, dark and light, to look at: show_window FOLDER [museum | tree | compare |
-// explore | lessons]. With "museum" the real one, with "tree" its exhibits that are made of trees, with "compare" two
-// settings of it, with "explore" its pad and nine variations, with "lessons" a step of each lesson, and the pages; else
-// a gallery of one color with every kind of parameter.
+// Draws pictures of the window, dark and light, for inspection: show_window FOLDER [museum | tree | compare | explore |
+// lessons]. "museum" shows the real one, "tree" its exhibits with trees, "compare" two of its settings, "explore" its
+// pad and nine variations, "lessons" a step of each lesson and the pages. Otherwise a gallery of one color is shown,
+// with every kind of parameter.
 #include "tests/ui/painted_gallery.h"
 
 #include "exhibits/exhibits.h"
@@ -50,7 +50,7 @@ void waitUntilStill(const ui::MainWindow& window, int mostMilliseconds)
     while (passed.elapsed() < mostMilliseconds && (passed.elapsed() < 1200 || !window.viewport().schedule().still()));
 }
 
-/// Every exhibit that is made of a tree, with the node in the middle of its picture selected.
+/// Shows all exhibits with trees; the node in the middle of the picture is selected.
 void showTrees(ui::MainWindow& window, const Museum& museum, const QString& folder, const QString& ending)
 {
     for (const MuseumExhibit& each : museum.exhibits()) {
@@ -69,7 +69,7 @@ void showTrees(ui::MainWindow& window, const Museum& museum, const QString& fold
     }
 }
 
-/// The torus beside the mug in every mode of the comparison.
+/// Shows the torus beside the mug in all modes of the comparison.
 void showComparison(ui::MainWindow& window, const QString& folder, const QString& ending)
 {
     window.visit(1);
@@ -89,7 +89,7 @@ void showComparison(ui::MainWindow& window, const QString& folder, const QString
     }
 }
 
-/// The torus among presets on the pad, and nine variations of it.
+/// Shows the torus among presets on the pad, and nine variations of it.
 void showExploration(ui::MainWindow& window, const QString& folder, const QString& ending)
 {
     window.resize(1280, 720);
@@ -110,7 +110,7 @@ void showExploration(ui::MainWindow& window, const QString& folder, const QStrin
     window.grab().save(folder + QStringLiteral("/explore") + ending);
 }
 
-/// The third step of every lesson, and the page about its exhibit.
+/// Shows the third step of every lesson, and the page about its exhibit.
 void showLessons(ui::MainWindow& window, const Museum& museum, const QString& folder, const QString& ending)
 {
     for (const MuseumExhibit& each : museum.exhibits()) {

@@ -22,8 +22,8 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// The window, its panels and its dialogs with type of every size, on the screen that the test is given: nothing is cut
-/// off, everything can be reached, and it all fits.
+/// The window, its panels and its dialogs with all font sizes on the test's screen: nothing is cut off, everything can
+/// be reached and fits.
 class TypeSizeTest : public test::OpenWindow {
     Q_OBJECT
 
@@ -33,7 +33,7 @@ class TypeSizeTest : public test::OpenWindow {
         values.typeSize = percent;
         window_->preferences().values().set(values);
     }
-    /// Says what is cut off once the widget has its layout; where VITRINE_PICTURES names a folder, it is drawn there.
+    /// Reports what is cut off once the widget is laid out. If VITRINE_PICTURES names a folder, draws it there.
     void look(QWidget& widget, const QString& name)
     {
         widget.ensurePolished();

@@ -30,7 +30,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// What a visitor does in the window, with mouse and keys.
+/// Actions of a visitor in the window, with mouse and keys.
 class VisitorTest : public test::OpenWindow {
     Q_OBJECT
 
@@ -39,7 +39,7 @@ class VisitorTest : public test::OpenWindow {
         return {static_cast<int>(window_->viewport().width() * (x + 1) / 2),
                 static_cast<int>(window_->viewport().height() * (1 - y) / 2)};
     }
-    /// The middle of the exhibit's button in the picture.
+    /// Returns the center of the exhibit's button in the picture.
     [[nodiscard]] QPoint button()
     {
         const Viewport& viewport = window_->viewport();
@@ -76,7 +76,7 @@ class VisitorTest : public test::OpenWindow {
                 for (QAction* entry : top->menu()->actions()) entries << entry->text().remove('&');
         return entries;
     }
-    void activate() { QApplication::setActiveWindow(window_.get()); }  // No window manager does it under Xvfb.
+    void activate() { QApplication::setActiveWindow(window_.get()); }  // Under Xvfb there is no window manager.
 
 private slots:
     void initTestCase() { prepare(); }
@@ -125,7 +125,7 @@ private slots:
         QCOMPARE(window_->history().stack().index(), 0);
         QTest::keyClick(color, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(window_->history().stack().index(), 1);
-        // What is half typed is the field's own.
+        // Incomplete text is undone by the field itself.
         QTest::keyClick(color, Qt::Key_End);
         QTest::keyClick(color, Qt::Key_Backspace);
         QTest::keyClick(color, Qt::Key_Z, Qt::ControlModifier);
@@ -169,12 +169,12 @@ private slots:
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());
         QCOMPARE(pressed.count(), 1);
         QCOMPARE(viewport.mode(), CameraControl::Mode::walk);
-        viewport.jumpTo(test::PaintedGallery::towardsButton(3));  // From afar one goes there first ...
+        viewport.jumpTo(test::PaintedGallery::towardsButton(3));  // From far away, the first click visits ...
         QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());
         QCOMPARE(pressed.count(), 1);
         QTRY_COMPARE(viewport.mode(), CameraControl::Mode::orbit);
         settle();
-        QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());  // ... and presses it then.
+        QTest::mouseClick(&viewport, Qt::LeftButton, {}, button());  // ... and the second one presses.
         QCOMPARE(pressed.count(), 2);
         QTest::keyClick(&viewport, Qt::Key_E);
         QCOMPARE(pressed.count(), 3);
@@ -203,7 +203,7 @@ private slots:
             QVERIFY(size.width() <= screen.width() - 8 && size.height() <= screen.height() - 40);
         }
         QCOMPARE(MainWindow::firstSize({3840, 2160}), QSize(1400, 860));
-        // ... and nothing in the window asks for more.
+        // ... and nothing in the window needs more.
         QVERIFY2(window_->minimumSizeHint().height() <= MainWindow::firstSize({1280, 720}).height(),
                  qPrintable(QString::number(window_->minimumSizeHint().height())));
         closeWindow();
@@ -229,7 +229,7 @@ private slots:
         QCOMPARE(window_->chosen(), std::size_t{1});
         QCOMPARE(window_->shown(), std::size_t{1});
         QCOMPARE(window_->findChild<ExhibitList*>()->currentItem()->text(), QString("Torus to mug"));
-        // One of an older program does not say it: what is in the middle of its picture is.
+        // A file of an older program does not name it: the exhibit in the middle of its picture is chosen.
         QVERIFY(file.open(QIODevice::ReadOnly));
         QByteArray text = file.readAll();
         file.close();
@@ -295,7 +295,7 @@ private slots:
         for (int i = 0; i < 200 && QApplication::focusWidget() != filter(); ++i) {
             QWidget* stop = QApplication::focusWidget();
             QVERIFY(stop);
-            if (stop == &window_->viewport()) {  // Tab is its own key there: on behind it.
+            if (stop == &window_->viewport()) {  // The viewport handles Tab itself, so the test goes on behind it.
                 do stop = stop->nextInFocusChain();
                 while (!(stop->focusPolicy() & Qt::TabFocus) || !stop->isVisible() || !stop->isEnabled() ||
                        stop->window() != window_.get());
@@ -352,7 +352,7 @@ private slots:
         QCOMPARE(saved.size(), onTheScreen);
         QVERIFY(render::embeddedPreset(path.toStdString()).has_value());
         QTRY_VERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains(QFileInfo(path).fileName()));
-        // This gallery can draw no finer one: what was saved stays, and the window says why.
+        // This gallery can draw no finer picture: the saved one stays, and the window gives the reason.
         QTRY_VERIFY(!window_->findChild<PictureExport*>());
         QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), saved);
         QCOMPARE(folder.entryList({"*.png"}, QDir::Files).size(), 1);
@@ -440,7 +440,7 @@ private slots:
         }
         QVERIFY(menu("Help").contains("About Vitrine") && menu("Help").contains("Manual"));
 #ifdef NDEBUG
-        QVERIFY(!menu("View").contains("Reload shaders"));  // There are none to read.
+        QVERIFY(!menu("View").contains("Reload shaders"));  // There are no shader files to read.
 #endif
         action("About Vitrine")->trigger();
         auto* about = window_->findChild<AboutDialog*>();

@@ -20,7 +20,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// What the window says to the visitor: messages, the log, problems over the picture.
+/// Messages of the window: message strip, log, problems over the picture.
 class WindowMessagesTest : public test::OpenWindow {
     Q_OBJECT
 
@@ -67,7 +67,7 @@ private slots:
         QTRY_VERIFY(strip->isVisible());
         QTest::qWait(100);
         QCOMPARE(window_->viewport().size(), before);
-        QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The same picture: nothing to refine again.
+        QCOMPARE(window_->viewport().picturesDrawn(), drawn);  // The same picture: nothing has to be refined again.
         QCOMPARE(strip->mapToGlobal(QPoint(0, 0)), window_->viewport().mapToGlobal(QPoint(0, 0)));
         QCOMPARE(strip->width(), window_->viewport().width());
     }
@@ -86,7 +86,7 @@ private slots:
             QCOMPARE(strip->texts().front(), text);
             QTRY_VERIFY(!lineOf(text)->visibleRegion().isEmpty());
         }
-        window_->say(MessageStrip::Mood::problem, "File 2 is bad.");  // Again.
+        window_->say(MessageStrip::Mood::problem, "File 2 is bad.");  // Once more.
         QCOMPARE(strip->texts().front(), QString("File 2 is bad."));
         QCOMPARE(strip->texts().size(), 7);
         QToolButton* all = nullptr;
@@ -108,7 +108,7 @@ private slots:
         window_->setProblems("b", {});
         window_->setProblems("a", {});
         QVERIFY(strip->texts().isEmpty());
-        // A bad file that is opened again, now good.
+        // A bad file that is opened again after it was corrected.
         const QString path = home_->filePath("some.json");
         QFile file(path);
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write("{") == 1);
@@ -126,7 +126,7 @@ private slots:
     {
         auto* strip = window_->findChild<MessageStrip*>();
         QCursor::setPos(window_->mapToGlobal(window_->rect().bottomRight() -
-                                             QPoint(5, 5)));  // Not on the strip: there, notices stay.
+                                             QPoint(5, 5)));  // Not on the strip, where notices stay.
         strip->setNoticeTime(50);
         window_->say(MessageStrip::Mood::problem, "The disk is full.");
         window_->say(MessageStrip::Mood::notice, "Saved.");

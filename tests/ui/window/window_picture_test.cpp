@@ -18,7 +18,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// When the window draws its picture, and when it does not: over a gallery whose picture is one color.
+/// When the window draws its picture, and when it does not; over a gallery whose picture has one color.
 class WindowPictureTest : public test::OpenWindow {
     Q_OBJECT
 
@@ -85,7 +85,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(gallery_->betterBuilds, 1, test::patience);
         QCOMPARE(gallery_->strangers, 0);
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);
-        window_->viewport().sceneStateChanged();  // As who looks around does.
+        window_->viewport().sceneStateChanged();  // Like a visitor who looks around.
         settle();
         QVERIFY(gallery_->requests().back().rests);
         dragRoughness(60);
@@ -111,7 +111,7 @@ private slots:
         window_->history().change("Stand still", next);
         settle();
         const long long drawn = window_->viewport().picturesDrawn();
-        next.values[1].set(gallery_->table().speed, 3.0);  // Acts only while it is animated.
+        next.values[1].set(gallery_->table().speed, 3.0);  // Has an effect only while it is animated.
         window_->history().change("Change speed", next);
         QTest::qWait(300);
         QCOMPARE(window_->viewport().picturesDrawn(), drawn);
@@ -192,7 +192,7 @@ private slots:
         dragRoughness(10);
         QTRY_VERIFY(pictures == 1);
         begun.get_future().wait();
-        // The window goes on: every one of these is another picture to draw, and none can be drawn.
+        // The window keeps running: each of these needs another picture, and none can be drawn.
         double last = roughness();
         for (const int pixels : {30, 50, 40, 60}) {
             dragRoughness(pixels);
@@ -204,7 +204,7 @@ private slots:
         gallery_->forgetRequests();
         enough.set_value();
         QTRY_VERIFY(gallery_->requests().size() >= 2);
-        // The held one ends, and the next one is of the newest value: the four between are never drawn.
+        // The delayed picture ends, and the next one shows the newest value: the four between are never drawn.
         QTRY_VERIFY(window_->viewport().schedule().current());
         settle();
         QCOMPARE(window_->viewport().shown().pixelColor(20, 20).red(),
@@ -242,7 +242,8 @@ private slots:
         Viewport& viewport = window_->viewport();
         settle();
         const long long before = viewport.preparations();
-        viewport.jumpTo(test::PaintedGallery::towardsButton(1.2));  // Which button he looks at, and what moves.
+        // Queries the button in view and the animations, with one preparation.
+        viewport.jumpTo(test::PaintedGallery::towardsButton(1.2));
         settle();
         QCOMPARE(viewport.preparations(), before + 1);
         QTest::mouseMove(&viewport, viewport.rect().center());
@@ -287,7 +288,7 @@ private slots:
         QCOMPARE(elsewhere, 0);
         const long long regions = window_->viewport().regionsDrawn();
         QTRY_VERIFY(window_->viewport().regionsDrawn() > regions);
-        gallery_->exhibit().moves = false;  // It has come to rest.
+        gallery_->exhibit().moves = false;  // The motion has ended.
         QTest::qWait(500);
         QTRY_VERIFY_WITH_TIMEOUT(window_->viewport().schedule().still(), vitrine::test::patience);
         const long long rested = window_->viewport().regionsDrawn();
@@ -296,7 +297,7 @@ private slots:
         QTest::qWait(500);
         QCOMPARE(window_->viewport().regionsDrawn(), rested);
         QCOMPARE(window_->viewport().picturesDrawn(), refined);
-        // A screenshot of it is drawn apart: the picture behind is of another moment.
+        // A screenshot of it is drawn separately, because the picture behind the region has another time.
         QVERIFY(!window_->viewport().pictureFinished());
     }
 
@@ -338,7 +339,7 @@ private slots:
             return QString();
         };
         QTRY_VERIFY(said().startsWith("Reading panorama.hdr ("));
-        // Whoever goes on meanwhile is answered: what is prepared for the window does not wait.
+        // The window keeps responding in the meantime: its preparations do not wait.
         const long long before = window_->viewport().preparations();
         const auto camera = window_->history().sceneState().camera;
         QTest::mousePress(&window_->viewport(), Qt::LeftButton, {}, {50, 50});
@@ -347,7 +348,7 @@ private slots:
         QVERIFY(!(window_->history().sceneState().camera == camera));
         QVERIFY(window_->viewport().preparations() > before);
         const QString later = said();
-        QTRY_VERIFY(said() != later);  // The seconds go on.
+        QTRY_VERIFY(said() != later);  // The displayed seconds advance.
         end.set_value();
         QTRY_COMPARE(said(), QString());
         QTRY_VERIFY(window_->viewport().schedule().still());
@@ -362,7 +363,7 @@ private slots:
         window_->viewport().sceneStateChanged();
         settle();
         QCOMPARE(int(gallery_->unfinishedFrames), 0);
-        // Each of the three begins again; only the fourth is refined to its end.
+        // Each of the three starts again; only the fourth is refined completely.
         QVERIFY(gallery_->requests().size() >= std::size_t(3 + window_->viewport().schedule().samples()));
         QTRY_VERIFY(window_->viewport().schedule().still());
     }

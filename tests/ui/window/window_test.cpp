@@ -18,7 +18,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// The whole window on a real OpenGL context, over a gallery whose picture is one color.
+/// The whole window with a real OpenGL context, over a gallery whose picture has one color.
 class WindowTest : public test::OpenWindow {
     Q_OBJECT
 
@@ -59,10 +59,10 @@ private slots:
         viewport.jumpTo({{1.35, 1.65, 10.2}, {1.35, 1.65, 12}, 0.96});
         QTest::keyPress(&viewport, Qt::Key_W);
         QTRY_VERIFY(window_->history().sceneState().camera.eye.z > 10.7);
-        QTest::qWait(2500);  // Long enough to be far outside.
+        QTest::qWait(2500);  // Long enough to get far outside.
         QTest::keyRelease(&viewport, Qt::Key_W);
         settle();
-        QVERIFY(window_->history().sceneState().camera.eye.z < 12 - 0.27);  // A visitor is 0.28 m wide to each side.
+        QVERIFY(window_->history().sceneState().camera.eye.z < 12 - 0.27);  // A visitor reaches 0.28 m to each side.
         QCOMPARE(window_->history().stack().count(), 0);
     }
 
@@ -91,7 +91,7 @@ private slots:
         closeWindow();
         openWindow();
         QCOMPARE(window_->chosen(), std::size_t{1});
-        QCOMPARE(roughness(), saved);  // The last session comes back by itself ...
+        QCOMPARE(roughness(), saved);  // The last session is restored automatically ...
         QVERIFY(!window_->history().stack().canUndo());
         action("Reset all parameters")->trigger();
         QCOMPARE(roughness(), 0.25);
@@ -214,7 +214,7 @@ private slots:
         in<NumberField>("roughness")->setFocus();
         dragRoughness(60);
         const double changed = roughness();
-        // The journal of a process that is no longer there.
+        // The journal of a process that has ended.
         const QDir folder(QString::fromLocal8Bit(qgetenv("XDG_STATE_HOME")) + "/vitrine/recovery");
         const auto journalPath = [&] { return folder.filePath(folder.entryList({"*.json"}, QDir::Files).value(0)); };
         const auto written = [&] {
@@ -237,12 +237,12 @@ private slots:
         auto* dock = window_->findChild<QDockWidget*>("parameters");
         QVERIFY(dock->isVisible());
         window_->viewport().setFocus();
-        QApplication::setActiveWindow(window_.get());  // No window manager does it under Xvfb.
+        QApplication::setActiveWindow(window_.get());  // Under Xvfb there is no window manager.
         QTest::keyClick(&window_->viewport(), Qt::Key_F11, Qt::ShiftModifier);
         QTRY_VERIFY(!dock->isVisible());
         QTest::keyClick(&window_->viewport(), Qt::Key_F11, Qt::ShiftModifier);
         QTRY_VERIFY(dock->isVisible());
-        QVERIFY(!window_->findChild<QDockWidget*>("ledger")->isVisible());  // Was closed, stays closed.
+        QVERIFY(!window_->findChild<QDockWidget*>("ledger")->isVisible());  // It was closed before and stays closed.
         window_->viewport().setFocus();
         QTest::keyClick(&window_->viewport(), Qt::Key_Tab);
         QTRY_VERIFY(!window_->viewport().hasFocus());
