@@ -85,7 +85,8 @@ protected:
         return nullptr;
     }
     void dragRoughness(int percent) { drag("roughness", percent); }
-    /// Drags a row's slider from near its left end by so many percent of its width, however wide the panel is.
+    /// Drags a row's slider from near its left end by a percentage of the slider's width, so that the drag does not
+    /// depend on the width of the panel.
     void drag(const char* row, int percent)
     {
         auto* slider = in<ui::ValueSlider>(row);

@@ -41,7 +41,7 @@ void colorPlot(QCustomPlot& plot)
     plot.legend->setTextColor(t.text);
 }
 
-/// Where it covers no curve.
+/// Puts the legend above the plot, where it covers no curve.
 void putLegendAbove(QCustomPlot& plot)
 {
     plot.plotLayout()->insertRow(0);

@@ -62,7 +62,7 @@ private:
     Tree tree_;
     std::shared_ptr<const Parameters> table_;  ///< Table from which the tree was made.
     std::string selected_;
-    std::vector<std::string> selectedBefore_;  ///< The latest last; an undo returns to it.
+    std::vector<std::string> selectedBefore_;  ///< Ids of nodes, the latest last.
 };
 
 }  // namespace vitrine::ui

@@ -40,7 +40,8 @@ protected:
 
 private:
     void rebuild();
-    /// Beside a node whose title another one has, too: its first number, "radius 0.42 m".
+    /// Shows the kind and the first real number of a node beside its title, for example "radius 0.42 m". Called for
+    /// nodes whose title another one has, too.
     void showSize(QTreeWidgetItem&) const;
     void showSelectedSize();
     void filter();

@@ -56,7 +56,7 @@ std::size_t ParameterTabs::shown() const
 
 int ParameterTabs::widthForLabels() const
 {
-    constexpr int besides = 24;  // Scroll bar and margins.
+    constexpr int besides = 24;  // Pixels of the scroll bar and the margins.
     int widest = 0;
     for (const auto& subject : subjects_)
         for (const ParameterInfo& row : subject->parameters().rows())

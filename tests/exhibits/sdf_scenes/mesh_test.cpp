@@ -202,7 +202,7 @@ TEST(SceneMesh, SkipsTheCellsThatAreFarFromTheSurface)
     EXPECT_GT(double(fine.nearSurface), pi / (0.01 * 0.01));
 }
 
-/// Of a thousand shapes in one blend, a point evaluates only nearby ones.
+/// A point in a blend of a thousand shapes evaluates only nearby ones.
 TEST(SceneMesh, AsksFewShapesOfMany)
 {
     test::Random random(22);

@@ -99,7 +99,7 @@ TEST(TreeEdit, AnOperationThatWouldBeEmptyGoesWithItsLastChild)
     const EditedScene gone = SceneEdit(sceneOfThree).removed("root.children[2].child");
     EXPECT_EQ(gone.path, "root");
     EXPECT_EQ(readAgain(gone.text)->nodes.size(), 3U);
-    // Of a pair, the other one stays.
+    // If one of a pair is removed, the other one stays.
     const std::string pair = SceneEdit(sceneOfThree).wrapped("root.children[1]", *findKind("morph")).text;
     const EditedScene left = SceneEdit(pair).removed("root.children[1].children[1]");
     EXPECT_EQ(left.text, sceneOfThree);

@@ -130,7 +130,7 @@ class MemoryTest : public QObject {
         ++step_;
     }
 
-    /// A hundred steps that end where they began.
+    /// Takes a hundred steps, and then resets the values of the exhibit.
     void round()
     {
         window_->choose(exhibit_);
@@ -207,8 +207,8 @@ class MemoryTest : public QObject {
             if (const QString name = object->metaObject()->className(); !name.startsWith("QCP")) ++counts[name];
         return counts;
     }
-    /// Names the counts that are higher than in each of two rounds before. A round that leaks leaks every time; what
-    /// goes with the next picture is there now and then.
+    /// Returns a line for each count that is higher than after both earlier rounds; empty if none is. A leak grows with
+    /// each round; resources that the next picture releases may be there after some rounds.
     [[nodiscard]] static QString grown(const Kept& first, const Kept& second, const Kept& now)
     {
         QStringList words;

@@ -154,7 +154,7 @@ private slots:
             QTest::qWait(20);
             for (ParameterRow* row : window_->panel().findChildren<ParameterRow*>()) {
                 const auto* label = row->findChild<RowLabel*>();
-                if (!row->isVisible() || row->idle()) continue;  // A mark asks why a row does nothing.
+                if (!row->isVisible() || row->idle()) continue;  // An idle row has a mark beside its label.
                 ++read;
                 if (label->fontMetrics().horizontalAdvance(label->text()) > label->width()) cut << label->text();
             }

@@ -18,7 +18,7 @@
 using namespace vitrine;
 using namespace vitrine::ui;
 
-/// When the window draws its picture, and when it does not; over a gallery whose picture has one color.
+/// Checks when the window draws its picture, with a gallery whose picture has one color.
 class WindowPictureTest : public test::OpenWindow {
     Q_OBJECT
 
