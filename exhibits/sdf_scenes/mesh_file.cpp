@@ -1,5 +1,6 @@
 #include "exhibits/sdf_scenes/scene_mesh.h"
 #include "render/files/strict_json.h"
+#include "render/image/srgb.h"
 
 #include <algorithm>
 #include <array>
@@ -25,12 +26,6 @@ template <typename T> void put(std::string& bytes, const T& value)
 void put(std::string& bytes, const glm::vec3& v)
 {
     for (int i = 0; i < 3; ++i) put(bytes, v[i]);
-}
-
-std::uint8_t srgb(float linear)
-{
-    const float x = linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
-    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(x, 0.0F, 1.0F)));
 }
 
 /// Triangles of one color, or with several: indices of their corners.
@@ -207,7 +202,7 @@ std::string plyFile(const SceneMesh& mesh, const std::string& name)
     for (const MeshVertex& v : mesh.vertices) {
         put(bytes, v.position);
         put(bytes, v.normal);
-        for (int i = 0; i < 3; ++i) put(bytes, srgb(v.color[i]));
+        for (int i = 0; i < 3; ++i) put(bytes, render::srgb8FromLinear(v.color[i]));
     }
     for (std::size_t i = 0; i < mesh.indices.size(); ++i) {
         if (i % 3 == 0) put(bytes, std::uint8_t{3});

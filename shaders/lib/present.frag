@@ -1,17 +1,12 @@
 // Copies display-referred linear light to the window, encoded as sRGB, scaled if the sizes differ.
 #include "lib/bindings.glsl"
 #include "lib/hash.glsl"
+#include "lib/srgb.glsl"
 
 layout(binding = UNIT_SOURCE) uniform sampler2D source;
 
 in vec2 textureCoordinate;
 layout(location = 0) out vec4 encoded;
-
-vec3 encodeSrgb(vec3 linear)
-{
-    vec3 c = clamp(linear, 0.0, 1.0);
-    return mix(12.92 * c, 1.055 * pow(max(c, vec3(1e-8)), vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
-}
 
 void main()
 {
@@ -19,5 +14,5 @@ void main()
     // Dithering: triangular noise of one level would hide banding completely; half a level is enough and less visible.
     uvec2 pixel = uvec2(gl_FragCoord.xy);
     float noise = float(pcg(pixel.x + 4096u * pixel.y) & 0xFFFFu) / 65535.0 - 0.5;
-    encoded = vec4(encodeSrgb(color.rgb) + noise / 255.0, 1.0);
+    encoded = vec4(srgbFromLinear(color.rgb) + noise / 255.0, 1.0);
 }

@@ -1,12 +1,7 @@
 // Shading of the reference: Phong with reflections, ambient light counted twice, values displayed without tone mapping.
 // Akgul, Boucher and El Hajal, "Ray Marching and Ambient Occlusion Rendering".
 
-// Linear display light of a value that a screen shows directly, without tone curve.
-vec3 asShown(vec3 color)
-{
-    vec3 c = clamp(color, 0.0, 1.0);
-    return mix(pow((c + 0.055) / 1.055, vec3(2.4)), c / 12.92, lessThanEqual(c, vec3(0.04045)));
-}
+#include "lib/srgb.glsl"
 
 vec3 phongLit(SceneHit hit, SceneMaterial m, vec3 toEye)
 {
@@ -74,6 +69,6 @@ SceneSeen sceneSeen(PortalRay ray)
         settings.traveled = hit.traveled;
         settings.side = 1.0;
     }
-    seen.radiance = asShown(color);
+    seen.radiance = linearFromSrgb(color);  // As a screen shows the value directly, without tone curve.
     return seen;
 }

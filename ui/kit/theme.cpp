@@ -1,5 +1,6 @@
 #include "ui/kit/theme.h"
 
+#include "render/image/srgb.h"
 #include "ui/kit/quiet_style.h"
 
 #include <QApplication>
@@ -20,9 +21,10 @@ Theme& current()
 /// Returns the relative luminance of an sRGB color; white has 1.
 double luminance(const QColor& color)
 {
-    const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
+    using render::linearFromSrgb;
     const QColor rgb = color.toRgb();
-    return 0.2126 * linear(rgb.redF()) + 0.7152 * linear(rgb.greenF()) + 0.0722 * linear(rgb.blueF());
+    return 0.2126 * linearFromSrgb(rgb.redF()) + 0.7152 * linearFromSrgb(rgb.greenF()) +
+           0.0722 * linearFromSrgb(rgb.blueF());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "ui/parameters/color_editor.h"
 
+#include "render/image/srgb.h"
 #include "ui/kit/language.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
@@ -17,17 +18,6 @@
 
 namespace vitrine::ui {
 namespace {
-
-// IEC 61966-2-1.
-double encode(double x)
-{
-    return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
-}
-
-double decode(double x)
-{
-    return x <= 0.04045 ? x / 12.92 : std::pow((x + 0.055) / 1.055, 2.4);
-}
 
 class Swatch final : public QAbstractButton {
 public:
@@ -64,14 +54,15 @@ private:
 QColor encoded(const glm::dvec3& color)
 {
     const glm::dvec3 c = glm::clamp(color, 0.0, 1.0);
-    return QColor::fromRgbF(static_cast<float>(encode(c.x)), static_cast<float>(encode(c.y)),
-                            static_cast<float>(encode(c.z)));
+    const auto encode = [](double x) { return static_cast<float>(render::srgbFromLinear(x)); };
+    return QColor::fromRgbF(encode(c.x), encode(c.y), encode(c.z));
 }
 
 glm::dvec3 linear(const QColor& color)
 {
     const QColor rgb = color.toRgb();
-    return {decode(rgb.red() / 255.0), decode(rgb.green() / 255.0), decode(rgb.blue() / 255.0)};
+    const auto decode = [](int code) { return render::linearFromSrgb(code / 255.0); };
+    return {decode(rgb.red()), decode(rgb.green()), decode(rgb.blue())};
 }
 
 ColorEditor::ColorEditor(const ValueRef& value, QWidget* parent)
