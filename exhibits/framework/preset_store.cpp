@@ -8,7 +8,6 @@
 #include "render/video/carried_settings.h"
 
 #include <algorithm>
-#include <cerrno>
 
 namespace vitrine {
 namespace {
@@ -40,36 +39,6 @@ bool changedSince(const fs::path& path, const FileStamp& stamp)
     return stampOf(path, readText(path)) != stamp;
 }
 
-/// Moves a file; copies it if the target is on another file system.
-void move(const fs::path& from, const fs::path& to)
-{
-    std::error_code error;
-    fs::create_directories(to.parent_path(), error);
-    fs::rename(from, to, error);
-    if (error.value() == EXDEV) {
-        writeOwnFile(to, render::readFile(from, render::ImageLimits{}.fileBytes));
-        fs::remove(from, error);
-    }
-    if (error) {
-        std::string message = "Cannot move " + from.string();
-        throw Failure(Blame::file,
-                      ((message += " to ") += to.string()) += ": " + error.message() + "; check your permissions.");
-    }
-}
-
-/// Moves the thumbnail if there is one. Never throws: if the move fails, it deletes the thumbnail.
-void moveThumbnail(const fs::path& from, const fs::path& to)
-{
-    std::error_code error;
-    const fs::path picture = PresetStore::thumbnailPath(from);
-    if (!fs::exists(picture, error)) return;
-    try {
-        move(picture, PresetStore::thumbnailPath(to));
-    } catch (const Failure&) {
-        fs::remove(picture, error);
-    }
-}
-
 PresetEntry entryFor(const fs::path& path, bool shipped)
 {
     PresetEntry entry;
@@ -91,12 +60,8 @@ PresetEntry entryFor(const fs::path& path, bool shipped)
 
 void appendFolder(const fs::path& folder, bool shipped, std::vector<PresetEntry>& out)
 {
-    std::error_code error;
     const std::size_t first = out.size();
-    for (const fs::directory_entry& file : fs::directory_iterator(folder, error)) {
-        if (file.path().extension() == ".json" && !file.path().filename().string().starts_with('.'))
-            out.push_back(entryFor(file.path(), shipped));
-    }
+    for (const fs::path& file : documentsIn(folder)) out.push_back(entryFor(file, shipped));
     std::sort(
         out.begin() + static_cast<std::ptrdiff_t>(first), out.end(),
         [](const PresetEntry& a, const PresetEntry& b) { return std::tie(a.name, a.path) < std::tie(b.name, b.path); });
@@ -116,11 +81,6 @@ bool standsFor(std::string_view stem, std::string_view slug)
 PresetStore PresetStore::standard(fs::path shipped)
 {
     return PresetStore({userPresetFolder(), std::move(shipped), stateFolder() / "trash"});
-}
-
-fs::path PresetStore::thumbnailPath(const fs::path& preset)
-{
-    return fs::path(preset).replace_extension(".png");
 }
 
 std::vector<PresetEntry> PresetStore::list(std::string_view exhibit) const
@@ -168,7 +128,7 @@ fs::path PresetStore::rename(const fs::path& path, std::string_view name) const
     writeOwnFile(to, text);
     std::error_code error;
     fs::remove(path, error);
-    moveThumbnail(path, to);
+    moveCompanion(path, to, thumbnailExtension);
     return to;
 }
 
@@ -198,21 +158,10 @@ fs::path PresetStore::duplicate(const fs::path& path, std::string_view name) con
     return copyAs(renamedPreset(document, name), path, path.parent_path().filename().string(), name);
 }
 
-RemovedPreset PresetStore::remove(const fs::path& path) const
+RemovedDocument PresetStore::remove(const fs::path& path) const
 {
     refuseShipped(path);
-    const fs::path trashed = freePath(folders_.trash, path.stem().string());
-    move(path, trashed);
-    moveThumbnail(path, trashed);
-    return {path, trashed};
-}
-
-fs::path PresetStore::restore(const RemovedPreset& removed) const
-{
-    const fs::path to = freePath(removed.original.parent_path(), removed.original.stem().string());
-    move(removed.trashed, to);
-    moveThumbnail(removed.trashed, to);
-    return to;
+    return removeDocument(path, folders_.trash, thumbnailExtension);
 }
 
 fs::path PresetStore::importFile(const fs::path& path, std::string_view exhibit, const Parameters& table) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/document_folder.h"
 #include "exhibits/framework/preset.h"
 
 #include <cstdint>
@@ -41,12 +42,6 @@ struct StoredPreset {
 enum class IfChanged : std::uint8_t { report, overwrite };
 enum class SaveOutcome : std::uint8_t { saved, changedOnDisk };
 
-/// Result of `PresetStore::remove`: the paths before and after moving to the trash.
-struct RemovedPreset {
-    std::filesystem::path original;
-    std::filesystem::path trashed;
-};
-
 /// Presets on disk: the user's presets, and those that come with the program (shipped).
 ///
 /// Files: <folder>/<exhibit>/<slug>.json with an optional thumbnail <slug>.png beside it. A file that cannot be read is
@@ -83,9 +78,12 @@ public:
     std::filesystem::path duplicate(const std::filesystem::path&, std::string_view name) const;
 
     /// Moves a preset and its thumbnail to the trash.
-    [[nodiscard]] RemovedPreset remove(const std::filesystem::path&) const;
+    [[nodiscard]] RemovedDocument remove(const std::filesystem::path&) const;
     /// Moves a preset back from the trash, under a new file name if the old one is taken. Returns its path.
-    std::filesystem::path restore(const RemovedPreset&) const;
+    std::filesystem::path restore(const RemovedDocument& removed) const
+    {
+        return restoreDocument(removed, thumbnailExtension);
+    }
 
     /// Imports a preset file, or the preset embedded in a picture or recording, into the user's folder, after parsing
     /// all of it. Of an exhibition only the part of this exhibit is imported. Returns its path.
@@ -94,9 +92,13 @@ public:
     void exportFile(const std::filesystem::path&, const std::filesystem::path& target) const;
 
     /// Returns the path of a preset's thumbnail, which may not exist.
-    [[nodiscard]] static std::filesystem::path thumbnailPath(const std::filesystem::path& preset);
+    [[nodiscard]] static std::filesystem::path thumbnailPath(std::filesystem::path preset)
+    {
+        return preset.replace_extension(thumbnailExtension);
+    }
 
 private:
+    static constexpr const char* thumbnailExtension = ".png";
     [[nodiscard]] bool isShipped(const std::filesystem::path&) const;
     void refuseShipped(const std::filesystem::path&) const;
     [[nodiscard]] std::filesystem::path copyAs(const std::string& text, const std::filesystem::path& from,

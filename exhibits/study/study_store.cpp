@@ -14,15 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 using render::Json;
 
-/// Returns the files of a folder that may be studies.
-std::vector<fs::path> filesIn(const fs::path& folder)
+fs::path picturesOf(fs::path study)
 {
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (const fs::directory_entry& file : fs::directory_iterator(folder, error))
-        if (file.path().extension() == ".json" && !file.path().filename().string().starts_with('.'))
-            files.push_back(file.path());
-    return files;
+    return study.replace_extension(StudyStore::picturesExtension);
 }
 
 std::uintmax_t sizeOf(const fs::path& path)
@@ -30,36 +24,6 @@ std::uintmax_t sizeOf(const fs::path& path)
     std::error_code error;
     const std::uintmax_t size = fs::file_size(path, error);
     return error ? 0 : size;
-}
-
-void move(const fs::path& from, const fs::path& to)
-{
-    std::error_code error;
-    fs::create_directories(to.parent_path(), error);
-    fs::rename(from, to, error);
-    if (error)
-        throw Failure(Blame::file, "Cannot move " + from.string() + " to " + to.string() + ": " + error.message() +
-                                       "; check your permissions.");
-}
-
-fs::path picturesOf(const fs::path& study)
-{
-    fs::path path = study;
-    return path.replace_extension(".pictures.exr");
-}
-
-/// Moves the pictures along. If that fails, the pictures are lost, but not the study.
-void movePictures(const fs::path& from, const fs::path& to)
-{
-    std::error_code ignored;
-    fs::rename(picturesOf(from), picturesOf(to), ignored);
-}
-
-void removeWithPictures(const fs::path& study)
-{
-    std::error_code ignored;
-    fs::remove(study, ignored);
-    fs::remove(picturesOf(study), ignored);
 }
 
 bool isNewer(const StudyEntry& a, const StudyEntry& b)
@@ -86,7 +50,7 @@ StudyStore StudyStore::standard()
 std::vector<StudyEntry> StudyStore::list() const
 {
     std::vector<StudyEntry> entries;
-    for (const fs::path& path : filesIn(folder_)) {
+    for (const fs::path& path : documentsIn(folder_)) {
         StudyEntry entry{path, {}, {}};
         try {
             entry.study = readStudy(path);
@@ -101,7 +65,7 @@ std::vector<StudyEntry> StudyStore::list() const
 
 void StudyStore::makeRoomFor(std::uintmax_t bytes) const
 {
-    const std::vector<fs::path> files = filesIn(folder_);
+    const std::vector<fs::path> files = documentsIn(folder_);
     std::uintmax_t taken = bytes;
     std::size_t count = files.size() + 1;
     for (const fs::path& path : files) taken += sizeOf(path);
@@ -119,13 +83,17 @@ void StudyStore::makeRoomFor(std::uintmax_t bytes) const
         throw Failure(Blame::file,
                       "This study was not kept: those with names in " + folder_.string() +
                           " take all the room that there is; delete one of them, or save this one elsewhere.");
-    for (const fs::path& path : leaving) removeWithPictures(path);
+    std::error_code ignored;
+    for (const fs::path& path : leaving) {
+        fs::remove(path, ignored);
+        fs::remove(picturesOf(path), ignored);
+    }
 }
 
 void StudyStore::makeRoomForPictures(const fs::path& added) const
 {
     std::uintmax_t taken = 0;
-    for (const fs::path& path : filesIn(folder_)) taken += sizeOf(picturesOf(path));
+    for (const fs::path& path : documentsIn(folder_)) taken += sizeOf(picturesOf(path));
     if (taken <= limits_.pictureBytes) return;
     const std::vector<StudyEntry> entries = list();
     std::vector<fs::path> leaving;
@@ -187,7 +155,7 @@ std::vector<fs::path> StudyStore::add(const fs::path& from) const
     for (const auto& [study, json] : parseStudies(render::readJson(from, studyLimits))) {
         const Json kept = study.name.empty() ? named(json, nameOfStudyFile(from)) : json;
         const std::string text = render::writeJson(kept);
-        const std::vector<fs::path> there = filesIn(folder_);
+        const std::vector<fs::path> there = documentsIn(folder_);
         const auto same = std::find_if(there.begin(), there.end(), [&](const fs::path& path) {
             return sizeOf(path) == text.size() && render::readFile(path, studyLimits.bytes) == text;
         });
@@ -201,22 +169,6 @@ void StudyStore::rename(const fs::path& path, const std::string& name) const
     const render::JsonDocument document = render::readJson(path, studyLimits);
     (void)parseStudy(document);
     render::atomicWrite(path, render::writeJson(named(document.root(), name)));
-}
-
-RemovedStudy StudyStore::remove(const fs::path& path) const
-{
-    const fs::path trashed = freePath(trash_, path.stem().string());
-    move(path, trashed);
-    movePictures(path, trashed);
-    return {path, trashed};
-}
-
-fs::path StudyStore::restore(const RemovedStudy& removed) const
-{
-    const fs::path to = freePath(removed.original.parent_path(), removed.original.stem().string());
-    move(removed.trashed, to);
-    movePictures(removed.trashed, to);
-    return to;
 }
 
 }  // namespace vitrine

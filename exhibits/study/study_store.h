@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/document_folder.h"
 #include "exhibits/study/contact_sheet.h"
 #include "exhibits/study/kept_study.h"
 
@@ -20,11 +21,6 @@ struct StudyEntry {
 /// Returns the name for a study without its own name: that of its file, or of the folder of a "study.json".
 [[nodiscard]] std::string nameOfStudyFile(const std::filesystem::path&);
 
-/// Files that `StudyStore::remove` moved.
-struct RemovedStudy {
-    std::filesystem::path original, trashed;
-};
-
 /// Studies on disk, one file each, as `studyJson` writes them, with "measured", "complete" and a name added. The
 /// pictures of "NAME.json", if kept, are in "NAME.pictures.exr".
 ///
@@ -41,6 +37,8 @@ public:
         std::uintmax_t bytes = 32U << 20U;
         std::uintmax_t pictureBytes = 512U << 20U;
     };
+    static constexpr const char* picturesExtension = ".pictures.exr";
+
     StudyStore(std::filesystem::path folder, std::filesystem::path trash) : StudyStore(folder, trash, Limits()) {}
     StudyStore(std::filesystem::path folder, std::filesystem::path trash, Limits limits)
         : folder_(std::move(folder)), trash_(std::move(trash)), limits_(limits)
@@ -62,9 +60,15 @@ public:
     /// Returns the pictures of a study; empty if none were kept.
     [[nodiscard]] ContactSheet pictures(const std::filesystem::path&, const KeptStudy&) const;
     /// Moves a study and its pictures to the trash.
-    [[nodiscard]] RemovedStudy remove(const std::filesystem::path&) const;
+    [[nodiscard]] RemovedDocument remove(const std::filesystem::path& path) const
+    {
+        return removeDocument(path, trash_, picturesExtension);
+    }
     /// Moves a study back, with another file name if its own is taken. Returns the path.
-    std::filesystem::path restore(const RemovedStudy&) const;
+    std::filesystem::path restore(const RemovedDocument& removed) const
+    {
+        return restoreDocument(removed, picturesExtension);
+    }
 
 private:
     std::filesystem::path write(const render::Json&) const;

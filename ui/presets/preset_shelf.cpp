@@ -330,7 +330,7 @@ void PresetShelf::remove()
     if (id.isEmpty()) return;
     trySafely([&] {
         // An undeletable file throws here, before there is an undo step.
-        auto removed = std::make_shared<RemovedPreset>(store_.remove(pathOf(id)));
+        auto removed = std::make_shared<RemovedDocument>(store_.remove(pathOf(id)));
         auto first = std::make_shared<bool>(true);
         uses_.forget(pathOf(id));
         window_.history().record(

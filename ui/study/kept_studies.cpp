@@ -333,7 +333,7 @@ void KeptStudies::remove()
         pictures_.waitForDone();  // Pictures are removed together with the study.
         // An undeletable file throws here, before there is an undo step.
         const QString title = list_->currentItem()->text();
-        auto removed = std::make_shared<RemovedStudy>(store_.remove(path.toStdString()));
+        auto removed = std::make_shared<RemovedDocument>(store_.remove(path.toStdString()));
         auto first = std::make_shared<bool>(true);
         history_.record(
             tr("Delete the study %1").arg(title),

@@ -149,14 +149,14 @@ TEST_F(Store, RemovesIntoATrashAndRestores)
     const StoredPreset saved = store.saveAs(preset("A"));
     test::writeBytes(PresetStore::thumbnailPath(saved.path), "picture");
     const std::string content = test::bytesOf(saved.path);
-    const RemovedPreset removed = store.remove(saved.path);
+    const RemovedDocument removed = store.remove(saved.path);
     EXPECT_TRUE(names().empty());
     EXPECT_FALSE(fs::exists(PresetStore::thumbnailPath(saved.path)));
     EXPECT_EQ(store.restore(removed), saved.path);
     EXPECT_EQ(test::bytesOf(saved.path), content);
     EXPECT_EQ(test::bytesOf(PresetStore::thumbnailPath(saved.path)), "picture");
 
-    const RemovedPreset again = store.remove(saved.path);
+    const RemovedDocument again = store.remove(saved.path);
     (void)store.saveAs(preset("A"));
     EXPECT_EQ(store.restore(again).filename(), "a-2.json") << "its place was taken";
     EXPECT_FAILURE(store.restore(again), "Cannot move");

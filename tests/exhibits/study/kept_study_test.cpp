@@ -168,7 +168,7 @@ TEST_F(KeptStudies, AreListedTheNewestFirstRenamedDeletedAndBroughtBack)
     store_.rename(older, "Before the grid");
     EXPECT_EQ(readStudy(older).name, "Before the grid");
     EXPECT_EQ(readStudy(older).points.size(), result_.points.size());
-    const RemovedStudy removed = store_.remove(older);
+    const RemovedDocument removed = store_.remove(older);
     EXPECT_EQ(store_.list().size(), 1U);
     EXPECT_EQ(readStudy(store_.restore(removed)).name, "Before the grid");
     store_.rename(older, "");
@@ -234,7 +234,7 @@ TEST_F(KeptStudies, KeepTheirPictures)
     };
     expectAll(path);
     store_.rename(path, "With pictures");
-    const RemovedStudy removed = store_.remove(path);
+    const RemovedDocument removed = store_.remove(path);
     EXPECT_TRUE(std::filesystem::is_empty(folder_ / "studies"));
     expectAll(store_.restore(removed));
 
