@@ -22,25 +22,6 @@
 namespace vitrine::ui {
 namespace {
 
-void colorPlot(QCustomPlot& plot)
-{
-    const Theme& t = theme();
-    plot.setBackground(t.base);
-    QColor faint = t.dim;
-    faint.setAlphaF(0.25F);
-    for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
-        for (const auto set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
-            (axis->*set)(QPen(t.dim));
-        axis->setTickLabelColor(t.text);
-        axis->setLabelColor(t.text);
-        axis->grid()->setPen(QPen(faint, 0));
-        axis->grid()->setZeroLinePen(QPen(faint, 0));
-    }
-    plot.legend->setBrush(t.base);
-    plot.legend->setBorderPen(Qt::NoPen);
-    plot.legend->setTextColor(t.text);
-}
-
 /// Puts the legend above the plot, where it covers no curve.
 void putLegendAbove(QCustomPlot& plot)
 {
@@ -101,9 +82,9 @@ QString sentences(const Chart& chart)
     return all.join(QLatin1Char(' '));
 }
 
-void fill(QCustomPlot& plot, const Chart& chart)
+void fill(SpokenPlot& plot, const Chart& chart)
 {
-    static_cast<SpokenPlot&>(plot).setSentences(sentences(chart));
+    plot.setSentences(sentences(chart));
     plot.clearGraphs();
     plot.setAccessibleName(said(chart.title));
     plot.xAxis->setLabel(ChartsDock::tr("%1: %2").arg(said(chart.title), said(chart.xTitle)));
@@ -124,7 +105,7 @@ void fill(QCustomPlot& plot, const Chart& chart)
     }
     plot.legend->setVisible(chart.curves.size() > 1);
     setRanges(plot, chart);
-    colorPlot(plot);
+    plot.applyTheme();
     plot.replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -215,7 +196,7 @@ void ChartsDock::draw()
         plots_.push_back(plot);
         row_->addWidget(plot, 1);
     }
-    for (std::size_t i = 0; i < charts_.size(); ++i) fill(*plots_[i], charts_[i]);
+    for (std::size_t i = 0; i < charts_.size(); ++i) fill(static_cast<SpokenPlot&>(*plots_[i]), charts_[i]);
 }
 
 void ChartsDock::sayWhyEmpty()

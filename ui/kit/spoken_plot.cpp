@@ -16,6 +16,25 @@ void SpokenPlot::setSentences(const QString& sentences)
     tellText(*this);
 }
 
+void SpokenPlot::applyTheme()
+{
+    const Theme& t = theme();
+    setBackground(t.base);
+    QColor faint = t.dim;
+    faint.setAlphaF(0.25F);
+    for (QCPAxis* axis : {xAxis, yAxis}) {
+        for (const auto set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
+            (axis->*set)(QPen(t.dim));
+        axis->setTickLabelColor(t.text);
+        axis->setLabelColor(t.text);
+        axis->grid()->setPen(QPen(faint, 0));
+        axis->grid()->setZeroLinePen(QPen(faint, 0));
+    }
+    legend->setBrush(t.base);
+    legend->setBorderPen(Qt::NoPen);
+    legend->setTextColor(t.text);
+}
+
 void SpokenPlot::paintEvent(QPaintEvent* event)
 {
     QCustomPlot::paintEvent(event);

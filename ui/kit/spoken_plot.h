@@ -14,6 +14,8 @@ public:
     explicit SpokenPlot(QWidget* parent = nullptr);
 
     void setSentences(const QString&);
+    /// Gives background, axes, grid and legend the colors of the theme.
+    void applyTheme();
     [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Chart; }
     [[nodiscard]] QString spokenText() const override { return sentences_; }
 

@@ -114,20 +114,7 @@ void LogChart::nameInLegend(QCPGraph& graph, const QString& name)
 
 void LogChart::applyColors()
 {
-    const Theme& t = theme();
-    setBackground(t.base);
-    QColor faint = t.dim;
-    faint.setAlphaF(0.25F);
-    for (QCPAxis* axis : {xAxis, yAxis}) {
-        for (const auto set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
-            (axis->*set)(QPen(t.dim));
-        axis->setTickLabelColor(t.text);
-        axis->setLabelColor(t.text);
-        axis->grid()->setPen(QPen(faint, 0));
-    }
-    legend->setBrush(t.base);
-    legend->setBorderPen(Qt::NoPen);
-    legend->setTextColor(t.text);
+    applyTheme();
     legend->setIconSize(36, 14);
     applyType();
     arrange();
