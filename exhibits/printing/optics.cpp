@@ -28,11 +28,6 @@ std::optional<Landing> trace(const Sheet& sheet, double x0, double theta)
     return Landing{ray.x, ray.weight, ray.depth, std::atan(ray.tanPsi)};
 }
 
-double chiefRay(const Sheet& sheet, double theta)
-{
-    return glsl::lensChiefRay(shapeOf(sheet), std::tan(theta));
-}
-
 double paraxial(const Sheet& sheet, double x0, double theta)
 {
     return glsl::lensParaxial(shapeOf(sheet), x0, theta);

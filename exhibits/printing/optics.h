@@ -24,9 +24,6 @@ struct Landing {
 /// does not exist there, faces away from the eye, or is hidden by the next lens.
 [[nodiscard]] std::optional<Landing> trace(const Sheet&, double x0, double theta);
 
-/// Returns the landing of the undeviated ray through the center of curvature: -(t - r) tan(theta).
-[[nodiscard]] double chiefRay(const Sheet&, double theta);
-
 /// Returns the landing to first order in x0 and theta: x0 (1 - t/f) - t/n theta, with f = n r / (n-1).
 [[nodiscard]] double paraxial(const Sheet&, double x0, double theta);
 

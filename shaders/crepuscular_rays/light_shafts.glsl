@@ -84,15 +84,6 @@ float shaftTapPlace(float ratio, float exponent, float share)
     return powPositive(1.0 - share * (1.0 - powPositive(ratio, exponent)), 1.0 / exponent);
 }
 
-// Sum of w d^i over n steps, the white response of the reference's loop: w (1 - d^n) / (1 - d), by its series where
-// that is 0 / 0.
-float shaftPlainSum(float weight, float decay, float n)
-{
-    float e = 1.0 - decay;
-    if (abs(e) * n < 0.002) return weight * n * (1.0 - 0.5 * (n - 1.0) * e + (n - 1.0) * (n - 2.0) * e * e / 6.0);
-    return weight * (1.0 - powPositive(decay, n)) / e;
-}
-
 // Remaining strength of the rays if the light is `beyond` the picture's edge, in halves of the picture: 1 inside, 0
 // from `margin` on. `beyond` is max(|x|, |y|) - 1 in normalized device coordinates; infinite on the camera's plane.
 float shaftEdgeFade(float beyond, float margin)

@@ -35,12 +35,3 @@ vec3 localLit(LocalLightEntry light, vec3 place, vec3 normal)
     if (irradiance.x + irradiance.y + irradiance.z <= 0.0) return vec3(0.0);
     return irradiance * localVisibility(light, place, normal);
 }
-
-// Irradiance of all lights on a surface at `place` with unit `normal`.
-vec3 localLightIrradiance(vec3 place, vec3 normal)
-{
-    vec3 sum = vec3(0.0);
-    for (int i = 0; i < min(localLights.count, MOST_LOCAL_LIGHTS); ++i)
-        sum += localLit(localLights.lights[i], place, normal);
-    return sum;
-}

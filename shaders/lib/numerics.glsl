@@ -87,12 +87,6 @@ float fractBelowOne(float x)
     return f < 1.0 ? f : 0.0;
 }
 
-// x / y, or `fallback` where y is zero. Guards: 0 / 0.
-float safeDivide(float x, float y, float fallback)
-{
-    return y != 0.0 ? x / y : fallback;
-}
-
 // x, or `fallback` where x is NaN or infinite. Written with comparisons because a driver that assumes
 // finite arithmetic may fold isnan() to false.
 float finiteOr(float x, float fallback)

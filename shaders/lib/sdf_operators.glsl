@@ -12,18 +12,6 @@ const float SDF_NARROWEST_BLEND = 1.0e-20;
 
 // ---- Combining: keep 1 ---------------------------------------------------------------------------
 
-// Exact outside both.
-float sdfUnion(float a, float b)
-{
-    return min(a, b);
-}
-
-// Bound outside.
-float sdfIntersection(float a, float b)
-{
-    return max(a, b);
-}
-
 // a without b. Bound. If a face of b coincides with a face of a, a sheet of distance zero remains: see
 // sdfCleanSubtraction.
 float sdfSubtraction(float a, float b)
@@ -38,12 +26,6 @@ float sdfCleanSubtraction(float a, float b, float gap)
     return max(a, gap - b);
 }
 
-// Points in exactly one of the two.
-float sdfXor(float a, float b)
-{
-    return max(min(a, b), -max(a, b));
-}
-
 // Union with a fillet that starts where the two distances differ by k meters, and adds at most k / 4. k = 0 (or less)
 // is the hard union, bitwise; k is clamped to SDF_WIDEST_BLEND. Quilez 2013, "Smooth minimum", quadratic.
 float sdfSmoothUnion(float a, float b, float k)
@@ -54,15 +36,10 @@ float sdfSmoothUnion(float a, float b, float k)
     return min(a, b) - h * h * width * 0.25;
 }
 
-// The same for a without b, and for a with b.
+// The same for a without b.
 float sdfSmoothSubtraction(float a, float b, float k)
 {
     return -sdfSmoothUnion(-a, b, k);
-}
-
-float sdfSmoothIntersection(float a, float b, float k)
-{
-    return -sdfSmoothUnion(-a, -b, k);
 }
 
 // Cubic fillet: curvature is continuous at its edge; adds at most k / 6.
@@ -112,14 +89,6 @@ float sdfScaled(float d, float scale)
     return d * scale;
 }
 
-// The same with a different scale per axis: a bound by the smallest scale. Without this correction the slope is largest
-// / smallest and rays pass through surfaces.
-float sdfScaledBound(float d, vec3 scale)
-{
-    vec3 s = abs(scale);
-    return d * min(s.x, min(s.y, s.z));
-}
-
 // Extrudes a profile in the plane from -halfHeight to +halfHeight. Exact if the profile is.
 float sdfExtrude(float profile, float z, float halfHeight)
 {
@@ -134,11 +103,4 @@ float sdfExtrude(float profile, float z, float halfHeight)
 vec3 sdfElongate(vec3 p, vec3 halfSize)
 {
     return p - clamp(p, -halfSize, halfSize);
-}
-
-// Maps a point to the plane of the profile of a solid of revolution around y. The profile is moved outwards by
-// `offset`.
-vec2 sdfRevolve(vec3 p, float offset)
-{
-    return vec2(length(vec2(p.x, p.z)) - offset, p.y);
 }

@@ -160,17 +160,13 @@ template <typename Number> std::vector<LibraryField<Number>> libraryOperators(Si
     const V3 box(bx, by, bz);
     const auto a = [=](const V3& p) { return sdfBox(p - V3(Number(0.25), 0, 0), box); };
     const auto b = [=](const V3& p) { return sdfSphere(p + V3(Number(0.25), Number(-0.125), Number(0.125)), radius); };
-    add("union", Claim::exactOutside, [=](const V3& p) { return sdfUnion(a(p), b(p)); });
-    add("intersection", Claim::bound, [=](const V3& p) { return sdfIntersection(a(p), b(p)); });
     add("subtraction", Claim::bound, [=](const V3& p) { return sdfSubtraction(a(p), b(p)); });
     add("cleanSubtraction", Claim::bound, [=](const V3& p) { return sdfCleanSubtraction(a(p), b(p), gap); });
-    add("xor", Claim::bound, [=](const V3& p) { return sdfXor(a(p), b(p)); });
     add("smoothUnion", Claim::bound, [=](const V3& p) { return sdfSmoothUnion(a(p), b(p), k); });
     add("smoothUnionCubic", Claim::bound, [=](const V3& p) { return sdfSmoothUnionCubic(a(p), b(p), k); });
     add("smoothUnionExponential", Claim::bound,
         [=](const V3& p) { return sdfSmoothUnionExponential(a(p), b(p), narrow); });
     add("smoothSubtraction", Claim::bound, [=](const V3& p) { return sdfSmoothSubtraction(a(p), b(p), k); });
-    add("smoothIntersection", Claim::bound, [=](const V3& p) { return sdfSmoothIntersection(a(p), b(p), k); });
     const Number inside = static_cast<Number>(sizes.between(0, 1, 0.3));
     const Number beyond = static_cast<Number>(sizes.between(1, 4, 1.25));
     const Number before = static_cast<Number>(sizes.between(-4, 0, -0.5));
@@ -184,13 +180,13 @@ template <typename Number> std::vector<LibraryField<Number>> libraryOperators(Si
                  sy = static_cast<Number>(sizes.between(0.25, 4, 0.5));
     const V3 uneven(sx, sy, Number(1));
     add("scaled", Claim::exact, [=](const V3& p) { return sdfScaled(b(p / scale), scale); });
-    add("scaledBound", Claim::bound, [=](const V3& p) { return sdfScaledBound(b(p / uneven), uneven); });
+    add("scaled unevenly", Claim::bound, [=](const V3& p) {
+        return sdfScaled(b(p / uneven), std::min({sx, sy, Number(1)}));
+    });
     add("extrude", Claim::exact,
         [=](const V3& p) { return sdfExtrude(sdfRectangle(V2(p.x, p.y), V2(bx, by)), p.z, bz); });
     const V3 apart(by, narrow, 0);
     add("elongate", Claim::exactOutside, [=](const V3& p) { return sdfSphere(sdfElongate(p, apart), radius); });
-    add("revolve", Claim::exact,
-        [=](const V3& p) { return sdfRectangle(sdfRevolve(p, Number(0.625)), V2(by / 2, narrow)); });
     return list;
 }
 

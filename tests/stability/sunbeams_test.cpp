@@ -68,25 +68,6 @@ TEST(ShaftWeights, OfGeometricTapsAddUpToOneForEverySetting)
     }
 }
 
-TEST(ShaftWeights, ThePlainSumIsTheClosedFormAlsoWhereItIsZeroOverZero)
-{
-    for (const int n : {1, 2, 64, 128, 512}) {
-        for (const double decay : decays) {
-            double sum = 0;
-            double share = 1;
-            for (int i = 0; i < n; ++i, share *= decay) sum += 0.1 * share;
-            EXPECT_NEAR(r64::shaftPlainSum(0.1, decay, n), sum, 1e-9 * n) << n << ' ' << decay;
-        }
-        EXPECT_EQ(r64::shaftPlainSum(1, 1, n), n);
-        for (const double e : {-1e-6, 1e-6}) {
-            EXPECT_NEAR(r64::shaftPlainSum(1, 1 + e, n), r64::shaftPlainSum(1, 1, n), 1e-6 * n * n);
-            EXPECT_NEAR(r32::shaftPlainSum(1, static_cast<float>(1 + e), static_cast<float>(n)), n, 1e-3 * n);
-        }
-    }
-    const auto naive = [](float decay, float n) { return (1 - std::pow(decay, n)) / (1 - decay); };
-    EXPECT_TRUE(std::isnan(naive(1, 64)));
-}
-
 TEST(ShaftWeights, MoreSamplesMakeNothingBrighter)
 {
     // A mask of bars: the mean over many lines must change by less than half a percent from 8 to 512 samples.

@@ -58,7 +58,7 @@ double expectedGray(const CardShot& shot, const Sheet& sheet, double theta, int 
                            m * printing::paraxial(sheet, p / 2, 0) / p + printing::paraxial(sheet, 0, theta) / p,
                            count);
     }
-    const double at = printing::chiefRay(sheet, theta);
+    const double at = (sheet.radius - sheet.thickness) * std::tan(theta);
     double sum = 0;
     for (const auto& part : printing::aperture(sheet, theta, beta, 1024).parts)
         sum += part.share * grayBetween((at + m * (part.from - at)) / sheet.pitch(),

@@ -46,8 +46,9 @@ glsl::LocalLightEntry entryOf(const LocalLight& light)
     return entry;
 }
 
-constexpr const char* floorBody = "vec2 p = (gl_FragCoord.xy / 48.0 * 2.0 - 1.0) * 3.0;\ncolor = "
-                                  "vec4(localLightIrradiance(vec3(p.x, 0.0, p.y), vec3(0.0, 1.0, 0.0)), 1.0);";
+constexpr const char* floorBody = "vec2 p = (gl_FragCoord.xy / 48.0 * 2.0 - 1.0) * 3.0;\ncolor = vec4(0.0);\n"
+                                  "for (int i = 0; i < localLights.count; ++i) color.rgb += "
+                                  "localLit(localLights.lights[i], vec3(p.x, 0.0, p.y), vec3(0.0, 1.0, 0.0));";
 
 TEST_F(LocalLightsOnTheDriver, AddUpAsAtFloat64)
 {
