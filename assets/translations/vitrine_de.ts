@@ -7571,11 +7571,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Verschachtelung</translation>
     </message>
     <message>
-        <source>interpreter</source>
-        <extracomment>tables</extracomment>
-        <translation>Interpreter</translation>
-    </message>
-    <message>
         <source>Intersections</source>
         <translation>Schnittmengen</translation>
     </message>
@@ -8622,11 +8617,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>list of primitives</source>
         <translation>Liste von Grundkörpern</translation>
-    </message>
-    <message>
-        <source>lists</source>
-        <extracomment>tables</extracomment>
-        <translation>Listen</translation>
     </message>
     <message>
         <source>lists have no numbers in their text</source>
@@ -9815,11 +9805,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>numbers are folded by themselves where the evaluation is automatic</source>
         <translation>Zahlen werden von selbst eingerechnet, wo die Auswertung automatisch ist</translation>
-    </message>
-    <message>
-        <source>numbers folded</source>
-        <extracomment>tables</extracomment>
-        <translation>Zahlen eingerechnet</translation>
     </message>
     <message>
         <source>Object</source>
@@ -12545,6 +12530,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>shapes</source>
         <extracomment>tables</extracomment>
         <translation>Formen</translation>
+    </message>
+    <message>
+        <source>Shapes that the shader evaluates at a point: those that matter there, from lists of cells, or all of them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Formen, die der Shader an einem Punkt auswertet: die, auf die es dort ankommt, aus Listen von Zellen, oder alle.</translation>
     </message>
     <message>
         <source>Share</source>
@@ -16717,11 +16707,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What the same step takes with the settings B, in a finished frame that is drawn anew: nothing is taken over from the frame before, and nothing is left for the next one.</source>
         <translation>Was derselbe Schritt mit den Einstellungen B braucht, in einem fertigen Frame, der neu gezeichnet wird: Nichts wird aus dem Frame davor übernommen, und nichts bleibt für den nächsten.</translation>
-    </message>
-    <message>
-        <source>What the shader asks at a point: the shapes that matter there, or all of them; written out for this scene with its numbers beside it or in it, or as lists that it walks, of this scene's kinds or of all.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was der Shader an einem Punkt fragt: die Formen, auf die es dort ankommt, oder alle; ausgeschrieben für diese Szene, mit ihren Zahlen daneben oder darin, oder als Listen, die er durchgeht, mit den Arten dieser Szene oder mit allen.</translation>
     </message>
     <message>
         <source>what the small world's sun reaches</source>

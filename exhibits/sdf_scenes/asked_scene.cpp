@@ -1,7 +1,6 @@
 #include "exhibits/sdf_scenes/asked_scene.h"
 
 #include "exhibits/sdf_scenes/list_glsl.h"
-#include "exhibits/sdf_scenes/steady_words.h"
 #include "render/hash.h"
 #include "shaders/lib/bindings.glsl"
 
@@ -43,61 +42,45 @@ AskedScene everyShape(const ShownScene& shown, const SceneWords& words, const ch
 }
 
 /// Returns null while it is being made.
-std::shared_ptr<const AskedScene> byLists(const ShownScene& shown, const SceneWords& words, SceneEvaluation way,
-                                          render::AssetStore& assets)
+std::shared_ptr<const AskedScene> byLists(const ShownScene& shown, const SceneWords& words, render::AssetStore& assets)
 {
-    const bool cells = way == SceneEvaluation::near;
-    const bool anyTree = way == SceneEvaluation::interpreter;
-    const char* name = cells ? "cells" : anyTree ? "any tree" : "lists";
     return assets
-        .made<AskedScene>(
-            "sdf_scenes.near", keyOf(shown, words, name),
-            [&] {
-                const ListVocabulary own = ListVocabulary::of(*shown.program);
-                const ListVocabulary vocabulary =
-                    anyTree ? ListVocabulary::everything(ListVocabulary::mostResults, ListVocabulary::mostPlaces) : own;
-                auto made = std::make_shared<AskedScene>();
-                made->near =
-                    nearScene(*shown.program, words, vocabulary, cells ? cellsAcross(shapesOf(*shown.program)) : 0);
-                made->sources = generatedSources(listGlsl(vocabulary, made->near->planes, stageMember));
-                made->buffers = {{STORAGE_EXHIBIT_A, made->near->records},
-                                 {STORAGE_EXHIBIT_B, made->near->lists},
-                                 {STORAGE_EXHIBIT_C, made->near->grid}};
-                const std::uint64_t bytes = made->near->bytes() + made->near->cells.cells.size() * sizeof(SceneCell);
-                return render::AssetStore::Made<AskedScene>{std::move(made), bytes};
-            })
+        .made<AskedScene>("sdf_scenes.near", keyOf(shown, words, "cells"),
+                          [&] {
+                              const ListVocabulary vocabulary = ListVocabulary::of(*shown.program);
+                              auto made = std::make_shared<AskedScene>();
+                              made->near =
+                                  nearScene(*shown.program, words, vocabulary, cellsAcross(shapesOf(*shown.program)));
+                              made->sources = generatedSources(listGlsl(vocabulary, made->near->planes, stageMember));
+                              made->buffers = {{STORAGE_EXHIBIT_A, made->near->records},
+                                               {STORAGE_EXHIBIT_B, made->near->lists},
+                                               {STORAGE_EXHIBIT_C, made->near->grid}};
+                              const std::uint64_t bytes =
+                                  made->near->bytes() + made->near->cells.cells.size() * sizeof(SceneCell);
+                              return render::AssetStore::Made<AskedScene>{std::move(made), bytes};
+                          })
         .value;
 }
 
-}  // namespace
-
+/// Returns whether step lists can evaluate the scene: very deeply nested trees need more levels than a shader has
+/// registers.
 bool hasLists(const ListVocabulary& vocabulary)
 {
     return !vocabulary.shapes.empty() && vocabulary.results <= ListVocabulary::mostResults &&
            vocabulary.places <= ListVocabulary::mostPlaces;
 }
 
-namespace {
-
 AskedScene unfolded(const ShownScene& shown, const SceneWords& words, SceneEvaluation way, render::AssetStore& assets)
 {
     if (way == SceneEvaluation::shapes) return everyShape(shown, words);
-    if (way == SceneEvaluation::folded) {
-        const auto folded = assets.made<render::ShaderSources>("sdf_scenes.folded", keyOf(shown, words, "folded"), [&] {
-            auto sources = generatedSources(foldedSceneGlsl(*shown.program, words, stageMember));
-            return render::AssetStore::Made<render::ShaderSources>{std::move(sources), 16 * words.words.size()};
-        });
-        return folded.value ? AskedScene{.sources = folded.value} : everyShape(shown, words);
-    }
     const bool automatic = way == SceneEvaluation::automatic;
     if (automatic && shapesOf(*shown.program) < manyShapes && !isInBuffer(*shown.program))
         return everyShape(shown, words, "asking every shape of so few is as fast");
     if (!hasLists(ListVocabulary::of(*shown.program)))
         return everyShape(shown, words, "the tree is nested too deep for lists");
-    const SceneEvaluation lists = automatic ? SceneEvaluation::near : way;
-    const std::shared_ptr<const AskedScene> made = byLists(shown, words, lists, assets);
+    const std::shared_ptr<const AskedScene> made = byLists(shown, words, assets);
     if (!made) return everyShape(shown, words, "what is near is still being found");
-    const bool noCells = lists == SceneEvaluation::near && made->near->cells.cells.empty();
+    const bool noCells = made->near->cells.cells.empty();
     const char* const noEnd = !noCells ? ""
                               : made->near->crowded
                                   ? "so many shapes blend into each other that cells would hold them all"
@@ -106,6 +89,47 @@ AskedScene unfolded(const ShownScene& shown, const SceneWords& words, SceneEvalu
     AskedScene asked = *made;
     asked.why = noEnd;
     return asked;
+}
+
+/// Returns whether any of some numbers of a scene depends on the time.
+bool moves(const Scene& scene, std::uint32_t first, std::size_t count)
+{
+    return std::any_of(scene.numbers.begin() + first,
+                       scene.numbers.begin() + first + static_cast<std::ptrdiff_t>(count), [&](const Number& number) {
+                           return number.expression != none && scene.expressions[number.expression].usesTime;
+                       });
+}
+
+/// Returns for each number of a program whether it is time-invariant.
+std::vector<char> steadyWords(const SceneProgram& program)
+{
+    const Scene& scene = program.scene();
+    std::vector<char> steady(program.wordCount(), 1);
+    bool anyNodeMoves = false;
+    const auto mark = [&](std::uint32_t number, std::size_t numbers, std::uint32_t word, std::size_t words) {
+        if (word == none || !moves(scene, number, numbers)) return false;
+        std::fill_n(steady.begin() + word, words, char{0});
+        return true;
+    };
+    for (std::uint32_t m = 0; m < scene.materials.size(); ++m) {
+        std::size_t numbers = 0;
+        for (const Field& field : scene.materials[m].kind->fields) numbers += numbersOf(field.type);
+        mark(scene.materials[m].numbers, numbers, program.materialWord(m), wordsOfMaterial);
+    }
+    for (const ProgramNode& node : program.nodes()) {
+        const Node& of = scene.nodes[node.node];
+        // The three numbers of a direction depend on each other, and a rotation matrix on all its angles.
+        anyNodeMoves |= mark(of.numbers, of.kind->numbers(), node.numbers, of.kind->numbers());
+        anyNodeMoves |= node.translate != none && mark(of.translate, 3, node.translate, 3);
+        anyNodeMoves |= node.rotate != none && mark(of.rotate, 3, node.rotate, 9);
+        anyNodeMoves |= node.scale != none && mark(of.scale, 3, node.scale, 4);
+    }
+    // The copies that a repeater evaluates depend on its content.
+    for (const ProgramNode& node : program.nodes())
+        if (anyNodeMoves && program.kind(node).form == Form::repeater)
+            std::fill_n(steady.begin() + node.numbers + static_cast<std::ptrdiff_t>(program.kind(node).numbers()),
+                        numbersOfAsked, char{0});
+    return steady;
 }
 
 /// Returns why the scene's numbers are not folded into its program; empty if they are.

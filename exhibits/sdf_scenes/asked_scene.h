@@ -29,10 +29,6 @@ enum class SceneRest : std::uint8_t {
     steady  ///< All constants that do not depend on the time.
 };
 
-/// Returns whether step lists can evaluate the scene: very deeply nested trees need more levels than a shader has
-/// registers.
-[[nodiscard]] bool hasLists(const ListVocabulary&);
-
 /// Returns the evaluator for the requested method, or for the one that suits the scene best. Expensive parts are made
 /// in the store, once for the same numbers. While they are pending, every shape is evaluated.
 [[nodiscard]] AskedScene askedScene(const ShownScene&, const SceneWords&, SceneEvaluation, SceneRest,

@@ -13,9 +13,8 @@ namespace {
 /// Writes one function after another. Numbers are read from the block, or folded as constants.
 class GlslWriter {
 public:
-    /// `steady`: marks the numbers that are folded, although the block contains all of them. Null: all are folded, and
-    /// the block contains none.
-    GlslWriter(const SceneProgram& program, const SceneWords* folded, const std::vector<char>* steady,
+    /// `steady`: marks the numbers that are folded, although the block contains all of them. Empty: none.
+    GlslWriter(const SceneProgram& program, const SceneWords& folded, const std::vector<char>& steady,
                const FurtherMember& further)
         : program_(program), folded_(folded), steady_(steady), further_(further)
     {
@@ -38,8 +37,7 @@ private:
     void writeAgain(const Step&, bool withMaterials);
     void line(const std::string& text) { text_ += std::string(4 * depth_, ' ') + text + '\n'; }
 
-    [[nodiscard]] bool hasValues() const { return !folded_ || steady_; }
-    [[nodiscard]] bool isFolded(std::uint32_t word) const { return folded_ && (!steady_ || (*steady_)[word] != 0); }
+    [[nodiscard]] bool isFolded(std::uint32_t word) const { return !steady_.empty() && steady_[word] != 0; }
     [[nodiscard]] std::string word(std::uint32_t at) const;
     [[nodiscard]] std::string vector(std::uint32_t at) const;
     [[nodiscard]] std::string material(std::uint32_t index) const;
@@ -55,8 +53,8 @@ private:
     }
 
     const SceneProgram& program_;
-    const SceneWords* folded_;
-    const std::vector<char>* steady_;
+    const SceneWords& folded_;
+    const std::vector<char>& steady_;
     const FurtherMember& further_;
     std::string text_;
     std::size_t depth_ = 1;
@@ -81,10 +79,10 @@ std::string GlslWriter::head() const
     if (noise) text += "#include \"sdf_scenes/noise.glsl\"\n";
     if (!further_.file.empty()) text += "#include \"" + further_.file + "\"\n";
     std::string members;
-    if (hasValues() && isInBuffer(program_))
+    if (isInBuffer(program_))
         text += "\nlayout(std430, binding = STORAGE_EXHIBIT_A) readonly buffer SceneValues {\n    vec4 "
                 "sceneValues[];\n};\n";
-    else if (hasValues() && program_.wordCount() > 0)
+    else if (program_.wordCount() > 0)
         members = "    vec4 sceneValues[" + std::to_string((program_.wordCount() + 3) / 4) + "];\n";
     if (!further_.declaration.empty()) members += "    " + further_.declaration + ";\n";
     if (members.empty()) return text;
@@ -93,7 +91,7 @@ std::string GlslWriter::head() const
 
 std::string GlslWriter::word(std::uint32_t at) const
 {
-    if (isFolded(at)) return floatLiteral(folded_->words[at]);
+    if (isFolded(at)) return floatLiteral(folded_.words[at]);
     return "sceneValues[" + std::to_string(at / 4) + "]." + "xyzw"[at % 4];
 }
 
@@ -263,18 +261,13 @@ bool isInBuffer(const SceneProgram& program)
 
 std::string sceneGlsl(const SceneProgram& program, const FurtherMember& further)
 {
-    return GlslWriter(program, nullptr, nullptr, further).write();
-}
-
-std::string foldedSceneGlsl(const SceneProgram& program, const SceneWords& words, const FurtherMember& further)
-{
-    return GlslWriter(program, &words, nullptr, further).write();
+    return GlslWriter(program, {}, {}, further).write();
 }
 
 std::string restingSceneGlsl(const SceneProgram& program, const SceneWords& words, const std::vector<char>& steady,
                              const FurtherMember& further)
 {
-    return GlslWriter(program, &words, &steady, further).write();
+    return GlslWriter(program, words, steady, further).write();
 }
 
 std::shared_ptr<const render::ShaderSources> generatedSources(std::string glsl)

@@ -32,11 +32,7 @@ struct FurtherMember {
 /// STORAGE_EXHIBIT_A, and the block contains only the further member.
 [[nodiscard]] bool isInBuffer(const SceneProgram&);
 
-/// The same with these numbers folded into the text. The block contains only the further member, or is omitted without
-/// one.
-[[nodiscard]] std::string foldedSceneGlsl(const SceneProgram&, const SceneWords&, const FurtherMember& = {});
-
-/// The same with the time-invariant numbers (`steadyWords`) folded, and the others read from the block or buffer of
+/// The same with the numbers marked in `steady` folded, and the others read from the block or buffer of
 /// `sceneGlsl`: both programs draw from the same inputs.
 [[nodiscard]] std::string restingSceneGlsl(const SceneProgram&, const SceneWords&, const std::vector<char>& steady,
                                            const FurtherMember& = {});

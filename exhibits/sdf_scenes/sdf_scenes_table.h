@@ -16,7 +16,7 @@ enum class SceneLook : int { scene, ours, source };
 enum class SceneShadow : int { look, none, hard, classic, improved, signedDistance, area };
 enum class SceneOcclusion : int { look, none, taps, hemisphere, cones };
 enum class SceneHeatMap : int { none, steps, evaluations, normals, shapes };
-enum class SceneEvaluation : int { automatic, near, shapes, folded, lists, interpreter };
+enum class SceneEvaluation : int { automatic, near, shapes };
 
 /// Parameters of the exhibit with the scene behind the frame. The parameters of a scene file are appended.
 struct SdfScenesTable final : Parameters {
@@ -100,8 +100,7 @@ struct SdfScenesTable final : Parameters {
         "The occlusion method of the right half.", when(split));
     Count rightBounces = count("rightBounces", 4, {0, 4}, "The bounces of the right half.", when(split));
     Choice<SceneEvaluation> rightEvaluation =
-        choice("rightEvaluation", SceneEvaluation::automatic,
-               {"automatic", "what is near", "every shape", "numbers folded", "lists", "interpreter"},
+        choice("rightEvaluation", SceneEvaluation::automatic, {"automatic", "what is near", "every shape"},
                "The evaluation of the right half.", when(split));
     Count rightStepLimit =
         count("rightStepLimit", 160, {1, 512, logarithmic}, "The step limit of the right half.", when(split));
@@ -116,10 +115,8 @@ struct SdfScenesTable final : Parameters {
         real("heatScale", 64, none, Range{1, 4096, logarithmic}.soft(8, 512), "The count that is shown white.",
              when(heatMap, {SceneHeatMap::steps, SceneHeatMap::evaluations, SceneHeatMap::shapes}));
     Choice<SceneEvaluation> evaluation = choice(
-        "evaluation", SceneEvaluation::automatic,
-        {"automatic", "what is near", "every shape", "numbers folded", "lists", "interpreter"},
-        "What the shader asks at a point: the shapes that matter there, or all of them; written out for this scene "
-        "with its numbers beside it or in it, or as lists that it walks, of this scene's kinds or of all.",
+        "evaluation", SceneEvaluation::automatic, {"automatic", "what is near", "every shape"},
+        "Shapes that the shader evaluates at a point: those that matter there, from lists of cells, or all of them.",
         exactAt(SceneEvaluation::shapes));
     StudiedRows studied{
         *this,

@@ -31,23 +31,6 @@ template <typename T> std::uint32_t indexOf(const std::vector<T>& all, const T& 
 
 }  // namespace
 
-ListVocabulary ListVocabulary::everything(std::uint32_t results, std::uint32_t places)
-{
-    ListVocabulary all;
-    all.results = results;
-    all.places = places;
-    for (const NodeKind& kind : nodeKinds()) {
-        if (kind.form == Form::shape) all.shapes.push_back(&kind);
-        if (isSpace(kind)) all.spaces.push_back(&kind);
-        if (!kind.combine) continue;
-        const std::size_t choices =
-            kind.fields.front().type == FieldType::choice ? kind.fields.front().choices.size() : 1;
-        for (std::size_t choice = 0; choice < choices; ++choice)
-            all.joints.push_back({&kind, static_cast<int>(choice)});
-    }
-    return all;
-}
-
 ListVocabulary ListVocabulary::of(const SceneProgram& program)
 {
     ListVocabulary own;

@@ -30,8 +30,6 @@ struct ListVocabulary {
     /// With more registers than these, shaders spill them.
     static constexpr std::uint32_t mostResults = 6, mostPlaces = 4;
 
-    /// Vocabulary that covers every scene up to this nesting depth.
-    [[nodiscard]] static ListVocabulary everything(std::uint32_t results, std::uint32_t places);
     [[nodiscard]] static ListVocabulary of(const SceneProgram&);
 };
 

@@ -14,7 +14,8 @@ void compareBothWays(const std::shared_ptr<const scenes::Scene>& scene, double t
     const scenes::SceneField field(scene, time);
     test::compareAtPoints(field, scenes::sceneGlsl(field.program()), scenes::sceneBlock(field.words()),
                           what + " from the block: ");
-    test::compareAtPoints(field, scenes::foldedSceneGlsl(field.program(), field.words()), {}, what + " folded: ");
+    const std::vector<char> all(field.words().words.size(), 1);
+    test::compareAtPoints(field, scenes::restingSceneGlsl(field.program(), field.words(), all), {}, what + " folded: ");
 }
 
 TEST_F(SceneShaders, OfTheShippedScenesAreTheEvaluator)

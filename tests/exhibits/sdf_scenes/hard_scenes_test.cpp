@@ -197,7 +197,8 @@ TEST(HardScenes, GeneratedShadersHaveNoParametersThatAreWritten)
     for (int sample = 0; sample < 100; ++sample) {
         const SceneField field = test::fieldOf(test::randomTree(random, 4));
         EXPECT_FALSE(std::regex_search(scenes::sceneGlsl(field.program()), written));
-        EXPECT_FALSE(std::regex_search(scenes::foldedSceneGlsl(field.program(), field.words()), written));
+        const std::vector<char> all(field.words().words.size(), 1);
+        EXPECT_FALSE(std::regex_search(scenes::restingSceneGlsl(field.program(), field.words(), all), written));
         EXPECT_FALSE(std::regex_search(scenes::listGlsl(scenes::ListVocabulary::of(field.program()), 2), written));
     }
     EXPECT_TRUE(std::regex_search(std::string("void f(out float d)"), written));
