@@ -1,6 +1,6 @@
 // The published schema compared with the reader: both refuse the same wrong forms.
 
-#include "exhibits/sdf_scenes/scene_schema.h"
+#include "tests/exhibits/sdf_scenes/scene_schema.h"
 #include "tests/exhibits/sdf_scenes/support.h"
 
 #include "render/files/read_file.h"

@@ -1,4 +1,4 @@
-#include "exhibits/sdf_scenes/scene_schema.h"
+#include "tests/exhibits/sdf_scenes/scene_schema.h"
 
 #include "exhibits/sdf_scenes/record_kinds.h"
 #include "exhibits/sdf_scenes/scene_reader.h"
