@@ -1107,11 +1107,6 @@ Zeiten nach: %2.</translation>
         <translation>0 ist der Torus, 1 ist die Tasse; dazwischen schmilzt der eine in die andere.</translation>
     </message>
     <message>
-        <source>0 tapers every strand like a needle, high leaves it thick with a blunt tip.</source>
-        <extracomment>tables</extracomment>
-        <translation>0 spitzt jedes Haar zu wie eine Nadel, hohe Werte lassen es dick mit stumpfer Spitze.</translation>
-    </message>
-    <message>
         <source>1 dot : %1 px</source>
         <translation>1 Punkt : %1 px</translation>
     </message>
@@ -1560,11 +1555,6 @@ Zeiten nach: %2.</translation>
         <source>A glTF object (.glb or .gltf) on the free plinth.</source>
         <extracomment>tables</extracomment>
         <translation>Ein glTF-Objekt (.glb oder .gltf) auf dem freien Sockel.</translation>
-    </message>
-    <message>
-        <source>A glTF object that wears the ring's coat in place of the ring; models/teddy.glb is one of ours.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ein glTF-Objekt, das statt des Rings dessen Fell trägt; models/teddy.glb liegt bei.</translation>
     </message>
     <message>
         <source>A hexagon in the xy plane, flat sides up and down, endless along z: to extrude or revolve.</source>
@@ -2111,6 +2101,11 @@ Zeiten nach: %2.</translation>
         <translation>Oben, linear.</translation>
     </message>
     <message>
+        <source>Absorption of sunlight on its way into the coat: 0 casts no shadow on the fur, high darkens it quickly.</source>
+        <extracomment>tables</extracomment>
+        <translation>Absorption des Sonnenlichts auf dem Weg ins Fell: 0 wirft keinen Schatten im Fell, hohe Werte verdunkeln es schnell.</translation>
+    </message>
+    <message>
         <source>Accept; bring back the value before</source>
         <translation>Übernehmen; den vorigen Wert zurückholen</translation>
     </message>
@@ -2320,6 +2315,21 @@ Zeiten nach: %2.</translation>
     <message>
         <source>ambient occlusion is switched off</source>
         <translation>Umgebungsverdeckung ist ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Amount by which the ball's radius grows and shrinks; 0 keeps its size.</source>
+        <extracomment>tables</extracomment>
+        <translation>Betrag, um den der Radius des Balls wächst und schrumpft; 0 lässt die Größe gleich.</translation>
+    </message>
+    <message>
+        <source>Amount by which the fur lags behind when the body starts, stops or spins: 0 follows at once.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit das Fell nachhängt, wenn der Körper anfährt, anhält oder sich dreht: 0 folgt sofort.</translation>
+    </message>
+    <message>
+        <source>Amount of light that comes through the fringe from behind: 0 is none, high gives a bright rim.</source>
+        <extracomment>tables</extracomment>
+        <translation>Menge des Lichts, das von hinten durch den Saum dringt: 0 ist keines, hohe Werte geben einen hellen Rand.</translation>
     </message>
     <message>
         <source>Amplitude</source>
@@ -3210,26 +3220,6 @@ Zeiten nach: %2.</translation>
         <translation>Von Hand</translation>
     </message>
     <message>
-        <source>By hand: how far the tips are drawn to the right.</source>
-        <extracomment>tables</extracomment>
-        <translation>Von Hand: wie weit die Spitzen nach rechts gezogen werden.</translation>
-    </message>
-    <message>
-        <source>By hand: how far they are drawn towards the entrance.</source>
-        <extracomment>tables</extracomment>
-        <translation>Von Hand: wie weit sie zum Eingang hin gezogen werden.</translation>
-    </message>
-    <message>
-        <source>By hand: how far they are drawn up.</source>
-        <extracomment>tables</extracomment>
-        <translation>Von Hand: wie weit sie nach oben gezogen werden.</translation>
-    </message>
-    <message>
-        <source>By hand: how far they are turned about the axis towards the entrance.</source>
-        <extracomment>tables</extracomment>
-        <translation>Von Hand: wie weit sie um die Achse zum Eingang hin gedreht werden.</translation>
-    </message>
-    <message>
         <source>By how much.</source>
         <translation>Um wie viel.</translation>
     </message>
@@ -4117,11 +4107,6 @@ Zeiten nach: %2.</translation>
         <translation>Zellen des Netzes entlang der längsten Seite des Quaders: Wenige zeigen Facetten in den Spiegelungen.</translation>
     </message>
     <message>
-        <source>Cells of the strands' lattice at most that a ray looks into at each shell, where it grazes it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Höchstzahl der Zellen des Haargitters, in die ein Strahl in jeder Shell schaut, wo er sie streift.</translation>
-    </message>
-    <message>
         <source>Cells of {1} m are too small for a scene that reaches {2} m; give --cell {3}m or more.</source>
         <translation>Zellen von {=1} m sind zu klein für eine Szene, die {=2} m weit reicht; geben Sie --cell {=3}m oder mehr an.</translation>
     </message>
@@ -4479,6 +4464,16 @@ Zeiten nach: %2.</translation>
         <translation>Farbe des Sonnenlichts: Niedrige Werte sind das Rot des Abends, hohe sind bläulich.</translation>
     </message>
     <message>
+        <source>Color of this coat at the skin.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe dieses Fells an der Haut.</translation>
+    </message>
+    <message>
+        <source>Color of this coat at the tips of the strands.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe dieses Fells an den Haarspitzen.</translation>
+    </message>
+    <message>
         <source>Color the object by what it cost, or by what was found.</source>
         <extracomment>tables</extracomment>
         <translation>Färbt das Objekt nach dem, was es gekostet hat, oder nach dem, was gefunden wurde.</translation>
@@ -4624,6 +4619,11 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Compression</source>
         <translation>Kompression</translation>
+    </message>
+    <message>
+        <source>Compression of the fur where it touches something: 0 carries the body on its tips, 1 lets the skin down to the ground.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie stark das Fell bei Berührung gedrückt wird: 0 trägt den Körper auf den Spitzen, 1 lässt die Haut bis zum Boden.</translation>
     </message>
     <message>
         <source>compute</source>
@@ -4904,6 +4904,11 @@ Zeiten nach: %2.</translation>
         <translation>Krümmung</translation>
     </message>
     <message>
+        <source>Curvature of the strands: 0 leans them like straight sticks, high bends only the tips.</source>
+        <extracomment>tables</extracomment>
+        <translation>Krümmung der Haare: 0 lehnt sie wie gerade Stöcke, hohe Werte biegen nur die Spitzen.</translation>
+    </message>
+    <message>
         <source>custom</source>
         <extracomment>tables</extracomment>
         <translation>eigene</translation>
@@ -4947,6 +4952,11 @@ Zeiten nach: %2.</translation>
         <translation>Dämpfung</translation>
     </message>
     <message>
+        <source>Damping of the swinging fur: 0 never stops, 1 stops without overshooting.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dämpfung des schwingenden Fells: 0 hört nie auf, 1 kommt ohne Überschwingen zur Ruhe.</translation>
+    </message>
+    <message>
         <source>Dandelion</source>
         <translation>Pusteblume</translation>
     </message>
@@ -4963,6 +4973,16 @@ Zeiten nach: %2.</translation>
         <source>Darken what the object hides from the hall's light: five evaluations a pixel.</source>
         <extracomment>tables</extracomment>
         <translation>Dunkelt ab, was das Objekt dem Licht der Halle verbirgt: fünf Auswertungen pro Pixel.</translation>
+    </message>
+    <message>
+        <source>Darkening of the side of the coat that faces away from the room's light: 0 lights all sides alike.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abdunklung der Seite des Fells, die dem Licht des Raums abgewandt ist: 0 beleuchtet alle Seiten gleich.</translation>
+    </message>
+    <message>
+        <source>Darkness between the roots: 0 is not darkened, high darkens strands all the way up.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dunkelheit zwischen den Wurzeln: 0 dunkelt nicht ab, hohe Werte bis ganz nach oben.</translation>
     </message>
     <message>
         <source>Dawn</source>
@@ -5114,6 +5134,16 @@ Zeiten nach: %2.</translation>
         <translation>Richtung</translation>
     </message>
     <message>
+        <source>Direction from the pit to the lamp.</source>
+        <extracomment>tables</extracomment>
+        <translation>Richtung von der Grube zur Lampe.</translation>
+    </message>
+    <message>
+        <source>Direction in which the draft blows.</source>
+        <extracomment>tables</extracomment>
+        <translation>Richtung, in die der Luftzug weht.</translation>
+    </message>
+    <message>
         <source>Directions</source>
         <translation>Richtungen</translation>
     </message>
@@ -5155,6 +5185,21 @@ Zeiten nach: %2.</translation>
         <translation>Auslenkungsgrenze</translation>
     </message>
     <message>
+        <source>Displacement of the tips to the right, in strand lengths, when set by hand.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auslenkung der Spitzen nach rechts, in Haarlängen, wenn sie von Hand gesetzt wird.</translation>
+    </message>
+    <message>
+        <source>Displacement of the tips towards the entrance, in strand lengths, when set by hand.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auslenkung der Spitzen zum Eingang hin, in Haarlängen, wenn sie von Hand gesetzt wird.</translation>
+    </message>
+    <message>
+        <source>Displacement of the tips upwards, in strand lengths, when set by hand.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auslenkung der Spitzen nach oben, in Haarlängen, wenn sie von Hand gesetzt wird.</translation>
+    </message>
+    <message>
         <source>display-referred linear light, one sample at each pixel's center unless supersamples or pictures in motion are studied</source>
         <translation>lineares Licht der Anzeige, ein Sample in der Mitte jedes Pixels, sofern nicht Supersamples oder bewegte Bilder untersucht werden</translation>
     </message>
@@ -5174,8 +5219,23 @@ Zeiten nach: %2.</translation>
         <translation>Entfernungsabfall</translation>
     </message>
     <message>
+        <source>Distance by which the tips hang down at rest, in strand lengths.</source>
+        <extracomment>tables</extracomment>
+        <translation>Strecke, um die die Spitzen in Ruhe herabhängen, in Haarlängen.</translation>
+    </message>
+    <message>
+        <source>Distance by which the tips trail in moving air, in strand lengths per meter per second.</source>
+        <extracomment>tables</extracomment>
+        <translation>Strecke, um die die Spitzen in bewegter Luft nachwehen, in Haarlängen je Meter pro Sekunde.</translation>
+    </message>
+    <message>
         <source>Distance in the scene that will lie in the print's plane; 0 is what the camera looks at.</source>
         <translation>Entfernung in der Szene, die in der Ebene des Drucks liegen wird; 0 ist das, worauf die Kamera schaut.</translation>
+    </message>
+    <message>
+        <source>Distribution of the shells over the length of the fur: below 1 more of them lie near the tips, above 1 near the skin.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verteilung der Shells über die Länge des Fells: Unter 1 liegen mehr davon an den Spitzen, über 1 mehr an der Haut.</translation>
     </message>
     <message>
         <source>Dither</source>
@@ -5753,11 +5813,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>wenige</translation>
     </message>
     <message>
-        <source>Fewer shells where the coat is far away and small.</source>
-        <extracomment>tables</extracomment>
-        <translation>Weniger Shells, wo das Fell weit weg und klein ist.</translation>
-    </message>
-    <message>
         <source>FFmpeg's libraries</source>
         <translation>die Bibliotheken von FFmpeg</translation>
     </message>
@@ -6324,6 +6379,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Im Bildraum gesammelt</translation>
     </message>
     <message>
+        <source>Gathering of strands into tufts towards their tips: 0 is freshly brushed, high looks wet.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie sehr sich Haare zu den Spitzen hin zu Büscheln sammeln: 0 ist frisch gebürstet, hohe Werte wirken nass.</translation>
+    </message>
+    <message>
         <source>GGX</source>
         <extracomment>tables</extracomment>
         <translation>GGX</translation>
@@ -6493,11 +6553,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Ground color</source>
         <extracomment>tables</extracomment>
         <translation>Bodenfarbe</translation>
-    </message>
-    <message>
-        <source>Grow and shrink all the time, not only while they jump.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wächst und schrumpft ständig, nicht nur während des Sprungs.</translation>
     </message>
     <message>
         <source>Growing</source>
@@ -6813,11 +6868,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie ein Druckpunkt unter den Ansichten unter ihm wählt: die in seiner Mitte, alle nach Fläche, oder nach Fläche mit weichen Streifenrändern.</translation>
     </message>
     <message>
-        <source>How a strand turns from root to tip: the mix of matrices shortens it, nlerp hurries in the middle, slerp does neither.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sich ein Haar von der Wurzel zur Spitze dreht: Die Mischung der Matrizen verkürzt es, nlerp eilt in der Mitte, slerp tut keines von beiden.</translation>
-    </message>
-    <message>
         <source>How bright it looks, linear.</source>
         <translation>Wie hell es erscheint, linear.</translation>
     </message>
@@ -6839,11 +6889,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How colors between those of the palette are hinted at. Ordered and blue noise stay where they are from frame to frame.</source>
         <translation>Wie Farben zwischen denen der Palette angedeutet werden. Geordnetes und blaues Rauschen bleiben von Frame zu Frame, wo sie sind.</translation>
-    </message>
-    <message>
-        <source>How dark it is between the roots: 0 not at all, high all the way up.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie dunkel es zwischen den Wurzeln ist: 0 gar nicht, hohe Werte bis ganz nach oben.</translation>
     </message>
     <message>
         <source>How far a pitch chart goes each way: 1 % is coarse, 0.1 % fine.</source>
@@ -6902,11 +6947,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit sie in einer Sekunde geht.</translation>
     </message>
     <message>
-        <source>How far it hangs at rest, in strand lengths.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit es in Ruhe herabhängt, in Haarlängen.</translation>
-    </message>
-    <message>
         <source>How far it is built up, as its author's slides go; each stage has all before it.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit es aufgebaut ist, nach den Folien seines Autors; jede Stufe hat alles davor.</translation>
@@ -6915,11 +6955,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How far it is turned.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit es gedreht ist.</translation>
-    </message>
-    <message>
-        <source>How far it lags behind when the body starts, stops or spins.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit es nachhängt, wenn der Körper anfährt, anhält oder sich dreht.</translation>
     </message>
     <message>
         <source>How far it leans past the axis to a side.</source>
@@ -6932,34 +6967,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit er lehnt: unter 0 zur Achse hin.</translation>
     </message>
     <message>
-        <source>How far it lies in swirls instead.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit es stattdessen in Wirbeln liegt.</translation>
-    </message>
-    <message>
-        <source>How far it trails in moving air, in strand lengths for each meter a second.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit es in bewegter Luft nachweht, in Haarlängen pro Meter in der Sekunde.</translation>
-    </message>
-    <message>
         <source>How far papers differ in color: 0 not at all, 1 is a festival.</source>
         <extracomment>tables</extracomment>
         <translation>Wie sehr sich Papiere in der Farbe unterscheiden: 0 gar nicht, 1 ist ein Fest.</translation>
-    </message>
-    <message>
-        <source>How far strands differ in color.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr sich Haare in der Farbe unterscheiden.</translation>
-    </message>
-    <message>
-        <source>How far strands differ in thickness: 0 makes all as thick as said above, 1 any thickness from that down to none.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr sich Haare in der Dicke unterscheiden: 0 macht alle so dick wie oben angegeben, 1 jede Dicke von da bis nichts.</translation>
-    </message>
-    <message>
-        <source>How far strands draw together towards their tips: 0 is freshly brushed, high is wet.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr sich Haare zu ihren Spitzen hin sammeln: 0 ist frisch gebürstet, hohe Werte sind nass.</translation>
     </message>
     <message>
         <source>How far the blend reaches; 0 is a hard edge.</source>
@@ -6969,11 +6979,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How far the camera has gone around what it looks at.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit die Kamera um das herumgegangen ist, was sie ansieht.</translation>
-    </message>
-    <message>
-        <source>How far the coat is combed to one side.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit das Fell zu einer Seite gekämmt ist.</translation>
     </message>
     <message>
         <source>How far the mobile has turned.</source>
@@ -6988,16 +6993,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How far they are turned, each by an angle of its own.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit sie gedreht sind, jede um einen eigenen Winkel.</translation>
-    </message>
-    <message>
-        <source>How far they may turn less than their body at most; the museum that this exhibit follows allows 30 degrees.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit sie höchstens hinter der Drehung ihres Körpers zurückbleiben dürfen; das Museum, dem dieses Exponat folgt, erlaubt 30 Grad.</translation>
-    </message>
-    <message>
-        <source>How far tips may be drawn at most, in strand lengths.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit Spitzen höchstens gezogen werden dürfen, in Haarlängen.</translation>
     </message>
     <message>
         <source>How far towards the light is gathered: 0 sees the mask alone, 1 goes all the way.</source>
@@ -7030,24 +7025,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie schnell es sich dreht, gegenüber der langsamen, ungleichmäßigen Drehung des Originals.</translation>
     </message>
     <message>
-        <source>How fast sunlight fades on its way into the coat.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie schnell Sonnenlicht auf dem Weg ins Fell schwindet.</translation>
-    </message>
-    <message>
         <source>How fast the dust thins with height: 0 is even, high keeps it near the floor.</source>
         <extracomment>tables</extracomment>
         <translation>Wie schnell der Staub mit der Höhe dünner wird: 0 ist gleichmäßig, hohe Werte halten ihn am Boden.</translation>
-    </message>
-    <message>
-        <source>How fast they leave the ground when the button is pressed, in meters a second.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie schnell sie beim Druck auf den Knopf abheben, in Metern pro Sekunde.</translation>
-    </message>
-    <message>
-        <source>How flat fur is pressed by what it touches: 0 carries the body on its tips, 1 lets the skin down to the ground.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie flach das Fell von dem gedrückt wird, was es berührt: 0 trägt den Körper auf den Spitzen, 1 lässt die Haut bis zum Boden.</translation>
     </message>
     <message>
         <source>How high it is.</source>
@@ -7067,11 +7047,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How it works</source>
         <translation>So funktioniert es</translation>
-    </message>
-    <message>
-        <source>How late a strand bends: 0 leans like a stick, high bends only the tip.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie spät sich ein Haar biegt: 0 lehnt wie ein Stock, hohe Werte biegen nur die Spitze.</translation>
     </message>
     <message>
         <source>How light is reckoned: through translucent paper, with Fresnel's mirror, or as the source does.</source>
@@ -7148,11 +7123,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie sehr Kämme zusammengezogen werden: 0 ist eine einfache Summe von Sinus, 1 ein Meer, mehr bricht.</translation>
     </message>
     <message>
-        <source>How much darker the coat is on the side away from the room's light.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie viel dunkler das Fell auf der Seite ist, die dem Licht des Raums abgewandt ist.</translation>
-    </message>
-    <message>
         <source>How much fine noise takes away from their edges.</source>
         <extracomment>tables</extracomment>
         <translation>Wie viel feines Rauschen von ihren Rändern nimmt.</translation>
@@ -7163,11 +7133,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie sehr Flammen flackern: 0 brennt gleichmäßig.</translation>
     </message>
     <message>
-        <source>How much light comes through the fringe from behind.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie viel Licht von hinten durch den Saum dringt.</translation>
-    </message>
-    <message>
         <source>How much longer ribs are than wide.</source>
         <extracomment>tables</extracomment>
         <translation>Wie viel länger als breit Rippen sind.</translation>
@@ -7175,11 +7140,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How much nearer one step of the wheel takes you to an exhibit.</source>
         <translation>Wie viel näher ein Schritt des Mausrads an ein Exponat heranführt.</translation>
-    </message>
-    <message>
-        <source>How much of all this is seen: 0 keeps every strand upright.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie viel von all dem zu sehen ist: 0 lässt jedes Haar aufrecht.</translation>
     </message>
     <message>
         <source>How much of it.</source>
@@ -7204,11 +7164,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How much of the sky the clouds fill.</source>
         <extracomment>tables</extracomment>
         <translation>Wie viel vom Himmel die Wolken füllen.</translation>
-    </message>
-    <message>
-        <source>How much the ball's radius grows and shrinks.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr der Radius des Balls wächst und schrumpft.</translation>
     </message>
     <message>
         <source>How much the camera follows a visitor who steps aside: 1 as a window would.</source>
@@ -7269,11 +7224,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie oft ein gespiegelter Strahl das Objekt wieder treffen darf, bevor er die Halle sieht.</translation>
     </message>
     <message>
-        <source>How often it does so.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie oft das geschieht.</translation>
-    </message>
-    <message>
         <source>How often light is scattered in it: low is clear and bright, high dim and white.</source>
         <extracomment>tables</extracomment>
         <translation>Wie oft Licht darin gestreut wird: Niedrige Werte sind klar und hell, hohe trüb und weiß.</translation>
@@ -7289,11 +7239,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie Formen einander beschatten: ein Strahl, drei Arten von Schätzung aus einem Strahl, oder viele Strahlen.</translation>
     </message>
     <message>
-        <source>How shells are spread: below 1 more of them near the tips, above 1 near the skin.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie Shells verteilt sind: unter 1 mehr davon an den Spitzen, über 1 an der Haut.</translation>
-    </message>
-    <message>
         <source>How softly posts and rings join.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weich Pfosten und Ringe ineinander übergehen.</translation>
@@ -7307,16 +7252,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How soon crests break into foam; 0 never.</source>
         <extracomment>tables</extracomment>
         <translation>Wie bald Kämme zu Schaum brechen; 0 nie.</translation>
-    </message>
-    <message>
-        <source>How soon it stops swaying: 0 never, 1 without one overshoot.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie bald es aufhört zu schwingen: 0 nie, 1 ohne ein einziges Überschwingen.</translation>
-    </message>
-    <message>
-        <source>How stiff the fur is: low sways, high snaps back.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie steif das Fell ist: niedrige Werte schwingen, hohe schnellen zurück.</translation>
     </message>
     <message>
         <source>How strongly droplets scatter ahead: high gives silver edges before the sun.</source>
@@ -7352,11 +7287,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie der Himmel von dem unterschieden wird, was ihn verdeckt: nach der Tiefe, nach dem, was noch nicht bedeckt ist, oder indem die Verdecker noch einmal gezeichnet werden.</translation>
     </message>
     <message>
-        <source>How the springs are stepped: the first gains energy, the second fails when steps are long, the third is exact.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie die Federn berechnet werden: Das erste Verfahren gewinnt Energie, das zweite versagt bei langen Schritten, das dritte ist exakt.</translation>
-    </message>
-    <message>
         <source>How the surfaces run into each other.</source>
         <translation>Wie die Oberflächen ineinander übergehen.</translation>
     </message>
@@ -7368,11 +7298,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How uneven it is.</source>
         <extracomment>tables</extracomment>
         <translation>Wie ungleichmäßig es ist.</translation>
-    </message>
-    <message>
-        <source>How uneven it is: 0 leans on the fur steadily and moves nothing.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie ungleichmäßig er ist: 0 lehnt stetig auf dem Fell und bewegt nichts.</translation>
     </message>
     <message>
         <source>How warm its horizon is: of the sun that has set, or rises.</source>
@@ -7558,6 +7483,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Integriert über Linse und Pixel; ohne das gibt ein Strahl pro Pixel aus der Ferne Moiré.</translation>
     </message>
     <message>
+        <source>Integration method of the springs: explicit Euler gains energy, semi-implicit Euler fails at long time steps, the closed form is exact.</source>
+        <extracomment>tables</extracomment>
+        <translation>Integrationsverfahren der Federn: Explizites Euler gewinnt Energie, semi-implizites versagt bei langen Zeitschritten, die geschlossene Form ist exakt.</translation>
+    </message>
+    <message>
         <source>Intended max angle</source>
         <extracomment>tables</extracomment>
         <translation>Vorgesehener Winkel</translation>
@@ -7569,6 +7499,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Interlacing</source>
         <translation>Verschachtelung</translation>
+    </message>
+    <message>
+        <source>Interpolation of the rotation from root to tip: the matrix mix shortens strands, nlerp turns unevenly, slerp is exact.</source>
+        <extracomment>tables</extracomment>
+        <translation>Interpolation der Drehung von der Wurzel zur Spitze: Die Matrixmischung verkürzt Haare, nlerp dreht ungleichmäßig, slerp ist exakt.</translation>
+    </message>
+    <message>
+        <source>interpreter</source>
+        <extracomment>tables</extracomment>
+        <translation>Interpreter</translation>
     </message>
     <message>
         <source>Intersections</source>
@@ -8232,12 +8172,27 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Laternen, die schmaler als das erscheinen, werden als ihr Mittel gerechnet.</translation>
     </message>
     <message>
+        <source>Largest angle by which the tips lag behind the rotation of their body; the reference allows 30 degrees.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größter Winkel, um den die Spitzen hinter der Drehung ihres Körpers zurückbleiben; das Original erlaubt 30 Grad.</translation>
+    </message>
+    <message>
+        <source>Largest displacement of the tips, in strand lengths.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größte Auslenkung der Spitzen, in Haarlängen.</translation>
+    </message>
+    <message>
         <source>Largest error</source>
         <translation>Größter Fehler</translation>
     </message>
     <message>
         <source>largest error of linear light</source>
         <translation>größter Fehler des linearen Lichts</translation>
+    </message>
+    <message>
+        <source>Largest number of cells of the strand lattice that a ray tests between two shells where it grazes the coat.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höchstzahl der Zellen des Haargitters, die ein Strahl zwischen zwei Shells prüft, wo er das Fell streift.</translation>
     </message>
     <message>
         <source>Largest side of the visitor's object as it stands on the plinth.</source>
@@ -8256,11 +8211,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Layer blend</source>
         <extracomment>tables</extracomment>
         <translation>Schichtübergang</translation>
-    </message>
-    <message>
-        <source>Layers drawn from tip to skin.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schichten, die von der Spitze zur Haut gezeichnet werden.</translation>
     </message>
     <message>
         <source>Leave it</source>
@@ -8321,9 +8271,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Länge</translation>
     </message>
     <message>
-        <source>Length of its shortest strands: 0 is nothing, 1 is a lawn, all as long as the longest.</source>
+        <source>Length of the longest strands of this coat: 0 leaves the bare skin.</source>
         <extracomment>tables</extracomment>
-        <translation>Länge der kürzesten Haare: 0 ist nichts, 1 ist ein Rasen, alle so lang wie das längste.</translation>
+        <translation>Länge der längsten Haare dieses Fells: 0 lässt die nackte Haut.</translation>
+    </message>
+    <message>
+        <source>Length of the shortest strands as a share of the longest: at 0 they have no length, at 1 all are equally long, like a lawn.</source>
+        <extracomment>tables</extracomment>
+        <translation>Länge der kürzesten Haare als Anteil der längsten: Bei 0 haben sie keine, bei 1 sind alle gleich lang wie bei einem Rasen.</translation>
     </message>
     <message>
         <source>Lens</source>
@@ -8456,11 +8411,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Gibt B auf und zeigt nur noch A.</translation>
     </message>
     <message>
-        <source>Lets them jump by themselves every so often; 0 leaves it to the button.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt sie von Zeit zu Zeit von selbst springen; 0 überlässt es dem Knopf.</translation>
-    </message>
-    <message>
         <source>Level</source>
         <translation>Pegel</translation>
     </message>
@@ -8552,11 +8502,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Light steps</source>
         <extracomment>tables</extracomment>
         <translation>Lichtschritte</translation>
-    </message>
-    <message>
-        <source>Light that reaches even the roots.</source>
-        <extracomment>tables</extracomment>
-        <translation>Licht, das sogar die Wurzeln erreicht.</translation>
     </message>
     <message>
         <source>Light that the frame throws on wall and floor beside it.</source>
@@ -9001,6 +8946,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Method</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Method that fills the gaps between shells seen from the side: nothing, fins along the edges, more shells at oblique angles, or ray marching between the shells.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren, das die Lücken zwischen seitlich gesehenen Shells füllt: nichts, Fins entlang der Kanten, mehr Shells bei schrägem Blick oder Raymarching zwischen den Shells.</translation>
     </message>
     <message>
         <source>Methods of normals from depth</source>
@@ -9799,6 +9749,31 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nichts wurde geschrieben.</translation>
     </message>
     <message>
+        <source>Number of layers (shells) drawn from tip to skin: few show gaps, many are more accurate and cost more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Schichten (Shells), die von der Spitze zur Haut gezeichnet werden: Wenige zeigen Lücken, viele sind genauer und teurer.</translation>
+    </message>
+    <message>
+        <source>Number of spring steps per second: with few, the two Euler methods fail.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Federschritte pro Sekunde: Bei wenigen versagen die beiden Euler-Verfahren.</translation>
+    </message>
+    <message>
+        <source>Number of strands along one side of a tuft: low makes fine tufts, high makes broad ones.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Haare entlang einer Seite eines Büschels: Niedrige Werte geben feine Büschel, hohe breite.</translation>
+    </message>
+    <message>
+        <source>Number of strands per square meter: low is thin fur, high is dense.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Haare pro Quadratmeter: Niedrige Werte geben dünnes Fell, hohe dichtes.</translation>
+    </message>
+    <message>
+        <source>Number of turns of a curl from skin to tip.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Windungen einer Locke von der Haut zur Spitze.</translation>
+    </message>
+    <message>
         <source>Number to read</source>
         <translation>Abzulesende Zahl</translation>
     </message>
@@ -9898,11 +9873,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Eines Streusels.</translation>
     </message>
     <message>
-        <source>Of a strand, at its root.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eines Haars, an der Wurzel.</translation>
-    </message>
-    <message>
         <source>Of all sprinkles.</source>
         <extracomment>tables</extracomment>
         <translation>Aller Streusel.</translation>
@@ -9949,27 +9919,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Seiner Scheibe: Der wirkliche hat ein halbes Grad.</translation>
     </message>
     <message>
-        <source>Of its fur at the skin.</source>
-        <extracomment>tables</extracomment>
-        <translation>Seines Fells an der Haut.</translation>
-    </message>
-    <message>
-        <source>Of its fur at the tips.</source>
-        <extracomment>tables</extracomment>
-        <translation>Seines Fells an den Spitzen.</translation>
-    </message>
-    <message>
         <source>Of its layers {1} is read; &quot;{2}&quot; and others are left out.</source>
         <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ und andere fallen weg.</translation>
     </message>
     <message>
         <source>Of its layers {1} is read; &quot;{2}&quot; is left out.</source>
         <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ fällt weg.</translation>
-    </message>
-    <message>
-        <source>Of its longest strands: 0 leaves the bare skin.</source>
-        <extracomment>tables</extracomment>
-        <translation>Seiner längsten Haare: 0 lässt die nackte Haut.</translation>
     </message>
     <message>
         <source>Of its upper edge.</source>
@@ -10708,6 +10663,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Umlauftempo</translation>
     </message>
     <message>
+        <source>Order in which shells are drawn: outer shells first hide the inner ones early and save work. The picture is the same.</source>
+        <extracomment>tables</extracomment>
+        <translation>Reihenfolge, in der die Shells gezeichnet werden: Äußere zuerst verdecken die inneren früh und sparen Arbeit. Das Bild ist dasselbe.</translation>
+    </message>
+    <message>
         <source>ordered</source>
         <extracomment>tables</extracomment>
         <translation>geordnet</translation>
@@ -10760,11 +10720,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>outer first</source>
         <extracomment>tables</extracomment>
         <translation>äußere zuerst</translation>
-    </message>
-    <message>
-        <source>Outer shells first hide what is behind them before it is drawn; the picture is the same.</source>
-        <extracomment>tables</extracomment>
-        <translation>Äußere Shells verdecken zuerst, was hinter ihnen liegt, bevor es gezeichnet wird; das Bild ist dasselbe.</translation>
     </message>
     <message>
         <source>Outline color</source>
@@ -10949,6 +10904,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Paste all values</source>
         <translation>Alle Werte einfügen</translation>
+    </message>
+    <message>
+        <source>Path of a glTF object that wears the ring's coat in place of the ring; models/teddy.glb is supplied.</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfad eines glTF-Objekts, das statt des Rings dessen Fell trägt; models/teddy.glb liegt bei.</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -11220,6 +11180,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Position</translation>
     </message>
     <message>
+        <source>Position along the strand where the color changes from root to tip: low near the root, high near the tip.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stelle am Haar, an der die Farbe von der Wurzel zur Spitze wechselt: niedrige Werte nahe der Wurzel, hohe nahe der Spitze.</translation>
+    </message>
+    <message>
         <source>position and target are the same point; move one of them</source>
         <translation>Position und Ziel sind derselbe Punkt; verschieben Sie einen davon</translation>
     </message>
@@ -11427,9 +11392,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius der Schale am Rand, zwischen dem unten und dem der Kugel.</translation>
     </message>
     <message>
-        <source>Radius of the curls of a tuft, in strand lengths.</source>
+        <source>Radius of the curls of a tuft, in strand lengths: 0 is straight.</source>
         <extracomment>tables</extracomment>
-        <translation>Radius der Locken eines Büschels, in Haarlängen.</translation>
+        <translation>Radius der Locken eines Büschels, in Haarlängen: 0 ist glatt.</translation>
     </message>
     <message>
         <source>Radius of the edges; cut to half the smallest size.</source>
@@ -11471,6 +11436,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Rate</source>
         <translation>Rate</translation>
+    </message>
+    <message>
+        <source>Rate at which the ball grows and shrinks; 0 stops it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie oft der Ball in der Sekunde wächst und schrumpft; 0 hält es an.</translation>
     </message>
     <message>
         <source>Ray exposure</source>
@@ -12015,6 +11985,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Drehmodell</translation>
     </message>
     <message>
+        <source>Rotation of the tips about the axis towards the entrance, when set by hand.</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung der Spitzen um die Achse zum Eingang hin, wenn sie von Hand gesetzt wird.</translation>
+    </message>
+    <message>
         <source>Rotunda</source>
         <translation>Rotunde</translation>
     </message>
@@ -12287,6 +12262,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>%1 skalieren</translation>
     </message>
     <message>
+        <source>Scale of the whole motion of the fur: 0 keeps every strand upright, 1 is as simulated.</source>
+        <extracomment>tables</extracomment>
+        <translation>Maßstab der ganzen Bewegung des Fells: 0 lässt jedes Haar aufrecht, 1 zeigt sie wie simuliert.</translation>
+    </message>
+    <message>
         <source>Scatterings</source>
         <extracomment>tables</extracomment>
         <translation>Streuungen</translation>
@@ -12386,6 +12366,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Startwert</translation>
     </message>
     <message>
+        <source>Seed of the random directions and spins of a jump: the same number gives the same jump.</source>
+        <extracomment>tables</extracomment>
+        <translation>Startwert der zufälligen Richtungen und Drehungen eines Sprungs: Dieselbe Zahl gibt denselben Sprung.</translation>
+    </message>
+    <message>
         <source>Selected p&amp;reset as B</source>
         <translation>Gewähltes P&amp;reset als B</translation>
     </message>
@@ -12410,11 +12395,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>set by hand</source>
         <translation>von Hand gesetzt</translation>
-    </message>
-    <message>
-        <source>Set how the fur lies by the four numbers below, and keep the bodies still.</source>
-        <extracomment>tables</extracomment>
-        <translation>Setzt die Lage des Fells durch die vier Zahlen darunter und hält die Körper still.</translation>
     </message>
     <message>
         <source>Set sun by</source>
@@ -12527,6 +12507,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Form</translation>
     </message>
     <message>
+        <source>Shape of the strands along their length: 0 tapers them to a needle, high keeps them thick with a blunt tip.</source>
+        <extracomment>tables</extracomment>
+        <translation>Form der Haare entlang ihrer Länge: 0 spitzt sie zu wie Nadeln, hohe Werte lassen sie dick mit stumpfer Spitze.</translation>
+    </message>
+    <message>
         <source>shapes</source>
         <extracomment>tables</extracomment>
         <translation>Formen</translation>
@@ -12553,6 +12538,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Share of the bounds of slope and curvature that strides go by, proven ones of the field, five and a half standard deviations of the sea: 1 passes nothing wide, less is quicker, for noise is seldom as steep.</source>
         <extracomment>tables</extracomment>
         <translation>Anteil der Schranken von Steigung und Krümmung, nach denen Schritte gehen, beim Feld bewiesene, beim Meer fünfeinhalb Standardabweichungen: 1 übergeht nichts Breites, weniger ist schneller, denn Rauschen ist selten so steil.</translation>
+    </message>
+    <message>
+        <source>Share of the light that reaches even the roots: 0 leaves them black, 1 removes the darkening.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil des Lichts, der sogar die Wurzeln erreicht: 0 lässt sie schwarz, 1 hebt die Abdunklung auf.</translation>
     </message>
     <message>
         <source>Share of the light that the dust scatters rather than swallows: white swallows none.</source>
@@ -12736,11 +12726,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shows the studies that were kept: to look at again, compare, rename, delete, open and save.</source>
         <translation>Zeigt die aufbewahrten Studien: zum Wiederansehen, Vergleichen, Umbenennen, Löschen, Öffnen und Speichern.</translation>
-    </message>
-    <message>
-        <source>Shows them so long after a jump and stops the clock there; 0 lets the button and the clock decide.</source>
-        <extracomment>tables</extracomment>
-        <translation>Zeigt sie so lange nach einem Sprung und hält die Uhr dort an; 0 überlässt es Knopf und Uhr.</translation>
     </message>
     <message>
         <source>Shows them, and copies one from B to A.</source>
@@ -13023,6 +13008,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tempo</translation>
     </message>
     <message>
+        <source>Speed at which the bodies leave the ground when the button is pressed, in meters per second.</source>
+        <extracomment>tables</extracomment>
+        <translation>Geschwindigkeit, mit der die Körper beim Druck auf den Knopf abheben, in Metern pro Sekunde.</translation>
+    </message>
+    <message>
         <source>Speed of looking</source>
         <translation>Tempo beim Umschauen</translation>
     </message>
@@ -13065,11 +13055,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Spring rate</source>
         <extracomment>tables</extracomment>
         <translation>Federrate</translation>
-    </message>
-    <message>
-        <source>Spring steps a second: few make the first two methods fail.</source>
-        <extracomment>tables</extracomment>
-        <translation>Federschritte pro Sekunde: Bei wenigen versagen die ersten beiden Verfahren.</translation>
     </message>
     <message>
         <source>Sprinkle color</source>
@@ -13266,6 +13251,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>steifes Fell in langen Schritten</translation>
     </message>
     <message>
+        <source>Stiffness of the fur as the frequency at which it swings: low sways, high snaps back.</source>
+        <extracomment>tables</extracomment>
+        <translation>Steifheit des Fells als Frequenz, mit der es schwingt: Niedrige Werte schwanken, hohe schnellen zurück.</translation>
+    </message>
+    <message>
         <source>Still being written: %1.</source>
         <translation>Wird noch geschrieben: %1.</translation>
     </message>
@@ -13328,16 +13318,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Haare</translation>
     </message>
     <message>
-        <source>Strands along a side of one tuft.</source>
-        <extracomment>tables</extracomment>
-        <translation>Haare entlang einer Seite eines Büschels.</translation>
-    </message>
-    <message>
-        <source>Strands on a square meter.</source>
-        <extracomment>tables</extracomment>
-        <translation>Haare auf einem Quadratmeter.</translation>
-    </message>
-    <message>
         <source>Strawberry</source>
         <translation>Erdbeere</translation>
     </message>
@@ -13351,11 +13331,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke</translation>
     </message>
     <message>
-        <source>Strength of a draft over the pit: it keeps the fur moving.</source>
-        <extracomment>tables</extracomment>
-        <translation>Stärke eines Luftzugs über der Grube: Er hält das Fell in Bewegung.</translation>
-    </message>
-    <message>
         <source>Strength of an octave over that of the one before: low is smooth, high is rough.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke einer Oktave gegenüber der davor: Niedrige Werte sind glatt, hohe rau.</translation>
@@ -13365,14 +13340,29 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke jeder Oktave gegenüber der davor.</translation>
     </message>
     <message>
+        <source>Strength of random swirls in the coat: 0 is even, high is tousled.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke zufälliger Wirbel im Fell: 0 ist gleichmäßig, hohe Werte sind zerzaust.</translation>
+    </message>
+    <message>
+        <source>Strength of the combing to one side: 0 leaves strands upright, high lays them flat.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie stark das Fell zu einer Seite gekämmt ist: 0 lässt die Haare aufrecht, hohe Werte legen sie flach.</translation>
+    </message>
+    <message>
+        <source>Strength of the draft over the pit: 0 is still air, above 0 the fur keeps moving.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Luftzugs über der Grube: 0 ist ruhige Luft, darüber bleibt das Fell in Bewegung.</translation>
+    </message>
+    <message>
         <source>Strength of the lamp before the niche.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke der Lampe vor der Nische.</translation>
     </message>
     <message>
-        <source>Strength of the lamp in the vault above the pit.</source>
+        <source>Strength of the lamp in the vault above the pit: 0 switches it off.</source>
         <extracomment>tables</extracomment>
-        <translation>Stärke der Lampe im Gewölbe über der Grube.</translation>
+        <translation>Stärke der Lampe im Gewölbe über der Grube: 0 schaltet sie aus.</translation>
     </message>
     <message>
         <source>Strength of the rays in the sun's initial light: 0 makes none. In the plain sum, of each sample.</source>
@@ -15168,6 +15158,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dicke</translation>
     </message>
     <message>
+        <source>Thickness of a strand at its root.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dicke eines Haars an der Wurzel.</translation>
+    </message>
+    <message>
         <source>Thickness of its wall.</source>
         <extracomment>tables</extracomment>
         <translation>Dicke der Wand.</translation>
@@ -15690,6 +15685,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Neigung</translation>
     </message>
     <message>
+        <source>Time after a jump at which the bodies are frozen; 0 lets them move with button and clock.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeit nach einem Sprung, zu der die Körper eingefroren sind; 0 lässt sie sich mit Knopf und Uhr bewegen.</translation>
+    </message>
+    <message>
+        <source>Time between automatic jumps; 0 lets the bodies jump only when the button is pressed.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeit zwischen selbsttätigen Sprüngen; 0 lässt die Körper nur beim Druck auf den Knopf springen.</translation>
+    </message>
+    <message>
         <source>time does not run</source>
         <translation>die Zeit läuft nicht</translation>
     </message>
@@ -15957,11 +15962,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Umdrehungen pro Sekunde, als ginge die Kamera darum herum.</translation>
     </message>
     <message>
-        <source>Turns of a curl from skin to tip.</source>
-        <extracomment>tables</extracomment>
-        <translation>Windungen einer Locke von der Haut zur Spitze.</translation>
-    </message>
-    <message>
         <source>Turns of the mobile in a second, while it is animated.</source>
         <extracomment>tables</extracomment>
         <translation>Umdrehungen des Mobiles pro Sekunde, während es sich bewegt.</translation>
@@ -16026,6 +16026,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>under a high sun</source>
         <translation>unter hoher Sonne</translation>
+    </message>
+    <message>
+        <source>Unevenness of the draft: 0 leans on the fur steadily and moves nothing, 1 blows in gusts.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ungleichmäßigkeit des Luftzugs: 0 drückt stetig auf das Fell und bewegt nichts, 1 weht in Böen.</translation>
     </message>
     <message>
         <source>Uniformity</source>
@@ -16193,6 +16198,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>Variation %1, seed %2, on show</source>
         <translation>Variation %1, Startwert %2, wird gezeigt</translation>
+    </message>
+    <message>
+        <source>Variation of color between strands: at 0 all have the same color.</source>
+        <extracomment>tables</extracomment>
+        <translation>Unterschiede in der Farbe der Haare: Bei 0 haben alle dieselbe.</translation>
+    </message>
+    <message>
+        <source>Variation of thickness between strands: at 0 all have the coat's thickness, at 1 they range from that down to none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Unterschiede in der Dicke der Haare: Bei 0 haben alle die Dicke des Fells, bei 1 jede von da bis nichts.</translation>
     </message>
     <message>
         <source>Varies the look that is on show now.</source>
@@ -16550,11 +16565,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was jeder Strahl kostet</translation>
     </message>
     <message>
-        <source>What fills the gaps between shells seen from the side: nothing, fins along the edges, more shells where they are seen at an angle, or a march from shell to shell.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was die Lücken zwischen seitlich gesehenen Shells füllt: nichts, Fins entlang der Kanten, mehr Shells, wo sie schräg gesehen werden, oder ein Raymarching von Shell zu Shell.</translation>
-    </message>
-    <message>
         <source>What halving the error costs cannot be told from so few points that vary so much: measure more values.</source>
         <translation>Was es kostet, den Fehler zu halbieren, lässt sich aus so wenigen Punkten, die so stark schwanken, nicht sagen: Messen Sie mehr Werte.</translation>
     </message>
@@ -16759,11 +16769,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wo sie hängt, vom Eis aus gesehen.</translation>
     </message>
     <message>
-        <source>Where it hangs, seen from the pit.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo er hängt, von der Grube aus gesehen.</translation>
-    </message>
-    <message>
         <source>Where it is, across.</source>
         <extracomment>tables</extracomment>
         <translation>Wo es liegt, quer.</translation>
@@ -16819,16 +16824,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Where the camera stands around the middle.</source>
         <extracomment>tables</extracomment>
         <translation>Wo die Kamera um die Mitte herum steht.</translation>
-    </message>
-    <message>
-        <source>Where the color changes from root to tip: low near the root, high near the tip.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo die Farbe von der Wurzel zur Spitze wechselt: niedrige Werte nahe der Wurzel, hohe nahe der Spitze.</translation>
-    </message>
-    <message>
-        <source>Where the draft blows.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wohin der Luftzug weht.</translation>
     </message>
     <message>
         <source>Where the right half begins, as a share of the opening.</source>
@@ -16888,6 +16883,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob leerer Raum und Licht durch ausgewertetes oder durch nachgeschlagenes Rauschen gefunden werden: Die Oberfläche selbst wird immer ausgewertet.</translation>
     </message>
     <message>
+        <source>Whether fewer shells are drawn where the coat is far away and small.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob weniger Shells gezeichnet werden, wo das Fell weit weg und klein ist.</translation>
+    </message>
+    <message>
         <source>Whether near is 1 and far 0, or the other way round.</source>
         <extracomment>tables</extracomment>
         <translation>Ob nah 1 und fern 0 ist, oder umgekehrt.</translation>
@@ -16902,6 +16902,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob Schritte länger als die Distanz sein dürfen: um einen festen Faktor, oder so lang, wie die Steigung des Felds verspricht.</translation>
     </message>
     <message>
+        <source>Whether the ball grows and shrinks all the time; otherwise only during a jump.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob der Ball ständig wächst und schrumpft; sonst nur während eines Sprungs.</translation>
+    </message>
+    <message>
         <source>Whether the clouds' noise is evaluated at every step or looked up.</source>
         <extracomment>tables</extracomment>
         <translation>Ob das Rauschen der Wolken bei jedem Schritt ausgewertet oder nachgeschlagen wird.</translation>
@@ -16910,6 +16915,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the lamps in the vault burn: as the sun sinks below eight degrees, always, or never.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Lampen im Gewölbe brennen: sobald die Sonne unter acht Grad sinkt, immer oder nie.</translation>
+    </message>
+    <message>
+        <source>Whether the next four parameters set how the fur lies, while the bodies stand still.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die nächsten vier Parameter bestimmen, wie das Fell liegt, während die Körper stillstehen.</translation>
     </message>
     <message>
         <source>Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.</source>
@@ -16940,11 +16950,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Which of many ways it lies; 0 is upright.</source>
         <extracomment>tables</extracomment>
         <translation>Auf welche von vielen Arten es liegt; 0 ist aufrecht.</translation>
-    </message>
-    <message>
-        <source>Which of many ways they are tossed: the same number is the same jump.</source>
-        <extracomment>tables</extracomment>
-        <translation>Auf welche von vielen Arten sie geworfen werden: Dieselbe Zahl ist derselbe Sprung.</translation>
     </message>
     <message>
         <source>Which of the model's animations is played, by its number in the file, beyond which there is the last; 0: none.</source>
