@@ -2428,6 +2428,11 @@ Zeiten nach: %2.</translation>
         <translation>Winkel</translation>
     </message>
     <message>
+        <source>Angle around the sun within which the sky gives rays: 180° uses the whole sky.</source>
+        <extracomment>tables</extracomment>
+        <translation>Winkel um die Sonne, in dem der Himmel Strahlen gibt: 180° nutzt den ganzen Himmel.</translation>
+    </message>
+    <message>
         <source>Angle in which all views are seen once: about 30° for depth, 50° for flips.</source>
         <translation>Winkel, in dem alle Ansichten einmal zu sehen sind: etwa 30° für Tiefe, 50° für Wechselbilder.</translation>
     </message>
@@ -3165,9 +3170,9 @@ Zeiten nach: %2.</translation>
         <translation>Helligkeit</translation>
     </message>
     <message>
-        <source>Brightness below which the sky gives no rays: 0 lets all of it.</source>
+        <source>Brightness below which the sky gives no rays: 0 uses all of it, high only the brightest parts.</source>
         <extracomment>tables</extracomment>
-        <translation>Helligkeit, unter der der Himmel keine Strahlen gibt: 0 lässt alles zu.</translation>
+        <translation>Helligkeit, unter der der Himmel keine Strahlen gibt: 0 nutzt ihn ganz, hohe Werte nur die hellsten Teile.</translation>
     </message>
     <message>
         <source>Brightness of the rays: each stop doubles it.</source>
@@ -4444,14 +4449,19 @@ Zeiten nach: %2.</translation>
         <translation>Färben nach</translation>
     </message>
     <message>
+        <source>Color of the dust, as the share of light that it scatters rather than absorbs: white absorbs none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Staubs, als Anteil des Lichts, den er streut statt absorbiert: Weiß absorbiert nichts.</translation>
+    </message>
+    <message>
         <source>Color of the lamps' light: low is that of a candle, high is bluish.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe des Lampenlichts: Niedrige Werte sind die einer Kerze, hohe sind bläulich.</translation>
     </message>
     <message>
-        <source>Color of the rays, on top of the sun's own.</source>
+        <source>Color of the rays, multiplied with the sun's own.</source>
         <extracomment>tables</extracomment>
-        <translation>Farbe der Strahlen, zusätzlich zu der der Sonne.</translation>
+        <translation>Farbe der Strahlen, multipliziert mit der Farbe der Sonne.</translation>
     </message>
     <message>
         <source>Color of the sky's light: high is bluer.</source>
@@ -5058,6 +5068,11 @@ Zeiten nach: %2.</translation>
         <translation>Dichterauschen</translation>
     </message>
     <message>
+        <source>Density of the dust near the floor, as the share of light that a meter of it removes: 0 is clear air.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dichte des Staubs in Bodennähe, als Anteil des Lichts, den ein Meter davon nimmt: 0 ist klare Luft.</translation>
+    </message>
+    <message>
         <source>Depot: shown alone</source>
         <translation>Depot: wird allein gezeigt</translation>
     </message>
@@ -5144,6 +5159,11 @@ Zeiten nach: %2.</translation>
         <translation>Richtung, in die der Luftzug weht.</translation>
     </message>
     <message>
+        <source>Direction in which the dust scatters: 0 to all sides, positive forward with a glow towards the sun, negative backward.</source>
+        <extracomment>tables</extracomment>
+        <translation>Richtung, in die der Staub streut: 0 nach allen Seiten, positive Werte nach vorn mit Leuchten zur Sonne hin, negative zurück.</translation>
+    </message>
+    <message>
         <source>Directions</source>
         <translation>Richtungen</translation>
     </message>
@@ -5200,6 +5220,11 @@ Zeiten nach: %2.</translation>
         <translation>Auslenkung der Spitzen nach oben, in Haarlängen, wenn sie von Hand gesetzt wird.</translation>
     </message>
     <message>
+        <source>Display</source>
+        <extracomment>tables</extracomment>
+        <translation>Anzeige</translation>
+    </message>
+    <message>
         <source>display-referred linear light, one sample at each pixel's center unless supersamples or pictures in motion are studied</source>
         <translation>lineares Licht der Anzeige, ein Sample in der Mitte jedes Pixels, sofern nicht Supersamples oder bewegte Bilder untersucht werden</translation>
     </message>
@@ -5231,6 +5256,11 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Distance in the scene that will lie in the print's plane; 0 is what the camera looks at.</source>
         <translation>Entfernung in der Szene, die in der Ebene des Drucks liegen wird; 0 ist das, worauf die Kamera schaut.</translation>
+    </message>
+    <message>
+        <source>Distance of the sun outside the picture at which its rays have faded, in half picture sizes.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand der Sonne vom Bildrand, bei dem ihre Strahlen verblasst sind, in halben Bildgrößen.</translation>
     </message>
     <message>
         <source>Distribution of the shells over the length of the fur: below 1 more of them lie near the tips, above 1 near the skin.</source>
@@ -5400,11 +5430,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Dusk</source>
         <extracomment>tables</extracomment>
         <translation>Dämmerung</translation>
-    </message>
-    <message>
-        <source>Dust in the air: what a meter of it takes out of a beam near the floor; 0 is clear air.</source>
-        <extracomment>tables</extracomment>
-        <translation>Staub in der Luft: was ein Meter davon in Bodennähe einem Strahl nimmt; 0 ist klare Luft.</translation>
     </message>
     <message>
         <source>E – let it melt</source>
@@ -6913,16 +6938,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit die Kameras gerenderter Ansichten auseinander stehen: 0 ist flach, 1 maßstabsgetreu für den Betrachtungsabstand, über 1 tiefer als in Wirklichkeit.</translation>
     </message>
     <message>
-        <source>How far around the sun the sky gives rays: 180° is all of it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit um die Sonne herum der Himmel Strahlen gibt: 180° ist der ganze.</translation>
-    </message>
-    <message>
-        <source>How far beyond the picture's edge the sun may be before its rays have faded, in halves of the picture.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit die Sonne außerhalb des Bildes stehen darf, bis ihre Strahlen verblasst sind, in halben Bildern.</translation>
-    </message>
-    <message>
         <source>How far blue noise moves them from the middle of their cells: 0 is a grid.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit blaues Rauschen sie aus der Mitte ihrer Zellen rückt: 0 ist ein Gitter.</translation>
@@ -6981,11 +6996,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit die Kamera um das herumgegangen ist, was sie ansieht.</translation>
     </message>
     <message>
-        <source>How far the mobile has turned.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit das Mobile gedreht ist.</translation>
-    </message>
-    <message>
         <source>How far the scene may reach before and behind the print, together, without doubled contours.</source>
         <translation>Wie weit die Szene vor und hinter dem Druck zusammen reichen darf, ohne doppelte Konturen.</translation>
     </message>
@@ -6993,11 +7003,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How far they are turned, each by an angle of its own.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit sie gedreht sind, jede um einen eigenen Winkel.</translation>
-    </message>
-    <message>
-        <source>How far towards the light is gathered: 0 sees the mask alone, 1 goes all the way.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit zum Licht hin gesammelt wird: 0 sieht nur die Maske, 1 geht den ganzen Weg.</translation>
     </message>
     <message>
         <source>How far up the frame looks.</source>
@@ -7023,11 +7028,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How fast it spins, against the source's slow and uneven turn.</source>
         <extracomment>tables</extracomment>
         <translation>Wie schnell es sich dreht, gegenüber der langsamen, ungleichmäßigen Drehung des Originals.</translation>
-    </message>
-    <message>
-        <source>How fast the dust thins with height: 0 is even, high keeps it near the floor.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie schnell der Staub mit der Höhe dünner wird: 0 ist gleichmäßig, hohe Werte halten ihn am Boden.</translation>
     </message>
     <message>
         <source>How high it is.</source>
@@ -7062,11 +7062,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How long each stage is shown.</source>
         <extracomment>tables</extracomment>
         <translation>Wie lange jede Stufe gezeigt wird.</translation>
-    </message>
-    <message>
-        <source>How long rays may become when the sun is far beyond the edge, in heights of the picture.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie lang Strahlen werden dürfen, wenn die Sonne weit außerhalb des Randes steht, in Bildhöhen.</translation>
     </message>
     <message>
         <source>How many along x, y and z; 0 is without end.</source>
@@ -7156,11 +7151,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie viel vom Licht um einen Punkt Formen abhalten: entlang der Normalen, oder durch Strahlen oder Kegel ringsum.</translation>
     </message>
     <message>
-        <source>How much of the light is left after each 128th of the way: 1 lets the sky reach everywhere, low keeps it near.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie viel vom Licht nach jedem 128stel des Weges übrig ist: 1 lässt den Himmel überallhin reichen, kleine Werte halten ihn nah.</translation>
-    </message>
-    <message>
         <source>How much of the sky the clouds fill.</source>
         <extracomment>tables</extracomment>
         <translation>Wie viel vom Himmel die Wolken füllen.</translation>
@@ -7169,16 +7159,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How much the camera follows a visitor who steps aside: 1 as a window would.</source>
         <extracomment>tables</extracomment>
         <translation>Wie sehr die Kamera einem Besucher folgt, der zur Seite geht: 1 wie ein Fenster.</translation>
-    </message>
-    <message>
-        <source>How much the dust gathers in drifts; 0 is even air.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr sich der Staub in Schwaden sammelt; 0 ist gleichmäßige Luft.</translation>
-    </message>
-    <message>
-        <source>How much the dust scatters forward: 0 to all sides, high glows towards the sun.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr der Staub nach vorn streut: 0 nach allen Seiten, hohe Werte leuchten zur Sonne hin.</translation>
     </message>
     <message>
         <source>How much the ribs, noise stretched along the lenses, bend the highlight.</source>
@@ -7259,16 +7239,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie stark Tröpfchen nach vorn streuen: Hohe Werte geben silberne Ränder vor der Sonne.</translation>
     </message>
     <message>
-        <source>How the beams are made: smeared from the bright sky across the picture, or by marching the sun's shadows through dusty air.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie die Strahlen entstehen: vom hellen Himmel über das Bild verwischt, oder indem die Schatten der Sonne durch staubige Luft abgeschritten werden.</translation>
-    </message>
-    <message>
-        <source>How the mean along a ray is found: sample by sample, by three passes over each other's results, or by a running sum on a polar grid.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie das Mittel entlang eines Strahls gefunden wird: Sample für Sample, durch drei Passes über die Ergebnisse der vorigen, oder durch eine laufende Summe auf einem Polargitter.</translation>
-    </message>
-    <message>
         <source>How the object shades itself from the sun: one ray, three kinds of estimate from one ray, or many rays.</source>
         <extracomment>tables</extracomment>
         <translation>Wie das Objekt sich selbst vor der Sonne beschattet: ein Strahl, drei Arten von Schätzung aus einem Strahl, oder viele Strahlen.</translation>
@@ -7280,11 +7250,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How the scene is lit.</source>
         <translation>Wie die Szene beleuchtet ist.</translation>
-    </message>
-    <message>
-        <source>How the sky is told from what hides it: by depth, by what is not yet covered, or by drawing the occluders once more.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie der Himmel von dem unterschieden wird, was ihn verdeckt: nach der Tiefe, nach dem, was noch nicht bedeckt ist, oder indem die Verdecker noch einmal gezeichnet werden.</translation>
     </message>
     <message>
         <source>How the surfaces run into each other.</source>
@@ -8190,6 +8155,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>größter Fehler des linearen Lichts</translation>
     </message>
     <message>
+        <source>Largest length of the rays when the sun is far outside the picture, in picture heights.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größte Länge der Strahlen, wenn die Sonne weit außerhalb des Bildes steht, in Bildhöhen.</translation>
+    </message>
+    <message>
         <source>Largest number of cells of the strand lattice that a ray tests between two shells where it grazes the coat.</source>
         <extracomment>tables</extracomment>
         <translation>Höchstzahl der Zellen des Haargitters, die ein Strahl zwischen zwei Shells prüft, wo er das Fell streift.</translation>
@@ -8355,16 +8325,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Lessons (*.md)</source>
         <translation>Lektionen (*.md)</translation>
-    </message>
-    <message>
-        <source>Let the draft turn the mobile and carry the dust.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt den Luftzug das Mobile drehen und den Staub tragen.</translation>
-    </message>
-    <message>
-        <source>Let the mask carry the colors of the sky instead of plain white.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt die Maske die Farben des Himmels tragen statt reines Weiß.</translation>
     </message>
     <message>
         <source>Let the model turn about the vertical, once a round.</source>
@@ -8938,11 +8898,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Meter des Sees in einem Meter der Halle: Mehr macht Laternen kleiner.</translation>
     </message>
     <message>
-        <source>Meters per second at which the draft carries the drifts of dust.</source>
-        <extracomment>tables</extracomment>
-        <translation>Meter pro Sekunde, mit denen der Luftzug die Staubschwaden trägt.</translation>
-    </message>
-    <message>
         <source>Method</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren</translation>
@@ -8951,6 +8906,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Method that fills the gaps between shells seen from the side: nothing, fins along the edges, more shells at oblique angles, or ray marching between the shells.</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren, das die Lücken zwischen seitlich gesehenen Shells füllt: nichts, Fins entlang der Kanten, mehr Shells bei schrägem Blick oder Raymarching zwischen den Shells.</translation>
+    </message>
+    <message>
+        <source>Method that separates the sky from the occluders: depth, coverage (alpha), or drawing the occluders once more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren, das den Himmel von den Verdeckern trennt: Tiefe, Bedeckung (Alpha) oder nochmaliges Zeichnen der Verdecker.</translation>
+    </message>
+    <message>
+        <source>Method to average along a ray: sample by sample, three passes that build on each other's results, or a running sum on a polar grid.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren der Mittelung entlang eines Strahls: Sample für Sample, drei Passes, die auf den Ergebnissen der vorigen aufbauen, oder eine laufende Summe auf einem Polargitter.</translation>
     </message>
     <message>
         <source>Methods of normals from depth</source>
@@ -9754,9 +9719,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Schichten (Shells), die von der Spitze zur Haut gezeichnet werden: Wenige zeigen Lücken, viele sind genauer und teurer.</translation>
     </message>
     <message>
+        <source>Number of samples along a ray: few show bands. Each of the three passes takes the cube root of it, the polar grid has two cells per sample.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Samples entlang eines Strahls: Wenige zeigen Streifen. Jeder der drei Passes nimmt die dritte Wurzel davon, das Polargitter hat zwei Zellen pro Sample.</translation>
+    </message>
+    <message>
         <source>Number of spring steps per second: with few, the two Euler methods fail.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Federschritte pro Sekunde: Bei wenigen versagen die beiden Euler-Verfahren.</translation>
+    </message>
+    <message>
+        <source>Number of steps in which a ray crosses the beams of the volume: few are noisy, many cost more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Schritte, in denen ein Strahl die Lichtstrahlen des Volumens durchquert: Wenige rauschen, viele kosten mehr.</translation>
     </message>
     <message>
         <source>Number of strands along one side of a tuft: low makes fine tufts, high makes broad ones.</source>
@@ -9986,11 +9961,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des Bodens.</translation>
     </message>
     <message>
-        <source>Of the beams, before they are brought up to the picture's with regard to its depth.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Strahlen, bevor sie unter Beachtung der Tiefe auf die Auflösung des Bildes gebracht werden.</translation>
-    </message>
-    <message>
         <source>Of the bends, to the middle of the tube.</source>
         <translation>Der Bögen, bis zur Mitte des Rohrs.</translation>
     </message>
@@ -10111,11 +10081,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Der Glasur, des Metalls oder (je 10 cm Tiefe) des Glases.</translation>
     </message>
     <message>
-        <source>Of the hall's own light that the air scatters: 1 is physical, 0 makes the dust only darken.</source>
-        <extracomment>tables</extracomment>
-        <translation>Vom Eigenlicht der Halle, das die Luft streut: 1 ist physikalisch, 0 lässt den Staub nur verdunkeln.</translation>
-    </message>
-    <message>
         <source>Of the handle, from its center to the middle of its tube.</source>
         <extracomment>tables</extracomment>
         <translation>Des Henkels, von seinem Mittelpunkt bis zur Mitte seines Rohrs.</translation>
@@ -10142,11 +10107,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Of the lenses: vertical ones change as one walks by, horizontal ones as one bows.</source>
         <extracomment>tables</extracomment>
         <translation>Der Linsen: Senkrechte wechseln, wenn man vorbeigeht, waagerechte, wenn man sich verbeugt.</translation>
-    </message>
-    <message>
-        <source>Of the light that the beams scatter: 1 is physical for the density above.</source>
-        <extracomment>tables</extracomment>
-        <translation>Vom Licht, das die Strahlen streuen: 1 ist physikalisch für die Dichte darüber.</translation>
     </message>
     <message>
         <source>Of the linear model: the angle to either side at which all views have been seen.</source>
@@ -10997,6 +10957,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bild als %1 gespeichert.</translation>
     </message>
     <message>
+        <source>Picture to show: the finished one, the mask with its occluders black, or only the added light without the hall.</source>
+        <extracomment>tables</extracomment>
+        <translation>Gezeigtes Bild: das fertige, die Maske mit schwarzen Verdeckern oder nur das hinzugefügte Licht ohne die Halle.</translation>
+    </message>
+    <message>
         <source>picture {1} of {2}</source>
         <translation>Bild {1} von {2}</translation>
     </message>
@@ -11156,11 +11121,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Point size</source>
         <extracomment>tables</extracomment>
         <translation>Punktgröße</translation>
-    </message>
-    <message>
-        <source>Points along a ray: three passes take the cube root each, the polar grid takes two cells a point.</source>
-        <extracomment>tables</extracomment>
-        <translation>Punkte entlang eines Strahls: Drei Passes nehmen je die dritte Wurzel, das Polargitter nimmt zwei Zellen pro Punkt.</translation>
     </message>
     <message>
         <source>polar sum</source>
@@ -11441,6 +11401,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Rate at which the ball grows and shrinks; 0 stops it.</source>
         <extracomment>tables</extracomment>
         <translation>Wie oft der Ball in der Sekunde wächst und schrumpft; 0 hält es an.</translation>
+    </message>
+    <message>
+        <source>Rate at which the dust thins with height: 0 is even, high keeps it near the floor.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie schnell der Staub mit der Höhe dünner wird: 0 ist gleichmäßig, hohe Werte halten ihn am Boden.</translation>
     </message>
     <message>
         <source>Ray exposure</source>
@@ -11735,6 +11700,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Auflösung</translation>
     </message>
     <message>
+        <source>Resolution at which the beams are computed; lower ones are upsampled with regard to depth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auflösung, in der die Strahlen berechnet werden; niedrigere werden unter Beachtung der Tiefe hochskaliert.</translation>
+    </message>
+    <message>
         <source>Resolution in motion</source>
         <translation>Auflösung in Bewegung</translation>
     </message>
@@ -11983,6 +11953,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Rotation model</source>
         <extracomment>tables</extracomment>
         <translation>Drehmodell</translation>
+    </message>
+    <message>
+        <source>Rotation of the mobile about its axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung des Mobiles um seine Achse.</translation>
     </message>
     <message>
         <source>Rotation of the tips about the axis towards the entrance, when set by hand.</source>
@@ -12540,14 +12515,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Anteil der Schranken von Steigung und Krümmung, nach denen Schritte gehen, beim Feld bewiesene, beim Meer fünfeinhalb Standardabweichungen: 1 übergeht nichts Breites, weniger ist schneller, denn Rauschen ist selten so steil.</translation>
     </message>
     <message>
+        <source>Share of the light that is left after each 128th of the way: 1 lets the sky reach everywhere, low keeps rays short.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil des Lichts, der nach jedem 128stel des Weges übrig ist: 1 lässt den Himmel überallhin reichen, niedrige Werte halten die Strahlen kurz.</translation>
+    </message>
+    <message>
         <source>Share of the light that reaches even the roots: 0 leaves them black, 1 removes the darkening.</source>
         <extracomment>tables</extracomment>
         <translation>Anteil des Lichts, der sogar die Wurzeln erreicht: 0 lässt sie schwarz, 1 hebt die Abdunklung auf.</translation>
-    </message>
-    <message>
-        <source>Share of the light that the dust scatters rather than swallows: white swallows none.</source>
-        <extracomment>tables</extracomment>
-        <translation>Anteil des Lichts, den der Staub streut statt schluckt: Weiß schluckt nichts.</translation>
     </message>
     <message>
         <source>Share of the light that they scatter in the second lobe, back.</source>
@@ -12557,6 +12532,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>share of the variance, cells</source>
         <translation>Anteil der Varianz, Zellen</translation>
+    </message>
+    <message>
+        <source>Share of the way to the sun over which light is gathered: 0 shows only the mask, 1 gathers all the way.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil des Weges zur Sonne, auf dem Licht gesammelt wird: 0 zeigt nur die Maske, 1 sammelt auf dem ganzen Weg.</translation>
     </message>
     <message>
         <source>Share of these cells that have one: at 0 the lake is empty.</source>
@@ -12606,11 +12586,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shift of the view to the right</source>
         <translation>Verschiebung der Ansicht nach rechts</translation>
-    </message>
-    <message>
-        <source>Shift samples and steps by blue noise, so that too few of them look like grain and not like bands.</source>
-        <extracomment>tables</extracomment>
-        <translation>Versetzt Samples und Schritte durch blaues Rauschen, sodass zu wenige davon wie Korn aussehen und nicht wie Streifen.</translation>
     </message>
     <message>
         <source>Shift the steps by blue noise, another at every supersample, so that few of them look like grain and not like shells.</source>
@@ -13013,8 +12988,18 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Geschwindigkeit, mit der die Körper beim Druck auf den Knopf abheben, in Metern pro Sekunde.</translation>
     </message>
     <message>
+        <source>Speed at which the draft carries the drifts of dust, in meters per second.</source>
+        <extracomment>tables</extracomment>
+        <translation>Geschwindigkeit, mit der der Luftzug die Staubschwaden trägt, in Metern pro Sekunde.</translation>
+    </message>
+    <message>
         <source>Speed of looking</source>
         <translation>Tempo beim Umschauen</translation>
+    </message>
+    <message>
+        <source>Speed of the animated mobile, in turns per second.</source>
+        <extracomment>tables</extracomment>
+        <translation>Tempo des bewegten Mobiles, in Umdrehungen pro Sekunde.</translation>
     </message>
     <message>
         <source>Speed of the wheel</source>
@@ -13224,11 +13209,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schritte von dort zur Sonne.</translation>
     </message>
     <message>
-        <source>Steps in which a ray crosses a beam of the volume.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schritte, in denen ein Strahl einen Lichtstrahl des Volumens durchquert.</translation>
-    </message>
-    <message>
         <source>Steps of a ray through the clouds.</source>
         <extracomment>tables</extracomment>
         <translation>Schritte eines Strahls durch die Wolken.</translation>
@@ -13355,6 +13335,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke des Luftzugs über der Grube: 0 ist ruhige Luft, darüber bleibt das Fell in Bewegung.</translation>
     </message>
     <message>
+        <source>Strength of the hall's ambient light that the dust scatters: 1 is physical, at 0 the dust only darkens.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Umgebungslichts der Halle, das der Staub streut: 1 ist physikalisch, bei 0 verdunkelt der Staub nur.</translation>
+    </message>
+    <message>
         <source>Strength of the lamp before the niche.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke der Lampe vor der Nische.</translation>
@@ -13365,9 +13350,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke der Lampe im Gewölbe über der Grube: 0 schaltet sie aus.</translation>
     </message>
     <message>
-        <source>Strength of the rays in the sun's initial light: 0 makes none. In the plain sum, of each sample.</source>
+        <source>Strength of the screen-space rays: 0 makes none. In the plain sum, the strength of each sample.</source>
         <extracomment>tables</extracomment>
-        <translation>Stärke der Strahlen im anfänglichen Licht der Sonne: 0 erzeugt keine. In der einfachen Summe die jedes Samples.</translation>
+        <translation>Stärke der Strahlen im Bildraum: 0 erzeugt keine. In der einfachen Summe die Stärke jedes Samples.</translation>
+    </message>
+    <message>
+        <source>Strength of the sunlight that the dust scatters: 1 is physical for the air density, 0 shows no beams.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Sonnenlichts, das der Staub streut: 1 ist physikalisch für die Luftdichte, 0 zeigt keine Strahlen.</translation>
     </message>
     <message>
         <source>stretch</source>
@@ -13436,6 +13426,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Sum</source>
         <extracomment>tables</extracomment>
         <translation>Summe</translation>
+    </message>
+    <message>
+        <source>Summation along the ray: the mean, whose brightness does not depend on the number of samples, or the plain sum of the reference, which grows with it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Summierung entlang des Strahls: das Mittel, dessen Helligkeit nicht von der Zahl der Samples abhängt, oder die einfache Summe des Originals, die mit ihr wächst.</translation>
     </message>
     <message>
         <source>Sun</source>
@@ -13598,6 +13593,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Technique</source>
         <extracomment>tables</extracomment>
         <translation>Technik</translation>
+    </message>
+    <message>
+        <source>Technique that makes the beams: blurring the bright sky across the picture (screen space), or ray marching the sun's shadows through dusty air (volume).</source>
+        <extracomment>tables</extracomment>
+        <translation>Technik, die die Strahlen erzeugt: Verwischen des hellen Himmels über das Bild (Bildraum) oder Raymarching durch die Schatten der Sonne in staubiger Luft (Volumen).</translation>
     </message>
     <message>
         <source>Teddy</source>
@@ -13977,11 +13977,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Film: .mp4, .webm, .gif, .webp oder .apng, oder Frames wie in frames/%04d.png.</translation>
     </message>
     <message>
-        <source>The finished picture, the mask with its occluders black, or the added light without the hall.</source>
-        <extracomment>tables</extracomment>
-        <translation>Das fertige Bild, die Maske mit schwarzen Verdeckern, oder das zugefügte Licht ohne die Halle.</translation>
-    </message>
-    <message>
         <source>The first child without the others.</source>
         <translation>Das erste Kind ohne die anderen.</translation>
     </message>
@@ -14174,11 +14169,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the mask is made of the occluders</source>
         <translation>die Maske wird aus den Verdeckern gemacht</translation>
-    </message>
-    <message>
-        <source>The mean over the way, which no number of samples makes brighter or darker; or the plain sum of the museum that this exhibit follows, which grows with them.</source>
-        <extracomment>tables</extracomment>
-        <translation>Das Mittel über den Weg, das keine Zahl von Samples heller oder dunkler macht; oder die einfache Summe des Museums, dem dieses Exponat folgt, die mit ihnen wächst.</translation>
     </message>
     <message>
         <source>the median is not in this interval; correct it there.</source>
@@ -15962,11 +15952,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Umdrehungen pro Sekunde, als ginge die Kamera darum herum.</translation>
     </message>
     <message>
-        <source>Turns of the mobile in a second, while it is animated.</source>
-        <extracomment>tables</extracomment>
-        <translation>Umdrehungen des Mobiles pro Sekunde, während es sich bewegt.</translation>
-    </message>
-    <message>
         <source>Turns the other way round when you drag up or down.</source>
         <translation>Dreht andersherum, wenn Sie nach oben oder unten ziehen.</translation>
     </message>
@@ -16031,6 +16016,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Unevenness of the draft: 0 leans on the fur steadily and moves nothing, 1 blows in gusts.</source>
         <extracomment>tables</extracomment>
         <translation>Ungleichmäßigkeit des Luftzugs: 0 drückt stetig auf das Fell und bewegt nichts, 1 weht in Böen.</translation>
+    </message>
+    <message>
+        <source>Unevenness of the dust: 0 is even air, high gathers it in drifts.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ungleichmäßigkeit des Staubs: 0 ist gleichmäßige Luft, hohe Werte sammeln ihn in Schwaden.</translation>
     </message>
     <message>
         <source>Uniformity</source>
@@ -16897,6 +16887,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob Radius und Dicke aus LPI, Zone und Index folgen, auf die Rückseite fokussiert, oder wie unten angegeben sind.</translation>
     </message>
     <message>
+        <source>Whether samples and steps are shifted by blue noise: too few of them then look like grain, not like bands.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob Samples und Schritte durch blaues Rauschen versetzt werden: Zu wenige davon wirken dann wie Korn und nicht wie Streifen.</translation>
+    </message>
+    <message>
         <source>Whether steps may be longer than the distance: by a fixed factor, or as long as the field's slope promises.</source>
         <extracomment>tables</extracomment>
         <translation>Ob Schritte länger als die Distanz sein dürfen: um einen festen Faktor, oder so lang, wie die Steigung des Felds verspricht.</translation>
@@ -16912,9 +16907,19 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob das Rauschen der Wolken bei jedem Schritt ausgewertet oder nachgeschlagen wird.</translation>
     </message>
     <message>
+        <source>Whether the draft turns the mobile and carries the dust.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob der Luftzug das Mobile dreht und den Staub trägt.</translation>
+    </message>
+    <message>
         <source>Whether the lamps in the vault burn: as the sun sinks below eight degrees, always, or never.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Lampen im Gewölbe brennen: sobald die Sonne unter acht Grad sinkt, immer oder nie.</translation>
+    </message>
+    <message>
+        <source>Whether the mask carries the colors of the sky; otherwise it is plain white.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Maske die Farben des Himmels trägt; sonst ist sie reinweiß.</translation>
     </message>
     <message>
         <source>Whether the next four parameters set how the fur lies, while the bodies stand still.</source>
