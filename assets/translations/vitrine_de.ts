@@ -1903,11 +1903,6 @@ Zeiten nach: %2.</translation>
         <translation>eine Schrittweite muss zwischen 4 und 252 liegen</translation>
     </message>
     <message>
-        <source>A strip holds the one color that its lens shows, or its slice of the view squeezed, as in the source.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ein Streifen enthält die eine Farbe, die seine Linse zeigt, oder wie im Original seinen gestauchten Ausschnitt der Ansicht.</translation>
-    </message>
-    <message>
         <source>A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.</source>
         <translation>Eine Studie richtet sich nach einem Fehler, der auf 0 fällt: Untersuchen Sie rmse, dessen Dezibel psnr ist.</translation>
     </message>
@@ -2063,6 +2058,11 @@ Zeiten nach: %2.</translation>
         <source>Abbe number</source>
         <extracomment>tables</extracomment>
         <translation>Abbe-Zahl</translation>
+    </message>
+    <message>
+        <source>Abbe number of the plastic: low spreads colors widely, high hardly. Acrylic has 57, polycarbonate 30.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abbe-Zahl des Kunststoffs: Niedrige Werte fächern Farben weit auf, hohe kaum. Acryl hat 57, Polycarbonat 30.</translation>
     </message>
     <message>
         <source>About %1 min left</source>
@@ -2439,6 +2439,11 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Angle in which all views are seen once; beyond it they start again.</source>
         <translation>Winkel, in dem alle Ansichten einmal zu sehen sind; darüber hinaus beginnen sie von vorn.</translation>
+    </message>
+    <message>
+        <source>Angle to either side at which the linear model reaches the outermost view.</source>
+        <extracomment>tables</extracomment>
+        <translation>Winkel zu jeder Seite, bei dem das lineare Modell die äußerste Ansicht erreicht.</translation>
     </message>
     <message>
         <source>angles</source>
@@ -2993,11 +2998,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Between the axis and the side.</source>
         <translation>Zwischen der Achse und der Seite.</translation>
-    </message>
-    <message>
-        <source>Between the eyes.</source>
-        <extracomment>tables</extracomment>
-        <translation>Zwischen den Augen.</translation>
     </message>
     <message>
         <source>Between the first child and the second.</source>
@@ -4664,6 +4664,11 @@ Zeiten nach: %2.</translation>
         <translation>Konische Konstante</translation>
     </message>
     <message>
+        <source>Conic constant of a custom lens: 0 is a circle, -0.41 the ellipse that is sharp straight ahead.</source>
+        <extracomment>tables</extracomment>
+        <translation>Konische Konstante einer eigenen Linse: 0 ist ein Kreis, -0.41 die Ellipse, die geradeaus scharf ist.</translation>
+    </message>
+    <message>
         <source>Console of 1983</source>
         <translation>Konsole von 1983</translation>
     </message>
@@ -4679,6 +4684,11 @@ Zeiten nach: %2.</translation>
     <message>
         <source>contact shadows are switched off</source>
         <translation>Kontaktschatten sind ausgeschaltet</translation>
+    </message>
+    <message>
+        <source>Content of a strip: the one color that its lens shows (flat), or its slice of the view, squeezed as in the reference.</source>
+        <extracomment>tables</extracomment>
+        <translation>Inhalt eines Streifens: die eine Farbe, die seine Linse zeigt (flach), oder sein Ausschnitt der Ansicht, gestaucht wie im Original.</translation>
     </message>
     <message>
         <source>Contrast</source>
@@ -5164,6 +5174,11 @@ Zeiten nach: %2.</translation>
         <translation>Richtung, in die der Staub streut: 0 nach allen Seiten, positive Werte nach vorn mit Leuchten zur Sonne hin, negative zurück.</translation>
     </message>
     <message>
+        <source>Direction of the lenses: vertical lenses change when you move sideways, horizontal ones when you move up or down.</source>
+        <extracomment>tables</extracomment>
+        <translation>Richtung der Linsen: Senkrechte wechseln bei seitlicher Bewegung, waagerechte bei Bewegung auf und ab.</translation>
+    </message>
+    <message>
         <source>Directions</source>
         <translation>Richtungen</translation>
     </message>
@@ -5242,6 +5257,11 @@ Zeiten nach: %2.</translation>
         <source>Distance attenuation</source>
         <extracomment>tables</extracomment>
         <translation>Entfernungsabfall</translation>
+    </message>
+    <message>
+        <source>Distance between the eyes.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand zwischen den Augen.</translation>
     </message>
     <message>
         <source>Distance by which the tips hang down at rest, in strand lengths.</source>
@@ -5605,6 +5625,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Fehlerdiffusion</translation>
     </message>
     <message>
+        <source>Error of the pitch of the strips: 0.01 is one percent too wide.</source>
+        <extracomment>tables</extracomment>
+        <translation>Fehler des Streifenabstands: 0.01 ist ein Prozent zu breit.</translation>
+    </message>
+    <message>
         <source>Error over cost</source>
         <translation>Fehler über Kosten</translation>
     </message>
@@ -5795,6 +5820,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Eyes</source>
         <extracomment>tables</extracomment>
         <translation>Augen</translation>
+    </message>
+    <message>
+        <source>Eyes for which the card is drawn: off (the camera), one eye, or both as an anaglyph, the left one in red and the right one in cyan.</source>
+        <extracomment>tables</extracomment>
+        <translation>Augen, für die die Karte gezeichnet wird: aus (die Kamera), ein Auge oder beide als Anaglyphe, das linke in Rot und das rechte in Cyan.</translation>
     </message>
     <message>
         <source>F&amp;ull screen</source>
@@ -6275,11 +6305,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Von A nach B</translation>
     </message>
     <message>
-        <source>From an eye's angle to the strip: in proportion to its tangent as in the source, first-order optics, or Snell's law on the lens.</source>
-        <extracomment>tables</extracomment>
-        <translation>Vom Winkel eines Auges zum Streifen: proportional zu seinem Tangens wie im Original, Optik erster Ordnung, oder das Brechungsgesetz auf der Linse.</translation>
-    </message>
-    <message>
         <source>From end to end.</source>
         <translation>Von Ende zu Ende.</translation>
     </message>
@@ -6294,11 +6319,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>from near, later</source>
         <translation>aus der Nähe, später</translation>
-    </message>
-    <message>
-        <source>From one print to the next.</source>
-        <extracomment>tables</extracomment>
-        <translation>Von einem Druck zum nächsten.</translation>
     </message>
     <message>
         <source>From the axis.</source>
@@ -7054,11 +7074,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie Licht berechnet wird: durch durchscheinendes Papier, mit Fresnels Spiegel, oder wie es das Original tut.</translation>
     </message>
     <message>
-        <source>How little the plastic spreads colors: acrylic has 57, polycarbonate 30.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie wenig der Kunststoff Farben spreizt: Acryl hat 57, Polycarbonat 30.</translation>
-    </message>
-    <message>
         <source>How long each stage is shown.</source>
         <extracomment>tables</extracomment>
         <translation>Wie lange jede Stufe gezeigt wird.</translation>
@@ -7128,22 +7143,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie sehr Flammen flackern: 0 brennt gleichmäßig.</translation>
     </message>
     <message>
-        <source>How much longer ribs are than wide.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie viel länger als breit Rippen sind.</translation>
-    </message>
-    <message>
         <source>How much nearer one step of the wheel takes you to an exhibit.</source>
         <translation>Wie viel näher ein Schritt des Mausrads an ein Exponat heranführt.</translation>
     </message>
     <message>
         <source>How much of it.</source>
         <translation>Wie viel davon.</translation>
-    </message>
-    <message>
-        <source>How much of the lenses' own slope the highlight follows: 0 is a flat sheet, 1 spreads it over all directions across.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr das Glanzlicht der Steigung der Linsen folgt: 0 ist eine flache Folie, 1 verteilt es quer über alle Richtungen.</translation>
     </message>
     <message>
         <source>How much of the light around a point shapes keep away: up the normal, or by rays or cones around it.</source>
@@ -7159,11 +7164,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How much the camera follows a visitor who steps aside: 1 as a window would.</source>
         <extracomment>tables</extracomment>
         <translation>Wie sehr die Kamera einem Besucher folgt, der zur Seite geht: 1 wie ein Fenster.</translation>
-    </message>
-    <message>
-        <source>How much the ribs, noise stretched along the lenses, bend the highlight.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr die Rippen, entlang der Linsen gestrecktes Rauschen, das Glanzlicht verbiegen.</translation>
     </message>
     <message>
         <source>How narrow the highlight is.</source>
@@ -7441,11 +7441,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>integer</source>
         <extracomment>tables</extracomment>
         <translation>ganzzahlig</translation>
-    </message>
-    <message>
-        <source>Integrate over the lens and the pixel; without it one ray a pixel gives moire from afar.</source>
-        <extracomment>tables</extracomment>
-        <translation>Integriert über Linse und Pixel; ohne das gibt ein Strahl pro Pixel aus der Ferne Moiré.</translation>
     </message>
     <message>
         <source>Integration method of the springs: explicit Euler gains energy, semi-implicit Euler fails at long time steps, the closed form is exact.</source>
@@ -8246,6 +8241,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Länge der längsten Haare dieses Fells: 0 lässt die nackte Haut.</translation>
     </message>
     <message>
+        <source>Length of the ribs relative to their width.</source>
+        <extracomment>tables</extracomment>
+        <translation>Länge der Rippen im Verhältnis zu ihrer Breite.</translation>
+    </message>
+    <message>
         <source>Length of the shortest strands as a share of the longest: at 0 they have no length, at 1 all are equally long, like a lawn.</source>
         <extracomment>tables</extracomment>
         <translation>Länge der kürzesten Haare als Anteil der längsten: Bei 0 haben sie keine, bei 1 sind alle gleich lang wie bei einem Rasen.</translation>
@@ -8268,27 +8268,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>LENSES ACROSS - FEED: TOP / SIDE</translation>
     </message>
     <message>
-        <source>Lenses across the card; the sheet's shape is scaled. 0 takes as many as the sheet's LPI gives.</source>
-        <extracomment>tables</extracomment>
-        <translation>Linsen quer über die Karte; die Form der Folie wird skaliert. 0 nimmt so viele, wie der LPI-Wert der Folie ergibt.</translation>
-    </message>
-    <message>
         <source>lenses of {1} mm need a radius above {2} mm, and it is {3} mm; focused on its back the sheet is then at least {4} mm thick</source>
         <translation>Linsen von {1} mm brauchen einen Radius über {2} mm, und er ist {3} mm; auf ihre Rückseite fokussiert, ist die Folie dann mindestens {4} mm dick</translation>
     </message>
     <message>
         <source>Lenses per inch</source>
         <translation>Linsen pro Zoll</translation>
-    </message>
-    <message>
-        <source>Lenses per inch and the zone they are made for: 30 degrees (3d) or 50 (flip). Custom takes the numbers below.</source>
-        <extracomment>tables</extracomment>
-        <translation>Linsen pro Zoll, und die Zone, für die sie gemacht sind: 30 Grad (3d) oder 50 (Wechsel). „Eigene“ nimmt die Zahlen darunter.</translation>
-    </message>
-    <message>
-        <source>Lenses per inch of the custom sheet.</source>
-        <extracomment>tables</extracomment>
-        <translation>Linsen pro Zoll der eigenen Folie.</translation>
     </message>
     <message>
         <source>Lenses per inch of the strips, with the resolution as the file stores it.</source>
@@ -8305,6 +8290,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>lenticular raster</source>
         <translation>Linsenraster</translation>
+    </message>
+    <message>
+        <source>Lenticular sheet: lenses per inch and viewing zone, 30 degrees (3d) or 50 (flip). Custom uses the parameters below.</source>
+        <extracomment>tables</extracomment>
+        <translation>Linsenfolie: Linsen pro Zoll und Sichtzone, 30 Grad (3d) oder 50 (flip). „Eigene“ nimmt die Parameter darunter.</translation>
     </message>
     <message>
         <source>lenticular views</source>
@@ -9004,6 +8994,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Stand des Modells</translation>
     </message>
     <message>
+        <source>Model that finds the strip seen at a view angle: proportional to its tangent as in the reference (linear), first-order optics (paraxial), or Snell's law at the lens (exact).</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell, das den Streifen zu einem Blickwinkel findet: proportional zum Tangens wie im Original (linear), Optik erster Ordnung (paraxial) oder das Brechungsgesetz an der Linse (exakt).</translation>
+    </message>
+    <message>
         <source>Moire, without a filter</source>
         <translation>Moiré, ohne Filter</translation>
     </message>
@@ -9573,11 +9568,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Normalen aus der Tiefe, Linien von einem Pixel und wenige Farben.</translation>
     </message>
     <message>
-        <source>Normals of a lens whose mirror images are mixed.</source>
-        <extracomment>tables</extracomment>
-        <translation>Normalen einer Linse, deren Spiegelbilder gemischt werden.</translation>
-    </message>
-    <message>
         <source>Not all files say on which machine they were measured, so their times cannot be compared: their work is, which counts the same anywhere.</source>
         <translation>Nicht alle Dateien sagen, auf welchem Rechner sie gemessen wurden, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
@@ -9719,6 +9709,26 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Schichten (Shells), die von der Spitze zur Haut gezeichnet werden: Wenige zeigen Lücken, viele sind genauer und teurer.</translation>
     </message>
     <message>
+        <source>Number of lenses across the card; the shape of the sheet is scaled to fit. 0 follows from the LPI of the sheet.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Linsen quer über die Karte; die Form der Folie wird passend skaliert. 0 folgt aus dem LPI-Wert der Folie.</translation>
+    </message>
+    <message>
+        <source>Number of lenses per inch of the custom sheet.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Linsen pro Zoll der eigenen Folie.</translation>
+    </message>
+    <message>
+        <source>Number of normals across a lens whose reflections are averaged: few show streaks.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Normalen quer über eine Linse, deren Spiegelungen gemittelt werden: Wenige zeigen Streifen.</translation>
+    </message>
+    <message>
+        <source>Number of rays traced over a lens, or over the part of it under a pixel: few show steps between views, many are smooth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Strahlen über eine Linse oder über den Teil davon unter einem Pixel: Wenige zeigen Stufen zwischen Ansichten, viele sind glatt.</translation>
+    </message>
+    <message>
         <source>Number of samples along a ray: few show bands. Each of the three passes takes the cube root of it, the polar grid has two cells per sample.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Samples entlang eines Strahls: Wenige zeigen Streifen. Jeder der drei Passes nimmt die dritte Wurzel davon, das Polargitter hat zwei Zellen pro Sample.</translation>
@@ -9747,6 +9757,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of turns of a curl from skin to tip.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Windungen einer Locke von der Haut zur Spitze.</translation>
+    </message>
+    <message>
+        <source>Number of views under each lens, chosen evenly from those of the print; never more than it has.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Ansichten unter jeder Linse, gleichmäßig aus denen des Drucks gewählt; nie mehr, als er hat.</translation>
     </message>
     <message>
         <source>Number to read</source>
@@ -9987,37 +10002,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des Eises: Niedrige Werte schmelzen, hohe sind trocken.</translation>
     </message>
     <message>
-        <source>Of the custom lens at its top; one that cannot reach over its pitch is made just large enough.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der eigenen Linse an ihrem Scheitel; einer, der nicht über ihren Abstand reicht, wird gerade groß genug gemacht.</translation>
-    </message>
-    <message>
-        <source>Of the custom lens: 0 is a circle, -0.41 the ellipse that is sharp straight ahead.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der eigenen Linse: 0 ist ein Kreis, -0.41 die Ellipse, die geradeaus scharf ist.</translation>
-    </message>
-    <message>
-        <source>Of the custom sheet's plastic: 1.49 to 1.6 are usual.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Kunststoffs der eigenen Folie: 1.49 bis 1.6 sind üblich.</translation>
-    </message>
-    <message>
-        <source>Of the custom sheet, from lens top to print: too thin or too thick blurs.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der eigenen Folie, vom Linsenscheitel bis zum Druck: Zu dünn oder zu dick ist unscharf.</translation>
-    </message>
-    <message>
         <source>Of the edges along x, y and z.</source>
         <translation>Der Kanten entlang x, y und z.</translation>
     </message>
     <message>
         <source>Of the edges.</source>
         <translation>Der Kanten.</translation>
-    </message>
-    <message>
-        <source>Of the eye for which the strips' pitch is made: there the whole card shows one view. Large is parallel.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Auges, für das der Abstand der Streifen gemacht ist: Dort zeigt die ganze Karte eine Ansicht. Große Werte sind parallel.</translation>
     </message>
     <message>
         <source>Of the eye.</source>
@@ -10090,11 +10080,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des Glanzlichts, weiß.</translation>
     </message>
     <message>
-        <source>Of the lamp in the vault that is aimed at the card: 0 leaves it to the hall's light.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Lampe im Gewölbe, die auf die Karte gerichtet ist: 0 überlässt sie dem Licht der Halle.</translation>
-    </message>
-    <message>
         <source>Of the layer.</source>
         <extracomment>tables</extracomment>
         <translation>Der Schicht.</translation>
@@ -10102,16 +10087,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.</source>
         <translation>Der Linsen: 0 aufrecht für Tiefe, 90 quer für Wechselbilder, dazwischen schräg.</translation>
-    </message>
-    <message>
-        <source>Of the lenses: vertical ones change as one walks by, horizontal ones as one bows.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Linsen: Senkrechte wechseln, wenn man vorbeigeht, waagerechte, wenn man sich verbeugt.</translation>
-    </message>
-    <message>
-        <source>Of the linear model: the angle to either side at which all views have been seen.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des linearen Modells: der Winkel zu jeder Seite, bei dem alle Ansichten zu sehen waren.</translation>
     </message>
     <message>
         <source>Of the lower ball.</source>
@@ -10172,19 +10147,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des Kunststoffs: 1.49 Acryl, 1.57 PET, 1.59 Polystyrol.</translation>
     </message>
     <message>
-        <source>Of the plastic: low is wet, high is matte.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Kunststoffs: Niedrige Werte sind nass, hohe matt.</translation>
-    </message>
-    <message>
         <source>Of the plinth.</source>
         <extracomment>tables</extracomment>
         <translation>Des Sockels.</translation>
-    </message>
-    <message>
-        <source>Of the print against the sheet: fringes lean across the card.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Drucks gegen die Folie: Streifenmuster lehnen quer über die Karte.</translation>
     </message>
     <message>
         <source>Of the printer, across; its native resolution or a whole fraction of it.</source>
@@ -10193,11 +10158,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Of the raster, bleed included.</source>
         <translation>Des Rasters, mit Anschnitt.</translation>
-    </message>
-    <message>
-        <source>Of the ribs.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Rippen.</translation>
     </message>
     <message>
         <source>Of the sand, before the warm light.</source>
@@ -10241,16 +10201,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Of the straight parts.</source>
         <translation>Der geraden Teile.</translation>
-    </message>
-    <message>
-        <source>Of the strips under the lenses, in lenses.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Streifen unter den Linsen, in Linsen.</translation>
-    </message>
-    <message>
-        <source>Of the strips' pitch against what it should be: 0.01 is one percent too wide.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Streifenabstands gegenüber dem, was er sein sollte: 0.01 ist ein Prozent zu breit.</translation>
     </message>
     <message>
         <source>Of the sun.</source>
@@ -10829,11 +10779,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Teile</translation>
     </message>
     <message>
-        <source>Parts of a lens, or of the piece of it under a pixel, that are traced.</source>
-        <extracomment>tables</extracomment>
-        <translation>Teile einer Linse, oder des Stücks davon unter einem Pixel, die verfolgt werden.</translation>
-    </message>
-    <message>
         <source>parts of the model are translucent</source>
         <translation>Teile des Modells sind durchscheinend</translation>
     </message>
@@ -10869,6 +10814,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Path of a glTF object that wears the ring's coat in place of the ring; models/teddy.glb is supplied.</source>
         <extracomment>tables</extracomment>
         <translation>Pfad eines glTF-Objekts, das statt des Rings dessen Fell trägt; models/teddy.glb liegt bei.</translation>
+    </message>
+    <message>
+        <source>Path of the views of the first print: a folder of pictures, or a file written by “vitrine print”. Empty: the turning mug.</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfad der Ansichten des ersten Drucks: ein Ordner mit Bildern oder eine Datei von „vitrine print“. Leer: die sich drehende Tasse.</translation>
+    </message>
+    <message>
+        <source>Path of the views of the second print: a folder of pictures, or a file written by “vitrine print”. Empty: the melting torus.</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfad der Ansichten des zweiten Drucks: ein Ordner mit Bildern oder eine Datei von „vitrine print“. Leer: der schmelzende Torus.</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -11231,6 +11186,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Druck</translation>
     </message>
     <message>
+        <source>Print that the card shows while it does not scroll.</source>
+        <extracomment>tables</extracomment>
+        <translation>Druck, den die Karte zeigt, solange sie nicht rollt.</translation>
+    </message>
+    <message>
         <source>Printed dots that one lens covers: no more views than these can be told apart.</source>
         <translation>Druckpunkte, die eine Linse überdeckt: mehr Ansichten lassen sich nicht unterscheiden.</translation>
     </message>
@@ -11330,6 +11290,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Radius</source>
         <extracomment>tables</extracomment>
         <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius of curvature at the top of a custom lens; a radius too small for the lens pitch is enlarged to fit.</source>
+        <extracomment>tables</extracomment>
+        <translation>Krümmungsradius am Scheitel einer eigenen Linse; ein für den Linsenabstand zu kleiner wird passend vergrößert.</translation>
     </message>
     <message>
         <source>Radius of its edges, cut to half its smallest side.</source>
@@ -11553,9 +11518,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Reflexionsgrad</translation>
     </message>
     <message>
-        <source>Reflectance of the plastic: 0.5 is what its index gives, 0 none.</source>
+        <source>Reflectance of the plastic: 0 is none, 0.5 is what its refractive index gives.</source>
         <extracomment>tables</extracomment>
-        <translation>Reflexionsgrad des Kunststoffs: 0.5 ist, was sein Index ergibt, 0 keiner.</translation>
+        <translation>Reflexionsgrad des Kunststoffs: 0 ist keiner, 0.5 ist der aus seinem Brechungsindex.</translation>
     </message>
     <message>
         <source>Reflectance of what is not metal: 0.5 is the 4 % of most glazes.</source>
@@ -11576,6 +11541,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Refractive index</source>
         <extracomment>tables</extracomment>
         <translation>Brechungsindex</translation>
+    </message>
+    <message>
+        <source>Refractive index of the custom sheet's plastic: 1.49 to 1.6 are usual.</source>
+        <extracomment>tables</extracomment>
+        <translation>Brechungsindex des Kunststoffs der eigenen Folie: 1.49 bis 1.6 sind üblich.</translation>
     </message>
     <message>
         <source>Relaxation</source>
@@ -11897,11 +11867,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rolle: Dichte</translation>
     </message>
     <message>
-        <source>Roll from one print to the other and on, like a billboard.</source>
-        <extracomment>tables</extracomment>
-        <translation>Rollt von einem Druck zum anderen und weiter, wie eine Werbetafel.</translation>
-    </message>
-    <message>
         <source>Roll length</source>
         <extracomment>tables</extracomment>
         <translation>Rolle: Länge</translation>
@@ -11960,6 +11925,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Drehung des Mobiles um seine Achse.</translation>
     </message>
     <message>
+        <source>Rotation of the print against the sheet: even a little makes fringes lean across the card.</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung des Drucks gegen die Folie: Schon wenig lässt Streifenmuster schräg über die Karte laufen.</translation>
+    </message>
+    <message>
         <source>Rotation of the tips about the axis towards the entrance, when set by hand.</source>
         <extracomment>tables</extracomment>
         <translation>Drehung der Spitzen um die Achse zum Eingang hin, wenn sie von Hand gesetzt wird.</translation>
@@ -11976,6 +11946,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Roughness</source>
         <extracomment>tables</extracomment>
         <translation>Rauheit</translation>
+    </message>
+    <message>
+        <source>Roughness of the plastic: low looks wet, high is matte.</source>
+        <extracomment>tables</extracomment>
+        <translation>Rauheit des Kunststoffs: Niedrige Werte wirken nass, hohe matt.</translation>
     </message>
     <message>
         <source>round edges</source>
@@ -12505,14 +12480,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Anteil der Pixel, die um mehr als 1/255 abweichen</translation>
     </message>
     <message>
-        <source>Share of that time in which the print rests; the rest of it is the roll.</source>
-        <extracomment>tables</extracomment>
-        <translation>Anteil dieser Zeit, in der der Druck ruht; der Rest ist das Rollen.</translation>
-    </message>
-    <message>
         <source>Share of the bounds of slope and curvature that strides go by, proven ones of the field, five and a half standard deviations of the sea: 1 passes nothing wide, less is quicker, for noise is seldom as steep.</source>
         <extracomment>tables</extracomment>
         <translation>Anteil der Schranken von Steigung und Krümmung, nach denen Schritte gehen, beim Feld bewiesene, beim Meer fünfeinhalb Standardabweichungen: 1 übergeht nichts Breites, weniger ist schneller, denn Rauschen ist selten so steil.</translation>
+    </message>
+    <message>
+        <source>Share of the lenses' own slope that the highlight follows: 0 is a flat sheet, 1 spreads it in all directions across the lenses.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil der Steigung der Linsen, dem das Glanzlicht folgt: 0 ist eine flache Folie, 1 verteilt es quer zu den Linsen in alle Richtungen.</translation>
     </message>
     <message>
         <source>Share of the light that is left after each 128th of the way: 1 lets the sky reach everywhere, low keeps rays short.</source>
@@ -12528,6 +12503,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Share of the light that they scatter in the second lobe, back.</source>
         <extracomment>tables</extracomment>
         <translation>Anteil des Lichts, den sie in der zweiten Keule streuen, zurück.</translation>
+    </message>
+    <message>
+        <source>Share of the period in which a print stays in place: low scrolls slowly, high scrolls quickly.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil der Periode, in dem ein Druck stehen bleibt: Niedrige Werte rollen langsam, hohe schnell.</translation>
     </message>
     <message>
         <source>share of the variance, cells</source>
@@ -12578,6 +12558,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shift</source>
         <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Shift of the strips under the lenses, in lens widths.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verschiebung der Streifen unter den Linsen, in Linsenbreiten.</translation>
     </message>
     <message>
         <source>Shift of the view down</source>
@@ -12785,9 +12770,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Größe</translation>
     </message>
     <message>
-        <source>Size of the spot that a lens shows against what the model gives: 0 is one point of a strip, above 1 the neighbors bleed in.</source>
+        <source>Size of the spot that a lens shows, relative to the model: 0 is one point of a strip, above 1 neighboring strips bleed in.</source>
         <extracomment>tables</extracomment>
-        <translation>Größe des Flecks, den eine Linse zeigt, gegenüber dem des Modells: 0 ist ein Punkt eines Streifens, über 1 dringen die Nachbarn ein.</translation>
+        <translation>Größe des Flecks, den eine Linse zeigt, gegenüber dem Modell: 0 ist ein Punkt eines Streifens, über 1 dringen die Nachbarn ein.</translation>
     </message>
     <message>
         <source>Size of type</source>
@@ -13110,9 +13095,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Standard</translation>
     </message>
     <message>
-        <source>Standard deviation of the ink's blur: cross-talk between views.</source>
+        <source>Standard deviation of the ink's blur: high mixes neighboring views (crosstalk).</source>
         <extracomment>tables</extracomment>
-        <translation>Standardabweichung der Unschärfe der Tinte: Übersprechen zwischen Ansichten.</translation>
+        <translation>Standardabweichung der Unschärfe der Tinte: Hohe Werte vermischen benachbarte Ansichten (Übersprechen).</translation>
     </message>
     <message>
         <source>Stars</source>
@@ -13350,6 +13335,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke der Lampe im Gewölbe über der Grube: 0 schaltet sie aus.</translation>
     </message>
     <message>
+        <source>Strength of the lamp in the vault that is aimed at the card: 0 leaves it to the hall's light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der Lampe im Gewölbe, die auf die Karte gerichtet ist: 0 überlässt sie dem Licht der Halle.</translation>
+    </message>
+    <message>
         <source>Strength of the screen-space rays: 0 makes none. In the plain sum, the strength of each sample.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke der Strahlen im Bildraum: 0 erzeugt keine. In der einfachen Summe die Stärke jedes Samples.</translation>
@@ -13358,6 +13348,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Strength of the sunlight that the dust scatters: 1 is physical for the air density, 0 shows no beams.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke des Sonnenlichts, das der Staub streut: 1 ist physikalisch für die Luftdichte, 0 zeigt keine Strahlen.</translation>
+    </message>
+    <message>
+        <source>Strength with which the ribs (noise stretched along the lenses) bend the highlight: 0 leaves it smooth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie stark die Rippen (entlang der Linsen gestrecktes Rauschen) das Glanzlicht verbiegen: 0 lässt es glatt.</translation>
     </message>
     <message>
         <source>stretch</source>
@@ -13372,11 +13367,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Strips</source>
         <extracomment>tables</extracomment>
         <translation>Streifen</translation>
-    </message>
-    <message>
-        <source>Strips under each lens: views chosen evenly from those that the print has, no more than it has.</source>
-        <extracomment>tables</extracomment>
-        <translation>Streifen unter jeder Linse: Ansichten, gleichmäßig aus denen des Drucks gewählt, nicht mehr, als er hat.</translation>
     </message>
     <message>
         <source>Studied with {1} at {2} instead of {3}, so that {4} acts.</source>
@@ -14769,11 +14759,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Ansichten sind verschieden groß; jede wird auf den Druck skaliert.</translation>
     </message>
     <message>
-        <source>The views in the wrong order: the picture turns inside out.</source>
-        <extracomment>tables</extracomment>
-        <translation>Die Ansichten in falscher Reihenfolge: Das Bild kehrt sein Inneres nach außen.</translation>
-    </message>
-    <message>
         <source>The visited exhibit has no table of its own; the Study panel measures its parameters.</source>
         <translation>Das besuchte Exponat hat keine eigene Tabelle; das Feld „Studie“ misst seine Parameter.</translation>
     </message>
@@ -15156,6 +15141,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Thickness of its wall.</source>
         <extracomment>tables</extracomment>
         <translation>Dicke der Wand.</translation>
+    </message>
+    <message>
+        <source>Thickness of the custom sheet from the top of a lens to the print: too thin or too thick blurs.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dicke der eigenen Folie vom Linsenscheitel bis zum Druck: Zu dünn oder zu dick wird unscharf.</translation>
     </message>
     <message>
         <source>Thickness variation</source>
@@ -15689,6 +15679,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Zeit läuft nicht</translation>
     </message>
     <message>
+        <source>Time from one print to the next.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeit von einem Druck zum nächsten.</translation>
+    </message>
+    <message>
         <source>time of a picture</source>
         <translation>Zeit eines Bildes</translation>
     </message>
@@ -15803,11 +15798,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>Towards it.</source>
         <translation>Zu ihm hin.</translation>
-    </message>
-    <message>
-        <source>Trace red, green and blue apart, by Cauchy's formula.</source>
-        <extracomment>tables</extracomment>
-        <translation>Verfolgt Rot, Grün und Blau getrennt, nach Cauchys Formel.</translation>
     </message>
     <message>
         <source>Translate</source>
@@ -16237,6 +16227,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Ansichtsbreite</translation>
     </message>
     <message>
+        <source>Viewing distance for which the pitch of the strips is made: at it, the whole card shows one view. Large values make it parallel.</source>
+        <extracomment>tables</extracomment>
+        <translation>Betrachtungsabstand, für den der Abstand der Streifen gemacht ist: Dort zeigt die ganze Karte eine Ansicht. Große Werte sind parallel.</translation>
+    </message>
+    <message>
         <source>Viewing zone</source>
         <translation>Betrachtungszone</translation>
     </message>
@@ -16247,16 +16242,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>views</source>
         <translation>Ansichten</translation>
-    </message>
-    <message>
-        <source>Views of the first print: a folder of pictures, or a print that vitrine print wrote. Empty: the turning mug.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ansichten des ersten Drucks: ein Ordner mit Bildern, oder ein Druck, den vitrine print geschrieben hat. Leer: die sich drehende Tasse.</translation>
-    </message>
-    <message>
-        <source>Views of the second print, in the same ways. Empty: the melting torus.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ansichten des zweiten Drucks, auf dieselbe Weise. Leer: der schmelzende Torus.</translation>
     </message>
     <message>
         <source>Views rendered from the picture in the window, read from a folder or a list of pictures,
@@ -16887,6 +16872,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob Radius und Dicke aus LPI, Zone und Index folgen, auf die Rückseite fokussiert, oder wie unten angegeben sind.</translation>
     </message>
     <message>
+        <source>Whether red, green and blue are refracted separately, by Cauchy's formula.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob Rot, Grün und Blau getrennt gebrochen werden, nach Cauchys Formel.</translation>
+    </message>
+    <message>
         <source>Whether samples and steps are shifted by blue noise: too few of them then look like grain, not like bands.</source>
         <extracomment>tables</extracomment>
         <translation>Ob Samples und Schritte durch blaues Rauschen versetzt werden: Zu wenige davon wirken dann wie Korn und nicht wie Streifen.</translation>
@@ -16900,6 +16890,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the ball grows and shrinks all the time; otherwise only during a jump.</source>
         <extracomment>tables</extracomment>
         <translation>Ob der Ball ständig wächst und schrumpft; sonst nur während eines Sprungs.</translation>
+    </message>
+    <message>
+        <source>Whether the card scrolls from one print to the other and back, like a billboard.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Karte von einem Druck zum anderen und zurück rollt, wie eine Werbetafel.</translation>
     </message>
     <message>
         <source>Whether the clouds' noise is evaluated at every step or looked up.</source>
@@ -16917,6 +16912,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob die Lampen im Gewölbe brennen: sobald die Sonne unter acht Grad sinkt, immer oder nie.</translation>
     </message>
     <message>
+        <source>Whether the lens and the pixel are integrated over; without it, one ray per pixel gives moiré from afar.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob über Linse und Pixel integriert wird; ohne das gibt ein Strahl pro Pixel aus der Ferne Moiré.</translation>
+    </message>
+    <message>
         <source>Whether the mask carries the colors of the sky; otherwise it is plain white.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Maske die Farben des Himmels trägt; sonst ist sie reinweiß.</translation>
@@ -16930,6 +16930,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Sonne durch Winkel und Farbe darunter gesetzt wird, oder mit der Stunde wandert, sich rötet und untergeht.</translation>
+    </message>
+    <message>
+        <source>Whether the views are printed in reverse order: depth turns inside out.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Ansichten in umgekehrter Reihenfolge gedruckt sind: Die Tiefe kehrt sich um.</translation>
     </message>
     <message>
         <source>Whether the work has a sun of its own or the direction of the hall's.</source>
@@ -16966,22 +16971,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>Welche soll gelten?</translation>
     </message>
     <message>
-        <source>Which print rests in the card before it scrolls.</source>
-        <extracomment>tables</extracomment>
-        <translation>Welcher Druck in der Karte ruht, bevor sie rollt.</translation>
-    </message>
-    <message>
         <source>while the new program is being built</source>
         <translation>während das neue Programm gebaut wird</translation>
     </message>
     <message>
         <source>While two settings are compared</source>
         <translation>Während zwei Einstellungen verglichen werden</translation>
-    </message>
-    <message>
-        <source>White paper around the pictures.</source>
-        <extracomment>tables</extracomment>
-        <translation>Weißes Papier um die Bilder.</translation>
     </message>
     <message>
         <source>White paper around trim and bleed, on every side.</source>
@@ -16994,11 +16989,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Whose parameters</source>
         <translation>Wessen Parameter</translation>
-    </message>
-    <message>
-        <source>Whose view is drawn: the camera's, one eye's, or both, the left one in red and the right one in cyan.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wessen Ansicht gezeichnet wird: die der Kamera, die eines Auges oder beide, die linke in Rot und die rechte in Cyan.</translation>
     </message>
     <message>
         <source>Why</source>
@@ -17046,6 +17036,16 @@ steht in assets/SOURCES.md.</translation>
         <source>Width of the fillet where the handle meets the cup; 0 joins them hard.</source>
         <extracomment>tables</extracomment>
         <translation>Breite der Rundung, wo der Henkel auf die Tasse trifft; 0 verbindet sie hart.</translation>
+    </message>
+    <message>
+        <source>Width of the ribs.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite der Rippen.</translation>
+    </message>
+    <message>
+        <source>Width of the white paper around the pictures.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite des weißen Papiers um die Bilder.</translation>
     </message>
     <message>
         <source>width x height in whole pixels</source>
