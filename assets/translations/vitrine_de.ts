@@ -1552,11 +1552,6 @@ Zeiten nach: %2.</translation>
         <translation>Eine Datei in glTF 2.0, .glb oder .gltf; ohne eine der Torus über seiner Säule.</translation>
     </message>
     <message>
-        <source>A glTF object (.glb or .gltf) on the free plinth.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ein glTF-Objekt (.glb oder .gltf) auf dem freien Sockel.</translation>
-    </message>
-    <message>
         <source>A hexagon in the xy plane, flat sides up and down, endless along z: to extrude or revolve.</source>
         <translation>Ein Sechseck in der xy-Ebene, flache Seiten oben und unten, entlang z ohne Ende: zum Extrudieren oder Drehen.</translation>
     </message>
@@ -1676,11 +1671,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A page about the exhibit that you visit: its technique, figures, formulas, sources.</source>
         <translation>Eine Seite über das besuchte Exponat: seine Technik, Abbildungen, Formeln, Quellen.</translation>
-    </message>
-    <message>
-        <source>A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ein Panorama (HDR, EXR oder ein gewöhnliches Bild, doppelt so breit wie hoch) anstelle des Himmels.</translation>
     </message>
     <message>
         <source>a panorama is in place of the night sky</source>
@@ -2451,6 +2441,11 @@ Zeiten nach: %2.</translation>
         <translation>Winkel</translation>
     </message>
     <message>
+        <source>Angular diameter of the sun for the disk filter: large softens shadows. The real sun has about half a degree.</source>
+        <extracomment>tables</extracomment>
+        <translation>Winkeldurchmesser der Sonne für den Scheibenfilter: Große Werte machen Schatten weich. Die wirkliche Sonne misst etwa ein halbes Grad.</translation>
+    </message>
+    <message>
         <source>animal</source>
         <translation>Tier</translation>
     </message>
@@ -2745,11 +2740,6 @@ Zeiten nach: %2.</translation>
         <translation>automatisch</translation>
     </message>
     <message>
-        <source>Average a picture in motion over its frames, moved to where they are now: without it, edges crawl and fine things flicker until the picture rests.</source>
-        <extracomment>tables</extracomment>
-        <translation>Mittelt ein bewegtes Bild über seine Frames, verschoben dorthin, wo alles jetzt ist: Ohne das kriechen Kanten, und Feines flimmert, bis das Bild ruht.</translation>
-    </message>
-    <message>
         <source>Axis</source>
         <extracomment>tables</extracomment>
         <translation>Achse</translation>
@@ -2931,6 +2921,11 @@ Zeiten nach: %2.</translation>
         <source>Base color</source>
         <extracomment>tables</extracomment>
         <translation>Grundfarbe</translation>
+    </message>
+    <message>
+        <source>Base of the object: the free plinth of the hall, a plinth of its own, or the floor.</source>
+        <extracomment>tables</extracomment>
+        <translation>Standort des Objekts: der freie Sockel der Halle, ein eigener Sockel oder der Boden.</translation>
     </message>
     <message>
         <source>Base thickness</source>
@@ -4080,11 +4075,6 @@ Zeiten nach: %2.</translation>
         <translation>{=1} kann nicht geschrieben werden: {2}; versuchen Sie ein kleineres Bild.</translation>
     </message>
     <message>
-        <source>Capture the hall once as a mirror image for everything in it; without it, nothing reflects.</source>
-        <extracomment>tables</extracomment>
-        <translation>Nimmt die Halle einmal als Spiegelbild für alles in ihr auf; ohne das spiegelt nichts.</translation>
-    </message>
-    <message>
         <source>Carpet</source>
         <translation>Teppich</translation>
     </message>
@@ -4454,24 +4444,9 @@ Zeiten nach: %2.</translation>
         <translation>Farbe des Staubs, als Anteil des Lichts, den er streut statt absorbiert: Weiß absorbiert nichts.</translation>
     </message>
     <message>
-        <source>Color of the lamps' light: low is that of a candle, high is bluish.</source>
-        <extracomment>tables</extracomment>
-        <translation>Farbe des Lampenlichts: Niedrige Werte sind die einer Kerze, hohe sind bläulich.</translation>
-    </message>
-    <message>
         <source>Color of the rays, multiplied with the sun's own.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe der Strahlen, multipliziert mit der Farbe der Sonne.</translation>
-    </message>
-    <message>
-        <source>Color of the sky's light: high is bluer.</source>
-        <extracomment>tables</extracomment>
-        <translation>Farbe des Himmelslichts: Hohe Werte sind blauer.</translation>
-    </message>
-    <message>
-        <source>Color of the sunlight: low is the red of evening, high is bluish.</source>
-        <extracomment>tables</extracomment>
-        <translation>Farbe des Sonnenlichts: Niedrige Werte sind das Rot des Abends, hohe sind bläulich.</translation>
     </message>
     <message>
         <source>Color of this coat at the skin.</source>
@@ -4482,6 +4457,21 @@ Zeiten nach: %2.</translation>
         <source>Color of this coat at the tips of the strands.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe dieses Fells an den Haarspitzen.</translation>
+    </message>
+    <message>
+        <source>Color temperature of the lamps: low is candlelight, high is bluish.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbtemperatur der Lampen: Niedrige Werte sind Kerzenlicht, hohe sind bläulich.</translation>
+    </message>
+    <message>
+        <source>Color temperature of the sky's light: high is bluer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbtemperatur des Himmelslichts: Hohe Werte sind blauer.</translation>
+    </message>
+    <message>
+        <source>Color temperature of the sunlight: low is the red of evening, high is bluish.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbtemperatur des Sonnenlichts: Niedrige Werte sind das Rot des Abends, hohe sind bläulich.</translation>
     </message>
     <message>
         <source>Color the object by what it cost, or by what was found.</source>
@@ -4608,11 +4598,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Comparison of A and B</source>
         <translation>Vergleich von A und B</translation>
-    </message>
-    <message>
-        <source>Comparisons over the sun's disk, where the disk filter finds a half-shadow.</source>
-        <extracomment>tables</extracomment>
-        <translation>Vergleiche über die Sonnenscheibe, wo der Scheibenfilter einen Halbschatten findet.</translation>
     </message>
     <message>
         <source>Compensate</source>
@@ -4983,11 +4968,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Dark</source>
         <translation>Dunkel</translation>
-    </message>
-    <message>
-        <source>Darken the floor around what stands on it: without it, feet and plinths seem to float.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dunkelt den Boden um das ab, was darauf steht: Ohne das scheinen Füße und Sockel zu schweben.</translation>
     </message>
     <message>
         <source>Darken what the object hides from the hall's light: five evaluations a pixel.</source>
@@ -5919,6 +5899,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Filme (*.mp4 *.webm *.gif *.webp *.apng)</translation>
     </message>
     <message>
+        <source>Filter of the shadow edges: hard, a fixed number of texels (tent), or as wide as the sun's disk makes them at that distance.</source>
+        <extracomment>tables</extracomment>
+        <translation>Filter der Schattenränder: hart, über eine feste Zahl von Texeln (Zelt) oder so breit, wie die Sonnenscheibe sie bei dieser Entfernung macht.</translation>
+    </message>
+    <message>
         <source>Find</source>
         <translation>Suchen</translation>
     </message>
@@ -6263,11 +6248,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Frames per second</source>
         <translation>Frames pro Sekunde</translation>
-    </message>
-    <message>
-        <source>Frames that a picture in motion is averaged over: few flicker, many blur what is fine.</source>
-        <extracomment>tables</extracomment>
-        <translation>Frames, über die ein bewegtes Bild gemittelt wird: Wenige flimmern, viele verwischen Feines.</translation>
     </message>
     <message>
         <source>free plinth</source>
@@ -6763,6 +6743,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe des unteren Rings.</translation>
     </message>
     <message>
+        <source>Height of the object's own plinth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe des eigenen Sockels des Objekts.</translation>
+    </message>
+    <message>
         <source>Height of the picture at the middle: low is near.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe des Bildes in der Mitte: Niedrige Werte sind nah.</translation>
@@ -6900,13 +6885,18 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>waagerecht</translation>
     </message>
     <message>
+        <source>Horizontal direction of the sun, seen through the window: negative is to the left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Horizontale Richtung der Sonne, durch das Fenster gesehen: Negative Werte liegen links.</translation>
+    </message>
+    <message>
         <source>hour</source>
         <translation>Stunde</translation>
     </message>
     <message>
-        <source>Hour of an equinox day, while the sun goes by it: the light comes through the window from three o'clock and sets at six.</source>
+        <source>Hour of a day at the equinox: sunlight comes through the window from three o'clock, and the sun sets at six.</source>
         <extracomment>tables</extracomment>
-        <translation>Stunde eines Tages der Tagundnachtgleiche, solange die Sonne danach geht: Das Licht kommt ab drei Uhr durch das Fenster und geht um sechs unter.</translation>
+        <translation>Stunde eines Tages der Tagundnachtgleiche: Sonnenlicht fällt ab drei Uhr durch das Fenster, um sechs geht die Sonne unter.</translation>
     </message>
     <message>
         <source>How a printed dot chooses among the views under it: the one at its middle, all by area, or by area with blended strip edges.</source>
@@ -7053,11 +7043,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How high it is.</source>
         <extracomment>tables</extracomment>
         <translation>Wie hoch es liegt.</translation>
-    </message>
-    <message>
-        <source>How high its own plinth is.</source>
-        <extracomment>tables</extracomment>
-        <translation>Höhe seines eigenen Sockels.</translation>
     </message>
     <message>
         <source>How it is lit: by metal, glaze and glass in the light around them, or by Phong's formulas.</source>
@@ -7224,11 +7209,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weich Pfosten und Ringe ineinander übergehen.</translation>
     </message>
     <message>
-        <source>How softly the edge of a shadow is drawn: by a fixed number of texels, or as wide as the sun's disk makes it over the distance.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weich der Rand eines Schattens gezeichnet wird: durch eine feste Zahl von Texeln, oder so breit, wie die Sonnenscheibe ihn über die Entfernung macht.</translation>
-    </message>
-    <message>
         <source>How soon crests break into foam; 0 never.</source>
         <extracomment>tables</extracomment>
         <translation>Wie bald Kämme zu Schaum brechen; 0 nie.</translation>
@@ -7272,11 +7252,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How wide it looks.</source>
         <translation>Wie groß es erscheint.</translation>
-    </message>
-    <message>
-        <source>How wide the sun looks to the shadows of the disk filter: the real one is about half a degree.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie groß die Sonne den Schatten des Scheibenfilters erscheint: Die wirkliche misst etwa ein halbes Grad.</translation>
     </message>
     <message>
         <source>How wide the sun looks: wide gives soft shadows. The real one is half a degree.</source>
@@ -8160,11 +8135,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höchstzahl der Zellen des Haargitters, die ein Strahl zwischen zwei Shells prüft, wo er das Fell streift.</translation>
     </message>
     <message>
-        <source>Largest side of the visitor's object as it stands on the plinth.</source>
-        <extracomment>tables</extracomment>
-        <translation>Größte Seite des Objekts des Besuchers, wie es auf dem Sockel steht.</translation>
-    </message>
-    <message>
         <source>Late sun</source>
         <translation>Späte Sonne</translation>
     </message>
@@ -8239,6 +8209,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Length of the longest strands of this coat: 0 leaves the bare skin.</source>
         <extracomment>tables</extracomment>
         <translation>Länge der längsten Haare dieses Fells: 0 lässt die nackte Haut.</translation>
+    </message>
+    <message>
+        <source>Length of the object's largest side.</source>
+        <extracomment>tables</extracomment>
+        <translation>Länge der größten Seite des Objekts.</translation>
     </message>
     <message>
         <source>Length of the ribs relative to their width.</source>
@@ -8347,11 +8322,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lässt die Zeit laufen: Wellen rollen, Flammen flackern, Laternen treiben.</translation>
     </message>
     <message>
-        <source>Let walls and exhibits keep the sun off; without it, the sun shines through everything.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt Wände und Exponate die Sonne abhalten; ohne das scheint sie durch alles hindurch.</translation>
-    </message>
-    <message>
         <source>Let what is nothing face the camera, so that no edge is seen against it.</source>
         <extracomment>tables</extracomment>
         <translation>Lässt, was nichts ist, zur Kamera zeigen, sodass dagegen keine Kante gesehen wird.</translation>
@@ -8425,21 +8395,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Licht des Tages, das noch am Himmel ist.</translation>
     </message>
     <message>
-        <source>Light of the lamps in the vault: 0 is a dark night, 1 is enough to read by.</source>
-        <extracomment>tables</extracomment>
-        <translation>Licht der Lampen im Gewölbe: 0 ist eine dunkle Nacht, 1 genügt zum Lesen.</translation>
-    </message>
-    <message>
-        <source>Light of the sky through window and oculus.</source>
-        <extracomment>tables</extracomment>
-        <translation>Licht des Himmels durch Fenster und Oculus.</translation>
-    </message>
-    <message>
-        <source>Light of the sun against that of the sky: 0 is an overcast day.</source>
-        <extracomment>tables</extracomment>
-        <translation>Licht der Sonne gegenüber dem des Himmels: 0 ist ein bedeckter Tag.</translation>
-    </message>
-    <message>
         <source>light on the strands that were found</source>
         <translation>Licht auf den gefundenen Haaren</translation>
     </message>
@@ -8457,11 +8412,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Light that the frame throws on wall and floor beside it.</source>
         <extracomment>tables</extracomment>
         <translation>Licht, das der Rahmen auf Wand und Boden daneben wirft.</translation>
-    </message>
-    <message>
-        <source>Light the walls with baked sky light and occlusion; without it, they get one even ambient light.</source>
-        <extracomment>tables</extracomment>
-        <translation>Beleuchtet die Wände mit gebackenem Himmelslicht und Verdeckung; ohne das bekommen sie ein gleichmäßiges Umgebungslicht.</translation>
     </message>
     <message>
         <source>Light them.</source>
@@ -9704,6 +9654,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nichts wurde geschrieben.</translation>
     </message>
     <message>
+        <source>Number of frames averaged while the picture moves: few flicker, many blur fine details.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Frames, über die ein bewegtes Bild gemittelt wird: Wenige flimmern, viele verwischen Feines.</translation>
+    </message>
+    <message>
         <source>Number of layers (shells) drawn from tip to skin: few show gaps, many are more accurate and cost more.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Schichten (Shells), die von der Spitze zur Haut gezeichnet werden: Wenige zeigen Lücken, viele sind genauer und teurer.</translation>
@@ -9732,6 +9687,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of samples along a ray: few show bands. Each of the three passes takes the cube root of it, the polar grid has two cells per sample.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Samples entlang eines Strahls: Wenige zeigen Streifen. Jeder der drei Passes nimmt die dritte Wurzel davon, das Polargitter hat zwei Zellen pro Sample.</translation>
+    </message>
+    <message>
+        <source>Number of samples per pixel to which an idle picture is refined: few leave jagged edges, many take longer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Samples pro Pixel, bis zu denen ein ruhendes Bild verfeinert wird: Wenige lassen Treppen an Kanten, viele brauchen länger.</translation>
+    </message>
+    <message>
+        <source>Number of samples per texel with which the reflection probe is blurred for rough surfaces: few are noisy.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Samples pro Texel, mit denen die Reflexionssonde für raue Oberflächen weichgezeichnet wird: Wenige rauschen.</translation>
+    </message>
+    <message>
+        <source>Number of shadow-map comparisons over the sun's disk in a half-shadow: few are noisy, many cost more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Vergleiche in der Shadow-Map über die Sonnenscheibe in einem Halbschatten: Wenige rauschen, viele kosten mehr.</translation>
     </message>
     <message>
         <source>Number of spring steps per second: with few, the two Euler methods fail.</source>
@@ -10393,11 +10363,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Eine Laterne</translation>
     </message>
     <message>
-        <source>One more glTF object (.glb or .gltf) of yours, on a plinth of its own.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ein weiteres glTF-Objekt (.glb oder .gltf) von Ihnen, auf einem eigenen Sockel.</translation>
-    </message>
-    <message>
         <source>one of its keys is longer than {1} bytes.</source>
         <translation>einer der Schlüssel ist länger als {1} Bytes.</translation>
     </message>
@@ -10811,9 +10776,24 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Alle Werte einfügen</translation>
     </message>
     <message>
+        <source>Path of a glTF object (.glb or .gltf) to show, at first on the free plinth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfad eines glTF-Objekts (.glb oder .gltf), das gezeigt wird, zuerst auf dem freien Sockel.</translation>
+    </message>
+    <message>
         <source>Path of a glTF object that wears the ring's coat in place of the ring; models/teddy.glb is supplied.</source>
         <extracomment>tables</extracomment>
         <translation>Pfad eines glTF-Objekts, das statt des Rings dessen Fell trägt; models/teddy.glb liegt bei.</translation>
+    </message>
+    <message>
+        <source>Path of a panorama that replaces the sky: HDR, EXR, or an ordinary picture twice as wide as high.</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfad eines Panoramas, das den Himmel ersetzt: HDR, EXR oder ein gewöhnliches Bild, doppelt so breit wie hoch.</translation>
+    </message>
+    <message>
+        <source>Path of one more glTF object (.glb or .gltf) to show, at first on a plinth of its own.</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfad eines weiteren glTF-Objekts (.glb oder .gltf), das gezeigt wird, zuerst auf einem eigenen Sockel.</translation>
     </message>
     <message>
         <source>Path of the views of the first print: a folder of pictures, or a file written by “vitrine print”. Empty: the turning mug.</source>
@@ -11102,6 +11082,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>position and target are the same point; move one of them</source>
         <translation>Position und Ziel sind derselbe Punkt; verschieben Sie einen davon</translation>
+    </message>
+    <message>
+        <source>Position of the object from the hall's middle towards the entrance; walls and furniture limit it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Position des Objekts von der Hallenmitte zum Eingang hin; Wände und Möbel begrenzen sie.</translation>
+    </message>
+    <message>
+        <source>Position of the object to the right of the hall's middle, seen from the entrance; walls and furniture limit it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Position des Objekts rechts der Hallenmitte, vom Eingang aus gesehen; Wände und Möbel begrenzen sie.</translation>
     </message>
     <message>
         <source>Post wire</source>
@@ -11538,6 +11528,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Spiegelungen</translation>
     </message>
     <message>
+        <source>Reflections of the polished floor: the soft reflection probe alone, or with ray-traced shapes of the window, its bars and everything on the floor.</source>
+        <extracomment>tables</extracomment>
+        <translation>Spiegelungen des polierten Bodens: nur die weiche Reflexionssonde oder dazu, mit Strahlen gefunden, die Formen des Fensters, seiner Sprossen und alles auf dem Boden.</translation>
+    </message>
+    <message>
         <source>Refractive index</source>
         <extracomment>tables</extracomment>
         <translation>Brechungsindex</translation>
@@ -11677,6 +11672,21 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Resolution in motion</source>
         <translation>Auflösung in Bewegung</translation>
+    </message>
+    <message>
+        <source>Resolution of the drawn picture relative to the window, per side: below 1 is quicker and blurred.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auflösung des gezeichneten Bildes gegenüber dem Fenster, je Seite: Unter 1 ist es schneller und unschärfer.</translation>
+    </message>
+    <message>
+        <source>Resolution of the reflection probe, in texels per side of a face: low blurs polished surfaces.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auflösung der Reflexionssonde, in Texeln je Seite einer Fläche: Niedrige Werte machen polierte Oberflächen unscharf.</translation>
+    </message>
+    <message>
+        <source>Resolution of the sun's shadow map, in texels per side: low gives coarse shadow edges.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auflösung der Shadow-Map der Sonne, in Texeln je Seite: Niedrige Werte geben grobe Schattenränder.</translation>
     </message>
     <message>
         <source>Resolution scale</source>
@@ -11925,6 +11935,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Drehung des Mobiles um seine Achse.</translation>
     </message>
     <message>
+        <source>Rotation of the object about the vertical axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung des Objekts um die senkrechte Achse.</translation>
+    </message>
+    <message>
+        <source>Rotation of the panorama about the vertical axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung des Panoramas um die senkrechte Achse.</translation>
+    </message>
+    <message>
         <source>Rotation of the print against the sheet: even a little makes fringes lean across the card.</source>
         <extracomment>tables</extracomment>
         <translation>Drehung des Drucks gegen die Folie: Schon wenig lässt Streifenmuster schräg über die Karte laufen.</translation>
@@ -12038,22 +12058,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Samples pro Pixel einer gerenderten Ansicht, jede Ansicht mit eigenem Rauschen.</translation>
     </message>
     <message>
-        <source>Samples per pixel that a picture at rest is refined to: few leave stairs at edges, many take longer to settle.</source>
-        <extracomment>tables</extracomment>
-        <translation>Samples pro Pixel, bis zu denen ein ruhendes Bild verfeinert wird: Wenige lassen Treppen an Kanten, viele brauchen länger.</translation>
-    </message>
-    <message>
         <source>Samples per pixel: edges are stairs at 1, smooth at 16.</source>
         <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt.</translation>
     </message>
     <message>
         <source>Samples per pixel: edges are stairs at 1, smooth at 16; 64 is for prints.</source>
         <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt; 64 sind für Drucke.</translation>
-    </message>
-    <message>
-        <source>Samples per texel when the mirror image is blurred for rough surfaces.</source>
-        <extracomment>tables</extracomment>
-        <translation>Samples pro Texel, wenn das Spiegelbild für raue Oberflächen weichgezeichnet wird.</translation>
     </message>
     <message>
         <source>Samples up the normal that darken what is hidden from that light.</source>
@@ -12701,11 +12711,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Seite des hölzernen Bodens.</translation>
     </message>
     <message>
-        <source>Sides of the drawn picture against the window's: less is quicker and blurred.</source>
-        <extracomment>tables</extracomment>
-        <translation>Seiten des gezeichneten Bildes gegenüber denen des Fensters: Kleiner ist schneller und unschärfer.</translation>
-    </message>
-    <message>
         <source>Signed</source>
         <translation>Differenz</translation>
     </message>
@@ -13340,9 +13345,24 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke der Lampe im Gewölbe, die auf die Karte gerichtet ist: 0 überlässt sie dem Licht der Halle.</translation>
     </message>
     <message>
+        <source>Strength of the lamps in the vault: 0 is a dark night, 1 is enough to read by.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der Lampen im Gewölbe: 0 ist eine dunkle Nacht, 1 genügt zum Lesen.</translation>
+    </message>
+    <message>
         <source>Strength of the screen-space rays: 0 makes none. In the plain sum, the strength of each sample.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke der Strahlen im Bildraum: 0 erzeugt keine. In der einfachen Summe die Stärke jedes Samples.</translation>
+    </message>
+    <message>
+        <source>Strength of the sky's light through window and oculus: 0 is a black sky.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Himmelslichts durch Fenster und Oculus: 0 ist ein schwarzer Himmel.</translation>
+    </message>
+    <message>
+        <source>Strength of the sunlight relative to the sky: 0 is an overcast day.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Sonnenlichts gegenüber dem Himmel: 0 ist ein bedeckter Tag.</translation>
     </message>
     <message>
         <source>Strength of the sunlight that the dust scatters: 1 is physical for the air density, 0 shows no beams.</source>
@@ -13632,16 +13652,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Texels along each side of the volume it is baked to.</source>
         <extracomment>tables</extracomment>
         <translation>Texel entlang jeder Seite des Volumens, in das es gebacken wird.</translation>
-    </message>
-    <message>
-        <source>Texels along one face of the captured mirror image: fewer blur polished surfaces.</source>
-        <extracomment>tables</extracomment>
-        <translation>Texel entlang einer Seite des aufgenommenen Spiegelbilds: Wenige machen polierte Oberflächen unscharf.</translation>
-    </message>
-    <message>
-        <source>Texels along one side of the sun's depth map: fewer give coarser shadow edges.</source>
-        <extracomment>tables</extracomment>
-        <translation>Texel entlang einer Seite der Tiefenkarte der Sonne: Wenige geben gröbere Schattenränder.</translation>
     </message>
     <message>
         <source>Texels around that faceted normals are averaged over, not across edges.</source>
@@ -15946,16 +15956,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dreht andersherum, wenn Sie nach oben oder unten ziehen.</translation>
     </message>
     <message>
-        <source>Turns the panorama around the vertical.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dreht das Panorama um die Senkrechte.</translation>
-    </message>
-    <message>
-        <source>Turns the visitor's object around the vertical.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dreht das Objekt des Besuchers um die Senkrechte.</translation>
-    </message>
-    <message>
         <source>Twist</source>
         <extracomment>tables</extracomment>
         <translation>Verdrillung</translation>
@@ -16465,6 +16465,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Weg, den die Animation das Objekt von ihrem ersten bis zu ihrem letzten Moment trägt: beibehalten, sodass die Frames ihn ganz enthalten, oder aus den Frames genommen, sodass es auf der Stelle läuft und der Drehpunkt wandert. Automatisch nimmt heraus, was länger als das Objekt ist.</translation>
     </message>
     <message>
+        <source>Way to set the sun: by its angles and color, or by the time of day, with which it moves, reddens and sets.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie die Sonne gesetzt wird: nach ihren Winkeln und ihrer Farbe oder nach der Tageszeit, mit der sie wandert, sich rötet und untergeht.</translation>
+    </message>
+    <message>
         <source>weather</source>
         <translation>Wetter</translation>
     </message>
@@ -16667,11 +16672,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was die Laterne tut, die der Knopf freilässt.</translation>
     </message>
     <message>
-        <source>What the object stands on: the hall's free plinth, a plinth of its own, or the floor.</source>
-        <extracomment>tables</extracomment>
-        <translation>Worauf das Objekt steht: auf dem freien Sockel der Halle, auf einem eigenen Sockel oder auf dem Boden.</translation>
-    </message>
-    <message>
         <source>What the paper does not absorb.</source>
         <extracomment>tables</extracomment>
         <translation>Was das Papier nicht schluckt.</translation>
@@ -16679,11 +16679,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What the parameters were before or after an edit becomes B.</source>
         <translation>Was die Parameter vor oder nach einer Bearbeitung waren, wird zu B.</translation>
-    </message>
-    <message>
-        <source>What the polished floor mirrors: the probe's soft picture of the room, or in front of it the window, its bars and what stands on the floor, each where a ray finds it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was der polierte Boden spiegelt: das weiche Bild der Sonde vom Raum, oder davor das Fenster, seine Sprossen und was auf dem Boden steht, jedes dort, wo ein Strahl es findet.</translation>
     </message>
     <message>
         <source>what the probe sees has changed</source>
@@ -16727,6 +16722,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Mausrad, + und −</translation>
     </message>
     <message>
+        <source>When the lamps in the vault are lit: automatically while the sun is lower than eight degrees, always, or never.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wann die Lampen im Gewölbe brennen: automatisch, solange die Sonne tiefer als acht Grad steht, immer oder nie.</translation>
+    </message>
+    <message>
         <source>Where an eye that flips between A and B sees a difference: black none, white a large one.</source>
         <translation>Wo ein Auge, das zwischen A und B wechselt, einen Unterschied sieht: schwarz keinen, weiß einen großen.</translation>
     </message>
@@ -16762,19 +16762,9 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wohin es scheint.</translation>
     </message>
     <message>
-        <source>Where it stands, from the hall's middle towards the entrance; walls and furniture keep it off.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo es steht, von der Mitte der Halle zum Eingang hin; Wände und Möbel halten es ab.</translation>
-    </message>
-    <message>
         <source>Where it stands, seen through the frame: negative is to the left.</source>
         <extracomment>tables</extracomment>
         <translation>Wo er steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
-    </message>
-    <message>
-        <source>Where it stands, to the right of the hall's middle as one comes in; walls and furniture keep it off.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo es steht, von der Mitte der Halle nach rechts, wie man hereinkommt; Wände und Möbel halten es ab.</translation>
     </message>
     <message>
         <source>Where its base is, across.</source>
@@ -16821,11 +16811,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wo die Sonne steht, von der Seite der Kamera: Negative Werte liegen links.</translation>
     </message>
     <message>
-        <source>Where the sun stands, seen through the window: negative is to the left.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo die Sonne steht, durch das Fenster gesehen: Negative Werte liegen links.</translation>
-    </message>
-    <message>
         <source>Where the views come from</source>
         <translation>Woher die Ansichten kommen</translation>
     </message>
@@ -16841,6 +16826,11 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>whether a server answers there cannot be told ({1}); choose another path.</source>
         <translation>Ob dort ein Server antwortet, ist nicht zu erkennen ({1}); wählen Sie einen anderen Pfad.</translation>
+    </message>
+    <message>
+        <source>Whether baked sky light and occlusion light the walls; without it, they get one even ambient light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob gebackenes Himmelslicht und Verdeckung die Wände beleuchten; ohne das bekommen sie ein gleichmäßiges Umgebungslicht.</translation>
     </message>
     <message>
         <source>Whether colors are those of what it is made of, or tell the parts from each other.</source>
@@ -16861,6 +16851,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether fewer shells are drawn where the coat is far away and small.</source>
         <extracomment>tables</extracomment>
         <translation>Ob weniger Shells gezeichnet werden, wo das Fell weit weg und klein ist.</translation>
+    </message>
+    <message>
+        <source>Whether frames in motion are averaged with motion compensation (TAA); without it, edges crawl and fine details flicker until the picture is idle.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob Frames in Bewegung mit Bewegungsausgleich gemittelt werden (TAA); ohne das kriechen Kanten, und Feines flimmert, bis das Bild ruht.</translation>
     </message>
     <message>
         <source>Whether near is 1 and far 0, or the other way round.</source>
@@ -16907,9 +16902,14 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob der Luftzug das Mobile dreht und den Staub trägt.</translation>
     </message>
     <message>
-        <source>Whether the lamps in the vault burn: as the sun sinks below eight degrees, always, or never.</source>
+        <source>Whether the floor is darkened around the things that stand on it; without it, feet and plinths seem to float.</source>
         <extracomment>tables</extracomment>
-        <translation>Ob die Lampen im Gewölbe brennen: sobald die Sonne unter acht Grad sinkt, immer oder nie.</translation>
+        <translation>Ob der Boden rings um alles, was darauf steht, dunkler wird; ohne das scheinen Füße und Sockel zu schweben.</translation>
+    </message>
+    <message>
+        <source>Whether the hall is captured once as a reflection probe for everything in it; without it, nothing reflects.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Halle einmal als Reflexionssonde für alles in ihr aufgenommen wird; ohne das spiegelt nichts.</translation>
     </message>
     <message>
         <source>Whether the lens and the pixel are integrated over; without it, one ray per pixel gives moiré from afar.</source>
@@ -16925,11 +16925,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the next four parameters set how the fur lies, while the bodies stand still.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die nächsten vier Parameter bestimmen, wie das Fell liegt, während die Körper stillstehen.</translation>
-    </message>
-    <message>
-        <source>Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ob die Sonne durch Winkel und Farbe darunter gesetzt wird, oder mit der Stunde wandert, sich rötet und untergeht.</translation>
     </message>
     <message>
         <source>Whether the views are printed in reverse order: depth turns inside out.</source>
@@ -16950,6 +16945,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether they have the colors of the first five candies, or one.</source>
         <extracomment>tables</extracomment>
         <translation>Ob sie die Farben der ersten fünf Bonbons haben, oder eine.</translation>
+    </message>
+    <message>
+        <source>Whether walls and exhibits block the sun; without it, the sun shines through everything.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob Wände und Exponate die Sonne abhalten; ohne das scheint sie durch alles hindurch.</translation>
     </message>
     <message>
         <source>Which lanterns a step of a ray looks at: those of some cells around it, which cuts what lies beyond, or all that the ray can touch, cell by cell.</source>

@@ -38,112 +38,118 @@ struct HallTable final : Parameters {
     Real exposure = real("exposure", 0.0, stop, Range{-16, 16}.soft(-4, 4),
                          "Brightness of the whole picture: each stop doubles it.");
 
-    Count supersamples = count("supersamples", 16, Range{1, 1024, logarithmic}.soft(1, 64),
-                               "Samples per pixel that a picture at rest is refined to: few leave stairs at edges, "
-                               "many take longer to settle.",
-                               quality(64));
+    Count supersamples = count(
+        "supersamples", 16, Range{1, 1024, logarithmic}.soft(1, 64),
+        "Number of samples per pixel to which an idle picture is refined: few leave jagged edges, many take longer.",
+        quality(64));
     Real resolutionScale =
         real("resolutionScale", 1.0, none, {0.25, 1},
-             "Sides of the drawn picture against the window's: less is quicker and blurred.", exactAt(1));
-    Toggle temporalAntialiasing =
-        toggle("temporalAntialiasing", true,
-               "Average a picture in motion over its frames, moved to where they are now: without it, edges crawl and "
-               "fine things flicker until the picture rests.",
-               quality(1));
+             "Resolution of the drawn picture relative to the window, per side: below 1 is quicker and blurred.",
+             exactAt(1));
+    Toggle temporalAntialiasing = toggle("temporalAntialiasing", true,
+                                         "Whether frames in motion are averaged with motion compensation (TAA); "
+                                         "without it, edges crawl and fine details flicker until the picture is idle.",
+                                         quality(1));
     // Measured at 640 x 360: with 8 frames, at most 0.43 % of the pixels flicker by more than 16 of 255 levels. The
     // error against 64 samples is also the smallest; 16 and 32 frames blur.
     Count historyFrames =
         count("historyFrames", 8, Range{1, 64, logarithmic}.soft(1, 32),
-              "Frames that a picture in motion is averaged over: few flicker, many blur what is fine.", quality(64),
+              "Number of frames averaged while the picture moves: few flicker, many blur fine details.", quality(64),
               when(temporalAntialiasing));
 
     Group sun = group("Sun");
-    Choice<SunBy> sunBy =
-        choice("sunBy", SunBy::angles, {"angles", "time of day"},
-               "Whether the sun is set by the angles and the color below, or moves, reddens and sets with the hour.",
-               called("Set sun by"));
-    Real timeOfDay = real("timeOfDay", 16.1, hour, Range{0, 24}.soft(6, 18.5),
-                          "Hour of an equinox day, while the sun goes by it: the light comes through the window from "
-                          "three o'clock and sets at six.",
-                          when(sunBy, SunBy::hour));
+    Choice<SunBy> sunBy = choice(
+        "sunBy", SunBy::angles, {"angles", "time of day"},
+        "Way to set the sun: by its angles and color, or by the time of day, with which it moves, reddens and sets.",
+        called("Set sun by"));
+    Real timeOfDay = real(
+        "timeOfDay", 16.1, hour, Range{0, 24}.soft(6, 18.5),
+        "Hour of a day at the equinox: sunlight comes through the window from three o'clock, and the sun sets at six.",
+        when(sunBy, SunBy::hour));
     Real sunElevation =
         real("sunElevation", degrees(19), degree, Range{degrees(2), degrees(88)}.soft(degrees(8), degrees(50)),
              "Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.",
              when(sunBy, SunBy::angles));
     Real sunAzimuth =
         real("sunAzimuth", degrees(-3), degree, Range{degrees(-180), degrees(180)}.soft(degrees(-45), degrees(45)),
-             "Where the sun stands, seen through the window: negative is to the left.", when(sunBy, SunBy::angles));
+             "Horizontal direction of the sun, seen through the window: negative is to the left.",
+             when(sunBy, SunBy::angles));
     Real sunStrength = real("sunStrength", 3.6, none, Range{0, 1000}.soft(0, 30),
-                            "Light of the sun against that of the sky: 0 is an overcast day.");
+                            "Strength of the sunlight relative to the sky: 0 is an overcast day.");
     Real sunTemperature = real("sunTemperature", 4700, kelvin, Range{1000, 20000}.soft(2000, 8000),
-                               "Color of the sunlight: low is the red of evening, high is bluish.",
+                               "Color temperature of the sunlight: low is the red of evening, high is bluish.",
                                when(sunBy, SunBy::angles) && whenAbove(sunStrength, 0));
     Toggle sunShadows = toggle(
-        "sunShadows", true, "Let walls and exhibits keep the sun off; without it, the sun shines through everything.");
+        "sunShadows", true, "Whether walls and exhibits block the sun; without it, the sun shines through everything.");
     // Measured at 160 x 90: the error is 0.027 with the disk and 0.070 with the tent of 5 x 5. The disk takes 19 ms of
     // a frame, the tent 5.6 ms.
     Choice<ShadowFilter> shadowFilter =
         choice("shadowFilter", ShadowFilter::tent5, {"hard", "tent 3x3", "tent 5x5", "sun's disk"},
-               "How softly the edge of a shadow is drawn: by a fixed number of texels, or as wide as the sun's disk "
-               "makes it over the distance.",
+               "Filter of the shadow edges: hard, a fixed number of texels (tent), or as wide as the sun's disk makes "
+               "them at that distance.",
                quality(ShadowFilter::disk), when(sunShadows));
-    Real sunDisk =
-        real("sunDisk", degrees(0.53), degree, Range{degrees(0.005), degrees(12)}.soft(degrees(0.1), degrees(1.7)),
-             "How wide the sun looks to the shadows of the disk filter: the real one is about half a degree.",
-             when(shadowFilter, ShadowFilter::disk));
-    Count diskSamples = count("diskSamples", 24, {1, 256, logarithmic},
-                              "Comparisons over the sun's disk, where the disk filter finds a half-shadow.",
-                              quality(256), when(shadowFilter, ShadowFilter::disk));
-    Count shadowMapSize = count("shadowMapSize", 2048, {256, 8192, logarithmic},
-                                "Texels along one side of the sun's depth map: fewer give coarser shadow edges.",
-                                quality(8192), when(sunShadows));
+    Real sunDisk = real(
+        "sunDisk", degrees(0.53), degree, Range{degrees(0.005), degrees(12)}.soft(degrees(0.1), degrees(1.7)),
+        "Angular diameter of the sun for the disk filter: large softens shadows. The real sun has about half a degree.",
+        when(shadowFilter, ShadowFilter::disk));
+    Count diskSamples =
+        count("diskSamples", 24, {1, 256, logarithmic},
+              "Number of shadow-map comparisons over the sun's disk in a half-shadow: few are noisy, many cost more.",
+              quality(256), when(shadowFilter, ShadowFilter::disk));
+    Count shadowMapSize =
+        count("shadowMapSize", 2048, {256, 8192, logarithmic},
+              "Resolution of the sun's shadow map, in texels per side: low gives coarse shadow edges.", quality(8192),
+              when(sunShadows));
 
     Group sky = group("Sky");
-    Real skyStrength =
-        real("skyStrength", 2.3, none, Range{0, 1000}.soft(0, 4), "Light of the sky through window and oculus.");
+    Real skyStrength = real("skyStrength", 2.3, none, Range{0, 1000}.soft(0, 4),
+                            "Strength of the sky's light through window and oculus: 0 is a black sky.");
     Real skyTemperature = real("skyTemperature", 9500, kelvin, Range{1000, 25000}.soft(5000, 20000),
-                               "Color of the sky's light: high is bluer.", whenAbove(skyStrength, 0));
-    Toggle bakedLight = toggle(
-        "bakedLight", true,
-        "Light the walls with baked sky light and occlusion; without it, they get one even ambient light.", quality(1));
-    Toggle contactShadows =
-        toggle("contactShadows", true,
-               "Darken the floor around what stands on it: without it, feet and plinths seem to float.");
+                               "Color temperature of the sky's light: high is bluer.", whenAbove(skyStrength, 0));
+    Toggle bakedLight =
+        toggle("bakedLight", true,
+               "Whether baked sky light and occlusion light the walls; without it, they get one even ambient light.",
+               quality(1));
+    Toggle contactShadows = toggle("contactShadows", true,
+                                   "Whether the floor is darkened around the things that stand on it; without it, feet "
+                                   "and plinths seem to float.");
     File environment =
-        file("environment", "A panorama (HDR, EXR, or an ordinary picture twice as wide as high) in place of the sky.",
+        file("environment",
+             "Path of a panorama that replaces the sky: HDR, EXR, or an ordinary picture twice as wide as high.",
              endings("hdr exr jpg jpeg png tif tiff webp bmp gif"));
     Real environmentRotation =
         real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
-             "Turns the panorama around the vertical.", whenGiven(environment), called("Rotation"));
+             "Rotation of the panorama about the vertical axis.", whenGiven(environment), called("Rotation"));
 
     Group vaultLamps = group("Lamps");
-    Choice<LampsLit> lamps =
-        choice("lamps", LampsLit::automatic, {"automatic", "on", "off"},
-               "Whether the lamps in the vault burn: as the sun sinks below eight degrees, always, "
-               "or never.");
+    Choice<LampsLit> lamps = choice("lamps", LampsLit::automatic, {"automatic", "on", "off"},
+                                    "When the lamps in the vault are lit: automatically while the sun is lower than "
+                                    "eight degrees, always, or never.");
     Real lampStrength = real("lampStrength", 1.0, none, Range{0, 1000}.soft(0, 4),
-                             "Light of the lamps in the vault: 0 is a dark night, 1 is enough to read by.",
+                             "Strength of the lamps in the vault: 0 is a dark night, 1 is enough to read by.",
                              when(lamps, {LampsLit::on, LampsLit::automatic}));
     Real lampTemperature =
         real("lampTemperature", 4300, kelvin, Range{1000, 20000}.soft(1800, 6500),
-             "Color of the lamps' light: low is that of a candle, high is bluish.", whenAbove(lampStrength, 0));
+             "Color temperature of the lamps: low is candlelight, high is bluish.", whenAbove(lampStrength, 0));
 
     Group reflections = group("Reflections");
-    Toggle reflectionProbe =
-        toggle("reflectionProbe", true,
-               "Capture the hall once as a mirror image for everything in it; without it, nothing reflects.");
-    Count probeSize = count("probeSize", 256, {16, 1024, logarithmic},
-                            "Texels along one face of the captured mirror image: fewer blur polished surfaces.",
-                            quality(1024), when(reflectionProbe));
-    Count probeSamples = count("probeSamples", 24, {1, 1024, logarithmic},
-                               "Samples per texel when the mirror image is blurred for rough surfaces.", quality(1024),
-                               when(reflectionProbe));
+    Toggle reflectionProbe = toggle(
+        "reflectionProbe", true,
+        "Whether the hall is captured once as a reflection probe for everything in it; without it, nothing reflects.");
+    Count probeSize =
+        count("probeSize", 256, {16, 1024, logarithmic},
+              "Resolution of the reflection probe, in texels per side of a face: low blurs polished surfaces.",
+              quality(1024), when(reflectionProbe));
+    Count probeSamples = count(
+        "probeSamples", 24, {1, 1024, logarithmic},
+        "Number of samples per texel with which the reflection probe is blurred for rough surfaces: few are noisy.",
+        quality(1024), when(reflectionProbe));
 
-    Choice<FloorMirror> floorMirror = choice(
-        "floorMirror", FloorMirror::shapes, {"probe", "shapes"},
-        "What the polished floor mirrors: the probe's soft picture of the room, or in front of it the window, its "
-        "bars and what stands on the floor, each where a ray finds it.",
-        quality(FloorMirror::shapes), when(reflectionProbe));
+    Choice<FloorMirror> floorMirror =
+        choice("floorMirror", FloorMirror::shapes, {"probe", "shapes"},
+               "Reflections of the polished floor: the soft reflection probe alone, or with ray-traced shapes of the "
+               "window, its bars and everything on the floor.",
+               quality(FloorMirror::shapes), when(reflectionProbe));
 
     // Penumbrae are visible on the floor.
     StudiedRows studied{*this, {{.name = "diskSamples", .views = {"along the floor", "best view"}}}};
@@ -165,32 +171,30 @@ private:
     OwnObjectRows object(std::size_t which)
     {
         const bool first = which == 0;
-        const File model = file("model",
-                                first ? "A glTF object (.glb or .gltf) on the free plinth."
-                                      : "One more glTF object (.glb or .gltf) of yours, on a plinth of its own.",
-                                endings("glb gltf"));
-        const Real modelSize =
-            real("modelSize", 0.8, meter, Range{0.01, 100, logarithmic}.soft(0.1, 3),
-                 "Largest side of the visitor's object as it stands on the plinth.", whenGiven(model));
+        const File model =
+            file("model",
+                 first ? "Path of a glTF object (.glb or .gltf) to show, at first on the free plinth."
+                       : "Path of one more glTF object (.glb or .gltf) to show, at first on a plinth of its own.",
+                 endings("glb gltf"));
+        const Real modelSize = real("modelSize", 0.8, meter, Range{0.01, 100, logarithmic}.soft(0.1, 3),
+                                    "Length of the object's largest side.", whenGiven(model));
         const Real modelRotation = real("modelRotation", 0.0, degree, {degrees(-180), degrees(180)},
-                                        "Turns the visitor's object around the vertical.", whenGiven(model));
+                                        "Rotation of the object about the vertical axis.", whenGiven(model));
         const Choice<ObjectStand> modelStand = choice(
             "modelStand", first ? ObjectStand::freePlinth : ObjectStand::ownPlinth,
             {"free plinth", "own plinth", "floor"},
-            "What the object stands on: the hall's free plinth, a plinth of its own, or the floor.", whenGiven(model));
+            "Base of the object: the free plinth of the hall, a plinth of its own, or the floor.", whenGiven(model));
         const auto moved = whenGiven(model) && when(modelStand, {ObjectStand::ownPlinth, ObjectStand::floor});
         const glm::dvec2 spot = objectSpots.at(which);
         const Real modelAcross = real("modelAcross", spot.x, meter, {-5.6, 5.6},
-                                      "Where it stands, to the right of the hall's middle as one comes in; walls and "
-                                      "furniture keep it off.",
+                                      "Position of the object to the right of the hall's middle, seen from the "
+                                      "entrance; walls and furniture limit it.",
                                       moved);
-        const Real modelAlong =
-            real("modelAlong", spot.y, meter, {-11.6, 11.6},
-                 "Where it stands, from the hall's middle towards the entrance; walls and furniture "
-                 "keep it off.",
-                 moved);
+        const Real modelAlong = real(
+            "modelAlong", spot.y, meter, {-11.6, 11.6},
+            "Position of the object from the hall's middle towards the entrance; walls and furniture limit it.", moved);
         const Real modelPlinthHeight =
-            real("modelPlinthHeight", 0.8, meter, Range{0.05, 3}.soft(0.2, 1.4), "How high its own plinth is.",
+            real("modelPlinthHeight", 0.8, meter, Range{0.05, 3}.soft(0.2, 1.4), "Height of the object's own plinth.",
                  whenGiven(model) && when(modelStand, ObjectStand::ownPlinth));
         return {model, modelSize, modelRotation, modelStand, modelAcross, modelAlong, modelPlinthHeight};
     }
