@@ -1075,13 +1075,7 @@ Zeiten nach: %2.</translation>
         <translation>0 ist ein Kreis; -1/n² die Ellipse ohne sphärische Aberration.</translation>
     </message>
     <message>
-        <source>0 is a glaze over a colored body, 1 is bare metal.</source>
-        <extracomment>tables</extracomment>
-        <translation>0 ist eine Glasur über einem farbigen Körper, 1 ist blankes Metall.</translation>
-    </message>
-    <message>
         <source>0 is a mirror, 1 is chalk.</source>
-        <extracomment>tables</extracomment>
         <translation>0 ist ein Spiegel, 1 ist Kreide.</translation>
     </message>
     <message>
@@ -1100,11 +1094,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>0 is the first, 1 the second.</source>
         <translation>0 ist das erste, 1 das zweite.</translation>
-    </message>
-    <message>
-        <source>0 is the torus, 1 is the mug; between them, one melts into the other.</source>
-        <extracomment>tables</extracomment>
-        <translation>0 ist der Torus, 1 ist die Tasse; dazwischen schmilzt der eine in die andere.</translation>
     </message>
     <message>
         <source>1 dot : %1 px</source>
@@ -2444,6 +2433,11 @@ Zeiten nach: %2.</translation>
         <source>Angular diameter of the sun for the disk filter: large softens shadows. The real sun has about half a degree.</source>
         <extracomment>tables</extracomment>
         <translation>Winkeldurchmesser der Sonne für den Scheibenfilter: Große Werte machen Schatten weich. Die wirkliche Sonne misst etwa ein halbes Grad.</translation>
+    </message>
+    <message>
+        <source>Angular diameter of the sun: wide gives soft shadows. The real sun has half a degree.</source>
+        <extracomment>tables</extracomment>
+        <translation>Winkeldurchmesser der Sonne: Große Werte geben weiche Schatten. Die wirkliche Sonne misst ein halbes Grad.</translation>
     </message>
     <message>
         <source>animal</source>
@@ -4097,11 +4091,6 @@ Zeiten nach: %2.</translation>
         <translation>Zellen der ersten Oktave in einem Meter.</translation>
     </message>
     <message>
-        <source>Cells of the mesh along the longest side of the box: few show facets in the reflections.</source>
-        <extracomment>tables</extracomment>
-        <translation>Zellen des Netzes entlang der längsten Seite des Quaders: Wenige zeigen Facetten in den Spiegelungen.</translation>
-    </message>
-    <message>
         <source>Cells of {1} m are too small for a scene that reaches {2} m; give --cell {3}m or more.</source>
         <translation>Zellen von {=1} m sind zu klein für eine Szene, die {=2} m weit reicht; geben Sie --cell {=3}m oder mehr an.</translation>
     </message>
@@ -4444,6 +4433,11 @@ Zeiten nach: %2.</translation>
         <translation>Farbe des Staubs, als Anteil des Lichts, den er streut statt absorbiert: Weiß absorbiert nichts.</translation>
     </message>
     <message>
+        <source>Color of the glaze, of the metal, or of 10 cm of the glass.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe der Glasur, des Metalls oder von 10 cm des Glases.</translation>
+    </message>
+    <message>
         <source>Color of the rays, multiplied with the sun's own.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe der Strahlen, multipliziert mit der Farbe der Sonne.</translation>
@@ -4472,11 +4466,6 @@ Zeiten nach: %2.</translation>
         <source>Color temperature of the sunlight: low is the red of evening, high is bluish.</source>
         <extracomment>tables</extracomment>
         <translation>Farbtemperatur des Sonnenlichts: Niedrige Werte sind das Rot des Abends, hohe sind bläulich.</translation>
-    </message>
-    <message>
-        <source>Color the object by what it cost, or by what was found.</source>
-        <extracomment>tables</extracomment>
-        <translation>Färbt das Objekt nach dem, was es gekostet hat, oder nach dem, was gefunden wurde.</translation>
     </message>
     <message>
         <source>Color the scene by what it cost, or by what was found.</source>
@@ -4815,6 +4804,11 @@ Zeiten nach: %2.</translation>
         <translation>Anzahl</translation>
     </message>
     <message>
+        <source>Count that the heat map shows in white: low brings out small costs, high large ones.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zählwert, den die Heatmap weiß zeigt: Niedrige Werte zeigen kleine Kosten, hohe große.</translation>
+    </message>
+    <message>
         <source>Counted work</source>
         <translation>Gezählte Arbeit</translation>
     </message>
@@ -4970,11 +4964,6 @@ Zeiten nach: %2.</translation>
         <translation>Dunkel</translation>
     </message>
     <message>
-        <source>Darken what the object hides from the hall's light: five evaluations a pixel.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dunkelt ab, was das Objekt dem Licht der Halle verbirgt: fünf Auswertungen pro Pixel.</translation>
-    </message>
-    <message>
         <source>Darkening of the side of the coat that faces away from the room's light: 0 lights all sides alike.</source>
         <extracomment>tables</extracomment>
         <translation>Abdunklung der Seite des Fells, die dem Licht des Raums abgewandt ist: 0 beleuchtet alle Seiten gleich.</translation>
@@ -5111,7 +5100,7 @@ Zeiten nach: %2.</translation>
         <translation>Diagonale entlang z.</translation>
     </message>
     <message>
-        <source>Diameter of the handle's tube.</source>
+        <source>Diameter of the tube of the handle.</source>
         <extracomment>tables</extracomment>
         <translation>Durchmesser des Henkelrohrs.</translation>
     </message>
@@ -5123,11 +5112,6 @@ Zeiten nach: %2.</translation>
         <source>differences</source>
         <extracomment>tables</extracomment>
         <translation>Differenzen</translation>
-    </message>
-    <message>
-        <source>Differences that give the normal: 4, 4 or 6 evaluations; the first two lean across creases.</source>
-        <extracomment>tables</extracomment>
-        <translation>Differenzen, die die Normale ergeben: 4, 4 oder 6 Auswertungen; die ersten beiden neigen sich über Falten.</translation>
     </message>
     <message>
         <source>Diffuse</source>
@@ -5232,6 +5216,11 @@ Zeiten nach: %2.</translation>
         <source>distance</source>
         <extracomment>tables</extracomment>
         <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Distance at which a ray counts as a hit, in half pixels at that depth: low is accurate, high saves steps.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand, bei dem ein Strahl als Treffer gilt, in halben Pixeln bei dieser Tiefe: Niedrige Werte sind genau, hohe sparen Schritte.</translation>
     </message>
     <message>
         <source>Distance attenuation</source>
@@ -5373,11 +5362,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Draw order</source>
         <extracomment>tables</extracomment>
         <translation>Zeichenfolge</translation>
-    </message>
-    <message>
-        <source>Draw the edges of that mesh: amber when it holds the object, red when it clips.</source>
-        <extracomment>tables</extracomment>
-        <translation>Zeichnet die Kanten dieses Netzes: bernsteinfarben, wenn es das Objekt umschließt, rot, wenn es beschneidet.</translation>
     </message>
     <message>
         <source>Draw the variations anew</source>
@@ -5832,6 +5816,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Facetten werden gemittelt</translation>
     </message>
     <message>
+        <source>Factor of the fixed relaxation: 1 is none, higher takes longer steps and has to take back more of them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Faktor der festen Relaxation: 1 ist keine, höhere Werte machen längere Schritte und müssen mehr davon zurücknehmen.</translation>
+    </message>
+    <message>
         <source>far away</source>
         <translation>weit weg</translation>
     </message>
@@ -5961,14 +5950,14 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>fertig</translation>
     </message>
     <message>
+        <source>Finite differences that give the normal, at 4, 4 or 6 evaluations; the first two are less accurate at creases.</source>
+        <extracomment>tables</extracomment>
+        <translation>Finite Differenzen, die die Normale ergeben, mit 4, 4 oder 6 Auswertungen; die ersten beiden sind an Falten ungenauer.</translation>
+    </message>
+    <message>
         <source>fins</source>
         <extracomment>tables</extracomment>
         <translation>Fins</translation>
-    </message>
-    <message>
-        <source>First march one cone for every 8 × 8 pixels, and start their rays where it ended.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schreitet zuerst einen Kegel für je 8 × 8 Pixel ab und beginnt deren Strahlen, wo er endete.</translation>
     </message>
     <message>
         <source>Fit</source>
@@ -6267,6 +6256,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Frequency of an octave over that of the one before.</source>
         <extracomment>tables</extracomment>
         <translation>Frequenz einer Oktave gegenüber der davor.</translation>
+    </message>
+    <message>
+        <source>Frequency of the melting, to the mug and back.</source>
+        <extracomment>tables</extracomment>
+        <translation>Frequenz des Schmelzens, zur Tasse und zurück.</translation>
     </message>
     <message>
         <source>From</source>
@@ -6743,6 +6737,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe des unteren Rings.</translation>
     </message>
     <message>
+        <source>Height of the mug, from its foot to its lip.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der Tasse, vom Fuß bis zum Rand.</translation>
+    </message>
+    <message>
         <source>Height of the object's own plinth.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe des eigenen Sockels des Objekts.</translation>
@@ -7091,11 +7090,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie viele die aus den Frames gemachte Palette hat.</translation>
     </message>
     <message>
-        <source>How many times a second it melts to the mug and back.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie oft es in der Sekunde zur Tasse und zurück schmilzt.</translation>
-    </message>
-    <message>
         <source>How many views can be told apart.</source>
         <translation>Wie viele Ansichten sich unterscheiden lassen.</translation>
     </message>
@@ -7170,11 +7164,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie nah ein Strahl dem Feld oder dem Wasser kommen muss, in Pixeln bei dieser Entfernung.</translation>
     </message>
     <message>
-        <source>How near a ray must come to the surface, in half pixels at that distance.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie nah ein Strahl der Oberfläche kommen muss, in halben Pixeln bei dieser Entfernung.</translation>
-    </message>
-    <message>
         <source>How often a ray is reflected.</source>
         <translation>Wie oft ein Strahl gespiegelt wird.</translation>
     </message>
@@ -7182,11 +7171,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How often a ray may be mirrored by the water.</source>
         <extracomment>tables</extracomment>
         <translation>Wie oft ein Strahl vom Wasser gespiegelt werden darf.</translation>
-    </message>
-    <message>
-        <source>How often a reflected ray may meet the object again before it sees the hall.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie oft ein gespiegelter Strahl das Objekt wieder treffen darf, bevor er die Halle sieht.</translation>
     </message>
     <message>
         <source>How often light is scattered in it: low is clear and bright, high dim and white.</source>
@@ -7219,11 +7203,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie stark Tröpfchen nach vorn streuen: Hohe Werte geben silberne Ränder vor der Sonne.</translation>
     </message>
     <message>
-        <source>How the object shades itself from the sun: one ray, three kinds of estimate from one ray, or many rays.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie das Objekt sich selbst vor der Sonne beschattet: ein Strahl, drei Arten von Schätzung aus einem Strahl, oder viele Strahlen.</translation>
-    </message>
-    <message>
         <source>How the other studies stand to the first</source>
         <translation>Wie die anderen Studien zur ersten stehen</translation>
     </message>
@@ -7252,11 +7231,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How wide it looks.</source>
         <translation>Wie groß es erscheint.</translation>
-    </message>
-    <message>
-        <source>How wide the sun looks: wide gives soft shadows. The real one is half a degree.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie groß die Sonne erscheint: Groß gibt weiche Schatten. Die wirkliche misst ein halbes Grad.</translation>
     </message>
     <message>
         <source>https://www.aseprite.org/docs/cli/#data (written by Vitrine)</source>
@@ -8135,6 +8109,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höchstzahl der Zellen des Haargitters, die ein Strahl zwischen zwei Shells prüft, wo er das Fell streift.</translation>
     </message>
     <message>
+        <source>Largest number of steps of a ray; beyond it, the ray ends at the best candidate so far.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höchstzahl der Schritte eines Strahls; danach endet er am bis dahin besten Kandidaten.</translation>
+    </message>
+    <message>
         <source>Late sun</source>
         <translation>Späte Sonne</translation>
     </message>
@@ -8712,6 +8691,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Material</translation>
     </message>
     <message>
+        <source>Material of the object: opaque reflects, glass also refracts at every surface.</source>
+        <extracomment>tables</extracomment>
+        <translation>Material des Objekts: Undurchsichtig spiegelt, Glas bricht außerdem an jeder Oberfläche.</translation>
+    </message>
+    <message>
         <source>material without a name</source>
         <translation>Material ohne Namen</translation>
     </message>
@@ -8765,11 +8749,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Measures what the visited exhibit has a table of, such as the pixel art's methods, and saves it as CSV.</source>
         <translation>Misst, wovon das besuchte Exponat eine Tabelle hat, etwa die Verfahren der Pixel-Art, und speichert es als CSV.</translation>
-    </message>
-    <message>
-        <source>Melt back and forth by itself, starting from the morph above.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schmilzt von selbst hin und her, vom Morph darüber an.</translation>
     </message>
     <message>
         <source>Melting</source>
@@ -8856,6 +8835,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Method to average along a ray: sample by sample, three passes that build on each other's results, or a running sum on a polar grid.</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren der Mittelung entlang eines Strahls: Sample für Sample, drei Passes, die auf den Ergebnissen der vorigen aufbauen, oder eine laufende Summe auf einem Polargitter.</translation>
+    </message>
+    <message>
+        <source>Method with which the object shades itself from the sun: none, one ray (hard), three estimates of soft shadows from one ray, or many rays (area).</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren, mit dem das Objekt sich vor der Sonne beschattet: keines, ein Strahl (hart), drei Schätzungen weicher Schatten aus einem Strahl oder viele Strahlen (Fläche).</translation>
     </message>
     <message>
         <source>Methods of normals from depth</source>
@@ -9674,9 +9658,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Linsen pro Zoll der eigenen Folie.</translation>
     </message>
     <message>
+        <source>Number of mesh cells along the longest side of the box: few show facets in the reflections.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Netzzellen entlang der längsten Seite des Quaders: Wenige zeigen Facetten in den Spiegelungen.</translation>
+    </message>
+    <message>
         <source>Number of normals across a lens whose reflections are averaged: few show streaks.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Normalen quer über eine Linse, deren Spiegelungen gemittelt werden: Wenige zeigen Streifen.</translation>
+    </message>
+    <message>
+        <source>Number of rays over the sun's disk, for the area method: few are noisy, many cost more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Strahlen über die Sonnenscheibe, für das Flächenverfahren: Wenige rauschen, viele kosten mehr.</translation>
     </message>
     <message>
         <source>Number of rays traced over a lens, or over the part of it under a pixel: few show steps between views, many are smooth.</source>
@@ -9722,6 +9716,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of strands per square meter: low is thin fur, high is dense.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Haare pro Quadratmeter: Niedrige Werte geben dünnes Fell, hohe dichtes.</translation>
+    </message>
+    <message>
+        <source>Number of times a reflected ray may meet the object again before it sees only the hall: 0 is cheapest.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie oft ein gespiegelter Strahl das Objekt wieder treffen darf, bevor er nur noch die Halle sieht: 0 kostet am wenigsten.</translation>
     </message>
     <message>
         <source>Number of turns of a curl from skin to tip.</source>
@@ -9997,11 +9996,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Der fünf Wellen gegenüber denen des Originals: 0 ist ein Spiegel.</translation>
     </message>
     <message>
-        <source>Of the fixed kind: 1 is none, higher takes longer steps and has to take back more.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der festen Art: 1 ist keine, höhere Werte machen längere Schritte und müssen mehr zurücknehmen.</translation>
-    </message>
-    <message>
         <source>Of the flame over the base.</source>
         <extracomment>tables</extracomment>
         <translation>Der Flamme über dem Boden.</translation>
@@ -10032,18 +10026,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <source>Of the glass: 1 bends nothing, 2.4 is diamond.</source>
-        <extracomment>tables</extracomment>
         <translation>Des Glases: 1 bricht nichts, 2.4 ist Diamant.</translation>
-    </message>
-    <message>
-        <source>Of the glaze, the metal, or (per 10 cm of depth) the glass.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Glasur, des Metalls oder (je 10 cm Tiefe) des Glases.</translation>
-    </message>
-    <message>
-        <source>Of the handle, from its center to the middle of its tube.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Henkels, von seinem Mittelpunkt bis zur Mitte seines Rohrs.</translation>
     </message>
     <message>
         <source>Of the highlight, white.</source>
@@ -10063,29 +10046,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Der unteren Kugel.</translation>
     </message>
     <message>
-        <source>Of the mesh that the object is marched in, against the smallest that holds it: below 1 clips.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Netzes, in dem das Objekt abgeschritten wird, gegenüber dem kleinsten, das es umschließt: Unter 1 beschneidet.</translation>
-    </message>
-    <message>
         <source>Of the mist at the horizon.</source>
         <extracomment>tables</extracomment>
         <translation>Des Nebels am Horizont.</translation>
-    </message>
-    <message>
-        <source>Of the mug's outside.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Außenseite der Tasse.</translation>
-    </message>
-    <message>
-        <source>Of the mug's wall: thin needs small steps.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Wand der Tasse: Dünn braucht kleine Schritte.</translation>
-    </message>
-    <message>
-        <source>Of the mug, from its foot to its lip.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Tasse, vom Fuß bis zum Rand.</translation>
     </message>
     <message>
         <source>Of the one that is taken.</source>
@@ -10180,16 +10143,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Of the tip.</source>
         <translation>Der Spitze.</translation>
-    </message>
-    <message>
-        <source>Of the torus, from its center to the middle of the tube.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Torus, von seinem Mittelpunkt bis zur Mitte des Rohrs.</translation>
-    </message>
-    <message>
-        <source>Of the tube of the torus.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Rohrs des Torus.</translation>
     </message>
     <message>
         <source>Of the tube.</source>
@@ -10296,7 +10249,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <source>On show</source>
-        <extracomment>tables</extracomment>
         <translation>Gezeigt</translation>
     </message>
     <message>
@@ -10447,7 +10399,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <source>Opaque reflects; glass also refracts, in and out through every wall.</source>
-        <extracomment>tables</extracomment>
         <translation>Undurchsichtig spiegelt; Glas bricht auch, hinein und hinaus durch jede Wand.</translation>
     </message>
     <message>
@@ -11247,6 +11198,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Quadratisch</translation>
     </message>
     <message>
+        <source>Quantity by which the object is colored: the steps or evaluations that it cost, its normals, or its distance.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größe, nach der das Objekt gefärbt wird: die Schritte oder Auswertungen, die es gekostet hat, seine Normalen oder sein Abstand.</translation>
+    </message>
+    <message>
         <source>quarter</source>
         <extracomment>tables</extracomment>
         <translation>Viertel</translation>
@@ -11320,6 +11276,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius der Kanten; begrenzt auf den Radius und die halbe Höhe.</translation>
     </message>
     <message>
+        <source>Radius of the handle, from its center to the middle of its tube.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Henkels, von seinem Mittelpunkt bis zur Mitte seines Rohrs.</translation>
+    </message>
+    <message>
+        <source>Radius of the outside of the mug.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der Außenseite der Tasse.</translation>
+    </message>
+    <message>
         <source>Radius of the posts.</source>
         <extracomment>tables</extracomment>
         <translation>Radius der Pfosten.</translation>
@@ -11338,6 +11304,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Radius of the scene's points of light: wide ones give soft shadows and wide highlights.</source>
         <extracomment>tables</extracomment>
         <translation>Radius der Lichtpunkte der Szene: Große geben weiche Schatten und große Glanzlichter.</translation>
+    </message>
+    <message>
+        <source>Radius of the torus, from its center to the middle of the tube.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Torus, vom Mittelpunkt bis zur Mitte des Rohrs.</translation>
+    </message>
+    <message>
+        <source>Radius of the tube of the torus.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Rohrs des Torus.</translation>
     </message>
     <message>
         <source>Raise</source>
@@ -11393,11 +11369,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Rays over each light, for the area method.</source>
         <extracomment>tables</extracomment>
         <translation>Strahlen über jedes Licht, für das Flächenverfahren.</translation>
-    </message>
-    <message>
-        <source>Rays over the sun's disk, for the area method.</source>
-        <extracomment>tables</extracomment>
-        <translation>Strahlen über die Sonnenscheibe, für das Flächenverfahren.</translation>
     </message>
     <message>
         <source>Read: %1 %2</source>
@@ -11508,14 +11479,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Reflexionsgrad</translation>
     </message>
     <message>
+        <source>Reflectance of nonmetals: 0 reflects nothing, 0.5 is the 4 % of most glazes.</source>
+        <extracomment>tables</extracomment>
+        <translation>Reflexionsgrad von Nichtmetallen: 0 spiegelt nichts, 0.5 sind die 4 % der meisten Glasuren.</translation>
+    </message>
+    <message>
         <source>Reflectance of the plastic: 0 is none, 0.5 is what its refractive index gives.</source>
         <extracomment>tables</extracomment>
         <translation>Reflexionsgrad des Kunststoffs: 0 ist keiner, 0.5 ist der aus seinem Brechungsindex.</translation>
-    </message>
-    <message>
-        <source>Reflectance of what is not metal: 0.5 is the 4 % of most glazes.</source>
-        <extracomment>tables</extracomment>
-        <translation>Reflexionsgrad dessen, was nicht Metall ist: 0.5 sind die 4 % der meisten Glasuren.</translation>
     </message>
     <message>
         <source>Reflection probe</source>
@@ -11543,6 +11514,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Brechungsindex des Kunststoffs der eigenen Folie: 1.49 bis 1.6 sind üblich.</translation>
     </message>
     <message>
+        <source>Refractive index of the glass: 1 bends nothing, 2.4 is diamond.</source>
+        <extracomment>tables</extracomment>
+        <translation>Brechungsindex des Glases: 1 bricht nichts, 2.4 ist Diamant.</translation>
+    </message>
+    <message>
         <source>Relaxation</source>
         <extracomment>tables</extracomment>
         <translation>Relaxation</translation>
@@ -11551,6 +11527,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Relaxation factor</source>
         <extracomment>tables</extracomment>
         <translation>Relaxationsfaktor</translation>
+    </message>
+    <message>
+        <source>Relaxation of the step length beyond the distance: none, by a fixed factor, or as far as the slope of the field allows.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verlängerung der Schritte über die Distanz hinaus: keine, um einen festen Faktor oder so weit, wie die Steigung des Felds erlaubt.</translation>
     </message>
     <message>
         <source>Release</source>
@@ -11627,6 +11608,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Replace the file?</source>
         <translation>Die Datei ersetzen?</translation>
+    </message>
+    <message>
+        <source>Representation of the object: the distance field, ray-marched, or a mesh of it, rasterized.</source>
+        <extracomment>tables</extracomment>
+        <translation>Darstellung des Objekts: das Distanzfeld, mit Strahlen abgeschritten, oder ein rasterisiertes Netz davon.</translation>
     </message>
     <message>
         <source>Reset</source>
@@ -11971,6 +11957,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Roughness of the plastic: low looks wet, high is matte.</source>
         <extracomment>tables</extracomment>
         <translation>Rauheit des Kunststoffs: Niedrige Werte wirken nass, hohe matt.</translation>
+    </message>
+    <message>
+        <source>Roughness of the surface: 0 is a mirror, 1 is chalk.</source>
+        <extracomment>tables</extracomment>
+        <translation>Rauheit der Oberfläche: 0 ist ein Spiegel, 1 ist Kreide.</translation>
     </message>
     <message>
         <source>round edges</source>
@@ -12467,6 +12458,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Form</translation>
     </message>
     <message>
+        <source>Shape between torus and mug: 0 is the torus, 1 is the mug.</source>
+        <extracomment>tables</extracomment>
+        <translation>Form zwischen Torus und Tasse: 0 ist der Torus, 1 ist die Tasse.</translation>
+    </message>
+    <message>
         <source>Shape of the strands along their length: 0 tapers them to a needle, high keeps them thick with a blunt tip.</source>
         <extracomment>tables</extracomment>
         <translation>Form der Haare entlang ihrer Länge: 0 spitzt sie zu wie Nadeln, hohe Werte lassen sie dick mit stumpfer Spitze.</translation>
@@ -12484,6 +12480,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Share</source>
         <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Share of metal: 0 is a glaze over a colored body, 1 is bare metal.</source>
+        <extracomment>tables</extracomment>
+        <translation>Metallanteil: 0 ist eine Glasur über einem farbigen Körper, 1 ist blankes Metall.</translation>
     </message>
     <message>
         <source>share of pixels off by more than 1/255</source>
@@ -12773,6 +12774,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Size</source>
         <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Size of the bounding mesh in which rays march, relative to the smallest that holds the object: below 1 clips it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größe des Hüllnetzes, in dem Strahlen laufen, gegenüber dem kleinsten, das das Objekt umschließt: Unter 1 wird es beschnitten.</translation>
     </message>
     <message>
         <source>Size of the spot that a lens shows, relative to the model: 0 is one point of a strip, above 1 neighboring strips bleed in.</source>
@@ -13164,9 +13170,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schritt der Differenzen, die die Normale ergeben: Kleine ertrinken in der Rundung, große runden Falten.</translation>
     </message>
     <message>
-        <source>Step of those differences near the eye: too small drowns in rounding, too large rounds creases.</source>
+        <source>Step of the finite differences for normals near the eye: too small suffers from rounding, too large rounds creases.</source>
         <extracomment>tables</extracomment>
-        <translation>Schritt dieser Differenzen nahe dem Auge: Zu kleine ertrinken in der Rundung, zu große runden Falten.</translation>
+        <translation>Schritt der finiten Differenzen für Normalen nahe dem Auge: Zu kleine leiden unter Rundung, zu große runden Falten.</translation>
     </message>
     <message>
         <source>steps</source>
@@ -13182,11 +13188,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Steps a ray may take to find the field, or the sea of the source.</source>
         <extracomment>tables</extracomment>
         <translation>Schritte, die ein Strahl machen darf, um das Feld zu finden, oder das Meer des Originals.</translation>
-    </message>
-    <message>
-        <source>Steps a ray may take; one that runs out ends on its best candidate.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schritte, die ein Strahl machen darf; einer, dem sie ausgehen, endet auf seinem besten Kandidaten.</translation>
     </message>
     <message>
         <source>Steps by which a ray finds the water.</source>
@@ -13832,7 +13833,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>The count that is shown white.</source>
-        <extracomment>tables</extracomment>
         <translation>Der Zählwert, der weiß gezeigt wird.</translation>
     </message>
     <message>
@@ -13922,11 +13922,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>The field's normal: by six further evaluations, or by its derivative.</source>
         <extracomment>tables</extracomment>
         <translation>Die Normale des Felds: durch sechs weitere Auswertungen, oder durch seine Ableitung.</translation>
-    </message>
-    <message>
-        <source>The field, marched ray by ray, or a mesh of the same object, rasterized.</source>
-        <extracomment>tables</extracomment>
-        <translation>Das Feld, Strahl für Strahl abgeschritten, oder ein rasterisiertes Netz desselben Objekts.</translation>
     </message>
     <message>
         <source>the file cannot be shown without {1}, which is not supported; export it without that.</source>
@@ -15156,6 +15151,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Thickness of the custom sheet from the top of a lens to the print: too thin or too thick blurs.</source>
         <extracomment>tables</extracomment>
         <translation>Dicke der eigenen Folie vom Linsenscheitel bis zum Druck: Zu dünn oder zu dick wird unscharf.</translation>
+    </message>
+    <message>
+        <source>Thickness of the wall of the mug: thin walls need small steps.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dicke der Wand der Tasse: Dünne Wände brauchen kleine Schritte.</translation>
     </message>
     <message>
         <source>Thickness variation</source>
@@ -16863,6 +16863,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob nah 1 und fern 0 ist, oder umgekehrt.</translation>
     </message>
     <message>
+        <source>Whether one cone per 8 × 8 pixels is marched first; their rays start at the end of the cone.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob zuerst ein Kegel je 8 × 8 Pixel abgeschritten wird; deren Strahlen beginnen an seinem Ende.</translation>
+    </message>
+    <message>
         <source>Whether radius and thickness follow from LPI, zone and index, focused on the back, or are as given below.</source>
         <translation>Ob Radius und Dicke aus LPI, Zone und Index folgen, auf die Rückseite fokussiert, oder wie unten angegeben sind.</translation>
     </message>
@@ -16875,11 +16880,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether samples and steps are shifted by blue noise: too few of them then look like grain, not like bands.</source>
         <extracomment>tables</extracomment>
         <translation>Ob Samples und Schritte durch blaues Rauschen versetzt werden: Zu wenige davon wirken dann wie Korn und nicht wie Streifen.</translation>
-    </message>
-    <message>
-        <source>Whether steps may be longer than the distance: by a fixed factor, or as long as the field's slope promises.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ob Schritte länger als die Distanz sein dürfen: um einen festen Faktor, oder so lang, wie die Steigung des Felds verspricht.</translation>
     </message>
     <message>
         <source>Whether the ball grows and shrinks all the time; otherwise only during a jump.</source>
@@ -16902,6 +16902,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob der Luftzug das Mobile dreht und den Staub trägt.</translation>
     </message>
     <message>
+        <source>Whether the edges of the bounding mesh are drawn: amber if it holds the object, red if it clips it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Kanten des Hüllnetzes gezeichnet werden: bernsteinfarben, wenn es das Objekt umschließt, rot, wenn es beschneidet.</translation>
+    </message>
+    <message>
         <source>Whether the floor is darkened around the things that stand on it; without it, feet and plinths seem to float.</source>
         <extracomment>tables</extracomment>
         <translation>Ob der Boden rings um alles, was darauf steht, dunkler wird; ohne das scheinen Füße und Sockel zu schweben.</translation>
@@ -16910,6 +16915,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the hall is captured once as a reflection probe for everything in it; without it, nothing reflects.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Halle einmal als Reflexionssonde für alles in ihr aufgenommen wird; ohne das spiegelt nichts.</translation>
+    </message>
+    <message>
+        <source>Whether the hall's light is darkened where the object hides it, at five evaluations per pixel.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob das Licht der Halle abgedunkelt wird, wo das Objekt es verdeckt, mit fünf Auswertungen pro Pixel.</translation>
     </message>
     <message>
         <source>Whether the lens and the pixel are integrated over; without it, one ray per pixel gives moiré from afar.</source>
@@ -16925,6 +16935,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the next four parameters set how the fur lies, while the bodies stand still.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die nächsten vier Parameter bestimmen, wie das Fell liegt, während die Körper stillstehen.</translation>
+    </message>
+    <message>
+        <source>Whether the shape melts back and forth, starting from the morph above.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Form hin und her schmilzt, vom Morph darüber an.</translation>
     </message>
     <message>
         <source>Whether the views are printed in reverse order: depth turns inside out.</source>

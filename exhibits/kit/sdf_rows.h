@@ -22,19 +22,21 @@ enum class SdfHeatMap : int { none, steps, evaluations, normals, distance };
 /// Uniform material of the whole body, read by shaders/kit/sdf/even_material.glsl.
 struct SdfMaterialRows : virtual Parameters {
     Group surface = group("Material");
-    Choice<SdfMaterial> material = choice("material", SdfMaterial::opaque, {"opaque", "glass"},
-                                          "Opaque reflects; glass also refracts, in and out through every wall.");
+    Choice<SdfMaterial> material =
+        choice("material", SdfMaterial::opaque, {"opaque", "glass"},
+               "Material of the object: opaque reflects, glass also refracts at every surface.");
     Color baseColor =
-        color("baseColor", {0.95, 0.93, 0.88}, "Of the glaze, the metal, or (per 10 cm of depth) the glass.");
-    Real roughness = real("roughness", 0.06, none, {0, 1}, "0 is a mirror, 1 is chalk.");
+        color("baseColor", {0.95, 0.93, 0.88}, "Color of the glaze, of the metal, or of 10 cm of the glass.");
+    Real roughness = real("roughness", 0.06, none, {0, 1}, "Roughness of the surface: 0 is a mirror, 1 is chalk.");
     Real metalness =
-        real("metalness", 1.0, none, {0, 1}, "0 is a glaze over a colored body, 1 is bare metal.",
+        real("metalness", 1.0, none, {0, 1}, "Share of metal: 0 is a glaze over a colored body, 1 is bare metal.",
              when(material, SdfMaterial::opaque) || whenLater("shownAs", static_cast<double>(SdfShown::mesh)));
-    Real specular =
-        real("specular", 0.5, none, {0, 1}, "Reflectance of what is not metal: 0.5 is the 4 % of most glazes.",
-             whenNot(metalness, 1) || when(material, SdfMaterial::glass));
-    Real refractiveIndex = real("refractiveIndex", 1.5, none, Range{1, 3}.soft(1, 2.4),
-                                "Of the glass: 1 bends nothing, 2.4 is diamond.", when(material, SdfMaterial::glass));
+    Real specular = real("specular", 0.5, none, {0, 1},
+                         "Reflectance of nonmetals: 0 reflects nothing, 0.5 is the 4 % of most glazes.",
+                         whenNot(metalness, 1) || when(material, SdfMaterial::glass));
+    Real refractiveIndex =
+        real("refractiveIndex", 1.5, none, Range{1, 3}.soft(1, 2.4),
+             "Refractive index of the glass: 1 bends nothing, 2.4 is diamond.", when(material, SdfMaterial::glass));
 };
 
 /// Parameters of marching, shading and inspecting the body.
@@ -53,70 +55,81 @@ private:
 
 public:
     Group reflections = group("Material");
-    Count bounces = count("bounces", initialBounces_, {0, 4},
-                          "How often a reflected ray may meet the object again before it sees the hall.", quality(4),
-                          whenFollowed());
+    Count bounces =
+        count("bounces", initialBounces_, {0, 4},
+              "Number of times a reflected ray may meet the object again before it sees only the hall: 0 is cheapest.",
+              quality(4), whenFollowed());
     Toggle ambientOcclusion =
         toggle("ambientOcclusion", true,
-               "Darken what the object hides from the hall's light: five evaluations a pixel.", whenOccluded());
+               "Whether the hall's light is darkened where the object hides it, at five evaluations per pixel.",
+               whenOccluded());
 
     Group light = group("Shadow");
-    Choice<SdfShadow> shadowMethod = choice(
-        "shadowMethod", SdfShadow::signedDistance, {"none", "hard", "classic", "improved", "signed", "area"},
-        "How the object shades itself from the sun: one ray, three kinds of estimate from one ray, or many rays.",
-        quality(SdfShadow::area), whenShaded());
-    Count shadowRays = count("shadowRays", 16, {1, 256, logarithmic}, "Rays over the sun's disk, for the area method.",
+    Choice<SdfShadow> shadowMethod =
+        choice("shadowMethod", SdfShadow::signedDistance, {"none", "hard", "classic", "improved", "signed", "area"},
+               "Method with which the object shades itself from the sun: none, one ray (hard), three estimates of soft "
+               "shadows from one ray, or many rays (area).",
+               quality(SdfShadow::area), whenShaded());
+    Count shadowRays = count("shadowRays", 16, {1, 256, logarithmic},
+                             "Number of rays over the sun's disk, for the area method: few are noisy, many cost more.",
                              quality(256), when(shadowMethod, SdfShadow::area));
     Real sunWidth =
         real("sunWidth", degrees(1.5), degree, Range{degrees(0.01), degrees(60)}.soft(degrees(0.1), degrees(10)),
-             "How wide the sun looks: wide gives soft shadows. The real one is half a degree.",
+             "Angular diameter of the sun: wide gives soft shadows. The real sun has half a degree.",
              when(shadowMethod, {SdfShadow::classic, SdfShadow::improved, SdfShadow::signedDistance, SdfShadow::area}));
 
     Group accuracy = foldedGroup("Accuracy");
-    Real hitTolerance =
-        real("hitTolerance", 1.0, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
-             "How near a ray must come to the surface, in half pixels at that distance.", quality(0.001));
-    Count stepLimit = count("stepLimit", 128, {1, 1024, logarithmic},
-                            "Steps a ray may take; one that runs out ends on its best candidate.", quality(1024));
-    Choice<SdfRelaxation> relaxation = choice(
-        "relaxation", SdfRelaxation::automatic, {"none", "fixed", "automatic"},
-        "Whether steps may be longer than the distance: by a fixed factor, or as long as the field's slope promises.",
-        exactAt(SdfRelaxation::none));
-    Real relaxationFactor = real("relaxationFactor", 1.2, none, {1, 1.99},
-                                 "Of the fixed kind: 1 is none, higher takes longer steps and has to take back more.",
-                                 exactAt(1), when(relaxation, SdfRelaxation::fixed));
+    Real hitTolerance = real(
+        "hitTolerance", 1.0, none, Range{0.001, 64, logarithmic}.soft(0.05, 16),
+        "Distance at which a ray counts as a hit, in half pixels at that depth: low is accurate, high saves steps.",
+        quality(0.001));
+    Count stepLimit =
+        count("stepLimit", 128, {1, 1024, logarithmic},
+              "Largest number of steps of a ray; beyond it, the ray ends at the best candidate so far.", quality(1024));
+    Choice<SdfRelaxation> relaxation = choice("relaxation", SdfRelaxation::automatic, {"none", "fixed", "automatic"},
+                                              "Relaxation of the step length beyond the distance: none, by a fixed "
+                                              "factor, or as far as the slope of the field allows.",
+                                              exactAt(SdfRelaxation::none));
+    Real relaxationFactor =
+        real("relaxationFactor", 1.2, none, {1, 1.99},
+             "Factor of the fixed relaxation: 1 is none, higher takes longer steps and has to take back more of them.",
+             exactAt(1), when(relaxation, SdfRelaxation::fixed));
     Toggle conePrepass =
-        toggle("conePrepass", true, "First march one cone for every 8 × 8 pixels, and start their rays where it ended.",
+        toggle("conePrepass", true,
+               "Whether one cone per 8 × 8 pixels is marched first; their rays start at the end of the cone.",
                exactAt(0), whenMarched());
-    Choice<SdfNormal> normalMethod =
-        choice("normalMethod", SdfNormal::central, {"forward", "tetrahedron", "central"},
-               "Differences that give the normal: 4, 4 or 6 evaluations; the first two lean across creases.",
-               quality(SdfNormal::central), whenFollowed());
-    Real normalStep =
-        real("normalStep", 0.0003, meter, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02),
-             "Step of those differences near the eye: too small drowns in rounding, too large rounds creases.",
-             quality(0.0003), whenFollowed());
+    Choice<SdfNormal> normalMethod = choice("normalMethod", SdfNormal::central, {"forward", "tetrahedron", "central"},
+                                            "Finite differences that give the normal, at 4, 4 or 6 evaluations; the "
+                                            "first two are less accurate at creases.",
+                                            quality(SdfNormal::central), whenFollowed());
+    Real normalStep = real("normalStep", 0.0003, meter, Range{1e-7, 0.1, logarithmic}.soft(1e-6, 0.02),
+                           "Step of the finite differences for normals near the eye: too small suffers from rounding, "
+                           "too large rounds creases.",
+                           quality(0.0003), whenFollowed());
 
     Group bounds = group("Bounding box");
-    Real boxSize =
-        real("boxSize", 1.0, none, Range{0.05, 10}.soft(0.5, 1.5),
-             "Of the mesh that the object is marched in, against the smallest that holds it: below 1 clips.");
+    Real boxSize = real("boxSize", 1.0, none, Range{0.05, 10}.soft(0.5, 1.5),
+                        "Size of the bounding mesh in which rays march, relative to the smallest that holds the "
+                        "object: below 1 clips it.");
     Toggle showBox =
-        toggle("showBox", false, "Draw the edges of that mesh: amber when it holds the object, red when it clips.");
+        toggle("showBox", false,
+               "Whether the edges of the bounding mesh are drawn: amber if it holds the object, red if it clips it.");
 
-    Group showing = group("On show");
-    Choice<SdfShown> shownAs = choice("shownAs", SdfShown::field, {"field", "mesh"},
-                                      "The field, marched ray by ray, or a mesh of the same object, rasterized.");
+    Group showing = group("Display");
+    Choice<SdfShown> shownAs =
+        choice("shownAs", SdfShown::field, {"field", "mesh"},
+               "Representation of the object: the distance field, ray-marched, or a mesh of it, rasterized.");
     Count tessellation =
         count("tessellation", 24, {4, 256, logarithmic},
-              "Cells of the mesh along the longest side of the box: few show facets in the reflections.", quality(256),
-              when(shownAs, SdfShown::mesh));
-    Choice<SdfHeatMap> heatMap =
-        choice("heatMap", SdfHeatMap::none, {"none", "steps", "evaluations", "normals", "distance"},
-               "Color the object by what it cost, or by what was found.", whenMarched());
-    Real heatScale =
-        real("heatScale", 64, none, Range{1, 4096, logarithmic}.soft(4, 512), "The count that is shown white.",
-             when(heatMap, {SdfHeatMap::steps, SdfHeatMap::evaluations}));
+              "Number of mesh cells along the longest side of the box: few show facets in the reflections.",
+              quality(256), when(shownAs, SdfShown::mesh));
+    Choice<SdfHeatMap> heatMap = choice(
+        "heatMap", SdfHeatMap::none, {"none", "steps", "evaluations", "normals", "distance"},
+        "Quantity by which the object is colored: the steps or evaluations that it cost, its normals, or its distance.",
+        whenMarched());
+    Real heatScale = real("heatScale", 64, none, Range{1, 4096, logarithmic}.soft(4, 512),
+                          "Count that the heat map shows in white: low brings out small costs, high large ones.",
+                          when(heatMap, {SdfHeatMap::steps, SdfHeatMap::evaluations}));
 
 private:
     StudiedRows studiedMarch_{*this,

@@ -8,27 +8,28 @@ namespace vitrine {
 /// Parameters of the melting torus-mug. Lengths are in meters, in its own space.
 struct TorusMugRows : virtual Parameters {
     Group shape = group("Shape");
-    Real morph =
-        real("morph", 0.62, none, {0, 1}, "0 is the torus, 1 is the mug; between them, one melts into the other.");
+    Real morph = real("morph", 0.62, none, {0, 1}, "Shape between torus and mug: 0 is the torus, 1 is the mug.");
     Real majorRadius = real("majorRadius", 0.35, meter, Range{0.01, 10}.soft(0.1, 0.6),
-                            "Of the torus, from its center to the middle of the tube.");
-    Real minorRadius = real("minorRadius", 0.12, meter, Range{0.001, 10}.soft(0.02, 0.3), "Of the tube of the torus.");
-    Real mugRadius = real("mugRadius", 0.28, meter, Range{0.01, 10}.soft(0.1, 0.5), "Of the mug's outside.");
+                            "Radius of the torus, from its center to the middle of the tube.");
+    Real minorRadius =
+        real("minorRadius", 0.12, meter, Range{0.001, 10}.soft(0.02, 0.3), "Radius of the tube of the torus.");
+    Real mugRadius =
+        real("mugRadius", 0.28, meter, Range{0.01, 10}.soft(0.1, 0.5), "Radius of the outside of the mug.");
     Real mugHeight =
-        real("mugHeight", 0.66, meter, Range{0.01, 10}.soft(0.2, 1.2), "Of the mug, from its foot to its lip.");
+        real("mugHeight", 0.66, meter, Range{0.01, 10}.soft(0.2, 1.2), "Height of the mug, from its foot to its lip.");
     Real wallThickness = real("wallThickness", 0.045, meter, Range{0.001, 1}.soft(0.01, 0.12),
-                              "Of the mug's wall: thin needs small steps.");
+                              "Thickness of the wall of the mug: thin walls need small steps.");
     Real handleRadius = real("handleRadius", 0.165, meter, Range{0.01, 2}.soft(0.05, 0.3),
-                             "Of the handle, from its center to the middle of its tube.");
+                             "Radius of the handle, from its center to the middle of its tube.");
     Real handleThickness =
-        real("handleThickness", 0.09, meter, Range{0.001, 1}.soft(0.02, 0.2), "Diameter of the handle's tube.");
+        real("handleThickness", 0.09, meter, Range{0.001, 1}.soft(0.02, 0.2), "Diameter of the tube of the handle.");
     Real blend = real("blend", 0.06, meter, Range{0, 1}.soft(0, 0.2),
                       "Width of the fillet where the handle meets the cup; 0 joins them hard.");
 
     Group motion = group("Motion");
-    Toggle animate = toggle("animate", false, "Melt back and forth by itself, starting from the morph above.");
-    Real speed = real("speed", 0.08, hertz, Range{0, 10}.soft(0, 0.5),
-                      "How many times a second it melts to the mug and back.", when(animate));
+    Toggle animate = toggle("animate", false, "Whether the shape melts back and forth, starting from the morph above.");
+    Real speed = real("speed", 0.08, hertz, Range{0, 10}.soft(0, 0.5), "Frequency of the melting, to the mug and back.",
+                      when(animate));
 };
 
 /// All parameters of the exhibit.

@@ -7,7 +7,7 @@ namespace vitrine::test {
 
 struct BallRows : virtual Parameters {
     Group shape = group("Ball");
-    Real radius = real("radius", 0.3, meter, Range{0.01, 2}.soft(0.1, 0.6), "Of the ball.");
+    Real radius = real("radius", 0.3, meter, Range{0.01, 2}.soft(0.1, 0.6), "Radius of the ball.");
 };
 struct BallTable final : BallRows, SdfMaterialRows, SdfRows {};
 
