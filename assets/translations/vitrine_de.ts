@@ -1075,25 +1075,9 @@ Zeiten nach: %2.</translation>
         <translation>0 ist ein Kreis; -1/n² die Ellipse ohne sphärische Aberration.</translation>
     </message>
     <message>
-        <source>0 is a mirror, 1 is chalk.</source>
-        <translation>0 ist ein Spiegel, 1 ist Kreide.</translation>
-    </message>
-    <message>
         <source>0 is edible, 1 is bare metal in these colors.</source>
         <extracomment>tables</extracomment>
         <translation>0 ist essbar, 1 ist blankes Metall in diesen Farben.</translation>
-    </message>
-    <message>
-        <source>0 is no metal, 1 is bare metal.</source>
-        <translation>0 ist kein Metall, 1 ist blankes Metall.</translation>
-    </message>
-    <message>
-        <source>0 is opaque, 1 is clear glass, which has its color per 10 cm of depth.</source>
-        <translation>0 ist undurchsichtig, 1 ist klares Glas, das seine Farbe je 10 cm Tiefe hat.</translation>
-    </message>
-    <message>
-        <source>0 is the first, 1 the second.</source>
-        <translation>0 ist das erste, 1 das zweite.</translation>
     </message>
     <message>
         <source>1 dot : %1 px</source>
@@ -1392,20 +1376,12 @@ Zeiten nach: %2.</translation>
         <translation>A, wie es war</translation>
     </message>
     <message>
-        <source>A ball cut by a cone around +y: a scoop.</source>
-        <translation>Eine Kugel, um +y von einem Kegel beschnitten: eine Eiskugel.</translation>
+        <source>A bowl: the wall of a hollow sphere, open above a plane.</source>
+        <translation>Eine Schale: die Wand einer hohlen Kugel, oberhalb einer Ebene offen.</translation>
     </message>
     <message>
-        <source>A ball from which another one above it is taken.</source>
-        <translation>Eine Kugel, von der eine andere über ihr abgezogen ist.</translation>
-    </message>
-    <message>
-        <source>A ball without what is above a plane.</source>
-        <translation>Eine Kugel ohne das, was über einer Ebene liegt.</translation>
-    </message>
-    <message>
-        <source>A bowl: the wall around a ball, open above a plane.</source>
-        <translation>Eine Schale: die Wand um eine Kugel, über einer Ebene offen.</translation>
+        <source>A box around the origin.</source>
+        <translation>Ein Quader um den Ursprung.</translation>
     </message>
     <message>
         <source>A box too small</source>
@@ -1436,8 +1412,16 @@ Zeiten nach: %2.</translation>
         <translation>Eine Kamera, die sich um {1} Grad um {=2} dreht, stößt an eine Wand oder etwas, das in der Halle steht; geben Sie ein kleineres --turn an, oder --alone.</translation>
     </message>
     <message>
+        <source>A capsule: everything within a radius of the segment from start to end.</source>
+        <translation>Eine Kapsel: alles im Umkreis der Strecke von Anfang bis Ende.</translation>
+    </message>
+    <message>
         <source>A cell has a size above 0.</source>
         <translation>Eine Zelle ist größer als 0.</translation>
+    </message>
+    <message>
+        <source>A chain link in the xy plane, elongated along y.</source>
+        <translation>Ein Kettenglied in der xy-Ebene, entlang y gestreckt.</translation>
     </message>
     <message>
         <source>A chart needs at least 40 mm across the lenses and 44 mm along them.</source>
@@ -1460,16 +1444,8 @@ Zeiten nach: %2.</translation>
         <translation>eine Bedingung nennt eine Zeile, die ihre Tabelle nicht hat</translation>
     </message>
     <message>
-        <source>A cone around the y axis without its tip.</source>
-        <translation>Ein Kegel um die y-Achse ohne Spitze.</translation>
-    </message>
-    <message>
-        <source>A cone on y = 0, its tip up.</source>
-        <translation>Ein Kegel auf y = 0, die Spitze oben.</translation>
-    </message>
-    <message>
-        <source>A cone without its tip, from start to end.</source>
-        <translation>Ein Kegel ohne Spitze, vom Anfang zum Ende.</translation>
+        <source>A cone around the y axis with its base at y = 0 and its tip up.</source>
+        <translation>Ein Kegel um die y-Achse, Grundfläche bei y = 0, Spitze oben.</translation>
     </message>
     <message>
         <source>A cylinder around the y axis with round edges.</source>
@@ -1492,8 +1468,8 @@ Zeiten nach: %2.</translation>
         <translation>eine Richtung braucht eine Zahl, die nicht 0 ist</translation>
     </message>
     <message>
-        <source>A disk in the xy plane, endless along z: to extrude or revolve.</source>
-        <translation>Eine Scheibe in der xy-Ebene, entlang z ohne Ende: zum Extrudieren oder Drehen.</translation>
+        <source>A disk in the xy plane, infinite along z; use it in extrude or revolve.</source>
+        <translation>Eine Scheibe in der xy-Ebene, unendlich entlang z; zum Strecken (extrude) oder Drehen (revolve).</translation>
     </message>
     <message>
         <source>A fault in Vitrine itself was caught, and what was to be done was not done. Everything else goes on.</source>
@@ -1541,8 +1517,12 @@ Zeiten nach: %2.</translation>
         <translation>Eine Datei in glTF 2.0, .glb oder .gltf; ohne eine der Torus über seiner Säule.</translation>
     </message>
     <message>
-        <source>A hexagon in the xy plane, flat sides up and down, endless along z: to extrude or revolve.</source>
-        <translation>Ein Sechseck in der xy-Ebene, flache Seiten oben und unten, entlang z ohne Ende: zum Extrudieren oder Drehen.</translation>
+        <source>A half-space: everything below a plane.</source>
+        <translation>Ein Halbraum: alles unterhalb einer Ebene.</translation>
+    </message>
+    <message>
+        <source>A hexagon in the xy plane, flat sides up and down, infinite along z; use it in extrude or revolve.</source>
+        <translation>Ein Sechseck in der xy-Ebene, flache Seiten oben und unten, unendlich entlang z; zum Strecken (extrude) oder Drehen (revolve).</translation>
     </message>
     <message>
         <source>a key contains a control character; remove it</source>
@@ -1570,10 +1550,6 @@ Zeiten nach: %2.</translation>
         <translation>Links der Linie A, bei %1 %; rechts davon %2.</translation>
     </message>
     <message>
-        <source>A lens drawn out to points at start and end.</source>
-        <translation>Eine Linse, die an Anfang und Ende zu Spitzen ausgezogen ist.</translation>
-    </message>
-    <message>
         <source>a lesson begins with its title; write &quot;# Title&quot;.</source>
         <translation>eine Lektion beginnt mit ihrem Titel; schreiben Sie „# Titel“.</translation>
     </message>
@@ -1594,10 +1570,6 @@ Zeiten nach: %2.</translation>
         <translation>Eine Zeile für das Terminal liegt in der Zwischenablage; sie zeichnet dieses Bild in picture.png.</translation>
     </message>
     <message>
-        <source>A link of a chain in the xy plane, drawn out along y.</source>
-        <translation>Ein Kettenglied in der xy-Ebene, entlang y ausgezogen.</translation>
-    </message>
-    <message>
         <source>a mesh is on show in place of the field</source>
         <translation>anstelle des Felds wird ein Netz gezeigt</translation>
     </message>
@@ -1610,14 +1582,6 @@ Zeiten nach: %2.</translation>
         <translation>ein Name, der auf „{=1}“ endet, passt nicht zum Format {2}</translation>
     </message>
     <message>
-        <source>A name under &quot;materials&quot;; by default that of the parent.</source>
-        <translation>Ein Name unter „materials“; ohne Angabe der des Elternknotens.</translation>
-    </message>
-    <message>
-        <source>A name under &quot;nodes&quot;.</source>
-        <translation>Ein Name unter „nodes“.</translation>
-    </message>
-    <message>
         <source>a newer Vitrine wrote this (version {1}; this one reads version {2}); open it with that one.</source>
         <translation>ein neueres Vitrine hat dies geschrieben (Version {1}; dieses liest Version {2}); öffnen Sie es damit.</translation>
     </message>
@@ -1628,10 +1592,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a node must be an object: { &quot;kind&quot;: &quot;sphere&quot; }</source>
         <translation>ein Knoten muss ein Objekt sein: { &quot;kind&quot;: &quot;sphere&quot; }</translation>
-    </message>
-    <message>
-        <source>A node under &quot;nodes&quot;, here.</source>
-        <translation>Ein Knoten unter „nodes“, hier.</translation>
     </message>
     <message>
         <source>a number from {1} to {2}</source>
@@ -1670,10 +1630,6 @@ Zeiten nach: %2.</translation>
         <translation>ein Parameter kann nicht von anderen abhängen; geben Sie eine Zahl an</translation>
     </message>
     <message>
-        <source>A parameter of this scene.</source>
-        <translation>Ein Parameter dieser Szene.</translation>
-    </message>
-    <message>
         <source>a parameter's name has letters and digits, a letter first</source>
         <translation>der Name eines Parameters hat Buchstaben und Ziffern, zuerst einen Buchstaben</translation>
     </message>
@@ -1697,14 +1653,6 @@ Zeiten nach: %2.</translation>
         <source>A picture of all directions, twice as wide as high, in place of the night sky.</source>
         <extracomment>tables</extracomment>
         <translation>Ein Bild aller Richtungen, doppelt so breit wie hoch, anstelle des Nachthimmels.</translation>
-    </message>
-    <message>
-        <source>A picture of all directions, twice as wide as high.</source>
-        <translation>Ein Bild aller Richtungen, doppelt so breit wie hoch.</translation>
-    </message>
-    <message>
-        <source>A picture of this folder or below it.</source>
-        <translation>Ein Bild dieses Ordners oder darunter.</translation>
     </message>
     <message>
         <source>A picture of {1} uses the second texture coordinates; the first are used.</source>
@@ -1732,8 +1680,8 @@ Zeiten nach: %2.</translation>
         <translation>einem PNG, das immer gepackt ist</translation>
     </message>
     <message>
-        <source>A point that shines everywhere.</source>
-        <translation>Ein Punkt, der überallhin scheint.</translation>
+        <source>A point light that shines in all directions.</source>
+        <translation>Ein Punktlicht, das in alle Richtungen scheint.</translation>
     </message>
     <message>
         <source>A preset has at most {1} tags; these are {2}</source>
@@ -1756,8 +1704,20 @@ Zeiten nach: %2.</translation>
         <translation>Ein Druck von {1} x {2} Pixeln ist zu groß, um ihn auf einmal zu halten; wählen Sie einen mit bis zu 67 Millionen Pixeln.</translation>
     </message>
     <message>
-        <source>A pyramid with a square base on y = 0.</source>
-        <translation>Eine Pyramide mit quadratischer Grundfläche auf y = 0.</translation>
+        <source>A prism along y with a rhombus in the xz plane.</source>
+        <translation>Ein Prisma entlang y mit einer Raute in der xz-Ebene.</translation>
+    </message>
+    <message>
+        <source>A prism along z with a regular hexagon in the xy plane, flat sides up and down.</source>
+        <translation>Ein Prisma entlang z mit einem regelmäßigen Sechseck in der xy-Ebene, flache Seiten oben und unten.</translation>
+    </message>
+    <message>
+        <source>A prism along z with an equilateral triangle in the xy plane, a corner up.</source>
+        <translation>Ein Prisma entlang z mit einem gleichseitigen Dreieck in der xy-Ebene, eine Ecke oben.</translation>
+    </message>
+    <message>
+        <source>A pyramid with a square base at y = 0.</source>
+        <translation>Eine Pyramide mit quadratischer Grundfläche bei y = 0.</translation>
     </message>
     <message>
         <source>A quarter of a pixel is wider, and is used instead.</source>
@@ -1772,36 +1732,20 @@ Zeiten nach: %2.</translation>
         <translation>ein Bereich sind zwei Zahlen, die kleinere zuerst: [0, 1]</translation>
     </message>
     <message>
-        <source>A rectangle in the xy plane, endless along z: to extrude or revolve.</source>
-        <translation>Ein Rechteck in der xy-Ebene, entlang z ohne Ende: zum Extrudieren oder Drehen.</translation>
+        <source>A rectangle in the xy plane, infinite along z; use it in extrude or revolve.</source>
+        <translation>Ein Rechteck in der xy-Ebene, unendlich entlang z; zum Strecken (extrude) oder Drehen (revolve).</translation>
     </message>
     <message>
-        <source>A rectangle that shines to one side.</source>
-        <translation>Ein Rechteck, das nach einer Seite scheint.</translation>
+        <source>A rectangular light that shines to one side.</source>
+        <translation>Ein rechteckiges Licht, das zu einer Seite scheint.</translation>
     </message>
     <message>
-        <source>A regular hexagon in the xy plane, flat sides up and down, drawn out along z.</source>
-        <translation>Ein regelmäßiges Sechseck in der xy-Ebene, flache Seiten oben und unten, entlang z ausgezogen.</translation>
-    </message>
-    <message>
-        <source>A regular octahedron, corners on the axes.</source>
-        <translation>Ein regelmäßiges Oktaeder, Ecken auf den Achsen.</translation>
-    </message>
-    <message>
-        <source>A rhombus in the xz plane, drawn out along y.</source>
-        <translation>Eine Raute in der xz-Ebene, entlang y ausgezogen.</translation>
-    </message>
-    <message>
-        <source>A ring around the y axis.</source>
-        <translation>Ein Ring um die y-Achse.</translation>
+        <source>A regular octahedron with its corners on the axes.</source>
+        <translation>Ein regelmäßiges Oktaeder mit den Ecken auf den Achsen.</translation>
     </message>
     <message>
         <source>A row of accuracy cannot move: it says what a picture costs, and sizes what it is made of.</source>
         <translation>Eine Zeile für Genauigkeit kann sich nicht bewegen: Sie sagt, was ein Bild kostet, und bemisst, woraus es gemacht wird.</translation>
-    </message>
-    <message>
-        <source>A scene file of this folder or below it.</source>
-        <translation>Eine Szenendatei dieses Ordners oder darunter.</translation>
     </message>
     <message>
         <source>a scene in which nothing moves</source>
@@ -1810,11 +1754,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A scene of more than 1 MB is not edited here; change its file.</source>
         <translation>Eine Szene von mehr als 1 MB wird hier nicht bearbeitet; ändern Sie ihre Datei.</translation>
-    </message>
-    <message>
-        <source>A scene of shapes, as JSON: assets/scenes/scene.schema.json says what may stand in it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eine Formenszene als JSON: assets/scenes/scene.schema.json sagt, was darin stehen kann.</translation>
     </message>
     <message>
         <source>A scene of shapes. A number may be an expression of t, the time in seconds, and of the parameters.</source>
@@ -1841,6 +1780,10 @@ Zeiten nach: %2.</translation>
         <translation>Eine Form wird keine Operation; packen Sie sie in „{1}“ ein.</translation>
     </message>
     <message>
+        <source>A shape between the first child and the second.</source>
+        <translation>Eine Form zwischen dem ersten und dem zweiten Kind.</translation>
+    </message>
+    <message>
         <source>A shape holds no other node; delete the operation, or take it away from around its child.</source>
         <translation>Eine Form enthält keinen anderen Knoten; löschen Sie die Operation, oder nehmen Sie sie um ihr Kind herum weg.</translation>
     </message>
@@ -1853,21 +1796,33 @@ Zeiten nach: %2.</translation>
         <translation>Ein Blatt zum Drucken und Auflegen der Linsen: Linsenabstand, Phase, Zahl der Ansichten, Drehung.</translation>
     </message>
     <message>
-        <source>A sheet with four corners, in order around it.</source>
-        <translation>Ein Blatt mit vier Ecken, der Reihe nach ringsum.</translation>
-    </message>
-    <message>
-        <source>A sheet with three corners.</source>
-        <translation>Ein Blatt mit drei Ecken.</translation>
-    </message>
-    <message>
-        <source>A slider that expressions name.</source>
-        <translation>Ein Regler, den Ausdrücke nennen.</translation>
+        <source>A shell around the child's surface, hollow inside.</source>
+        <translation>Eine Wand um die Oberfläche des Kindes, innen hohl.</translation>
     </message>
     <message>
         <source>A small isle, the bare scene that the source tests with, or bars of one and two pixels.</source>
         <extracomment>tables</extracomment>
         <translation>Eine kleine Insel, die nackte Szene, mit der das Original prüft, oder Stäbe von ein und zwei Pixeln.</translation>
+    </message>
+    <message>
+        <source>A solid sphere around the origin.</source>
+        <translation>Eine Kugel um den Ursprung.</translation>
+    </message>
+    <message>
+        <source>A sphere cut off above a plane.</source>
+        <translation>Eine Kugel, oberhalb einer Ebene abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>A sphere sector: the part of a sphere within a cone around +y.</source>
+        <translation>Ein Kugelsektor: der Teil einer Kugel in einem Kegel um +y.</translation>
+    </message>
+    <message>
+        <source>A sphere with a spherical dent, cut by another sphere above it.</source>
+        <translation>Eine Kugel mit einer kugelförmigen Delle, geschnitten von einer anderen Kugel darüber.</translation>
+    </message>
+    <message>
+        <source>A spindle with sharp tips at start and end.</source>
+        <translation>Eine Spindel mit scharfen Spitzen an Anfang und Ende.</translation>
     </message>
     <message>
         <source>A sprite sheet takes at least one frame.</source>
@@ -1934,6 +1889,14 @@ Zeiten nach: %2.</translation>
         <translation>Eine Textur von {1} wiederholt sich entlang u anders als entlang v; beides geschieht wie bei u.</translation>
     </message>
     <message>
+        <source>A thin sheet with four corners, in order around it.</source>
+        <translation>Ein dünnes Blatt mit vier Ecken, der Reihe nach ringsum.</translation>
+    </message>
+    <message>
+        <source>A thin sheet with three corners.</source>
+        <translation>Ein dünnes Blatt mit drei Ecken.</translation>
+    </message>
+    <message>
         <source>A third sheet with depth: near is white.</source>
         <translation>Ein drittes Blatt mit Tiefe: Nah ist weiß.</translation>
     </message>
@@ -1944,6 +1907,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a tile does not show the whole sky</source>
         <translation>eine Kachel zeigt nicht den ganzen Himmel</translation>
+    </message>
+    <message>
+        <source>A torus (ring) around the y axis.</source>
+        <translation>Ein Torus (Ring) um die y-Achse.</translation>
     </message>
     <message>
         <source>a tour is a JSON object; choose a tour of Vitrine.</source>
@@ -1958,8 +1925,16 @@ Zeiten nach: %2.</translation>
         <translation>ein transparenter Hintergrund ist verlangt</translation>
     </message>
     <message>
-        <source>A triangle in the xy plane, a corner up, endless along z: to extrude or revolve.</source>
-        <translation>Ein Dreieck in der xy-Ebene, eine Ecke oben, entlang z ohne Ende: zum Extrudieren oder Drehen.</translation>
+        <source>A triangle in the xy plane with a corner up, infinite along z; use it in extrude or revolve.</source>
+        <translation>Ein Dreieck in der xy-Ebene, eine Ecke oben, unendlich entlang z; zum Strecken (extrude) oder Drehen (revolve).</translation>
+    </message>
+    <message>
+        <source>A truncated cone around the y axis.</source>
+        <translation>Ein Kegelstumpf um die y-Achse.</translation>
+    </message>
+    <message>
+        <source>A truncated cone from start to end.</source>
+        <translation>Ein Kegelstumpf von Anfang bis Ende.</translation>
     </message>
     <message>
         <source>A up to %1 %</source>
@@ -1996,10 +1971,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a visitor's model</source>
         <translation>ein Modell des Besuchers</translation>
-    </message>
-    <message>
-        <source>A wall around the surface, hollow inside.</source>
-        <translation>Eine Wand um die Oberfläche, innen hohl.</translation>
     </message>
     <message>
         <source>a whole number from 0 to 2147483647</source>
@@ -2056,16 +2027,8 @@ Zeiten nach: %2.</translation>
         <translation>Über das Tastenkürzel</translation>
     </message>
     <message>
-        <source>About the y axis.</source>
-        <translation>Um die y-Achse.</translation>
-    </message>
-    <message>
         <source>About Vitrine</source>
         <translation>Über Vitrine</translation>
-    </message>
-    <message>
-        <source>About z, then y, then x.</source>
-        <translation>Um z, dann y, dann x.</translation>
     </message>
     <message>
         <source>above</source>
@@ -2074,10 +2037,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Above the clouds</source>
         <translation>Über den Wolken</translation>
-    </message>
-    <message>
-        <source>Above, linear.</source>
-        <translation>Oben, linear.</translation>
     </message>
     <message>
         <source>Absorption of sunlight on its way into the coat: 0 casts no shadow on the fur, high darkens it quickly.</source>
@@ -2096,18 +2055,6 @@ Zeiten nach: %2.</translation>
         <source>Accuracy</source>
         <extracomment>tables</extracomment>
         <translation>Genauigkeit</translation>
-    </message>
-    <message>
-        <source>Across the plane x = 0.</source>
-        <translation>Über die Ebene x = 0 hinweg.</translation>
-    </message>
-    <message>
-        <source>Across the plane y = 0.</source>
-        <translation>Über die Ebene y = 0 hinweg.</translation>
-    </message>
-    <message>
-        <source>Across the plane z = 0.</source>
-        <translation>Über die Ebene z = 0 hinweg.</translation>
     </message>
     <message>
         <source>Add</source>
@@ -2192,10 +2139,6 @@ Zeiten nach: %2.</translation>
         </translation>
     </message>
     <message>
-        <source>All children together.</source>
-        <translation>Alle Kinder zusammen.</translation>
-    </message>
-    <message>
         <source>All colors are shown in its place.</source>
         <translation>An ihrer Stelle werden alle Farben gezeigt.</translation>
     </message>
@@ -2236,10 +2179,6 @@ Zeiten nach: %2.</translation>
         <translation>Alle Werte sind Ausgangswerte.</translation>
     </message>
     <message>
-        <source>All within a radius of a line from start to end.</source>
-        <translation>Alles innerhalb eines Radius um eine Strecke vom Anfang zum Ende.</translation>
-    </message>
-    <message>
         <source>Allowed: %1</source>
         <translation>Erlaubt: %1</translation>
     </message>
@@ -2264,10 +2203,6 @@ Zeiten nach: %2.</translation>
         <translation>Entlang x</translation>
     </message>
     <message>
-        <source>Along x, y and z.</source>
-        <translation>Entlang x, y und z.</translation>
-    </message>
-    <message>
         <source>Along z</source>
         <translation>Entlang z</translation>
     </message>
@@ -2285,6 +2220,10 @@ Zeiten nach: %2.</translation>
         <source>Ambient</source>
         <extracomment>tables</extracomment>
         <translation>Umgebungslicht</translation>
+    </message>
+    <message>
+        <source>Ambient light, as linear values; only with Phong shading.</source>
+        <translation>Umgebungslicht, in linearen Werten; nur bei Phong-Beleuchtung.</translation>
     </message>
     <message>
         <source>Ambient occlusion</source>
@@ -2315,8 +2254,12 @@ Zeiten nach: %2.</translation>
         <translation>Amplitude</translation>
     </message>
     <message>
-        <source>An arc of a ring in the xy plane, around +y, with round ends.</source>
-        <translation>Ein Bogen eines Rings in der xy-Ebene, um +y, mit runden Enden.</translation>
+        <source>Amplitude of the first octave: 0 displaces nothing.</source>
+        <translation>Amplitude der ersten Oktave: 0 verschiebt nichts.</translation>
+    </message>
+    <message>
+        <source>An arc of a torus in the xy plane, centered at +y, with round ends.</source>
+        <translation>Ein Bogen eines Torus in der xy-Ebene, um +y, mit runden Enden.</translation>
     </message>
     <message>
         <source>an array</source>
@@ -2335,28 +2278,16 @@ Zeiten nach: %2.</translation>
         <translation>ein Array: [ ... ]</translation>
     </message>
     <message>
-        <source>An ellipsoid.</source>
-        <translation>Ein Ellipsoid.</translation>
+        <source>An ellipsoid around the origin.</source>
+        <translation>Ein Ellipsoid um den Ursprung.</translation>
     </message>
     <message>
         <source>an empty picture to start from</source>
         <translation>ein leeres Bild als Anfang</translation>
     </message>
     <message>
-        <source>An endless cone, its tip at the origin, opening downward.</source>
-        <translation>Ein Kegel ohne Ende, die Spitze im Ursprung, nach unten offen.</translation>
-    </message>
-    <message>
-        <source>An endless cylinder around the y axis.</source>
-        <translation>Ein Zylinder ohne Ende um die y-Achse.</translation>
-    </message>
-    <message>
         <source>an environment</source>
         <translation>eine Umgebung</translation>
-    </message>
-    <message>
-        <source>An equilateral triangle in the xy plane, a corner up, drawn out along z.</source>
-        <translation>Ein gleichseitiges Dreieck in der xy-Ebene, eine Ecke oben, entlang z ausgezogen.</translation>
     </message>
     <message>
         <source>an exhibit stands in the sun</source>
@@ -2369,6 +2300,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>an exhibit that is shown --alone</source>
         <translation>einem Exponat, das mit --alone gezeigt wird</translation>
+    </message>
+    <message>
+        <source>An infinite cone with its tip at the origin, opening downward.</source>
+        <translation>Ein unendlicher Kegel mit der Spitze im Ursprung, nach unten geöffnet.</translation>
+    </message>
+    <message>
+        <source>An infinite cylinder around the y axis.</source>
+        <translation>Ein unendlicher Zylinder um die y-Achse.</translation>
     </message>
     <message>
         <source>an object</source>
@@ -2412,12 +2351,37 @@ Zeiten nach: %2.</translation>
         <translation>Winkel um die Sonne, in dem der Himmel Strahlen gibt: 180° nutzt den ganzen Himmel.</translation>
     </message>
     <message>
+        <source>Angle between the axis and the side of the cone.</source>
+        <translation>Winkel zwischen der Achse und der Seite des Kegels.</translation>
+    </message>
+    <message>
+        <source>Angle between the axis and the side.</source>
+        <translation>Winkel zwischen der Achse und der Seite.</translation>
+    </message>
+    <message>
+        <source>Angle from +y to each end of the arc.</source>
+        <translation>Winkel von +y zu jedem Ende des Bogens.</translation>
+    </message>
+    <message>
         <source>Angle in which all views are seen once: about 30° for depth, 50° for flips.</source>
         <translation>Winkel, in dem alle Ansichten einmal zu sehen sind: etwa 30° für Tiefe, 50° für Wechselbilder.</translation>
     </message>
     <message>
         <source>Angle in which all views are seen once; beyond it they start again.</source>
         <translation>Winkel, in dem alle Ansichten einmal zu sehen sind; darüber hinaus beginnen sie von vorn.</translation>
+    </message>
+    <message>
+        <source>Angle of the bend per meter along x: 0 is straight.</source>
+        <translation>Winkel der Biegung je Meter entlang x: 0 ist gerade.</translation>
+    </message>
+    <message>
+        <source>Angle of the camera around its target.</source>
+        <extracomment>tables</extracomment>
+        <translation>Winkel der Kamera um ihr Ziel.</translation>
+    </message>
+    <message>
+        <source>Angle of the twist per meter of height: 0 is straight.</source>
+        <translation>Winkel der Verdrillung je Meter Höhe: 0 ist gerade.</translation>
     </message>
     <message>
         <source>Angle to either side at which the linear model reaches the outermost view.</source>
@@ -2433,6 +2397,10 @@ Zeiten nach: %2.</translation>
         <source>Angular diameter of the sun for the disk filter: large softens shadows. The real sun has about half a degree.</source>
         <extracomment>tables</extracomment>
         <translation>Winkeldurchmesser der Sonne für den Scheibenfilter: Große Werte machen Schatten weich. Die wirkliche Sonne misst etwa ein halbes Grad.</translation>
+    </message>
+    <message>
+        <source>Angular diameter of the sun.</source>
+        <translation>Winkeldurchmesser der Sonne.</translation>
     </message>
     <message>
         <source>Angular diameter of the sun: wide gives soft shadows. The real sun has half a degree.</source>
@@ -2537,24 +2505,12 @@ Zeiten nach: %2.</translation>
         <translation>Um den Fuß herum, gleichmäßig an seiner Seite hinauf.</translation>
     </message>
     <message>
-        <source>Around the line.</source>
-        <translation>Um die Strecke.</translation>
-    </message>
-    <message>
-        <source>Around, linear.</source>
-        <translation>Ringsum, linear.</translation>
-    </message>
-    <message>
         <source>Arrows go from one to another, Enter makes it the look.</source>
         <translation>Pfeiltasten gehen von einer zur anderen, Eingabe macht sie zum Aussehen.</translation>
     </message>
     <message>
         <source>Arrows go from point to point, Enter applies one.</source>
         <translation>Pfeiltasten gehen von Punkt zu Punkt, Eingabe wendet einen an.</translation>
-    </message>
-    <message>
-        <source>as around it</source>
-        <translation>wie ringsum</translation>
     </message>
     <message>
         <source>as at present</source>
@@ -2705,24 +2661,8 @@ Zeiten nach: %2.</translation>
         <translation>in Ruhe seit {1}</translation>
     </message>
     <message>
-        <source>At the end.</source>
-        <translation>Am Ende.</translation>
-    </message>
-    <message>
-        <source>At the lower end.</source>
-        <translation>Am unteren Ende.</translation>
-    </message>
-    <message>
         <source>At the start</source>
         <translation>Am Anfang</translation>
-    </message>
-    <message>
-        <source>At the start.</source>
-        <translation>Am Anfang.</translation>
-    </message>
-    <message>
-        <source>At the upper end.</source>
-        <translation>Am oberen Ende.</translation>
     </message>
     <message>
         <source>auto</source>
@@ -2957,14 +2897,6 @@ Zeiten nach: %2.</translation>
         <translation>von unten</translation>
     </message>
     <message>
-        <source>Below it is inside: -1 nothing, 1 all.</source>
-        <translation>Was darunter liegt, ist innen: -1 nichts, 1 alles.</translation>
-    </message>
-    <message>
-        <source>Below, linear.</source>
-        <translation>Unten, linear.</translation>
-    </message>
-    <message>
         <source>Beside</source>
         <translation>Daneben</translation>
     </message>
@@ -2977,24 +2909,8 @@ Zeiten nach: %2.</translation>
         <translation>Bestes innerhalb von</translation>
     </message>
     <message>
-        <source>Between copies, along x, y and z; 0 repeats nothing there.</source>
-        <translation>Zwischen Kopien, entlang x, y und z; 0 wiederholt dort nichts.</translation>
-    </message>
-    <message>
         <source>Between four settings</source>
         <translation>Zwischen vier Einstellungen</translation>
-    </message>
-    <message>
-        <source>Between the axis and the side.</source>
-        <translation>Zwischen der Achse und der Seite.</translation>
-    </message>
-    <message>
-        <source>Between the first child and the second.</source>
-        <translation>Zwischen dem ersten Kind und dem zweiten.</translation>
-    </message>
-    <message>
-        <source>Between their centers.</source>
-        <translation>Zwischen ihren Mittelpunkten.</translation>
     </message>
     <message>
         <source>Beyond the trim on every side; lenses and views go on there.</source>
@@ -3110,6 +3026,11 @@ Zeiten nach: %2.</translation>
         <translation>Spiegelungen</translation>
     </message>
     <message>
+        <source>Bounces of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Spiegelungen der rechten Hälfte.</translation>
+    </message>
+    <message>
         <source>Bound share</source>
         <extracomment>tables</extracomment>
         <translation>Anteil der Schranke</translation>
@@ -3169,6 +3090,11 @@ Zeiten nach: %2.</translation>
         <translation>Helligkeit der Strahlen: Jede Blende verdoppelt sie.</translation>
     </message>
     <message>
+        <source>Brightness of the whole picture, as a factor: 1 leaves it as it is.</source>
+        <extracomment>tables</extracomment>
+        <translation>Helligkeit des ganzen Bildes, als Faktor: 1 lässt es, wie es ist.</translation>
+    </message>
+    <message>
         <source>Brightness of the whole picture: each stop doubles it.</source>
         <extracomment>tables</extracomment>
         <translation>Helligkeit des ganzen Bildes: Jede Blende verdoppelt sie.</translation>
@@ -3214,10 +3140,6 @@ Zeiten nach: %2.</translation>
         <translation>Von Hand</translation>
     </message>
     <message>
-        <source>By how much.</source>
-        <translation>Um wie viel.</translation>
-    </message>
-    <message>
         <source>By which each octave's lattice is turned, so that no two lie along each other.</source>
         <extracomment>tables</extracomment>
         <translation>Um den das Gitter jeder Oktave gedreht wird, sodass keine zwei aneinander liegen.</translation>
@@ -3246,6 +3168,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>camera</source>
         <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Camera from which the scene is seen.</source>
+        <translation>Kamera, von der aus die Szene gesehen wird.</translation>
     </message>
     <message>
         <source>Camera moves</source>
@@ -3909,6 +3835,10 @@ Zeiten nach: %2.</translation>
         <translation>Kann nicht geöffnet werden</translation>
     </message>
     <message>
+        <source>Cannot change the value: the node no longer has it. Select another node.</source>
+        <translation>Der Wert kann nicht geändert werden: Der Knoten hat ihn nicht mehr. Bitte einen anderen Knoten wählen.</translation>
+    </message>
+    <message>
         <source>Cannot change {1}: it is part of Vitrine; save a copy under another name.</source>
         <translation>{=1} kann nicht geändert werden: Es gehört zu Vitrine; speichern Sie eine Kopie unter einem anderen Namen.</translation>
     </message>
@@ -4080,10 +4010,6 @@ Zeiten nach: %2.</translation>
         <source>Cells around a place whose flames light it.</source>
         <extracomment>tables</extracomment>
         <translation>Zellen um einen Ort, deren Flammen ihn beleuchten.</translation>
-    </message>
-    <message>
-        <source>Cells for each meter.</source>
-        <translation>Zellen pro Meter.</translation>
     </message>
     <message>
         <source>Cells of the first octave in a meter.</source>
@@ -4423,6 +4349,18 @@ Zeiten nach: %2.</translation>
         <translation>Farbe</translation>
     </message>
     <message>
+        <source>Color above, as linear values.</source>
+        <translation>Farbe oben, in linearen Werten.</translation>
+    </message>
+    <message>
+        <source>Color at the horizon, as linear values.</source>
+        <translation>Farbe am Horizont, in linearen Werten.</translation>
+    </message>
+    <message>
+        <source>Color below, as linear values.</source>
+        <translation>Farbe unten, in linearen Werten.</translation>
+    </message>
+    <message>
         <source>Color by</source>
         <extracomment>tables</extracomment>
         <translation>Färben nach</translation>
@@ -4468,14 +4406,13 @@ Zeiten nach: %2.</translation>
         <translation>Farbtemperatur des Sonnenlichts: Niedrige Werte sind das Rot des Abends, hohe sind bläulich.</translation>
     </message>
     <message>
-        <source>Color the scene by what it cost, or by what was found.</source>
-        <extracomment>tables</extracomment>
-        <translation>Färbt die Szene nach dem, was sie gekostet hat, oder nach dem, was gefunden wurde.</translation>
-    </message>
-    <message>
         <source>Color variation</source>
         <extracomment>tables</extracomment>
         <translation>Farbstreuung</translation>
+    </message>
+    <message>
+        <source>Color, as linear values.</source>
+        <translation>Farbe, in linearen Werten.</translation>
     </message>
     <message>
         <source>Colored outline</source>
@@ -4614,10 +4551,6 @@ Zeiten nach: %2.</translation>
         <translation>Compute</translation>
     </message>
     <message>
-        <source>Computed: {1}. A slider puts a number in its place.</source>
-        <translation>Berechnet: {=1}. Ein Regler setzt eine Zahl an die Stelle.</translation>
-    </message>
-    <message>
         <source>Cone prepass</source>
         <extracomment>tables</extracomment>
         <translation>Kegel-Vorlauf</translation>
@@ -4682,12 +4615,12 @@ Zeiten nach: %2.</translation>
         <translation>Kopiert eine Preset-Datei zu Ihren eigenen.</translation>
     </message>
     <message>
-        <source>Copies along the axes, around the origin.</source>
-        <translation>Kopien entlang der Achsen, um den Ursprung.</translation>
+        <source>Copies of the child around the y axis; the first is the child itself.</source>
+        <translation>Kopien des Kindes um die y-Achse; die erste ist das Kind selbst.</translation>
     </message>
     <message>
-        <source>Copies around the y axis, the first where the child is.</source>
-        <translation>Kopien um die y-Achse, die erste, wo das Kind ist.</translation>
+        <source>Copies of the child on a grid around the origin.</source>
+        <translation>Kopien des Kindes auf einem Gitter um den Ursprung.</translation>
     </message>
     <message>
         <source>Copies points and differences as a table (CSV).</source>
@@ -4752,6 +4685,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Copy from B: %1</source>
         <translation>Von B übernehmen: %1</translation>
+    </message>
+    <message>
+        <source>Copy of a node under &quot;nodes&quot;.</source>
+        <translation>Kopie eines Knotens unter „nodes“.</translation>
     </message>
     <message>
         <source>Copy the measurements</source>
@@ -4884,6 +4821,10 @@ Zeiten nach: %2.</translation>
         <translation>Strg und Pfeiltasten</translation>
     </message>
     <message>
+        <source>Cube map of six square pictures.</source>
+        <translation>Würfelkarte aus sechs quadratischen Bildern.</translation>
+    </message>
+    <message>
         <source>cube map of the source</source>
         <translation>Würfelbild des Originals</translation>
     </message>
@@ -4920,10 +4861,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Cut</source>
         <translation>Schnitt</translation>
-    </message>
-    <message>
-        <source>Cut at the origin and drawn apart along the axes.</source>
-        <translation>Am Ursprung zerschnitten und entlang der Achsen auseinandergezogen.</translation>
     </message>
     <message>
         <source>Cut off the empty rows and columns around each frame.</source>
@@ -5092,12 +5029,8 @@ Zeiten nach: %2.</translation>
         <translation>Beschreibung</translation>
     </message>
     <message>
-        <source>Diagonal along x.</source>
-        <translation>Diagonale entlang x.</translation>
-    </message>
-    <message>
-        <source>Diagonal along z.</source>
-        <translation>Diagonale entlang z.</translation>
+        <source>Description to display.</source>
+        <translation>Angezeigte Beschreibung.</translation>
     </message>
     <message>
         <source>Diameter of the tube of the handle.</source>
@@ -5107,6 +5040,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Difference</source>
         <translation>Unterschied</translation>
+    </message>
+    <message>
+        <source>Difference: the first child without the others.</source>
+        <translation>Differenz: das erste Kind ohne die anderen.</translation>
     </message>
     <message>
         <source>differences</source>
@@ -5138,9 +5075,21 @@ Zeiten nach: %2.</translation>
         <translation>Richtung, in die der Staub streut: 0 nach allen Seiten, positive Werte nach vorn mit Leuchten zur Sonne hin, negative zurück.</translation>
     </message>
     <message>
+        <source>Direction in which the light shines.</source>
+        <translation>Richtung, in die das Licht scheint.</translation>
+    </message>
+    <message>
         <source>Direction of the lenses: vertical lenses change when you move sideways, horizontal ones when you move up or down.</source>
         <extracomment>tables</extracomment>
         <translation>Richtung der Linsen: Senkrechte wechseln bei seitlicher Bewegung, waagerechte bei Bewegung auf und ab.</translation>
+    </message>
+    <message>
+        <source>Direction that points up in the picture.</source>
+        <translation>Richtung, die im Bild nach oben zeigt.</translation>
+    </message>
+    <message>
+        <source>Direction to the sun.</source>
+        <translation>Richtung zur Sonne.</translation>
     </message>
     <message>
         <source>Directions</source>
@@ -5228,9 +5177,26 @@ Zeiten nach: %2.</translation>
         <translation>Entfernungsabfall</translation>
     </message>
     <message>
+        <source>Distance between copies along x, y and z; 0 does not repeat along that axis.</source>
+        <translation>Abstand der Kopien entlang x, y und z; 0 wiederholt entlang dieser Achse nicht.</translation>
+    </message>
+    <message>
         <source>Distance between the eyes.</source>
         <extracomment>tables</extracomment>
         <translation>Abstand zwischen den Augen.</translation>
+    </message>
+    <message>
+        <source>Distance between the two centers.</source>
+        <translation>Abstand der beiden Mittelpunkte.</translation>
+    </message>
+    <message>
+        <source>Distance beyond which shapes cause no ambient occlusion; the reference has no such limit.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand, ab dem Formen keine Umgebungsverdeckung bewirken; das Original kennt keine solche Grenze.</translation>
+    </message>
+    <message>
+        <source>Distance by which the cross-section is first moved away from the axis.</source>
+        <translation>Strecke, um die der Querschnitt zuvor von der Achse weggerückt wird.</translation>
     </message>
     <message>
         <source>Distance by which the tips hang down at rest, in strand lengths.</source>
@@ -5243,8 +5209,20 @@ Zeiten nach: %2.</translation>
         <translation>Strecke, um die die Spitzen in bewegter Luft nachwehen, in Haarlängen je Meter pro Sekunde.</translation>
     </message>
     <message>
+        <source>Distance from the center to a corner.</source>
+        <translation>Abstand vom Mittelpunkt zu einer Ecke.</translation>
+    </message>
+    <message>
+        <source>Distance from the center to a side.</source>
+        <translation>Abstand vom Mittelpunkt zu einer Seite.</translation>
+    </message>
+    <message>
         <source>Distance in the scene that will lie in the print's plane; 0 is what the camera looks at.</source>
         <translation>Entfernung in der Szene, die in der Ebene des Drucks liegen wird; 0 ist das, worauf die Kamera schaut.</translation>
+    </message>
+    <message>
+        <source>Distance of the plane from the origin along the normal.</source>
+        <translation>Abstand der Ebene vom Ursprung entlang der Normalen.</translation>
     </message>
     <message>
         <source>Distance of the sun outside the picture at which its rays have faded, in half picture sizes.</source>
@@ -5270,11 +5248,6 @@ Zeiten nach: %2.</translation>
         <source>Divide the picture in two halves, each with a method and a view of its own.</source>
         <extracomment>tables</extracomment>
         <translation>Teilt das Bild in zwei Hälften, jede mit eigenem Verfahren und eigener Ansicht.</translation>
-    </message>
-    <message>
-        <source>Divide the picture in two halves, the right one with settings of its own.</source>
-        <extracomment>tables</extracomment>
-        <translation>Teilt das Bild in zwei Hälften, die rechte mit eigenen Einstellungen.</translation>
     </message>
     <message>
         <source>Divider</source>
@@ -5471,10 +5444,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Randblende</translation>
     </message>
     <message>
-        <source>Edge of the base.</source>
-        <translation>Kante der Grundfläche.</translation>
-    </message>
-    <message>
         <source>edge of the zone</source>
         <translation>Rand der Zone</translation>
     </message>
@@ -5525,6 +5494,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Leuchten</translation>
     </message>
     <message>
+        <source>Emitted light, as a multiple of the color.</source>
+        <translation>Ausgestrahltes Licht, als Vielfaches der Farbe.</translation>
+    </message>
+    <message>
         <source>Empties all nine.</source>
         <translation>Leert alle neun.</translation>
     </message>
@@ -5535,6 +5508,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>End</source>
         <translation>Ende</translation>
+    </message>
+    <message>
+        <source>End of the segment.</source>
+        <translation>Ende der Strecke.</translation>
     </message>
     <message>
         <source>End radius</source>
@@ -5629,6 +5606,16 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Auswertung</translation>
     </message>
     <message>
+        <source>Evaluation of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auswertung der rechten Hälfte.</translation>
+    </message>
+    <message>
+        <source>Evaluation of the scene in the shader: only the shapes near a point, every shape, the numbers compiled in, lists for this scene, or an interpreter for all scenes.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auswertung der Szene im Shader: nur die Formen nahe einem Punkt, jede Form, mit eingerechneten Zahlen, Listen für diese Szene oder ein Interpreter für alle.</translation>
+    </message>
+    <message>
         <source>evaluations</source>
         <extracomment>tables</extracomment>
         <translation>Auswertungen</translation>
@@ -5660,10 +5647,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Jedes Texel durch eine ganze Zahl von Pixeln, oder beliebig, mit über ein Pixel geglätteten Grenzen.</translation>
     </message>
     <message>
-        <source>Everything below a plane.</source>
-        <translation>Alles unter einer Ebene.</translation>
-    </message>
-    <message>
         <source>everything exact, {1}</source>
         <translation>alles exakt, {1}</translation>
     </message>
@@ -5678,6 +5661,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Everything that is set here, as JSON.</source>
         <translation>Alles, was hier eingestellt ist, als JSON.</translation>
+    </message>
+    <message>
+        <source>Everything where smooth noise is below a level; infinite.</source>
+        <translation>Alles, wo glattes Rauschen unter einer Schwelle liegt; unendlich.</translation>
     </message>
     <message>
         <source>exact</source>
@@ -5695,6 +5682,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Exaggeration</source>
         <extracomment>tables</extracomment>
         <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Exclusive or: everything that is in an odd number of children.</source>
+        <translation>Exklusives Oder: alles, was in einer ungeraden Zahl von Kindern liegt.</translation>
     </message>
     <message>
         <source>Exhibit: %1</source>
@@ -5716,6 +5707,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Explore</source>
         <translation>Erkunden</translation>
+    </message>
+    <message>
+        <source>Exponent of the highlight: high makes it narrow.</source>
+        <translation>Exponent des Glanzlichts: Hohe Werte machen es schmal.</translation>
     </message>
     <message>
         <source>Export</source>
@@ -5767,6 +5762,14 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Belichtung</translation>
     </message>
     <message>
+        <source>Exposure, as a factor of all light; not with Phong shading.</source>
+        <translation>Belichtung, als Faktor allen Lichts; nicht bei Phong-Beleuchtung.</translation>
+    </message>
+    <message>
+        <source>Expressions: {1}. Moving a slider replaces the expression by a number.</source>
+        <translation>Ausdrücke: {1}. Ein Regler ersetzt den Ausdruck durch eine Zahl.</translation>
+    </message>
+    <message>
         <source>Eye distance</source>
         <extracomment>tables</extracomment>
         <translation>Augenentfernung</translation>
@@ -5814,6 +5817,14 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>facets are averaged</source>
         <translation>Facetten werden gemittelt</translation>
+    </message>
+    <message>
+        <source>Factor k of the reference's soft shadows: low is soft, high is sharp, 0 is hard.</source>
+        <translation>Faktor k der weichen Schatten des Originals: Niedrige Werte sind weich, hohe scharf, 0 ist hart.</translation>
+    </message>
+    <message>
+        <source>Factor of the brightness.</source>
+        <translation>Faktor der Helligkeit.</translation>
     </message>
     <message>
         <source>Factor of the fixed relaxation: 1 is none, higher takes longer steps and has to take back more of them.</source>
@@ -5939,10 +5950,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Fine, 75 lenses an inch</source>
         <translation>Fein, 75 Linsen je Zoll</translation>
-    </message>
-    <message>
-        <source>Finer noises that are added.</source>
-        <translation>Feinere Rauschen, die addiert werden.</translation>
     </message>
     <message>
         <source>finished</source>
@@ -6121,10 +6128,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Fuß oben</translation>
     </message>
     <message>
-        <source>For each meter.</source>
-        <translation>Pro Meter.</translation>
-    </message>
-    <message>
         <source>For every view, from left to right: how much of the light at its own angle comes from other views.
 Optics, printed dots, and ink that spreads as far as is set.</source>
         <translation>Für jede Ansicht, von links nach rechts: wie viel des Lichts unter ihrem eigenen Winkel von anderen Ansichten kommt.
@@ -6133,10 +6136,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>For no distance in particular: strips lie exactly at lens pitch.</source>
         <translation>Für keinen bestimmten Abstand: Streifen liegen genau im Linsenabstand.</translation>
-    </message>
-    <message>
-        <source>For people.</source>
-        <translation>Für Menschen.</translation>
     </message>
     <message>
         <source>For printing on the sheet's back.</source>
@@ -6263,12 +6262,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Frequenz des Schmelzens, zur Tasse und zurück.</translation>
     </message>
     <message>
-        <source>From</source>
-        <translation>Von</translation>
+        <source>Frequency of the noise, in cells per meter.</source>
+        <translation>Frequenz des Rauschens, in Zellen pro Meter.</translation>
     </message>
     <message>
-        <source>From +y to each end.</source>
-        <translation>Von +y zu jedem Ende.</translation>
+        <source>From</source>
+        <translation>Von</translation>
     </message>
     <message>
         <source>From a print that Vitrine made, or a .json. Dropping one here works too.</source>
@@ -6277,10 +6276,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>From A to B</source>
         <translation>Von A nach B</translation>
-    </message>
-    <message>
-        <source>From end to end.</source>
-        <translation>Von Ende zu Ende.</translation>
     </message>
     <message>
         <source>From how many sides it is drawn, evenly.</source>
@@ -6295,24 +6290,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>aus der Nähe, später</translation>
     </message>
     <message>
-        <source>From the axis.</source>
-        <translation>Von der Achse.</translation>
-    </message>
-    <message>
-        <source>From the center to a corner.</source>
-        <translation>Vom Mittelpunkt zu einer Ecke.</translation>
-    </message>
-    <message>
-        <source>From the center to a side.</source>
-        <translation>Vom Mittelpunkt zu einer Seite.</translation>
-    </message>
-    <message>
-        <source>From the center.</source>
-        <translation>Vom Mittelpunkt.</translation>
-    </message>
-    <message>
-        <source>From the lower to the upper edge.</source>
-        <translation>Vom unteren zum oberen Rand.</translation>
+        <source>from parent</source>
+        <translation>vom Elternknoten</translation>
     </message>
     <message>
         <source>From the middle; of the orthographic camera, where its view begins.</source>
@@ -6330,10 +6309,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>from the zone</source>
         <translation>aus der Zone</translation>
-    </message>
-    <message>
-        <source>From where the scene is seen.</source>
-        <translation>Von wo die Szene gesehen wird.</translation>
     </message>
     <message>
         <source>From where to where it reaches, and in brackets what the print holds of it, from the camera.</source>
@@ -6551,6 +6526,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Gradient</translation>
     </message>
     <message>
+        <source>Gradient of three colors from the ground up.</source>
+        <translation>Verlauf aus drei Farben vom Boden aufwärts.</translation>
+    </message>
+    <message>
         <source>Grass</source>
         <translation>Gras</translation>
     </message>
@@ -6577,10 +6556,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Growing</source>
         <extracomment>tables</extracomment>
         <translation>Wachsen</translation>
-    </message>
-    <message>
-        <source>Grown, with round edges.</source>
-        <translation>Gewachsen, mit runden Kanten.</translation>
     </message>
     <message>
         <source>Growth</source>
@@ -6727,9 +6702,25 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe</translation>
     </message>
     <message>
+        <source>Height along y.</source>
+        <translation>Höhe entlang y.</translation>
+    </message>
+    <message>
+        <source>Height from end to end.</source>
+        <translation>Höhe von Ende zu Ende.</translation>
+    </message>
+    <message>
         <source>Height of its own sun above the horizon.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe der eigenen Sonne über dem Horizont.</translation>
+    </message>
+    <message>
+        <source>Height of the center of the upper sphere.</source>
+        <translation>Höhe des Mittelpunkts der oberen Kugel.</translation>
+    </message>
+    <message>
+        <source>Height of the cutting plane.</source>
+        <translation>Höhe der Schnittebene.</translation>
     </message>
     <message>
         <source>Height of the lower ring.</source>
@@ -6752,10 +6743,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe des Bildes in der Mitte: Niedrige Werte sind nah.</translation>
     </message>
     <message>
-        <source>Height of the plane.</source>
-        <translation>Höhe der Ebene.</translation>
-    </message>
-    <message>
         <source>Height of the rim.</source>
         <translation>Höhe des Rands.</translation>
     </message>
@@ -6763,6 +6750,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe der Sonne über dem Horizont: Niedrige Werte reichen weit in die Halle, hohe beleuchten den Fuß des Fensters.</translation>
+    </message>
+    <message>
+        <source>Height of the tip.</source>
+        <translation>Höhe der Spitze.</translation>
     </message>
     <message>
         <source>heights</source>
@@ -6776,6 +6767,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>heldAt={1}: give a number of seconds.</source>
         <translation>heldAt={=1}: Geben Sie eine Zahl von Sekunden an.</translation>
+    </message>
+    <message>
+        <source>Help text of one sentence.</source>
+        <translation>Hilfetext aus einem Satz.</translation>
     </message>
     <message>
         <source>hemisphere</source>
@@ -6849,6 +6844,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Treffertoleranz</translation>
     </message>
     <message>
+        <source>Hit tolerance of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Treffertoleranz der rechten Hälfte.</translation>
+    </message>
+    <message>
         <source>Hold</source>
         <translation>Ruhezeit</translation>
     </message>
@@ -6900,10 +6900,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How a printed dot chooses among the views under it: the one at its middle, all by area, or by area with blended strip edges.</source>
         <translation>Wie ein Druckpunkt unter den Ansichten unter ihm wählt: die in seiner Mitte, alle nach Fläche, oder nach Fläche mit weichen Streifenrändern.</translation>
-    </message>
-    <message>
-        <source>How bright it looks, linear.</source>
-        <translation>Wie hell es erscheint, linear.</translation>
     </message>
     <message>
         <source>How bright the flames are.</source>
@@ -6966,11 +6962,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit es auf und ab schwebt.</translation>
     </message>
     <message>
-        <source>How far it goes in a second.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit sie in einer Sekunde geht.</translation>
-    </message>
-    <message>
         <source>How far it is built up, as its author's slides go; each stage has all before it.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit es aufgebaut ist, nach den Folien seines Autors; jede Stufe hat alles davor.</translation>
@@ -6994,15 +6985,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How far papers differ in color: 0 not at all, 1 is a festival.</source>
         <extracomment>tables</extracomment>
         <translation>Wie sehr sich Papiere in der Farbe unterscheiden: 0 gar nicht, 1 ist ein Fest.</translation>
-    </message>
-    <message>
-        <source>How far the blend reaches; 0 is a hard edge.</source>
-        <translation>Wie weit die Verschmelzung reicht; 0 ist eine harte Kante.</translation>
-    </message>
-    <message>
-        <source>How far the camera has gone around what it looks at.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit die Kamera um das herumgegangen ist, was sie ansieht.</translation>
     </message>
     <message>
         <source>How far the scene may reach before and behind the print, together, without doubled contours.</source>
@@ -7044,11 +7026,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie hoch es liegt.</translation>
     </message>
     <message>
-        <source>How it is lit: by metal, glaze and glass in the light around them, or by Phong's formulas.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sie beleuchtet wird: durch Metall, Glasur und Glas im Licht ringsum, oder durch Phongs Formeln.</translation>
-    </message>
-    <message>
         <source>How it works</source>
         <translation>So funktioniert es</translation>
     </message>
@@ -7061,10 +7038,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How long each stage is shown.</source>
         <extracomment>tables</extracomment>
         <translation>Wie lange jede Stufe gezeigt wird.</translation>
-    </message>
-    <message>
-        <source>How many along x, y and z; 0 is without end.</source>
-        <translation>Wie viele entlang x, y und z; 0 ist ohne Ende.</translation>
     </message>
     <message>
         <source>How many are kept in File &gt; Open recent; 0 keeps none.</source>
@@ -7098,10 +7071,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie viele Ansichten gerendert oder gleichmäßig aus den Dateien genommen werden.</translation>
     </message>
     <message>
-        <source>How many.</source>
-        <translation>Wie viele.</translation>
-    </message>
-    <message>
         <source>How much a line takes a dark tone of what it borders, in place of its own color.</source>
         <extracomment>tables</extracomment>
         <translation>Wie sehr eine Linie statt ihrer eigenen Farbe einen dunklen Ton dessen annimmt, was sie begrenzt.</translation>
@@ -7126,15 +7095,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie viel näher ein Schritt des Mausrads an ein Exponat heranführt.</translation>
     </message>
     <message>
-        <source>How much of it.</source>
-        <translation>Wie viel davon.</translation>
-    </message>
-    <message>
-        <source>How much of the light around a point shapes keep away: up the normal, or by rays or cones around it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie viel vom Licht um einen Punkt Formen abhalten: entlang der Normalen, oder durch Strahlen oder Kegel ringsum.</translation>
-    </message>
-    <message>
         <source>How much of the sky the clouds fill.</source>
         <extracomment>tables</extracomment>
         <translation>Wie viel vom Himmel die Wolken füllen.</translation>
@@ -7145,27 +7105,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie sehr die Kamera einem Besucher folgt, der zur Seite geht: 1 wie ein Fenster.</translation>
     </message>
     <message>
-        <source>How narrow the highlight is.</source>
-        <translation>Wie schmal das Glanzlicht ist.</translation>
-    </message>
-    <message>
         <source>How near a part rays go on by small even steps until they touch, in pixels at that distance: more makes edges uneven.</source>
         <extracomment>tables</extracomment>
         <translation>Wie nah an einem Teil Strahlen in kleinen gleichen Schritten weitergehen, bis sie treffen, in Pixeln bei dieser Entfernung: Mehr macht Kanten ungleichmäßig.</translation>
     </message>
     <message>
-        <source>How near a ray must come to a surface, in half pixels at that distance.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie nah ein Strahl einer Oberfläche kommen muss, in halben Pixeln bei dieser Entfernung.</translation>
-    </message>
-    <message>
         <source>How near a ray must come to the field or the water, in pixels at that distance.</source>
         <extracomment>tables</extracomment>
         <translation>Wie nah ein Strahl dem Feld oder dem Wasser kommen muss, in Pixeln bei dieser Entfernung.</translation>
-    </message>
-    <message>
-        <source>How often a ray is reflected.</source>
-        <translation>Wie oft ein Strahl gespiegelt wird.</translation>
     </message>
     <message>
         <source>How often a ray may be mirrored by the water.</source>
@@ -7181,11 +7128,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How rays find what they show: by steps of half the field's value, of the height above the water, of one length through clouds, or by as much as bounds of the slope allow, with clear air passed quickly.</source>
         <extracomment>tables</extracomment>
         <translation>Wie Strahlen finden, was sie zeigen: in Schritten vom halben Wert des Felds, von der Höhe über dem Wasser, von einer Länge durch Wolken; oder von so viel, wie Schranken der Steigung erlauben, mit schnellem Weg durch klare Luft.</translation>
-    </message>
-    <message>
-        <source>How shapes shade each other: one ray, three kinds of estimate from one ray, or many rays.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie Formen einander beschatten: ein Strahl, drei Arten von Schätzung aus einem Strahl, oder viele Strahlen.</translation>
     </message>
     <message>
         <source>How softly posts and rings join.</source>
@@ -7207,14 +7149,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie die anderen Studien zur ersten stehen</translation>
     </message>
     <message>
-        <source>How the scene is lit.</source>
-        <translation>Wie die Szene beleuchtet ist.</translation>
-    </message>
-    <message>
-        <source>How the surfaces run into each other.</source>
-        <translation>Wie die Oberflächen ineinander übergehen.</translation>
-    </message>
-    <message>
         <source>How this works</source>
         <translation>So funktioniert das</translation>
     </message>
@@ -7227,10 +7161,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How warm its horizon is: of the sun that has set, or rises.</source>
         <extracomment>tables</extracomment>
         <translation>Wie warm sein Horizont ist: von der Sonne, die untergegangen ist oder aufgeht.</translation>
-    </message>
-    <message>
-        <source>How wide it looks.</source>
-        <translation>Wie groß es erscheint.</translation>
     </message>
     <message>
         <source>https://www.aseprite.org/docs/cli/#data (written by Vitrine)</source>
@@ -7272,10 +7202,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>In Dialogen und Menüs</translation>
     </message>
     <message>
-        <source>In linear light.</source>
-        <translation>In linearem Licht.</translation>
-    </message>
-    <message>
         <source>In mid-air</source>
         <translation>Mitten in der Luft</translation>
     </message>
@@ -7306,10 +7232,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>In reverse order the depth of rendered views is inside out.</source>
         <translation>In umgekehrter Reihenfolge kehrt sich die Tiefe gerenderter Ansichten um.</translation>
-    </message>
-    <message>
-        <source>In the middle; cut to half the length.</source>
-        <translation>In der Mitte; begrenzt auf die halbe Länge.</translation>
     </message>
     <message>
         <source>In the museum</source>
@@ -7418,6 +7340,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>interpreter</source>
         <extracomment>tables</extracomment>
         <translation>Interpreter</translation>
+    </message>
+    <message>
+        <source>Intersection: everything that all children share.</source>
+        <translation>Schnitt: alles, was allen Kindern gemeinsam ist.</translation>
     </message>
     <message>
         <source>Intersections</source>
@@ -7700,10 +7626,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>its block must be an object: {...}.</source>
         <translation>ihr Block muss ein Objekt sein: {...}.</translation>
-    </message>
-    <message>
-        <source>Its center.</source>
-        <translation>Sein Mittelpunkt.</translation>
     </message>
     <message>
         <source>its color channels lie too far apart among its others; save them alone</source>
@@ -8109,9 +8031,23 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höchstzahl der Zellen des Haargitters, die ein Strahl zwischen zwei Shells prüft, wo er das Fell streift.</translation>
     </message>
     <message>
+        <source>Largest number of reflections along a ray.</source>
+        <translation>Höchstzahl der Spiegelungen entlang eines Strahls.</translation>
+    </message>
+    <message>
+        <source>Largest number of reflections along a ray: 0 shows none. A scene may limit it further.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höchstzahl der Spiegelungen entlang eines Strahls: 0 zeigt keine. Eine Szene kann sie weiter begrenzen.</translation>
+    </message>
+    <message>
         <source>Largest number of steps of a ray; beyond it, the ray ends at the best candidate so far.</source>
         <extracomment>tables</extracomment>
         <translation>Höchstzahl der Schritte eines Strahls; danach endet er am bis dahin besten Kandidaten.</translation>
+    </message>
+    <message>
+        <source>Largest number of steps of a ray; towards a light at most 128.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höchstzahl der Schritte eines Strahls; zu einem Licht hin höchstens 128.</translation>
     </message>
     <message>
         <source>Late sun</source>
@@ -8173,16 +8109,40 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Aus dem Ordner {1} weggelassen, weil es keine Bilder in {2} sind: {3}.</translation>
     </message>
     <message>
-        <source>Left out.</source>
-        <translation>Weggelassen.</translation>
-    </message>
-    <message>
         <source>Left stick</source>
         <translation>Linker Stick</translation>
     </message>
     <message>
         <source>Length</source>
         <translation>Länge</translation>
+    </message>
+    <message>
+        <source>Length along x.</source>
+        <translation>Länge entlang x.</translation>
+    </message>
+    <message>
+        <source>Length along y.</source>
+        <translation>Länge entlang y.</translation>
+    </message>
+    <message>
+        <source>Length along z.</source>
+        <translation>Länge entlang z.</translation>
+    </message>
+    <message>
+        <source>Length of an edge of the base.</source>
+        <translation>Länge einer Kante der Grundfläche.</translation>
+    </message>
+    <message>
+        <source>Length of the diagonal along x.</source>
+        <translation>Länge der Diagonale entlang x.</translation>
+    </message>
+    <message>
+        <source>Length of the diagonal along z.</source>
+        <translation>Länge der Diagonale entlang z.</translation>
+    </message>
+    <message>
+        <source>Length of the first edge.</source>
+        <translation>Länge der ersten Kante.</translation>
     </message>
     <message>
         <source>Length of the longest strands of this coat: 0 leaves the bare skin.</source>
@@ -8200,9 +8160,29 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Länge der Rippen im Verhältnis zu ihrer Breite.</translation>
     </message>
     <message>
+        <source>Length of the second edge.</source>
+        <translation>Länge der zweiten Kante.</translation>
+    </message>
+    <message>
         <source>Length of the shortest strands as a share of the longest: at 0 they have no length, at 1 all are equally long, like a lawn.</source>
         <extracomment>tables</extracomment>
         <translation>Länge der kürzesten Haare als Anteil der längsten: Bei 0 haben sie keine, bei 1 sind alle gleich lang wie bei einem Rasen.</translation>
+    </message>
+    <message>
+        <source>Length of the straight parts.</source>
+        <translation>Länge der geraden Teile.</translation>
+    </message>
+    <message>
+        <source>Lengths inserted along x, y and z.</source>
+        <translation>Eingefügte Längen entlang x, y und z.</translation>
+    </message>
+    <message>
+        <source>Lengths of the edges along x, y and z.</source>
+        <translation>Längen der Kanten entlang x, y und z.</translation>
+    </message>
+    <message>
+        <source>Lengths of the outer sides along x, y and z.</source>
+        <translation>Längen der Außenseiten entlang x, y und z.</translation>
     </message>
     <message>
         <source>Lens</source>
@@ -8281,11 +8261,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lässt Dinge Schatten werfen.</translation>
     </message>
     <message>
-        <source>Let time run, in scenes in which something moves.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt die Zeit laufen, in Szenen, in denen sich etwas bewegt.</translation>
-    </message>
-    <message>
         <source>Let time run: the field drifts, waves roll, clouds sail.</source>
         <extracomment>tables</extracomment>
         <translation>Lässt die Zeit laufen: Das Feld treibt, Wellen rollen, Wolken segeln.</translation>
@@ -8352,10 +8327,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lichtzellen</translation>
     </message>
     <message>
-        <source>Light from everywhere, linear; only as in the source.</source>
-        <translation>Licht von überall, linear; nur wie im Original.</translation>
-    </message>
-    <message>
         <source>Light from everywhere, more of it from above.</source>
         <extracomment>tables</extracomment>
         <translation>Licht von überall, mehr davon von oben.</translation>
@@ -8365,10 +8336,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Licht aus einer Richtung.</translation>
     </message>
     <message>
-        <source>Light of its own: so many times its color.</source>
-        <translation>Eigenes Licht: so vielfach die Farbe.</translation>
-    </message>
-    <message>
         <source>Light of the day that is left in the sky.</source>
         <extracomment>tables</extracomment>
         <translation>Licht des Tages, das noch am Himmel ist.</translation>
@@ -8376,6 +8343,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>light on the strands that were found</source>
         <translation>Licht auf den gefundenen Haaren</translation>
+    </message>
+    <message>
+        <source>Light reflected by white at the camera's target, as linear values; with Phong shading, at any distance.</source>
+        <translation>Licht, das Weiß am Ziel der Kamera zurückwirft, in linearen Werten; bei Phong-Beleuchtung in jeder Entfernung.</translation>
+    </message>
+    <message>
+        <source>Light reflected by white that faces the sun, as linear values.</source>
+        <translation>Licht, das Weiß zurückwirft, das der Sonne zugewandt ist, in linearen Werten.</translation>
     </message>
     <message>
         <source>Light size</source>
@@ -8696,6 +8671,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Material des Objekts: Undurchsichtig spiegelt, Glas bricht außerdem an jeder Oberfläche.</translation>
     </message>
     <message>
+        <source>Material of the shape and of everything in it that sets no other.</source>
+        <translation>Material der Form und von allem in ihr, das kein anderes setzt.</translation>
+    </message>
+    <message>
         <source>material without a name</source>
         <translation>Material ohne Namen</translation>
     </message>
@@ -8788,10 +8767,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Meldung</translation>
     </message>
     <message>
-        <source>Metal, glaze or stone.</source>
-        <translation>Metall, Glasur oder Stein.</translation>
-    </message>
-    <message>
         <source>Metalness</source>
         <extracomment>tables</extracomment>
         <translation>Metallanteil</translation>
@@ -8822,6 +8797,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Verfahren</translation>
     </message>
     <message>
+        <source>Method of ambient occlusion: as the shading has it, none, 5 taps along the normal, rays over the hemisphere, or cones.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren der Umgebungsverdeckung: je nach Beleuchtung, keines, 5 Samples entlang der Normalen, Strahlen über die Halbkugel oder Kegel.</translation>
+    </message>
+    <message>
         <source>Method that fills the gaps between shells seen from the side: nothing, fins along the edges, more shells at oblique angles, or ray marching between the shells.</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren, das die Lücken zwischen seitlich gesehenen Shells füllt: nichts, Fins entlang der Kanten, mehr Shells bei schrägem Blick oder Raymarching zwischen den Shells.</translation>
@@ -8835,6 +8815,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Method to average along a ray: sample by sample, three passes that build on each other's results, or a running sum on a polar grid.</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren der Mittelung entlang eines Strahls: Sample für Sample, drei Passes, die auf den Ergebnissen der vorigen aufbauen, oder eine laufende Summe auf einem Polargitter.</translation>
+    </message>
+    <message>
+        <source>Method with which shapes shade each other: as the shading has it, none, one ray (hard), three estimates of soft shadows from one ray, or many rays (area).</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren, mit dem Formen einander beschatten: je nach Beleuchtung, keines, ein Strahl (hart), drei Schätzungen weicher Schatten aus einem Strahl oder viele Strahlen (Fläche).</translation>
     </message>
     <message>
         <source>Method with which the object shades itself from the sun: none, one ray (hard), three estimates of soft shadows from one ray, or many rays (area).</source>
@@ -8873,11 +8858,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Mirror</source>
         <translation>Spiegel</translation>
-    </message>
-    <message>
-        <source>Mirror images of mirror images, at most; a scene may ask for fewer.</source>
-        <extracomment>tables</extracomment>
-        <translation>Spiegelbilder von Spiegelbildern, höchstens; eine Szene kann weniger verlangen.</translation>
     </message>
     <message>
         <source>Mirrored rays lead upwards and seldom meet the water again.</source>
@@ -9046,24 +9026,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Die Wischblende bewegen</translation>
     </message>
     <message>
-        <source>Moved in and out by smooth noise.</source>
-        <translation>Durch glattes Rauschen nach außen und innen bewegt.</translation>
-    </message>
-    <message>
-        <source>Moves it out from the axis first.</source>
-        <translation>Rückt es zuerst von der Achse weg.</translation>
-    </message>
-    <message>
-        <source>Moves it.</source>
-        <translation>Verschiebt es.</translation>
-    </message>
-    <message>
         <source>Moves the cameras together until the print holds the whole scene.</source>
         <translation>Rückt die Kameras zusammen, bis der Druck die ganze Szene fasst.</translation>
-    </message>
-    <message>
-        <source>Moves the noise through the shape.</source>
-        <translation>Bewegt das Rauschen durch die Form.</translation>
     </message>
     <message>
         <source>Moves the strips under the lenses, in lenses; a phase chart tells.</source>
@@ -9101,8 +9065,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Museum</translation>
     </message>
     <message>
+        <source>Name of an entry under &quot;materials&quot;; by default that of the parent.</source>
+        <translation>Name eines Eintrags unter „materials“; ohne Angabe der des Elternknotens.</translation>
+    </message>
+    <message>
+        <source>Name of an entry under &quot;nodes&quot;.</source>
+        <translation>Name eines Eintrags unter „nodes“.</translation>
+    </message>
+    <message>
         <source>Name of the sheet</source>
         <translation>Name der Folie</translation>
+    </message>
+    <message>
+        <source>Name to display.</source>
+        <translation>Angezeigter Name.</translation>
     </message>
     <message>
         <source>nearest</source>
@@ -9424,6 +9400,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rauschen darüber ist fest: Niedrige Werte füllen den Raum, hohe lassen Inseln.</translation>
     </message>
     <message>
+        <source>Noise value below which space is solid: -1 leaves nothing, 1 fills everything.</source>
+        <translation>Rauschwert, unter dem der Raum fest ist: -1 lässt nichts, 1 füllt alles.</translation>
+    </message>
+    <message>
         <source>None</source>
         <translation>Keines</translation>
     </message>
@@ -9467,6 +9447,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Normal method</source>
         <extracomment>tables</extracomment>
         <translation>Normalenverfahren</translation>
+    </message>
+    <message>
+        <source>Normal of the plane, out of the solid.</source>
+        <translation>Normale der Ebene, aus dem Körper heraus.</translation>
     </message>
     <message>
         <source>Normal scale</source>
@@ -9638,6 +9622,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nichts wurde geschrieben.</translation>
     </message>
     <message>
+        <source>Number of copies along x, y and z; 0 is infinitely many.</source>
+        <translation>Zahl der Kopien entlang x, y und z; 0 sind unendlich viele.</translation>
+    </message>
+    <message>
+        <source>Number of copies.</source>
+        <translation>Zahl der Kopien.</translation>
+    </message>
+    <message>
         <source>Number of frames averaged while the picture moves: few flicker, many blur fine details.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Frames, über die ein bewegtes Bild gemittelt wird: Wenige flimmern, viele verwischen Feines.</translation>
@@ -9666,6 +9658,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of normals across a lens whose reflections are averaged: few show streaks.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Normalen quer über eine Linse, deren Spiegelungen gemittelt werden: Wenige zeigen Streifen.</translation>
+    </message>
+    <message>
+        <source>Number of octaves that are summed: each adds finer detail.</source>
+        <translation>Zahl der Oktaven, die summiert werden: Jede fügt feinere Details hinzu.</translation>
+    </message>
+    <message>
+        <source>Number of rays over each light, for the area method: few are noisy, many cost more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Strahlen über jedes Licht, für das Flächenverfahren: Wenige rauschen, viele kosten mehr.</translation>
+    </message>
+    <message>
+        <source>Number of rays over the hemisphere, denser along the normal: few are noisy, many cost more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Strahlen über die Halbkugel, dichter entlang der Normalen: Wenige rauschen, viele kosten mehr.</translation>
     </message>
     <message>
         <source>Number of rays over the sun's disk, for the area method: few are noisy, many cost more.</source>
@@ -9779,6 +9785,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Verdeckungsverfahren</translation>
     </message>
     <message>
+        <source>Occlusion method of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdeckungsverfahren der rechten Hälfte.</translation>
+    </message>
+    <message>
         <source>Occlusion range</source>
         <extracomment>tables</extracomment>
         <translation>Verdeckungsweite</translation>
@@ -9859,10 +9870,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Jeder Richtung, gleichmäßig über die Animation.</translation>
     </message>
     <message>
-        <source>Of glass.</source>
-        <translation>Von Glas.</translation>
-    </message>
-    <message>
         <source>Of heights and slopes in the views of them.</source>
         <extracomment>tables</extracomment>
         <translation>Der Höhen und Steigungen in deren Ansichten.</translation>
@@ -9931,10 +9938,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Der Kugel, aus der die Schale geschnitten ist.</translation>
     </message>
     <message>
-        <source>Of the ball.</source>
-        <translation>Der Kugel.</translation>
-    </message>
-    <message>
         <source>Of the bars' round section.</source>
         <extracomment>tables</extracomment>
         <translation>Des runden Querschnitts der Stäbe.</translation>
@@ -9945,25 +9948,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des Bodens.</translation>
     </message>
     <message>
-        <source>Of the bends, to the middle of the tube.</source>
-        <translation>Der Bögen, bis zur Mitte des Rohrs.</translation>
-    </message>
-    <message>
         <source>Of the candy.</source>
         <extracomment>tables</extracomment>
         <translation>Des Bonbons.</translation>
-    </message>
-    <message>
-        <source>Of the color, from everywhere.</source>
-        <translation>Der Farbe, von überall.</translation>
-    </message>
-    <message>
-        <source>Of the color, from lights.</source>
-        <translation>Der Farbe, von Lichtern.</translation>
-    </message>
-    <message>
-        <source>Of the cone.</source>
-        <translation>Des Kegels.</translation>
     </message>
     <message>
         <source>Of the cream: low melts, high is dry.</source>
@@ -9971,24 +9958,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des Eises: Niedrige Werte schmelzen, hohe sind trocken.</translation>
     </message>
     <message>
-        <source>Of the edges along x, y and z.</source>
-        <translation>Der Kanten entlang x, y und z.</translation>
-    </message>
-    <message>
-        <source>Of the edges.</source>
-        <translation>Der Kanten.</translation>
-    </message>
-    <message>
-        <source>Of the eye.</source>
-        <translation>Des Auges.</translation>
-    </message>
-    <message>
         <source>Of the file, by its name.</source>
         <translation>Der Datei, nach ihrem Namen.</translation>
-    </message>
-    <message>
-        <source>Of the first octave.</source>
-        <translation>Der ersten Oktave.</translation>
     </message>
     <message>
         <source>Of the five waves over those of the source: 0 is a mirror.</source>
@@ -10021,16 +9992,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des Kegelstumpfs, auf dem es steht.</translation>
     </message>
     <message>
-        <source>Of the gaps.</source>
-        <translation>Der Lücken.</translation>
-    </message>
-    <message>
         <source>Of the glass: 1 bends nothing, 2.4 is diamond.</source>
         <translation>Des Glases: 1 bricht nichts, 2.4 ist Diamant.</translation>
-    </message>
-    <message>
-        <source>Of the highlight, white.</source>
-        <translation>Des Glanzlichts, weiß.</translation>
     </message>
     <message>
         <source>Of the layer.</source>
@@ -10042,21 +10005,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Der Linsen: 0 aufrecht für Tiefe, 90 quer für Wechselbilder, dazwischen schräg.</translation>
     </message>
     <message>
-        <source>Of the lower ball.</source>
-        <translation>Der unteren Kugel.</translation>
-    </message>
-    <message>
         <source>Of the mist at the horizon.</source>
         <extracomment>tables</extracomment>
         <translation>Des Nebels am Horizont.</translation>
-    </message>
-    <message>
-        <source>Of the one that is taken.</source>
-        <translation>Derer, die abgezogen wird.</translation>
-    </message>
-    <message>
-        <source>Of the outside.</source>
-        <translation>Der Außenseite.</translation>
     </message>
     <message>
         <source>Of the paper tube.</source>
@@ -10066,14 +10017,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Of the picture's own, while something moves: the higher, the sharper, and the fewer pictures a second on a slow machine.</source>
         <translation>Der des Bildes, während sich etwas bewegt: Je höher, desto schärfer, und desto weniger Bilder pro Sekunde auf einem langsamen Rechner.</translation>
-    </message>
-    <message>
-        <source>Of the picture: a factor of all light; not as in the source.</source>
-        <translation>Des Bildes: ein Faktor allen Lichts; nicht wie im Original.</translation>
-    </message>
-    <message>
-        <source>Of the plane along the normal.</source>
-        <translation>Der Ebene entlang der Normalen.</translation>
     </message>
     <message>
         <source>Of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.</source>
@@ -10113,10 +10056,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des zweiten Kegelstumpfs.</translation>
     </message>
     <message>
-        <source>Of the sheet, with round edges.</source>
-        <translation>Des Blatts, mit runden Kanten.</translation>
-    </message>
-    <message>
         <source>Of the sky, which fills shadows from above.</source>
         <extracomment>tables</extracomment>
         <translation>Des Himmels, der Schatten von oben füllt.</translation>
@@ -10132,29 +10071,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des festen Felds.</translation>
     </message>
     <message>
-        <source>Of the straight parts.</source>
-        <translation>Der geraden Teile.</translation>
-    </message>
-    <message>
         <source>Of the sun.</source>
         <extracomment>tables</extracomment>
         <translation>Der Sonne.</translation>
-    </message>
-    <message>
-        <source>Of the tip.</source>
-        <translation>Der Spitze.</translation>
-    </message>
-    <message>
-        <source>Of the tube.</source>
-        <translation>Des Rohrs.</translation>
-    </message>
-    <message>
-        <source>Of the upper ball's center.</source>
-        <translation>Des Mittelpunkts der oberen Kugel.</translation>
-    </message>
-    <message>
-        <source>Of the upper ball.</source>
-        <translation>Der oberen Kugel.</translation>
     </message>
     <message>
         <source>Of the videos only .webp and .apng can be transparent; choose one of them, or frames of PNG.</source>
@@ -10171,15 +10090,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Der Waffel: 0 ist ein Spiegel, 1 ist Kreide.</translation>
     </message>
     <message>
-        <source>Of the wall.</source>
-        <translation>Der Wand.</translation>
-    </message>
-    <message>
-        <source>Of the whole picture.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des ganzen Bildes.</translation>
-    </message>
-    <message>
         <source>Of the window, from its next start. Files and the numbers in them stay as they are.</source>
         <translation>Des Fensters, ab dem nächsten Start. Dateien und die Zahlen darin bleiben, wie sie sind.</translation>
     </message>
@@ -10189,10 +10099,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Dieser Linien.</translation>
     </message>
     <message>
-        <source>Of this scene</source>
-        <translation>Von dieser Szene</translation>
-    </message>
-    <message>
         <source>Of TIFF: none is what every print shop reads. PNG is always compressed.</source>
         <translation>Von TIFF: Ohne ist, was jede Druckerei liest. PNG ist immer komprimiert.</translation>
     </message>
@@ -10200,10 +10106,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Of what fills them from below.</source>
         <extracomment>tables</extracomment>
         <translation>Dessen, was sie von unten füllt.</translation>
-    </message>
-    <message>
-        <source>Of what is no metal: 0.5 is 4 %.</source>
-        <translation>Dessen, was kein Metall ist: 0.5 sind 4 %.</translation>
     </message>
     <message>
         <source>off</source>
@@ -10283,24 +10185,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>ein Kegel</translation>
     </message>
     <message>
-        <source>One edge.</source>
-        <translation>Eine Kante.</translation>
-    </message>
-    <message>
-        <source>One end of the line.</source>
-        <translation>Ein Ende der Strecke.</translation>
-    </message>
-    <message>
-        <source>One end.</source>
-        <translation>Ein Ende.</translation>
-    </message>
-    <message>
         <source>one exhibit is asked for without what is around it</source>
         <translation>ein Exponat ist ohne das verlangt, was es umgibt</translation>
-    </message>
-    <message>
-        <source>One factor, or one along each axis; first of all.</source>
-        <translation>Ein Faktor, oder einer je Achse; zuallererst.</translation>
     </message>
     <message>
         <source>One for all frames: made of them, or a shipped one.</source>
@@ -10347,10 +10233,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>one sample per pixel</source>
         <translation>ein Sample pro Pixel</translation>
-    </message>
-    <message>
-        <source>One sentence.</source>
-        <translation>Ein Satz.</translation>
     </message>
     <message>
         <source>One step; the wheel only in the field with the focus</source>
@@ -10535,10 +10417,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>unsere</translation>
     </message>
     <message>
-        <source>Out of the solid.</source>
-        <translation>Aus dem Körper hinaus.</translation>
-    </message>
-    <message>
         <source>out of view</source>
         <translation>außer Sicht</translation>
     </message>
@@ -10624,6 +10502,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Panorama</translation>
     </message>
     <message>
+        <source>Panorama picture, twice as wide as high.</source>
+        <translation>Panoramabild, doppelt so breit wie hoch.</translation>
+    </message>
+    <message>
         <source>Paper</source>
         <extracomment>tables</extracomment>
         <translation>Papier</translation>
@@ -10670,6 +10552,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>parameter of the scene</source>
         <translation>Parameter der Szene</translation>
+    </message>
+    <message>
+        <source>Parameter of this scene.</source>
+        <translation>Parameter dieser Szene.</translation>
+    </message>
+    <message>
+        <source>Parameter that expressions can name; shown as a slider.</source>
+        <translation>Parameter, den Ausdrücke nennen können; wird als Regler gezeigt.</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -10742,6 +10632,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pfad eines Panoramas, das den Himmel ersetzt: HDR, EXR oder ein gewöhnliches Bild, doppelt so breit wie hoch.</translation>
     </message>
     <message>
+        <source>Path of a picture in this folder or below it.</source>
+        <translation>Pfad eines Bildes in diesem Ordner oder darunter.</translation>
+    </message>
+    <message>
+        <source>Path of a scene file in this folder or below it.</source>
+        <translation>Pfad einer Szenendatei in diesem Ordner oder darunter.</translation>
+    </message>
+    <message>
+        <source>Path of a scene of shapes (JSON); its format is described in assets/scenes/scene.schema.json.</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfad einer Formenszene (JSON); ihr Format beschreibt assets/scenes/scene.schema.json.</translation>
+    </message>
+    <message>
         <source>Path of one more glTF object (.glb or .gltf) to show, at first on a plinth of its own.</source>
         <extracomment>tables</extracomment>
         <translation>Pfad eines weiteren glTF-Objekts (.glb oder .gltf), das gezeigt wird, zuerst auf einem eigenen Sockel.</translation>
@@ -10808,12 +10711,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Phong</translation>
     </message>
     <message>
-        <source>Phong's highlight and a mirror, as the source of these scenes has them.</source>
-        <translation>Phongs Glanzlicht und ein Spiegel, wie das Original dieser Szenen sie hat.</translation>
+        <source>Phong shading with a mirror, as in the reference of these scenes.</source>
+        <translation>Phong-Beleuchtung mit Spiegel, wie im Original dieser Szenen.</translation>
     </message>
     <message>
-        <source>Phong, its formulas, and no tone curve.</source>
-        <translation>Phong, seine Formeln, und keine Tonwertkurve.</translation>
+        <source>Physically based material: metal, glaze, stone or glass.</source>
+        <translation>Physikalisches Material: Metall, Glasur, Stein oder Glas.</translation>
     </message>
     <message>
         <source>PICO-8</source>
@@ -11004,6 +10907,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Punkt</translation>
     </message>
     <message>
+        <source>Point in the middle of the picture.</source>
+        <translation>Punkt in der Mitte des Bildes.</translation>
+    </message>
+    <message>
         <source>Point size</source>
         <extracomment>tables</extracomment>
         <translation>Punktgröße</translation>
@@ -11035,6 +10942,39 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Position und Ziel sind derselbe Punkt; verschieben Sie einen davon</translation>
     </message>
     <message>
+        <source>Position between the children: 0 is the first, 1 is the second.</source>
+        <translation>Lage zwischen den Kindern: 0 ist das erste, 1 das zweite.</translation>
+    </message>
+    <message>
+        <source>Position of the boundary between the halves: 0 is the left edge of the opening, 1 the right.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lage der Grenze zwischen den Hälften: 0 ist der linke Rand der Öffnung, 1 der rechte.</translation>
+    </message>
+    <message>
+        <source>Position of the center of the light.</source>
+        <translation>Position der Mitte des Lichts.</translation>
+    </message>
+    <message>
+        <source>Position of the eye.</source>
+        <translation>Position des Auges.</translation>
+    </message>
+    <message>
+        <source>Position of the first corner.</source>
+        <translation>Position der ersten Ecke.</translation>
+    </message>
+    <message>
+        <source>Position of the first end.</source>
+        <translation>Position des ersten Endes.</translation>
+    </message>
+    <message>
+        <source>Position of the fourth corner.</source>
+        <translation>Position der vierten Ecke.</translation>
+    </message>
+    <message>
+        <source>Position of the light.</source>
+        <translation>Position des Lichts.</translation>
+    </message>
+    <message>
         <source>Position of the object from the hall's middle towards the entrance; walls and furniture limit it.</source>
         <extracomment>tables</extracomment>
         <translation>Position des Objekts von der Hallenmitte zum Eingang hin; Wände und Möbel begrenzen sie.</translation>
@@ -11043,6 +10983,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Position of the object to the right of the hall's middle, seen from the entrance; walls and furniture limit it.</source>
         <extracomment>tables</extracomment>
         <translation>Position des Objekts rechts der Hallenmitte, vom Eingang aus gesehen; Wände und Möbel begrenzen sie.</translation>
+    </message>
+    <message>
+        <source>Position of the second corner.</source>
+        <translation>Position der zweiten Ecke.</translation>
+    </message>
+    <message>
+        <source>Position of the second end.</source>
+        <translation>Position des zweiten Endes.</translation>
+    </message>
+    <message>
+        <source>Position of the third corner.</source>
+        <translation>Position der dritten Ecke.</translation>
     </message>
     <message>
         <source>Post wire</source>
@@ -11169,6 +11121,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>CPU-Zeit des Prozesses um glFinish</translation>
     </message>
     <message>
+        <source>Profile of the blend between the surfaces.</source>
+        <translation>Profil der Verschmelzung zwischen den Oberflächen.</translation>
+    </message>
+    <message>
         <source>Progress</source>
         <translation>Fortschritt</translation>
     </message>
@@ -11203,6 +11159,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Größe, nach der das Objekt gefärbt wird: die Schritte oder Auswertungen, die es gekostet hat, seine Normalen oder sein Abstand.</translation>
     </message>
     <message>
+        <source>Quantity by which the scene is colored: the steps, evaluations or shape evaluations that it cost, or its normals.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größe, nach der die Szene gefärbt wird: die Schritte, Auswertungen oder Formauswertungen, die sie gekostet hat, oder ihre Normalen.</translation>
+    </message>
+    <message>
         <source>quarter</source>
         <extracomment>tables</extracomment>
         <translation>Viertel</translation>
@@ -11224,6 +11185,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Quilt-Zeilen</translation>
     </message>
     <message>
+        <source>Radiance of the light, as linear values.</source>
+        <translation>Strahldichte des Lichts, in linearen Werten.</translation>
+    </message>
+    <message>
         <source>Radians by which the layer turns for each meter of height.</source>
         <extracomment>tables</extracomment>
         <translation>Radiant, um die sich die Schicht je Meter Höhe dreht.</translation>
@@ -11233,9 +11198,45 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radien</translation>
     </message>
     <message>
+        <source>Radii along x, y and z.</source>
+        <translation>Radien entlang x, y und z.</translation>
+    </message>
+    <message>
         <source>Radius</source>
         <extracomment>tables</extracomment>
         <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Radius around the segment.</source>
+        <translation>Radius um die Strecke.</translation>
+    </message>
+    <message>
+        <source>Radius at the end.</source>
+        <translation>Radius am Ende.</translation>
+    </message>
+    <message>
+        <source>Radius at the lower end.</source>
+        <translation>Radius am unteren Ende.</translation>
+    </message>
+    <message>
+        <source>Radius at the start.</source>
+        <translation>Radius am Anfang.</translation>
+    </message>
+    <message>
+        <source>Radius at the upper end.</source>
+        <translation>Radius am oberen Ende.</translation>
+    </message>
+    <message>
+        <source>Radius by which the child grows.</source>
+        <translation>Radius, um den das Kind wächst.</translation>
+    </message>
+    <message>
+        <source>Radius from the center to the middle of the tube.</source>
+        <translation>Radius vom Mittelpunkt bis zur Mitte des Rohrs.</translation>
+    </message>
+    <message>
+        <source>Radius in the middle; at most half the length.</source>
+        <translation>Radius in der Mitte; höchstens die halbe Länge.</translation>
     </message>
     <message>
         <source>Radius of curvature at the top of a custom lens; a radius too small for the lens pitch is enlarged to fit.</source>
@@ -11253,6 +11254,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius der Kanten; begrenzt, sodass ein Kegel bleibt.</translation>
     </message>
     <message>
+        <source>Radius of the base.</source>
+        <translation>Radius der Grundfläche.</translation>
+    </message>
+    <message>
+        <source>Radius of the bends, to the middle of the tube.</source>
+        <translation>Radius der Bögen, bis zur Mitte des Rohrs.</translation>
+    </message>
+    <message>
         <source>Radius of the bowl at the bottom; cut to that of the ball.</source>
         <extracomment>tables</extracomment>
         <translation>Radius der Schale unten; begrenzt auf den der Kugel.</translation>
@@ -11268,12 +11277,24 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius der Locken eines Büschels, in Haarlängen: 0 ist glatt.</translation>
     </message>
     <message>
-        <source>Radius of the edges; cut to half the smallest size.</source>
-        <translation>Radius der Kanten; begrenzt auf die halbe kleinste Größe.</translation>
+        <source>Radius of the cutting sphere.</source>
+        <translation>Radius der schneidenden Kugel.</translation>
     </message>
     <message>
-        <source>Radius of the edges; cut to the radius and half the height.</source>
-        <translation>Radius der Kanten; begrenzt auf den Radius und die halbe Höhe.</translation>
+        <source>Radius of the cylinder.</source>
+        <translation>Radius des Zylinders.</translation>
+    </message>
+    <message>
+        <source>Radius of the disk.</source>
+        <translation>Radius der Scheibe.</translation>
+    </message>
+    <message>
+        <source>Radius of the edges; at most half the smallest size.</source>
+        <translation>Radius der Kanten; höchstens die halbe kleinste Größe.</translation>
+    </message>
+    <message>
+        <source>Radius of the edges; at most the radius and half the height.</source>
+        <translation>Radius der Kanten; höchstens der Radius und die halbe Höhe.</translation>
     </message>
     <message>
         <source>Radius of the handle, from its center to the middle of its tube.</source>
@@ -11281,9 +11302,17 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius des Henkels, von seinem Mittelpunkt bis zur Mitte seines Rohrs.</translation>
     </message>
     <message>
+        <source>Radius of the lower sphere.</source>
+        <translation>Radius der unteren Kugel.</translation>
+    </message>
+    <message>
         <source>Radius of the outside of the mug.</source>
         <extracomment>tables</extracomment>
         <translation>Radius der Außenseite der Tasse.</translation>
+    </message>
+    <message>
+        <source>Radius of the outside.</source>
+        <translation>Radius der Außenseite.</translation>
     </message>
     <message>
         <source>Radius of the posts.</source>
@@ -11301,9 +11330,13 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius des Drahts der Ringe.</translation>
     </message>
     <message>
-        <source>Radius of the scene's points of light: wide ones give soft shadows and wide highlights.</source>
+        <source>Radius of the scene's point lights: large gives soft shadows and wide highlights.</source>
         <extracomment>tables</extracomment>
-        <translation>Radius der Lichtpunkte der Szene: Große geben weiche Schatten und große Glanzlichter.</translation>
+        <translation>Radius der Punktlichter der Szene: Große geben weiche Schatten und breite Glanzlichter.</translation>
+    </message>
+    <message>
+        <source>Radius of the sphere.</source>
+        <translation>Radius der Kugel.</translation>
     </message>
     <message>
         <source>Radius of the torus, from its center to the middle of the tube.</source>
@@ -11314,6 +11347,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Radius of the tube of the torus.</source>
         <extracomment>tables</extracomment>
         <translation>Radius des Rohrs des Torus.</translation>
+    </message>
+    <message>
+        <source>Radius of the tube.</source>
+        <translation>Radius des Rohrs.</translation>
+    </message>
+    <message>
+        <source>Radius of the upper sphere.</source>
+        <translation>Radius der oberen Kugel.</translation>
+    </message>
+    <message>
+        <source>Radius to the middle of the wall.</source>
+        <translation>Radius bis zur Mitte der Wand.</translation>
     </message>
     <message>
         <source>Raise</source>
@@ -11359,16 +11404,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>rays look the field's noise up in empty space</source>
         <translation>Strahlen schlagen das Rauschen des Felds im leeren Raum nach</translation>
-    </message>
-    <message>
-        <source>Rays of the hemisphere, more of them along the normal.</source>
-        <extracomment>tables</extracomment>
-        <translation>Strahlen der Halbkugel, mehr davon entlang der Normalen.</translation>
-    </message>
-    <message>
-        <source>Rays over each light, for the area method.</source>
-        <extracomment>tables</extracomment>
-        <translation>Strahlen über jedes Licht, für das Flächenverfahren.</translation>
     </message>
     <message>
         <source>Read: %1 %2</source>
@@ -11484,6 +11519,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Reflexionsgrad von Nichtmetallen: 0 spiegelt nichts, 0.5 sind die 4 % der meisten Glasuren.</translation>
     </message>
     <message>
+        <source>Reflectance of nonmetals: 0.5 is 4 %.</source>
+        <translation>Reflexionsgrad von Nichtmetallen: 0.5 sind 4 %.</translation>
+    </message>
+    <message>
         <source>Reflectance of the plastic: 0 is none, 0.5 is what its refractive index gives.</source>
         <extracomment>tables</extracomment>
         <translation>Reflexionsgrad des Kunststoffs: 0 ist keiner, 0.5 ist der aus seinem Brechungsindex.</translation>
@@ -11512,6 +11551,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Refractive index of the custom sheet's plastic: 1.49 to 1.6 are usual.</source>
         <extracomment>tables</extracomment>
         <translation>Brechungsindex des Kunststoffs der eigenen Folie: 1.49 bis 1.6 sind üblich.</translation>
+    </message>
+    <message>
+        <source>Refractive index of the glass.</source>
+        <translation>Brechungsindex des Glases.</translation>
     </message>
     <message>
         <source>Refractive index of the glass: 1 bends nothing, 2.4 is diamond.</source>
@@ -11893,6 +11936,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Wurzel</translation>
     </message>
     <message>
+        <source>Root node of another scene.</source>
+        <translation>Wurzelknoten einer anderen Szene.</translation>
+    </message>
+    <message>
         <source>Rotate</source>
         <translation>Drehen</translation>
     </message>
@@ -11904,6 +11951,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>rotation</source>
         <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>Rotation about the y axis.</source>
+        <translation>Drehung um die y-Achse.</translation>
     </message>
     <message>
         <source>Rotation limit</source>
@@ -11934,6 +11985,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Rotation of the print against the sheet: even a little makes fringes lean across the card.</source>
         <extracomment>tables</extracomment>
         <translation>Drehung des Drucks gegen die Folie: Schon wenig lässt Streifenmuster schräg über die Karte laufen.</translation>
+    </message>
+    <message>
+        <source>Rotation of the shape about z, then y, then x.</source>
+        <translation>Drehung der Form um z, dann y, dann x.</translation>
     </message>
     <message>
         <source>Rotation of the tips about the axis towards the entrance, when set by hand.</source>
@@ -12213,6 +12268,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>%1 skalieren</translation>
     </message>
     <message>
+        <source>Scale of the shape, one factor or one per axis; applied before rotation and translation.</source>
+        <translation>Maßstab der Form, ein Faktor oder einer je Achse; vor Drehung und Verschiebung angewendet.</translation>
+    </message>
+    <message>
         <source>Scale of the whole motion of the fur: 0 keeps every strand upright, 1 is as simulated.</source>
         <extracomment>tables</extracomment>
         <translation>Maßstab der ganzen Bewegung des Fells: 0 lässt jedes Haar aufrecht, 1 zeigt sie wie simuliert.</translation>
@@ -12225,6 +12284,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Scene</source>
         <translation>Szene</translation>
+    </message>
+    <message>
+        <source>Scene parameters</source>
+        <translation>Parameter der Szene</translation>
     </message>
     <message>
         <source>Screen space</source>
@@ -12410,6 +12473,15 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schattierung</translation>
     </message>
     <message>
+        <source>Shading of the scene.</source>
+        <translation>Beleuchtung der Szene.</translation>
+    </message>
+    <message>
+        <source>Shading of the scene: as set in its file, physically based (metal, glaze and glass), or by Phong's formulas as in the reference.</source>
+        <extracomment>tables</extracomment>
+        <translation>Beleuchtung der Szene: wie in ihrer Datei, physikalisch (Metall, Glasur und Glas) oder nach Phongs Formeln wie im Original.</translation>
+    </message>
+    <message>
         <source>Shadow</source>
         <extracomment>tables</extracomment>
         <translation>Schatten</translation>
@@ -12433,6 +12505,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Shadow method</source>
         <extracomment>tables</extracomment>
         <translation>Schattenverfahren</translation>
+    </message>
+    <message>
+        <source>Shadow method of the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schattenverfahren der rechten Hälfte.</translation>
     </message>
     <message>
         <source>Shadow rays</source>
@@ -12487,6 +12564,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Metallanteil: 0 ist eine Glasur über einem farbigen Körper, 1 ist blankes Metall.</translation>
     </message>
     <message>
+        <source>Share of metal: 0 is none, 1 is bare metal.</source>
+        <translation>Metallanteil: 0 ist keiner, 1 ist blankes Metall.</translation>
+    </message>
+    <message>
         <source>share of pixels off by more than 1/255</source>
         <translation>Anteil der Pixel, die um mehr als 1/255 abweichen</translation>
     </message>
@@ -12494,6 +12575,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Share of the bounds of slope and curvature that strides go by, proven ones of the field, five and a half standard deviations of the sea: 1 passes nothing wide, less is quicker, for noise is seldom as steep.</source>
         <extracomment>tables</extracomment>
         <translation>Anteil der Schranken von Steigung und Krümmung, nach denen Schritte gehen, beim Feld bewiesene, beim Meer fünfeinhalb Standardabweichungen: 1 übergeht nichts Breites, weniger ist schneller, denn Rauschen ist selten so steil.</translation>
+    </message>
+    <message>
+        <source>Share of the color that is lit by the lights.</source>
+        <translation>Anteil der Farbe, der von den Lichtern beleuchtet wird.</translation>
+    </message>
+    <message>
+        <source>Share of the color that is lit from everywhere.</source>
+        <translation>Anteil der Farbe, der von überall beleuchtet wird.</translation>
     </message>
     <message>
         <source>Share of the lenses' own slope that the highlight follows: 0 is a flat sheet, 1 spreads it in all directions across the lenses.</source>
@@ -12504,6 +12593,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Share of the light that is left after each 128th of the way: 1 lets the sky reach everywhere, low keeps rays short.</source>
         <extracomment>tables</extracomment>
         <translation>Anteil des Lichts, der nach jedem 128stel des Weges übrig ist: 1 lässt den Himmel überallhin reichen, niedrige Werte halten die Strahlen kurz.</translation>
+    </message>
+    <message>
+        <source>Share of the light that is mirrored.</source>
+        <translation>Anteil des Lichts, der gespiegelt wird.</translation>
     </message>
     <message>
         <source>Share of the light that reaches even the roots: 0 leaves them black, 1 removes the darkening.</source>
@@ -12569,6 +12662,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shift</source>
         <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Shift of the noise through space.</source>
+        <translation>Verschiebung des Rauschens durch den Raum.</translation>
     </message>
     <message>
         <source>Shift of the strips under the lenses, in lens widths.</source>
@@ -12754,10 +12851,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>six faces</source>
         <translation>sechs Seiten</translation>
-    </message>
-    <message>
-        <source>Six square pictures.</source>
-        <translation>Sechs quadratische Bilder.</translation>
     </message>
     <message>
         <source>Sixteen fantasy colors</source>
@@ -12998,6 +13091,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tempo des bewegten Mobiles, in Umdrehungen pro Sekunde.</translation>
     </message>
     <message>
+        <source>Speed of the camera around its target, per second: 0 stands still.</source>
+        <extracomment>tables</extracomment>
+        <translation>Geschwindigkeit der Kamera um ihr Ziel, pro Sekunde: 0 steht still.</translation>
+    </message>
+    <message>
         <source>Speed of the wheel</source>
         <translation>Tempo des Mausrads</translation>
     </message>
@@ -13022,6 +13120,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Split</source>
         <extracomment>tables</extracomment>
         <translation>Teilung</translation>
+    </message>
+    <message>
+        <source>Split view</source>
+        <extracomment>tables</extracomment>
+        <translation>Geteilte Ansicht</translation>
     </message>
     <message>
         <source>Spread what 8 bits cannot say over neighboring dots.</source>
@@ -13124,6 +13227,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Anfang und Ende sind derselbe Punkt; verschieben Sie einen davon</translation>
     </message>
     <message>
+        <source>Start of the segment.</source>
+        <translation>Anfang der Strecke.</translation>
+    </message>
+    <message>
         <source>Start radius</source>
         <translation>Radius am Anfang</translation>
     </message>
@@ -13165,14 +13272,19 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schrittgrenze</translation>
     </message>
     <message>
-        <source>Step of the differences that give the normal: small drowns in rounding, large rounds creases.</source>
+        <source>Step limit of the right half.</source>
         <extracomment>tables</extracomment>
-        <translation>Schritt der Differenzen, die die Normale ergeben: Kleine ertrinken in der Rundung, große runden Falten.</translation>
+        <translation>Schrittgrenze der rechten Hälfte.</translation>
     </message>
     <message>
         <source>Step of the finite differences for normals near the eye: too small suffers from rounding, too large rounds creases.</source>
         <extracomment>tables</extracomment>
         <translation>Schritt der finiten Differenzen für Normalen nahe dem Auge: Zu kleine leiden unter Rundung, zu große runden Falten.</translation>
+    </message>
+    <message>
+        <source>Step of the finite differences for normals: too small suffers from rounding, too large rounds creases.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schritt der finiten Differenzen für Normalen: Zu kleine leiden unter Rundung, zu große runden Falten.</translation>
     </message>
     <message>
         <source>steps</source>
@@ -13207,11 +13319,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Steps of half and of double that length give the same normals.</source>
         <translation>Schritte von halber und doppelter Länge ergeben dieselben Normalen.</translation>
-    </message>
-    <message>
-        <source>Steps that a ray may take; towards a light at most 128.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schritte, die ein Strahl machen darf; zu einem Licht hin höchstens 128.</translation>
     </message>
     <message>
         <source>Stereo in red and cyan</source>
@@ -13307,13 +13414,17 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke einer Oktave gegenüber der davor: Niedrige Werte sind glatt, hohe rau.</translation>
     </message>
     <message>
-        <source>Strength of each octave against the one before.</source>
-        <translation>Stärke jeder Oktave gegenüber der davor.</translation>
+        <source>Strength of an octave relative to the one before: low is smooth, high is rough.</source>
+        <translation>Stärke einer Oktave gegenüber der vorigen: Niedrige Werte sind glatt, hohe rau.</translation>
     </message>
     <message>
         <source>Strength of random swirls in the coat: 0 is even, high is tousled.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke zufälliger Wirbel im Fell: 0 ist gleichmäßig, hohe Werte sind zerzaust.</translation>
+    </message>
+    <message>
+        <source>Strength of the ambient occlusion: 0 is off.</source>
+        <translation>Stärke der Umgebungsverdeckung: 0 ist aus.</translation>
     </message>
     <message>
         <source>Strength of the combing to one side: 0 leaves strands upright, high lays them flat.</source>
@@ -13369,6 +13480,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Strength of the sunlight that the dust scatters: 1 is physical for the air density, 0 shows no beams.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke des Sonnenlichts, das der Staub streut: 1 ist physikalisch für die Luftdichte, 0 zeigt keine Strahlen.</translation>
+    </message>
+    <message>
+        <source>Strength of the white highlight.</source>
+        <translation>Stärke des weißen Glanzlichts.</translation>
     </message>
     <message>
         <source>Strength with which the ribs (noise stretched along the lenses) bend the highlight: 0 leaves it smooth.</source>
@@ -13735,11 +13850,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>der Rand ist {1}; geben Sie 0 oder mehr an</translation>
     </message>
     <message>
-        <source>The bounces of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Die Spiegelungen der rechten Hälfte.</translation>
-    </message>
-    <message>
         <source>the brightness of the stars is 0</source>
         <translation>die Helligkeit der Sterne ist 0</translation>
     </message>
@@ -13796,8 +13906,36 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Das Häkchen blendet ein oder aus. Ziehen, oder Strg mit den Pfeiltasten, ordnet um; F2 benennt um.</translation>
     </message>
     <message>
+        <source>The child bent about the z axis, along x.</source>
+        <translation>Das Kind, um die z-Achse gebogen, entlang x.</translation>
+    </message>
+    <message>
+        <source>The child cut at the origin and pulled apart along the axes.</source>
+        <translation>Das Kind, am Ursprung geschnitten und entlang der Achsen auseinandergezogen.</translation>
+    </message>
+    <message>
+        <source>The child grown by a radius, with round edges.</source>
+        <translation>Das Kind, um einen Radius vergrößert, mit runden Kanten.</translation>
+    </message>
+    <message>
         <source>the child is so wide that {1} copies would be asked at every point; make it smaller or its copies fewer or farther apart</source>
         <translation>das Kind ist so breit, dass an jedem Punkt {1} Kopien gefragt würden; machen Sie es kleiner, oder seine Kopien weniger oder weiter auseinander</translation>
+    </message>
+    <message>
+        <source>The child twisted about the y axis.</source>
+        <translation>Das Kind, um die y-Achse verdrillt.</translation>
+    </message>
+    <message>
+        <source>The child with its surface displaced by smooth noise.</source>
+        <translation>Das Kind, dessen Oberfläche durch glattes Rauschen verschoben ist.</translation>
+    </message>
+    <message>
+        <source>The child's cross-section at z = 0, extruded along z.</source>
+        <translation>Der Querschnitt des Kindes bei z = 0, entlang z gestreckt.</translation>
+    </message>
+    <message>
+        <source>The child's cross-section at z = 0, revolved around the y axis.</source>
+        <translation>Der Querschnitt des Kindes bei z = 0, um die y-Achse gedreht.</translation>
     </message>
     <message>
         <source>the clock jumped</source>
@@ -13824,16 +13962,20 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Die Konvergenzebene liegt bei {1} m; sie muss vor der Kamera liegen, weiter als {2} m.</translation>
     </message>
     <message>
+        <source>The convex hull of two spheres on the y axis, the lower one at the origin.</source>
+        <translation>Die konvexe Hülle zweier Kugeln auf der y-Achse, die untere im Ursprung.</translation>
+    </message>
+    <message>
+        <source>The convex hull of two spheres, at start and end.</source>
+        <translation>Die konvexe Hülle zweier Kugeln, an Anfang und Ende.</translation>
+    </message>
+    <message>
         <source>the copies are nearer than 0.1 mm; give a larger spacing, or 0</source>
         <translation>die Kopien liegen näher als 0.1 mm; geben Sie einen größeren Abstand an, oder 0</translation>
     </message>
     <message>
         <source>the corners lie on one line, so it has no area; move one of them aside</source>
         <translation>die Ecken liegen auf einer Geraden, daher hat es keine Fläche; rücken Sie eine davon zur Seite</translation>
-    </message>
-    <message>
-        <source>The count that is shown white.</source>
-        <translation>Der Zählwert, der weiß gezeigt wird.</translation>
     </message>
     <message>
         <source>The cross moves, A presses, B closes</source>
@@ -13878,13 +14020,13 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Staub verschluckt das Licht der Sonne</translation>
     </message>
     <message>
-        <source>the environment is behind the exhibit</source>
-        <translation>die Umgebung liegt hinter dem Exponat</translation>
+        <source>The edited scene (JSON) with all changes that are not in its file yet. Resetting it discards them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Die bearbeitete Szene (JSON) mit allen Änderungen, die noch nicht in ihrer Datei stehen. Zurücksetzen verwirft sie.</translation>
     </message>
     <message>
-        <source>The evaluation of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Die Auswertung der rechten Hälfte.</translation>
+        <source>the environment is behind the exhibit</source>
+        <translation>die Umgebung liegt hinter dem Exponat</translation>
     </message>
     <message>
         <source>the evaluations channel is asked for</source>
@@ -13972,10 +14114,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Film: .mp4, .webm, .gif, .webp oder .apng, oder Frames wie in frames/%04d.png.</translation>
     </message>
     <message>
-        <source>The first child without the others.</source>
-        <translation>Das erste Kind ohne die anderen.</translation>
-    </message>
-    <message>
         <source>The first view on the left under each lens: turns depth inside out, or a reversed sequence right.</source>
         <translation>Die erste Ansicht links unter jeder Linse: kehrt die Tiefe um, oder berichtigt eine umgekehrte Folge.</translation>
     </message>
@@ -14020,8 +14158,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Übergang ist {1}; geben Sie einen Teil eines Streifens an, 0 bis 1</translation>
     </message>
     <message>
-        <source>The half with positive coordinates, and its mirror image.</source>
-        <translation>Die Hälfte mit positiven Koordinaten, und ihr Spiegelbild.</translation>
+        <source>The half of the child at positive coordinates, and its mirror image.</source>
+        <translation>Die Hälfte des Kindes mit positiven Koordinaten und ihr Spiegelbild.</translation>
     </message>
     <message>
         <source>The hall</source>
@@ -14061,25 +14199,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Höhe</translation>
     </message>
     <message>
-        <source>The hit tolerance of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Die Treffertoleranz der rechten Hälfte.</translation>
-    </message>
-    <message>
         <source>the hole takes all of it; make it smaller</source>
         <translation>das Loch nimmt alles weg; machen Sie es kleiner</translation>
     </message>
     <message>
         <source>the horizon</source>
         <translation>zum Horizont</translation>
-    </message>
-    <message>
-        <source>The hull of two balls on the y axis, the lower one at the origin.</source>
-        <translation>Die Hülle zweier Kugeln auf der y-Achse, die untere im Ursprung.</translation>
-    </message>
-    <message>
-        <source>The hull of two balls.</source>
-        <translation>Die Hülle zweier Kugeln.</translation>
     </message>
     <message>
         <source>the image has another form</source>
@@ -14240,11 +14365,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das Objekt selbst, Strahl für Strahl, neben dem, was an seiner Stelle steht.</translation>
     </message>
     <message>
-        <source>The occlusion method of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Das Verdeckungsverfahren der rechten Hälfte.</translation>
-    </message>
-    <message>
         <source>The only colors there are: made for the isle, those of old machines, or the main ones of a picture of the hall.</source>
         <extracomment>tables</extracomment>
         <translation>Die einzigen Farben, die es gibt: für die Insel gemacht, die alter Geräte, oder die Hauptfarben eines Bildes der Halle.</translation>
@@ -14252,14 +14372,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The other command loses it.</source>
         <translation>Der andere Befehl verliert es.</translation>
-    </message>
-    <message>
-        <source>The other edge.</source>
-        <translation>Die andere Kante.</translation>
-    </message>
-    <message>
-        <source>The other end.</source>
-        <translation>Das andere Ende.</translation>
     </message>
     <message>
         <source>The other's cost at this error</source>
@@ -14455,10 +14567,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Wurzel kann nicht gelöscht werden, eine Szene zeigt etwas; ändern Sie ihre Art.</translation>
     </message>
     <message>
-        <source>The root of another scene, here.</source>
-        <translation>Die Wurzel einer anderen Szene, hier.</translation>
-    </message>
-    <message>
         <source>The rows end before lanterns look so narrow.</source>
         <translation>Die Reihen enden, bevor Laternen so schmal aussehen.</translation>
     </message>
@@ -14474,11 +14582,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The same with what is in the middle of the picture</source>
         <translation>Dasselbe mit dem, was in der Mitte des Bildes ist</translation>
-    </message>
-    <message>
-        <source>The scene as it was edited here, as JSON: what is not in its file yet. Reset gives it up.</source>
-        <extracomment>tables</extracomment>
-        <translation>Die Szene, wie sie hier bearbeitet wurde, als JSON: was noch nicht in ihrer Datei steht. Zurücksetzen gibt es auf.</translation>
     </message>
     <message>
         <source>The scene asks for fewer mirror images of mirror images.</source>
@@ -14519,11 +14622,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the shadow method is none</source>
         <translation>das Schattenverfahren ist „keines“</translation>
-    </message>
-    <message>
-        <source>The shadow method of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Das Schattenverfahren der rechten Hälfte.</translation>
     </message>
     <message>
         <source>The share of a frame's time for which it is exposed, by eight pictures; 0: none.</source>
@@ -14586,10 +14684,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>des Originals</translation>
     </message>
     <message>
-        <source>The source's factor of its soft shadows; 0 is a hard edge.</source>
-        <translation>Der Faktor des Originals für seine weichen Schatten; 0 ist ein harter Rand.</translation>
-    </message>
-    <message>
         <source>The span of a pitch chart must lie between 0 and 50 %.</source>
         <translation>Die Spanne eines Pitch-Testcharts muss zwischen 0 und 50 % liegen.</translation>
     </message>
@@ -14605,11 +14699,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>The step by which it turns.</source>
         <extracomment>tables</extracomment>
         <translation>Der Schritt, um den sie sich dreht.</translation>
-    </message>
-    <message>
-        <source>The step limit of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Die Schrittgrenze der rechten Hälfte.</translation>
     </message>
     <message>
         <source>the strength of the beams is 0</source>
@@ -15045,10 +15134,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>eine solche Datei gibt es nicht; prüfen Sie den Namen.</translation>
     </message>
     <message>
-        <source>There is no such number any more; choose another node.</source>
-        <translation>Diese Zahl gibt es nicht mehr; wählen Sie einen anderen Knoten.</translation>
-    </message>
-    <message>
         <source>there is no text to show</source>
         <translation>es gibt keinen Text zu zeigen</translation>
     </message>
@@ -15153,9 +15238,21 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dicke der eigenen Folie vom Linsenscheitel bis zum Druck: Zu dünn oder zu dick wird unscharf.</translation>
     </message>
     <message>
+        <source>Thickness of the edges.</source>
+        <translation>Dicke der Kanten.</translation>
+    </message>
+    <message>
+        <source>Thickness of the sheet, with round edges.</source>
+        <translation>Dicke des Blatts, mit runden Kanten.</translation>
+    </message>
+    <message>
         <source>Thickness of the wall of the mug: thin walls need small steps.</source>
         <extracomment>tables</extracomment>
         <translation>Dicke der Wand der Tasse: Dünne Wände brauchen kleine Schritte.</translation>
+    </message>
+    <message>
+        <source>Thickness of the wall.</source>
+        <translation>Dicke der Wand.</translation>
     </message>
     <message>
         <source>Thickness variation</source>
@@ -15640,10 +15737,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das wurde von einem neueren Vitrine geschrieben; öffnen Sie es dort.</translation>
     </message>
     <message>
-        <source>Three colors from the ground up.</source>
-        <translation>Drei Farben vom Boden aufwärts.</translation>
-    </message>
-    <message>
         <source>Three numbers are: x, y, z.</source>
         <translation>Drei Zahlen wären einer: x, y, z.</translation>
     </message>
@@ -15720,6 +15813,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Zeit des Frames, nach %1</translation>
     </message>
     <message>
+        <source>Time that is shown, or at which the animation starts.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeitpunkt, der gezeigt wird oder mit dem die Animation beginnt.</translation>
+    </message>
+    <message>
         <source>Times of the last frames</source>
         <translation>Zeiten der letzten Frames</translation>
     </message>
@@ -15753,14 +15851,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>to the cell's wall</source>
         <extracomment>tables</extracomment>
         <translation>bis zur Zellwand</translation>
-    </message>
-    <message>
-        <source>To the middle of the tube.</source>
-        <translation>Bis zur Mitte des Rohrs.</translation>
-    </message>
-    <message>
-        <source>To the middle of the wall.</source>
-        <translation>Bis zur Mitte der Wand.</translation>
     </message>
     <message>
         <source>To where you stood before; Backspace does the same while the picture has the focus.</source>
@@ -15806,16 +15896,20 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Rundgänge (*.json)</translation>
     </message>
     <message>
-        <source>Towards it.</source>
-        <translation>Zu ihm hin.</translation>
-    </message>
-    <message>
         <source>Translate</source>
         <translation>Verschieben</translation>
     </message>
     <message>
+        <source>Translation of the shape.</source>
+        <translation>Verschiebung der Form.</translation>
+    </message>
+    <message>
         <source>Transmission</source>
         <translation>Transmission</translation>
+    </message>
+    <message>
+        <source>Transmission: 0 is opaque, 1 is clear glass with the color of 10 cm of it.</source>
+        <translation>Transmission: 0 ist undurchsichtig, 1 ist klares Glas mit der Farbe von 10 cm davon.</translation>
     </message>
     <message>
         <source>Transparent</source>
@@ -15939,14 +16033,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Gedreht</translation>
     </message>
     <message>
-        <source>Turned about the y axis, the more the higher.</source>
-        <translation>Um die y-Achse gedreht, je höher, desto mehr.</translation>
-    </message>
-    <message>
-        <source>Turned about the z axis, the more the farther along x.</source>
-        <translation>Um die z-Achse gedreht, je weiter entlang x, desto mehr.</translation>
-    </message>
-    <message>
         <source>Turns a second, as if the camera went round it.</source>
         <extracomment>tables</extracomment>
         <translation>Umdrehungen pro Sekunde, als ginge die Kamera darum herum.</translation>
@@ -15964,11 +16050,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>twisted</source>
         <extracomment>tables</extracomment>
         <translation>gedreht</translation>
-    </message>
-    <message>
-        <source>Two halves</source>
-        <extracomment>tables</extracomment>
-        <translation>Zwei Hälften</translation>
     </message>
     <message>
         <source>two passes share a name</source>
@@ -16016,6 +16097,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Uniformity</source>
         <extracomment>tables</extracomment>
         <translation>Gleichmäßigkeit</translation>
+    </message>
+    <message>
+        <source>Union: everything that is in any child.</source>
+        <translation>Vereinigung: alles, was in einem der Kinder liegt.</translation>
     </message>
     <message>
         <source>Unions</source>
@@ -16205,6 +16290,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>vertical</source>
         <extracomment>tables</extracomment>
         <translation>senkrecht</translation>
+    </message>
+    <message>
+        <source>Vertical field of view, from the lower to the upper edge of the picture.</source>
+        <translation>Vertikales Sichtfeld, vom unteren bis zum oberen Bildrand.</translation>
     </message>
     <message>
         <source>View</source>
@@ -16502,10 +16591,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was ein Server dort hinterließ, lässt sich nicht entfernen ({1}); wählen Sie einen anderen Pfad.</translation>
     </message>
     <message>
-        <source>What all children share.</source>
-        <translation>Was alle Kinder gemeinsam haben.</translation>
-    </message>
-    <message>
         <source>What an octave is: numbers at the corners of cells, slopes there, slopes on a lattice without axes, or the distance to the nearest of scattered points.</source>
         <extracomment>tables</extracomment>
         <translation>Was eine Oktave ist: Zahlen an den Ecken von Zellen, Steigungen dort, Steigungen auf einem Gitter ohne Achsen, oder die Distanz zum nächsten verstreuter Punkte.</translation>
@@ -16561,19 +16646,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was gezeichnet wird, und warum</translation>
     </message>
     <message>
-        <source>What is farther away keeps no light away. The source knows no such limit.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was weiter weg ist, hält kein Licht ab. Das Original kennt keine solche Grenze.</translation>
-    </message>
-    <message>
-        <source>What is in an odd number of children.</source>
-        <translation>Was in einer ungeraden Zahl von Kindern liegt.</translation>
-    </message>
-    <message>
-        <source>What is in the middle of the picture.</source>
-        <translation>Was in der Mitte des Bildes ist.</translation>
-    </message>
-    <message>
         <source>what is in view has no fins</source>
         <translation>was zu sehen ist, hat keine Fins</translation>
     </message>
@@ -16600,10 +16672,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Das Gezeigte wird, wie B ist; ein Schritt rückgängig bringt es zurück.</translation>
     </message>
     <message>
-        <source>What is reflected.</source>
-        <translation>Was gespiegelt wird.</translation>
-    </message>
-    <message>
         <source>What is seen now, as the last picture was exported, under the next free name.</source>
         <translation>Was jetzt zu sehen ist, wie das letzte Bild exportiert wurde, unter dem nächsten freien Namen.</translation>
     </message>
@@ -16621,14 +16689,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was gezeigt wird: das fertige Bild, oder ein Schritt auf dem Weg dorthin.</translation>
     </message>
     <message>
-        <source>What is up in the picture.</source>
-        <translation>Was im Bild oben ist.</translation>
-    </message>
-    <message>
-        <source>What it is made of; what is in it, too, unless it says another.</source>
-        <translation>Woraus es besteht; auch, was darin ist, wenn es nichts anderes sagt.</translation>
-    </message>
-    <message>
         <source>What lies behind a shell is covered in either order, so that the picture is the same.</source>
         <translation>Was hinter einer Shell liegt, wird in jeder Reihenfolge verdeckt, so dass das Bild dasselbe ist.</translation>
     </message>
@@ -16644,14 +16704,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What the chart has on its lower axis: time, or work that was counted, which is the same on every machine.</source>
         <translation>Was das Diagramm auf der unteren Achse hat: Zeit oder gezählte Arbeit, die auf jedem Rechner gleich ist.</translation>
-    </message>
-    <message>
-        <source>What the child has in its plane z = 0, drawn out along z.</source>
-        <translation>Was das Kind in seiner Ebene z = 0 hat, entlang z ausgezogen.</translation>
-    </message>
-    <message>
-        <source>What the child has in its plane z = 0, turned around the y axis.</source>
-        <translation>Was das Kind in seiner Ebene z = 0 hat, um die y-Achse gedreht.</translation>
     </message>
     <message>
         <source>What the depth buffer stores.</source>
@@ -16710,14 +16762,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was zu sehen ist</translation>
     </message>
     <message>
-        <source>What white reflects that faces it, linear.</source>
-        <translation>Was Weiß zurückwirft, das ihm zugewandt ist, linear.</translation>
-    </message>
-    <message>
-        <source>What white reflects where the camera looks, linear; as in the source, at any distance.</source>
-        <translation>Was Weiß zurückwirft, wo die Kamera hinschaut, linear; wie im Original, in jeder Entfernung.</translation>
-    </message>
-    <message>
         <source>Wheel, + and −</source>
         <translation>Mausrad, + und −</translation>
     </message>
@@ -16754,14 +16798,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wo es liegt, nach vorn.</translation>
     </message>
     <message>
-        <source>Where it is.</source>
-        <translation>Wo es ist.</translation>
-    </message>
-    <message>
-        <source>Where it shines.</source>
-        <translation>Wohin es scheint.</translation>
-    </message>
-    <message>
         <source>Where it stands, seen through the frame: negative is to the left.</source>
         <extracomment>tables</extracomment>
         <translation>Wo er steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
@@ -16782,18 +16818,9 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wo die eigene Sonne steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
     </message>
     <message>
-        <source>Where smooth noise is below a level; endless.</source>
-        <translation>Wo glattes Rauschen unter einem Pegel liegt; ohne Ende.</translation>
-    </message>
-    <message>
         <source>Where the camera stands around the middle.</source>
         <extracomment>tables</extracomment>
         <translation>Wo die Kamera um die Mitte herum steht.</translation>
-    </message>
-    <message>
-        <source>Where the right half begins, as a share of the opening.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo die rechte Hälfte beginnt, als Anteil der Öffnung.</translation>
     </message>
     <message>
         <source>Where the right half begins.</source>
@@ -16937,6 +16964,15 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob die nächsten vier Parameter bestimmen, wie das Fell liegt, während die Körper stillstehen.</translation>
     </message>
     <message>
+        <source>Whether the node is left out.</source>
+        <translation>Ob der Knoten weggelassen wird.</translation>
+    </message>
+    <message>
+        <source>Whether the picture is split into two halves; the right one has its own parameters.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob das Bild in zwei Hälften geteilt wird; die rechte hat eigene Parameter.</translation>
+    </message>
+    <message>
         <source>Whether the shape melts back and forth, starting from the morph above.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Form hin und her schmilzt, vom Morph darüber an.</translation>
@@ -16960,6 +16996,27 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether they have the colors of the first five candies, or one.</source>
         <extracomment>tables</extracomment>
         <translation>Ob sie die Farben der ersten fünf Bonbons haben, oder eine.</translation>
+    </message>
+    <message>
+        <source>Whether time runs; it shows only in scenes in which something moves.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Zeit läuft; zu sehen nur in Szenen, in denen sich etwas bewegt.</translation>
+    </message>
+    <message>
+        <source>Whether to mirror at the plane x = 0.</source>
+        <translation>Ob an der Ebene x = 0 gespiegelt wird.</translation>
+    </message>
+    <message>
+        <source>Whether to mirror at the plane y = 0.</source>
+        <translation>Ob an der Ebene y = 0 gespiegelt wird.</translation>
+    </message>
+    <message>
+        <source>Whether to mirror at the plane z = 0.</source>
+        <translation>Ob an der Ebene z = 0 gespiegelt wird.</translation>
+    </message>
+    <message>
+        <source>Whether to shade by Phong's formulas without tone mapping, as in the reference.</source>
+        <translation>Ob nach Phongs Formeln ohne Tone Mapping beleuchtet wird, wie im Original.</translation>
     </message>
     <message>
         <source>Whether walls and exhibits block the sun; without it, the sun shines through everything.</source>
@@ -17021,6 +17078,10 @@ steht in assets/SOURCES.md.</translation>
         <source>Width of a cell; never less than a lantern needs.</source>
         <extracomment>tables</extracomment>
         <translation>Breite einer Zelle; nie weniger, als eine Laterne braucht.</translation>
+    </message>
+    <message>
+        <source>Width of the blend; 0 leaves a sharp edge.</source>
+        <translation>Breite der Verschmelzung; 0 lässt eine scharfe Kante.</translation>
     </message>
     <message>
         <source>Width of the fillet between cream and wafer: wide runs down.</source>

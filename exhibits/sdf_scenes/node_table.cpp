@@ -31,7 +31,7 @@ const NodeKind* kindAt(const render::JsonText& json, std::uint32_t value)
 
 std::vector<std::string> materialNames(const render::JsonText& json)
 {
-    std::vector<std::string> names{"as around it"};
+    std::vector<std::string> names{"from parent"};
     if (const auto materials = json.member(0, "materials"))
         for (const std::uint32_t value : json.children(*materials)) names.push_back(json.key(value));
     return names;
@@ -168,7 +168,8 @@ std::optional<TreeRows> nodeRows(const Scene& scene, const std::vector<double>& 
         if (row.field)
             addRow(*table, row);
         else
-            table->choice(materialRow, 0, materials, "What it is made of; what is in it, too, unless it says another.");
+            table->choice(materialRow, 0, materials,
+                          "Material of the shape and of everything in it that sets no other.");
     }
     TreeRows made{ParameterValues(std::shared_ptr<const Parameters>(table)), {}};
     FieldNumbers fields(scene, numbers, path, *value);
@@ -182,14 +183,16 @@ std::optional<TreeRows> nodeRows(const Scene& scene, const std::vector<double>& 
         else
             made.values.setRow(i, fields.at(*row.field, row.component));
     }
-    if (!fields.computed.empty()) made.note = "Computed: " + fields.computed + ". A slider puts a number in its place.";
+    if (!fields.computed.empty())
+        made.note = "Expressions: " + fields.computed + ". Moving a slider replaces the expression by a number.";
     return made;
 }
 
 std::string textWithRow(const Scene& scene, std::string_view path, std::size_t index, const Value& value)
 {
     const std::vector<NodeRow> rows = rowsOfNode(scene, path);
-    if (index >= rows.size()) throw Failure(Blame::check, "There is no such number any more; choose another node.");
+    if (index >= rows.size())
+        throw Failure(Blame::check, "Cannot change the value: the node no longer has it. Select another node.");
     const render::JsonText& json = *scene.files.front().text;
     const SceneEdit edit(json.text());
     const NodeRow& row = rows[index];

@@ -20,9 +20,9 @@ std::vector<Field> blendFields()
              0,
              3,
              {0, 0, 0},
-             "How the surfaces run into each other.",
+             "Profile of the blend between the surfaces.",
              {"quadratic", "cubic", "circular", "exponential"}},
-            width("blendWidth", 0, "How far the blend reaches; 0 is a hard edge.")};
+            width("blendWidth", 0, "Width of the blend; 0 leaves a sharp edge.")};
 }
 
 render::Box overlap(const render::Box& a, const render::Box& b)
@@ -200,45 +200,54 @@ void addReshaping(std::vector<NodeKind>& kinds)
         kinds.push_back(std::move(kind));
     };
     add({.name = "round",
-         .help = "Grown, with round edges.",
-         .fields = {width("radius", 0.05, "By how much.")},
+         .help = "The child grown by a radius, with round edges.",
+         .fields = {width("radius", 0.05, "Radius by which the child grows.")},
          .exactness = Exactness::exactOutside,
          .after = SCENE_AFTER(sdfRound(d, V(0))),
          .childLevel = [](const double* v, double level, double) { return level + v[0]; },
          .extentOf = sameExtent});
     add({.name = "onion",
-         .help = "A wall around the surface, hollow inside.",
-         .fields = {size("thickness", 0.05, "Of the wall.")},
+         .help = "A shell around the child's surface, hollow inside.",
+         .fields = {size("thickness", 0.05, "Thickness of the wall.")},
          .exactness = Exactness::bound,
          .after = SCENE_AFTER(sdfOnion(d, V(0))),
          .childLevel = [](const double* v, double level, double) { return level + 0.5 * v[0]; },
          .extentOf = sameExtent});
     add({.name = "elongate",
-         .help = "Cut at the origin and drawn apart along the axes.",
-         .fields = {{"size", FieldType::vector, Unit::meter, 0, largestSize, 0, 2, {0.5, 0, 0}, "Of the gaps."}},
+         .help = "The child cut at the origin and pulled apart along the axes.",
+         .fields = {{"size",
+                     FieldType::vector,
+                     Unit::meter,
+                     0,
+                     largestSize,
+                     0,
+                     2,
+                     {0.5, 0, 0},
+                     "Lengths inserted along x, y and z."}},
          .exactness = Exactness::bound,
          .place = SCENE_PLACE(sdfElongate(p, 0.5 * V3(0))),
          .extentOf = [](const Extent& child, const double* v, double) {
              return Extent{{child.box.low - 0.5 * vec3At(v, 0), child.box.high + 0.5 * vec3At(v, 0)}, child.even};
          }});
     add({.name = "extrude",
-         .help = "What the child has in its plane z = 0, drawn out along z.",
-         .fields = {size("height", 0.4, "Along z.")},
+         .help = "The child's cross-section at z = 0, extruded along z.",
+         .fields = {size("height", 0.4, "Length along z.")},
          .ofFlatChild = true,
          .place = SCENE_PLACE(sceneFlat(p)),
          .after = SCENE_AFTER(sdfExtrude(d, p.z, 0.5 * V(0))),
          .extentOf = extruded});
     add({.name = "revolve",
-         .help = "What the child has in its plane z = 0, turned around the y axis.",
-         .fields = {width("offset", 0.5, "Moves it out from the axis first.")},
+         .help = "The child's cross-section at z = 0, revolved around the y axis.",
+         .fields = {width("offset", 0.5, "Distance by which the cross-section is first moved away from the axis.")},
          .exactness = Exactness::exactOutside,
          .ofFlatChild = true,
          .place = SCENE_PLACE(sceneRevolve(p, V(0))),
          .extentOf = revolved});
     add({.name = "mirror",
-         .help = "The half with positive coordinates, and its mirror image.",
-         .fields = {toggle("x", true, "Across the plane x = 0."), toggle("y", false, "Across the plane y = 0."),
-                    toggle("z", false, "Across the plane z = 0.")},
+         .help = "The half of the child at positive coordinates, and its mirror image.",
+         .fields = {toggle("x", true, "Whether to mirror at the plane x = 0."),
+                    toggle("y", false, "Whether to mirror at the plane y = 0."),
+                    toggle("z", false, "Whether to mirror at the plane z = 0.")},
          .exactness = Exactness::bound,
          .place = SCENE_PLACE(sceneMirror(p, V3(0))),
          .extentOf = mirrored});
@@ -252,8 +261,8 @@ void addDistorting(std::vector<NodeKind>& kinds)
         kinds.push_back(std::move(kind));
     };
     add({.name = "twist",
-         .help = "Turned about the y axis, the more the higher.",
-         .fields = {angle("rate", 90, -3600, 3600, "For each meter.")},
+         .help = "The child twisted about the y axis.",
+         .fields = {angle("rate", 90, -3600, 3600, "Angle of the twist per meter of height: 0 is straight.")},
          .exactness = Exactness::bound,
          .place = SCENE_PLACE(sceneTwist(p, V(0))),
          .after = SCENE_AFTER(sceneTwisted(d, p, V(0))),
@@ -262,8 +271,8 @@ void addDistorting(std::vector<NodeKind>& kinds)
          .reachOf = radiusAround,
          .extentOf = turnedExtent});
     add({.name = "bend",
-         .help = "Turned about the z axis, the more the farther along x.",
-         .fields = {angle("rate", 30, -3600, 3600, "For each meter.")},
+         .help = "The child bent about the z axis, along x.",
+         .fields = {angle("rate", 30, -3600, 3600, "Angle of the bend per meter along x: 0 is straight.")},
          .exactness = Exactness::bound,
          .place = SCENE_PLACE(sceneBend(p, V(0))),
          .after = SCENE_AFTER(sceneBent(d, p, V(0))),
@@ -272,12 +281,13 @@ void addDistorting(std::vector<NodeKind>& kinds)
          .reachOf = radiusAroundZ,
          .extentOf = bentExtent});
     add({.name = "displace",
-         .help = "Moved in and out by smooth noise.",
-         .fields = {width("amplitude", 0.05, "Of the first octave."),
-                    plain("frequency", 4, 0.01, 100, "Cells for each meter."),
-                    count("octaves", 1, 1, 8, "Finer noises that are added."),
-                    plain("gain", 0.5, 0, 1, "Strength of each octave against the one before."),
-                    point("shift", {0, 0, 0}, "Moves the noise through the shape.")},
+         .help = "The child with its surface displaced by smooth noise.",
+         .fields = {width("amplitude", 0.05, "Amplitude of the first octave: 0 displaces nothing."),
+                    plain("frequency", 4, 0.01, 100, "Frequency of the noise, in cells per meter."),
+                    count("octaves", 1, 1, 8, "Number of octaves that are summed: each adds finer detail."),
+                    plain("gain", 0.5, 0, 1,
+                          "Strength of an octave relative to the one before: low is smooth, high is rough."),
+                    point("shift", {0, 0, 0}, "Shift of the noise through space.")},
          .exactness = Exactness::bound,
          .after = SCENE_AFTER(sceneDisplaced(d, p, V(0), V(1), V(2), V(3), V3(4))),
          .lipschitz = [](const glm::dvec3&,
@@ -301,7 +311,7 @@ std::vector<NodeKind> operandKinds()
     const auto fields = blendFields();
     kinds.push_back({.name = "union",
                      .form = Form::operands,
-                     .help = "All children together.",
+                     .help = "Union: everything that is in any child.",
                      .fields = fields,
                      .exactness = Exactness::exactOutside,
                      .combine = SCENE_COMBINE(sceneUnion(a, b, V(1), int(V(0)))),
@@ -315,7 +325,7 @@ std::vector<NodeKind> operandKinds()
                      .extentOfTwo = joinedExtent});
     kinds.push_back({.name = "subtraction",
                      .form = Form::operands,
-                     .help = "The first child without the others.",
+                     .help = "Difference: the first child without the others.",
                      .fields = fields,
                      .exactness = Exactness::bound,
                      .combine = SCENE_COMBINE(sceneSubtraction(a, b, V(1), int(V(0)))),
@@ -325,7 +335,7 @@ std::vector<NodeKind> operandKinds()
                      }});
     kinds.push_back({.name = "intersection",
                      .form = Form::operands,
-                     .help = "What all children share.",
+                     .help = "Intersection: everything that all children share.",
                      .fields = fields,
                      .exactness = Exactness::bound,
                      .combine = SCENE_COMBINE(sceneIntersection(a, b, V(1), int(V(0)))),
@@ -335,21 +345,22 @@ std::vector<NodeKind> operandKinds()
                      }});
     kinds.push_back({.name = "xor",
                      .form = Form::operands,
-                     .help = "What is in an odd number of children.",
+                     .help = "Exclusive or: everything that is in an odd number of children.",
                      .fields = fields,
                      .exactness = Exactness::bound,
                      .combine = SCENE_COMBINE(sceneXor(a, b, V(1), int(V(0)))),
                      .share = SCENE_COMBINE(sceneXorShare(a, b, V(1), int(V(0)))),
                      .childLevel = levelOfOperand,
                      .extentOfTwo = joinedExtent});
-    kinds.push_back({.name = "morph",
-                     .form = Form::pair,
-                     .help = "Between the first child and the second.",
-                     .fields = {plain("share", 0.5, 0, 1, "0 is the first, 1 the second.")},
-                     .exactness = Exactness::bound,
-                     .combine = SCENE_COMBINE(sdfMix(a, b, V(0))),
-                     .share = SCENE_COMBINE(sceneMixShare(V(0))),
-                     .extentOfTwo = joinedExtent});
+    kinds.push_back(
+        {.name = "morph",
+         .form = Form::pair,
+         .help = "A shape between the first child and the second.",
+         .fields = {plain("share", 0.5, 0, 1, "Position between the children: 0 is the first, 1 is the second.")},
+         .exactness = Exactness::bound,
+         .combine = SCENE_COMBINE(sdfMix(a, b, V(0))),
+         .share = SCENE_COMBINE(sceneMixShare(V(0))),
+         .extentOfTwo = joinedExtent});
     return kinds;
 }
 
@@ -364,9 +375,10 @@ std::vector<NodeKind> modifierKinds()
 std::vector<NodeKind> repeaterKinds()
 {
     std::vector<NodeKind> kinds;
-    const Field spacing{"spacing", FieldType::vector, Unit::meter,
-                        0,         largestSize,       0,
-                        4,         {1, 0, 0},         "Between copies, along x, y and z; 0 repeats nothing there."};
+    const Field spacing{
+        "spacing", FieldType::vector, Unit::meter,
+        0,         largestSize,       0,
+        4,         {1, 0, 0},         "Distance between copies along x, y and z; 0 does not repeat along that axis."};
     const Field copies{"count",
                        FieldType::counts,
                        Unit::none,
@@ -375,10 +387,10 @@ std::vector<NodeKind> repeaterKinds()
                        0,
                        32,
                        {3, 1, 1},
-                       "How many along x, y and z; 0 is without end."};
+                       "Number of copies along x, y and z; 0 is infinitely many."};
     kinds.push_back({.name = "repeat",
                      .form = Form::repeater,
-                     .help = "Copies along the axes, around the origin.",
+                     .help = "Copies of the child on a grid around the origin.",
                      .fields = {spacing, copies},
                      .exactness = Exactness::exactOutside,
                      .copy = SCENE_COPY(sceneRepeated(p, i, V3(0), V3(3), V3(6), V3(9))),
@@ -392,8 +404,8 @@ std::vector<NodeKind> repeaterKinds()
                      }});
     kinds.push_back({.name = "repeatAround",
                      .form = Form::repeater,
-                     .help = "Copies around the y axis, the first where the child is.",
-                     .fields = {count("count", 6, 1, 1e4, "How many.")},
+                     .help = "Copies of the child around the y axis; the first is the child itself.",
+                     .fields = {count("count", 6, 1, 1e4, "Number of copies.")},
                      .exactness = Exactness::exactOutside,
                      .copy = SCENE_COPY(sceneRepeatedAround(p, i, V(0), V(1))),
                      .extentOf = turnedExtent,

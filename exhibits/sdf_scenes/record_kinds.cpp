@@ -56,19 +56,22 @@ const RecordTable& materialTable()
     static const RecordTable table{
         "model",
         {{"phong",
-          "Phong's highlight and a mirror, as the source of these scenes has them.",
-          {color("color", {0.8, 0.8, 0.8}, "In linear light."), share("ambient", 0.2, "Of the color, from everywhere."),
-           share("diffuse", 0.9, "Of the color, from lights."), share("specular", 0.3, "Of the highlight, white."),
-           number("shininess", 20, 1, 1e4, "How narrow the highlight is."), share("mirror", 0, "What is reflected.")}},
+          "Phong shading with a mirror, as in the reference of these scenes.",
+          {color("color", {0.8, 0.8, 0.8}, "Color, as linear values."),
+           share("ambient", 0.2, "Share of the color that is lit from everywhere."),
+           share("diffuse", 0.9, "Share of the color that is lit by the lights."),
+           share("specular", 0.3, "Strength of the white highlight."),
+           number("shininess", 20, 1, 1e4, "Exponent of the highlight: high makes it narrow."),
+           share("mirror", 0, "Share of the light that is mirrored.")}},
          {"pbr",
-          "Metal, glaze or stone.",
-          {color("color", {0.8, 0.8, 0.8}, "In linear light."),
-           share("metalness", 0, "0 is no metal, 1 is bare metal."),
-           share("roughness", 0.4, "0 is a mirror, 1 is chalk."),
-           share("reflectance", 0.5, "Of what is no metal: 0.5 is 4 %."),
-           number("refractiveIndex", 1.5, 1, 3, "Of glass."),
-           share("transmission", 0, "0 is opaque, 1 is clear glass, which has its color per 10 cm of depth."),
-           number("emission", 0, 0, 1e4, "Light of its own: so many times its color.")}}}};
+          "Physically based material: metal, glaze, stone or glass.",
+          {color("color", {0.8, 0.8, 0.8}, "Color, as linear values."),
+           share("metalness", 0, "Share of metal: 0 is none, 1 is bare metal."),
+           share("roughness", 0.4, "Roughness of the surface: 0 is a mirror, 1 is chalk."),
+           share("reflectance", 0.5, "Reflectance of nonmetals: 0.5 is 4 %."),
+           number("refractiveIndex", 1.5, 1, 3, "Refractive index of the glass."),
+           share("transmission", 0, "Transmission: 0 is opaque, 1 is clear glass with the color of 10 cm of it."),
+           number("emission", 0, 0, 1e4, "Emitted light, as a multiple of the color.")}}}};
     return table;
 }
 
@@ -77,52 +80,57 @@ const RecordTable& lightTable()
     static const RecordTable table{
         "kind",
         {{"point",
-          "A point that shines everywhere.",
-          {place("position", {0, 4, 0}, "Where it is."),
+          "A point light that shines in all directions.",
+          {place("position", {0, 4, 0}, "Position of the light."),
            radiance("color", {1, 1, 1},
-                    "What white reflects where the camera looks, linear; as in the source, at any distance.")}},
+                    "Light reflected by white at the camera's target, as linear values; with Phong shading, at any "
+                    "distance.")}},
          {"sun",
           "Light from one direction.",
-          {towards("direction", {0.4, 1, 0.3}, "Towards it."),
-           radiance("color", {1, 1, 1}, "What white reflects that faces it, linear."),
-           turn("width", 0.5, 0.01, 60, "How wide it looks.")}},
+          {towards("direction", {0.4, 1, 0.3}, "Direction to the sun."),
+           radiance("color", {1, 1, 1}, "Light reflected by white that faces the sun, as linear values."),
+           turn("width", 0.5, 0.01, 60, "Angular diameter of the sun.")}},
          {"area",
-          "A rectangle that shines to one side.",
-          {place("position", {0, 4, 0}, "Its center."), towards("direction", {0, -1, 0}, "Where it shines."),
-           length("width", 1, "One edge."), length("height", 1, "The other edge."),
-           radiance("color", {1, 1, 1}, "How bright it looks, linear.")}}}};
+          "A rectangular light that shines to one side.",
+          {place("position", {0, 4, 0}, "Position of the center of the light."),
+           towards("direction", {0, -1, 0}, "Direction in which the light shines."),
+           length("width", 1, "Length of the first edge."), length("height", 1, "Length of the second edge."),
+           radiance("color", {1, 1, 1}, "Radiance of the light, as linear values.")}}}};
     return table;
 }
 
 const RecordTable& environmentTable()
 {
-    static const RecordTable table{
-        "kind",
-        {{"sky",
-          "Three colors from the ground up.",
-          {radiance("zenith", {0.25, 0.45, 0.8}, "Above, linear."),
-           radiance("horizon", {0.8, 0.85, 0.9}, "Around, linear."),
-           radiance("ground", {0.25, 0.22, 0.2}, "Below, linear.")}},
-         {"panorama",
-          "A picture of all directions, twice as wide as high.",
-          {turn("rotation", 0, -360, 360, "About the y axis."), number("brightness", 1, 0, 1000, "Factor.")},
-          {"file"}},
-         {"faces",
-          "Six square pictures.",
-          {turn("rotation", 0, -360, 360, "About the y axis."), number("brightness", 1, 0, 1000, "Factor.")},
-          {"right", "left", "top", "bottom", "front", "back"}}}};
+    static const RecordTable table{"kind",
+                                   {{"sky",
+                                     "Gradient of three colors from the ground up.",
+                                     {radiance("zenith", {0.25, 0.45, 0.8}, "Color above, as linear values."),
+                                      radiance("horizon", {0.8, 0.85, 0.9}, "Color at the horizon, as linear values."),
+                                      radiance("ground", {0.25, 0.22, 0.2}, "Color below, as linear values.")}},
+                                    {"panorama",
+                                     "Panorama picture, twice as wide as high.",
+                                     {turn("rotation", 0, -360, 360, "Rotation about the y axis."),
+                                      number("brightness", 1, 0, 1000, "Factor of the brightness.")},
+                                     {"file"}},
+                                    {"faces",
+                                     "Cube map of six square pictures.",
+                                     {turn("rotation", 0, -360, 360, "Rotation about the y axis."),
+                                      number("brightness", 1, 0, 1000, "Factor of the brightness.")},
+                                     {"right", "left", "top", "bottom", "front", "back"}}}};
     return table;
 }
 
 const RecordTable& cameraTable()
 {
-    static const RecordTable table{"",
-                                   {{"camera",
-                                     "From where the scene is seen.",
-                                     {place("position", {0, 1.5, 5}, "Of the eye."),
-                                      place("target", {0, 0, 0}, "What is in the middle of the picture."),
-                                      towards("up", {0, 1, 0}, "What is up in the picture."),
-                                      turn("fieldOfView", 45, 1, 150, "From the lower to the upper edge.")}}}};
+    static const RecordTable table{
+        "",
+        {{"camera",
+          "Camera from which the scene is seen.",
+          {place("position", {0, 1.5, 5}, "Position of the eye."),
+           place("target", {0, 0, 0}, "Point in the middle of the picture."),
+           towards("up", {0, 1, 0}, "Direction that points up in the picture."),
+           turn("fieldOfView", 45, 1, 150,
+                "Vertical field of view, from the lower to the upper edge of the picture.")}}}};
     return table;
 }
 
@@ -131,7 +139,7 @@ const RecordTable& lookTable()
     static const RecordTable table{
         "",
         {{"look",
-          "How the scene is lit.",
+          "Shading of the scene.",
           {{"asInTheSource",
             FieldType::toggle,
             Unit::none,
@@ -140,12 +148,21 @@ const RecordTable& lookTable()
             0,
             1,
             {0, 0, 0},
-            "Phong, its formulas, and no tone curve."},
-           {"bounces", FieldType::count, Unit::none, 0, 4, 0, 4, {2, 0, 0}, "How often a ray is reflected."},
-           number("softShadows", 0, 0, 1000, "The source's factor of its soft shadows; 0 is a hard edge."),
-           share("ambientOcclusion", 1, "How much of it."),
-           radiance("ambient", {1, 1, 1}, "Light from everywhere, linear; only as in the source."),
-           number("exposure", 1, 0, 1e4, "Of the picture: a factor of all light; not as in the source.")}}}};
+            "Whether to shade by Phong's formulas without tone mapping, as in the reference."},
+           {"bounces",
+            FieldType::count,
+            Unit::none,
+            0,
+            4,
+            0,
+            4,
+            {2, 0, 0},
+            "Largest number of reflections along a ray."},
+           number("softShadows", 0, 0, 1000,
+                  "Factor k of the reference's soft shadows: low is soft, high is sharp, 0 is hard."),
+           share("ambientOcclusion", 1, "Strength of the ambient occlusion: 0 is off."),
+           radiance("ambient", {1, 1, 1}, "Ambient light, as linear values; only with Phong shading."),
+           number("exposure", 1, 0, 1e4, "Exposure, as a factor of all light; not with Phong shading.")}}}};
     return table;
 }
 
@@ -153,7 +170,15 @@ const std::vector<Field>& placeFields()
 {
     constexpr double turns = 3600 * radiansInDegree;
     static const std::vector<Field> fields{
-        {"translate", FieldType::vector, Unit::meter, -farthest, farthest, -4, 4, {0, 0, 0}, "Moves it."},
+        {"translate",
+         FieldType::vector,
+         Unit::meter,
+         -farthest,
+         farthest,
+         -4,
+         4,
+         {0, 0, 0},
+         "Translation of the shape."},
         {"rotate",
          FieldType::vector,
          Unit::degree,
@@ -162,7 +187,7 @@ const std::vector<Field>& placeFields()
          -turns / 10,
          turns / 10,
          {0, 0, 0},
-         "About z, then y, then x."},
+         "Rotation of the shape about z, then y, then x."},
         {"scale",
          FieldType::sizes,
          Unit::none,
@@ -171,7 +196,7 @@ const std::vector<Field>& placeFields()
          0.1,
          4,
          {1, 1, 1},
-         "One factor, or one along each axis; first of all."}};
+         "Scale of the shape, one factor or one per axis; applied before rotation and translation."}};
     return fields;
 }
 

@@ -22,9 +22,9 @@ std::string freeName(const SdfScenesTable& table, const std::string& name)
 SdfScenesTable::SdfScenesTable(std::shared_ptr<const scenes::ShownScene> of) : shown(std::move(of))
 {
     if (!shown || shown->scene->parameters().empty()) return;
-    group(shown->scene->name.empty() ? "Of this scene" : shown->scene->name);
+    group(shown->scene->name.empty() ? "Scene parameters" : shown->scene->name);
     for (const scenes::SceneParameter& p : shown->scene->parameters()) {
-        const std::string help = p.help.empty() ? "A parameter of this scene." : p.help;
+        const std::string help = p.help.empty() ? "Parameter of this scene." : p.help;
         ofScene.push_back(real(freeName(*this, p.name), p.initial, p.unit, Range{p.low, p.high}, help));
     }
 }

@@ -61,7 +61,7 @@ Json fieldSchema(const Field& field)
         for (const double x : field.initial) initial.push_back(rounded(x, field.unit));
     }
     const std::string_view symbol = info(field.unit).symbol;
-    schema["description"] = std::string(field.help) + (symbol.empty() ? "" : " In " + std::string(symbol) + '.');
+    schema["description"] = std::string(field.help) + (symbol.empty() ? "" : " Unit: " + std::string(symbol) + '.');
     schema["default"] = initial;
     return schema;
 }
@@ -101,10 +101,11 @@ constexpr const char* commonOfNodes[] = {"name", "about", "material", "hidden", 
 /// Adds the members that every node may have.
 void addCommon(Json& definitions)
 {
-    definitions["common.name"] = textSchema("For people.");
-    definitions["common.about"] = textSchema("For people.");
-    definitions["common.material"] = textSchema("A name under \"materials\"; by default that of the parent.");
-    definitions["common.hidden"] = {{"type", "boolean"}, {"description", "Left out."}, {"default", false}};
+    definitions["common.name"] = textSchema("Name to display.");
+    definitions["common.about"] = textSchema("Description to display.");
+    definitions["common.material"] = textSchema("Name of an entry under \"materials\"; by default that of the parent.");
+    definitions["common.hidden"] = {
+        {"type", "boolean"}, {"description", "Whether the node is left out."}, {"default", false}};
     for (const Field& field : placeFields()) definitions["common." + std::string(field.name)] = fieldSchema(field);
 }
 
@@ -137,12 +138,11 @@ void addNodes(Json& definitions)
         definitions["node." + name] = objectSchema(std::move(properties), std::move(required), kind.help);
     }
     Json instance = nodeProperties("instance");
-    instance["of"] = textSchema("A name under \"nodes\".");
-    definitions["node.instance"] = objectSchema(std::move(instance), {"kind", "of"}, "A node under \"nodes\", here.");
+    instance["of"] = textSchema("Name of an entry under \"nodes\".");
+    definitions["node.instance"] = objectSchema(std::move(instance), {"kind", "of"}, "Copy of a node under \"nodes\".");
     Json include = nodeProperties("include");
-    include["file"] = textSchema("A scene file of this folder or below it.");
-    definitions["node.include"] =
-        objectSchema(std::move(include), {"kind", "file"}, "The root of another scene, here.");
+    include["file"] = textSchema("Path of a scene file in this folder or below it.");
+    definitions["node.include"] = objectSchema(std::move(include), {"kind", "file"}, "Root node of another scene.");
     words.push_back("instance");
     words.push_back("include");
     definitions["node"] = byKind("kind", words, "node.");
@@ -161,7 +161,7 @@ void addRecords(Json& definitions, const std::string& name, const RecordTable& t
         }
         for (const Field& field : kind.fields) properties[std::string(field.name)] = fieldSchema(field);
         for (const std::string_view file : kind.files) {
-            properties[std::string(file)] = textSchema("A picture of this folder or below it.");
+            properties[std::string(file)] = textSchema("Path of a picture in this folder or below it.");
             required.push_back(std::string(file));
         }
         words.push_back(std::string(kind.name));
@@ -182,8 +182,8 @@ Json sceneSchema()
         objectSchema({{"value", plainNumber},
                       {"unit", {{"enum", {"", "m", "cm", "mm", "deg", "s", "Hz", "%"}}}},
                       {"range", {{"type", "array"}, {"items", plainNumber}, {"minItems", 2}, {"maxItems", 2}}},
-                      {"help", textSchema("One sentence.")}},
-                     {"value"}, "A slider that expressions name.");
+                      {"help", textSchema("Help text of one sentence.")}},
+                     {"value"}, "Parameter that expressions can name; shown as a slider.");
     addRecords(definitions, "material", materialTable());
     addRecords(definitions, "light", lightTable());
     addRecords(definitions, "environment", environmentTable());
@@ -199,8 +199,8 @@ Json sceneSchema()
         {{"$schema", {{"type", "string"}}},
          {"format", {{"const", sceneFormat}}},
          {"version", {{"const", sceneVersion}}},
-         {"name", textSchema("For people.")},
-         {"about", textSchema("For people.")},
+         {"name", textSchema("Name to display.")},
+         {"about", textSchema("Description to display.")},
          {"parameters", named("parameter")},
          {"materials", named("material")},
          {"lights", {{"type", "array"}, {"items", reference("light")}, {"maxItems", 16}}},

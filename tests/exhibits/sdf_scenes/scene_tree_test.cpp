@@ -124,7 +124,7 @@ TEST(SceneTree, ANodesNumbersAreRowsInTheirUnits)
     EXPECT_NEAR(std::get<double>(e.number("root.children[1]", "rotateX")), std::acos(-1.0) / 2, 1e-12);
     EXPECT_EQ(e.number("root.children[1]", "translateX"), Value(1.0)) << "computed from gap";
     const TreeRows torus = e.shown().rowsOf(e.values(), "root.children[1]").value();
-    EXPECT_NE(torus.note.find("Computed: translate x."), std::string::npos) << torus.note;
+    EXPECT_NE(torus.note.find("Expressions: translate x."), std::string::npos) << torus.note;
     EXPECT_TRUE(e.shown().rowsOf(e.values(), "root.children[0]").value().note.empty());
     EXPECT_FALSE(e.shown().rowsOf(e.values(), "root.children[9]"));
     const ParameterInfo& radius = torus.values.rows()[torus.values.table().find("rotateX").value()];
