@@ -2127,6 +2127,11 @@ Zeiten nach: %2.</translation>
         <translation>Albedo</translation>
     </message>
     <message>
+        <source>Albedo (diffuse color) of the solid field.</source>
+        <extracomment>tables</extracomment>
+        <translation>Albedo (diffuse Farbe) des festen Felds.</translation>
+    </message>
+    <message>
         <source>all</source>
         <extracomment>tables</extracomment>
         <translation>alle</translation>
@@ -2235,6 +2240,11 @@ Zeiten nach: %2.</translation>
         <translation>Umgebungsverdeckung ist ausgeschaltet</translation>
     </message>
     <message>
+        <source>Amount by which fine noise erodes the edges of the clouds: 0 is smooth, 1 is ragged.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie stark feines Rauschen die Ränder der Wolken abträgt: 0 ist glatt, 1 ist zerfranst.</translation>
+    </message>
+    <message>
         <source>Amount by which the ball's radius grows and shrinks; 0 keeps its size.</source>
         <extracomment>tables</extracomment>
         <translation>Betrag, um den der Radius des Balls wächst und schrumpft; 0 lässt die Größe gleich.</translation>
@@ -2243,6 +2253,11 @@ Zeiten nach: %2.</translation>
         <source>Amount by which the fur lags behind when the body starts, stops or spins: 0 follows at once.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit das Fell nachhängt, wenn der Körper anfährt, anhält oder sich dreht: 0 folgt sofort.</translation>
+    </message>
+    <message>
+        <source>Amount of foam on the crests: 0 is none, high foams early.</source>
+        <extracomment>tables</extracomment>
+        <translation>Menge des Schaums auf den Kämmen: 0 ist keiner, hohe Werte schäumen früh.</translation>
     </message>
     <message>
         <source>Amount of light that comes through the fringe from behind: 0 is none, high gives a bright rim.</source>
@@ -2359,6 +2374,11 @@ Zeiten nach: %2.</translation>
         <translation>Winkel zwischen der Achse und der Seite.</translation>
     </message>
     <message>
+        <source>Angle by which the lattice of each octave is rotated against the one before; 0 shows the lattice.</source>
+        <extracomment>tables</extracomment>
+        <translation>Winkel, um den das Gitter jeder Oktave gegen das vorige gedreht wird; 0 lässt das Gitter sehen.</translation>
+    </message>
+    <message>
         <source>Angle from +y to each end of the arc.</source>
         <translation>Winkel von +y zu jedem Ende des Bogens.</translation>
     </message>
@@ -2453,11 +2473,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>another camera, moment or world than before</source>
         <translation>andere Kamera, anderer Augenblick oder andere Welt als zuvor</translation>
-    </message>
-    <message>
-        <source>Another number is another field, another sea, another sky.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eine andere Zahl ist ein anderes Feld, ein anderes Meer, ein anderer Himmel.</translation>
     </message>
     <message>
         <source>Another number strews other lanterns and other ripples.</source>
@@ -2956,11 +2971,6 @@ Zeiten nach: %2.</translation>
         <translation>Blinn-Phong</translation>
     </message>
     <message>
-        <source>Blobs of one octave, the same of many, waves, or a sky of clouds: all made of noise.</source>
-        <extracomment>tables</extracomment>
-        <translation>Klumpen einer Oktave, dasselbe aus vielen, Wellen, oder ein Wolkenhimmel: alles aus Rauschen.</translation>
-    </message>
-    <message>
         <source>blue noise</source>
         <extracomment>tables</extracomment>
         <translation>blaues Rauschen</translation>
@@ -3138,11 +3148,6 @@ Zeiten nach: %2.</translation>
         <source>By hand</source>
         <extracomment>tables</extracomment>
         <translation>Von Hand</translation>
-    </message>
-    <message>
-        <source>By which each octave's lattice is turned, so that no two lie along each other.</source>
-        <extracomment>tables</extracomment>
-        <translation>Um den das Gitter jeder Oktave gedreht wird, sodass keine zwei aneinander liegen.</translation>
     </message>
     <message>
         <source>bytes once unpacked</source>
@@ -4012,11 +4017,6 @@ Zeiten nach: %2.</translation>
         <translation>Zellen um einen Ort, deren Flammen ihn beleuchten.</translation>
     </message>
     <message>
-        <source>Cells of the first octave in a meter.</source>
-        <extracomment>tables</extracomment>
-        <translation>Zellen der ersten Oktave in einem Meter.</translation>
-    </message>
-    <message>
         <source>Cells of {1} m are too small for a scene that reaches {2} m; give --cell {3}m or more.</source>
         <translation>Zellen von {=1} m sind zu klein für eine Szene, die {=2} m weit reicht; geben Sie --cell {=3}m oder mehr an.</translation>
     </message>
@@ -4364,6 +4364,11 @@ Zeiten nach: %2.</translation>
         <source>Color by</source>
         <extracomment>tables</extracomment>
         <translation>Färben nach</translation>
+    </message>
+    <message>
+        <source>Color of deep water in daylight.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe tiefen Wassers bei Tageslicht.</translation>
     </message>
     <message>
         <source>Color of the dust, as the share of light that it scatters rather than absorbs: white absorbs none.</source>
@@ -4984,9 +4989,19 @@ Zeiten nach: %2.</translation>
         <translation>Dichterauschen</translation>
     </message>
     <message>
+        <source>Density of the clouds, as the share of light that a meter of the thickest cloud removes.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dichte der Wolken, als Anteil des Lichts, den ein Meter der dicksten Wolke nimmt.</translation>
+    </message>
+    <message>
         <source>Density of the dust near the floor, as the share of light that a meter of it removes: 0 is clear air.</source>
         <extracomment>tables</extracomment>
         <translation>Dichte des Staubs in Bodennähe, als Anteil des Lichts, den ein Meter davon nimmt: 0 ist klare Luft.</translation>
+    </message>
+    <message>
+        <source>Density of the haze: 0 is clear to the horizon, 1 hides it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dichte des Dunsts: 0 ist klar bis zum Horizont, 1 verbirgt ihn.</translation>
     </message>
     <message>
         <source>Depot: shown alone</source>
@@ -5079,6 +5094,11 @@ Zeiten nach: %2.</translation>
         <translation>Richtung, in die das Licht scheint.</translation>
     </message>
     <message>
+        <source>Direction in which the wind blows, from straight ahead: negative is to the left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Richtung, in die der Wind weht, von geradeaus: Negative Werte gehen nach links.</translation>
+    </message>
+    <message>
         <source>Direction of the lenses: vertical lenses change when you move sideways, horizontal ones when you move up or down.</source>
         <extracomment>tables</extracomment>
         <translation>Richtung der Linsen: Senkrechte wechseln bei seitlicher Bewegung, waagerechte bei Bewegung auf und ab.</translation>
@@ -5167,6 +5187,11 @@ Zeiten nach: %2.</translation>
         <translation>Abstand</translation>
     </message>
     <message>
+        <source>Distance at which a ray counts as a hit of the field or the water, in pixels at that depth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand, bei dem ein Strahl als Treffer des Felds oder Wassers gilt, in Pixeln bei dieser Tiefe.</translation>
+    </message>
+    <message>
         <source>Distance at which a ray counts as a hit, in half pixels at that depth: low is accurate, high saves steps.</source>
         <extracomment>tables</extracomment>
         <translation>Abstand, bei dem ein Strahl als Treffer gilt, in halben Pixeln bei dieser Tiefe: Niedrige Werte sind genau, hohe sparen Schritte.</translation>
@@ -5228,6 +5253,11 @@ Zeiten nach: %2.</translation>
         <source>Distance of the sun outside the picture at which its rays have faded, in half picture sizes.</source>
         <extracomment>tables</extracomment>
         <translation>Abstand der Sonne vom Bildrand, bei dem ihre Strahlen verblasst sind, in halben Bildgrößen.</translation>
+    </message>
+    <message>
+        <source>Distance of the view from the origin of the noise: the picture stays sharp even ten thousand kilometers away.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand der Ansicht vom Ursprung des Rauschens: Das Bild bleibt auch zehntausend Kilometer entfernt scharf.</translation>
     </message>
     <message>
         <source>Distribution of the shells over the length of the fur: below 1 more of them lie near the tips, above 1 near the skin.</source>
@@ -6252,9 +6282,14 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Frequenz</translation>
     </message>
     <message>
-        <source>Frequency of an octave over that of the one before.</source>
+        <source>Frequency of an octave relative to the one before: 2 doubles it.</source>
         <extracomment>tables</extracomment>
-        <translation>Frequenz einer Oktave gegenüber der davor.</translation>
+        <translation>Frequenz einer Oktave gegenüber der vorigen: 2 verdoppelt sie.</translation>
+    </message>
+    <message>
+        <source>Frequency of the first octave, in cells per meter: low makes large blobs, high small ones.</source>
+        <extracomment>tables</extracomment>
+        <translation>Frequenz der ersten Oktave, in Zellen pro Meter: Niedrige Werte geben große Klumpen, hohe kleine.</translation>
     </message>
     <message>
         <source>Frequency of the melting, to the mug and back.</source>
@@ -6710,11 +6745,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe von Ende zu Ende.</translation>
     </message>
     <message>
-        <source>Height of its own sun above the horizon.</source>
-        <extracomment>tables</extracomment>
-        <translation>Höhe der eigenen Sonne über dem Horizont.</translation>
-    </message>
-    <message>
         <source>Height of the center of the upper sphere.</source>
         <translation>Höhe des Mittelpunkts der oberen Kugel.</translation>
     </message>
@@ -6726,6 +6756,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Height of the lower ring.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe des unteren Rings.</translation>
+    </message>
+    <message>
+        <source>Height of the middle of the frame above the base of the clouds: between 0 and 1400 m it is inside them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der Rahmenmitte über der Unterseite der Wolken: Zwischen 0 und 1400 m liegt sie mitten darin.</translation>
+    </message>
+    <message>
+        <source>Height of the middle of the frame above the calm water.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der Rahmenmitte über dem ruhigen Wasser.</translation>
     </message>
     <message>
         <source>Height of the mug, from its foot to its lip.</source>
@@ -6754,6 +6794,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Height of the tip.</source>
         <translation>Höhe der Spitze.</translation>
+    </message>
+    <message>
+        <source>Height of the work's own sun above the horizon.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der eigenen Sonne des Werks über dem Horizont.</translation>
     </message>
     <message>
         <source>heights</source>
@@ -6889,6 +6934,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Horizontale Richtung der Sonne, durch das Fenster gesehen: Negative Werte liegen links.</translation>
     </message>
     <message>
+        <source>Horizontal direction of the work's own sun, seen through the frame: negative is to the left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Horizontale Richtung der eigenen Sonne des Werks, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
+    </message>
+    <message>
         <source>hour</source>
         <translation>Stunde</translation>
     </message>
@@ -6952,11 +7002,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit Ziehen Sie dreht, oder um ein Exponat herumführt.</translation>
     </message>
     <message>
-        <source>How far from the origin of the noise the picture is: ten thousand kilometers off, it is as sharp as at home.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit vom Ursprung des Rauschens das Bild liegt: Zehntausend Kilometer entfernt ist es so scharf wie daheim.</translation>
-    </message>
-    <message>
         <source>How far it floats up and down.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit es auf und ab schwebt.</translation>
@@ -6994,11 +7039,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How far they are turned, each by an angle of its own.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit sie gedreht sind, jede um einen eigenen Winkel.</translation>
-    </message>
-    <message>
-        <source>How far up the frame looks.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit der Rahmen nach oben schaut.</translation>
     </message>
     <message>
         <source>How far: at 1 means are kept, less leaves calm areas.</source>
@@ -7044,19 +7084,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie viele unter Datei &gt; Zuletzt geöffnet bleiben; 0 behält keine.</translation>
     </message>
     <message>
-        <source>How many cells a further noise moves the first ones by: 0 leaves them, high folds and swirls.</source>
-        <extracomment>tables</extracomment>
-        <translation>Um wie viele Zellen ein weiteres Rauschen die ersten verschiebt: 0 lässt sie, hohe Werte falten und wirbeln.</translation>
-    </message>
-    <message>
         <source>How many colors are taken from a picture.</source>
         <extracomment>tables</extracomment>
         <translation>Wie viele Farben aus einem Bild genommen werden.</translation>
-    </message>
-    <message>
-        <source>How many octaves are summed: each has finer grain.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie viele Oktaven summiert werden: Jede hat feineres Korn.</translation>
     </message>
     <message>
         <source>How many the palette made of the frames has.</source>
@@ -7076,16 +7106,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie sehr eine Linie statt ihrer eigenen Farbe einen dunklen Ton dessen annimmt, was sie begrenzt.</translation>
     </message>
     <message>
-        <source>How much crests are drawn together: 0 is a plain sum of sines, 1 a sea, more breaks.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr Kämme zusammengezogen werden: 0 ist eine einfache Summe von Sinus, 1 ein Meer, mehr bricht.</translation>
-    </message>
-    <message>
-        <source>How much fine noise takes away from their edges.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie viel feines Rauschen von ihren Rändern nimmt.</translation>
-    </message>
-    <message>
         <source>How much flames flicker: 0 burns evenly.</source>
         <extracomment>tables</extracomment>
         <translation>Wie sehr Flammen flackern: 0 brennt gleichmäßig.</translation>
@@ -7093,11 +7113,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How much nearer one step of the wheel takes you to an exhibit.</source>
         <translation>Wie viel näher ein Schritt des Mausrads an ein Exponat heranführt.</translation>
-    </message>
-    <message>
-        <source>How much of the sky the clouds fill.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie viel vom Himmel die Wolken füllen.</translation>
     </message>
     <message>
         <source>How much the camera follows a visitor who steps aside: 1 as a window would.</source>
@@ -7110,11 +7125,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie nah an einem Teil Strahlen in kleinen gleichen Schritten weitergehen, bis sie treffen, in Pixeln bei dieser Entfernung: Mehr macht Kanten ungleichmäßig.</translation>
     </message>
     <message>
-        <source>How near a ray must come to the field or the water, in pixels at that distance.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie nah ein Strahl dem Feld oder dem Wasser kommen muss, in Pixeln bei dieser Entfernung.</translation>
-    </message>
-    <message>
         <source>How often a ray may be mirrored by the water.</source>
         <extracomment>tables</extracomment>
         <translation>Wie oft ein Strahl vom Wasser gespiegelt werden darf.</translation>
@@ -7125,24 +7135,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie oft Licht darin gestreut wird: Niedrige Werte sind klar und hell, hohe trüb und weiß.</translation>
     </message>
     <message>
-        <source>How rays find what they show: by steps of half the field's value, of the height above the water, of one length through clouds, or by as much as bounds of the slope allow, with clear air passed quickly.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie Strahlen finden, was sie zeigen: in Schritten vom halben Wert des Felds, von der Höhe über dem Wasser, von einer Länge durch Wolken; oder von so viel, wie Schranken der Steigung erlauben, mit schnellem Weg durch klare Luft.</translation>
-    </message>
-    <message>
         <source>How softly posts and rings join.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weich Pfosten und Ringe ineinander übergehen.</translation>
-    </message>
-    <message>
-        <source>How soon crests break into foam; 0 never.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie bald Kämme zu Schaum brechen; 0 nie.</translation>
-    </message>
-    <message>
-        <source>How strongly droplets scatter ahead: high gives silver edges before the sun.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie stark Tröpfchen nach vorn streuen: Hohe Werte geben silberne Ränder vor der Sonne.</translation>
     </message>
     <message>
         <source>How the other studies stand to the first</source>
@@ -7945,6 +7940,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Knotenart</translation>
     </message>
     <message>
+        <source>Kind of noise: values at the cell corners, gradients there, gradients on a simplex lattice, or the distance to the nearest of scattered points (cellular).</source>
+        <extracomment>tables</extracomment>
+        <translation>Art des Rauschens: Werte an den Ecken der Zellen, Gradienten dort, Gradienten auf einem Simplex-Gitter oder die Distanz zum nächsten verstreuter Punkte (zellular).</translation>
+    </message>
+    <message>
         <source>L&amp;ower</source>
         <translation>&amp;Niedriger</translation>
     </message>
@@ -8038,6 +8038,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Largest number of reflections along a ray: 0 shows none. A scene may limit it further.</source>
         <extracomment>tables</extracomment>
         <translation>Höchstzahl der Spiegelungen entlang eines Strahls: 0 zeigt keine. Eine Szene kann sie weiter begrenzen.</translation>
+    </message>
+    <message>
+        <source>Largest number of steps in which a ray finds the water.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höchstzahl der Schritte, in denen ein Strahl das Wasser findet.</translation>
+    </message>
+    <message>
+        <source>Largest number of steps of a ray to find the field, or the sea as in the reference.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höchstzahl der Schritte eines Strahls, um das Feld oder das Meer wie im Original zu finden.</translation>
     </message>
     <message>
         <source>Largest number of steps of a ray; beyond it, the ray ends at the best candidate so far.</source>
@@ -8259,11 +8269,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Let things throw shadows.</source>
         <extracomment>tables</extracomment>
         <translation>Lässt Dinge Schatten werfen.</translation>
-    </message>
-    <message>
-        <source>Let time run: the field drifts, waves roll, clouds sail.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt die Zeit laufen: Das Feld treibt, Wellen rollen, Wolken segeln.</translation>
     </message>
     <message>
         <source>Let time run: the torus tumbles, cubes bob, water breathes; a round takes 4 s.</source>
@@ -8772,19 +8777,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Metallanteil</translation>
     </message>
     <message>
-        <source>Meters a second by which the field comes towards you.</source>
-        <extracomment>tables</extracomment>
-        <translation>Meter pro Sekunde, mit denen das Feld auf Sie zukommt.</translation>
-    </message>
-    <message>
         <source>Meters a second by which the wind moves them.</source>
         <extracomment>tables</extracomment>
         <translation>Meter pro Sekunde, mit denen der Wind sie bewegt.</translation>
-    </message>
-    <message>
-        <source>Meters a second, ten meters above the water: more makes longer and higher waves.</source>
-        <extracomment>tables</extracomment>
-        <translation>Meter pro Sekunde, zehn Meter über dem Wasser: Mehr macht längere und höhere Wellen.</translation>
     </message>
     <message>
         <source>Meters of the lake in a meter of the hall: more makes lanterns smaller.</source>
@@ -9395,9 +9390,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rauschen</translation>
     </message>
     <message>
-        <source>Noise above this is solid: low fills space, high leaves islands.</source>
+        <source>Noise value above which space is solid: low fills space, high leaves islands.</source>
         <extracomment>tables</extracomment>
-        <translation>Rauschen darüber ist fest: Niedrige Werte füllen den Raum, hohe lassen Inseln.</translation>
+        <translation>Rauschwert, über dem der Raum fest ist: Niedrige Werte füllen den Raum, hohe lassen Inseln.</translation>
     </message>
     <message>
         <source>Noise value below which space is solid: -1 leaves nothing, 1 fills everything.</source>
@@ -9484,6 +9479,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Normals from depth, lines of one pixel, and few colors.</source>
         <translation>Normalen aus der Tiefe, Linien von einem Pixel und wenige Farben.</translation>
+    </message>
+    <message>
+        <source>Normals of the field: by six further evaluations (differences), or by the analytic derivative.</source>
+        <extracomment>tables</extracomment>
+        <translation>Normalen des Felds: durch sechs weitere Auswertungen (Differenzen) oder durch die analytische Ableitung.</translation>
     </message>
     <message>
         <source>Not all files say on which machine they were measured, so their times cannot be compared: their work is, which counts the same anywhere.</source>
@@ -9660,8 +9660,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Normalen quer über eine Linse, deren Spiegelungen gemittelt werden: Wenige zeigen Streifen.</translation>
     </message>
     <message>
+        <source>Number of octaves of the clouds' noise: each adds finer detail.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Oktaven des Wolkenrauschens: Jede fügt feinere Details hinzu.</translation>
+    </message>
+    <message>
         <source>Number of octaves that are summed: each adds finer detail.</source>
+        <extracomment>tables</extracomment>
         <translation>Zahl der Oktaven, die summiert werden: Jede fügt feinere Details hinzu.</translation>
+    </message>
+    <message>
+        <source>Number of orders of scattering that are summed: 1 leaves clouds dark inside, each further one makes them whiter.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Streuordnungen, die summiert werden: 1 lässt Wolken innen dunkel, jede weitere macht sie weißer.</translation>
     </message>
     <message>
         <source>Number of rays over each light, for the area method: few are noisy, many cost more.</source>
@@ -9714,6 +9725,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Schritte, in denen ein Strahl die Lichtstrahlen des Volumens durchquert: Wenige rauschen, viele kosten mehr.</translation>
     </message>
     <message>
+        <source>Number of steps of a ray through the clouds: few are noisy, many cost more.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Schritte eines Strahls durch die Wolken: Wenige rauschen, viele kosten mehr.</translation>
+    </message>
+    <message>
+        <source>Number of steps towards the sun from each point in a cloud.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Schritte zur Sonne von jedem Punkt einer Wolke.</translation>
+    </message>
+    <message>
         <source>Number of strands along one side of a tuft: low makes fine tufts, high makes broad ones.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Haare entlang einer Seite eines Büschels: Niedrige Werte geben feine Büschel, hohe breite.</translation>
@@ -9737,6 +9758,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of views under each lens, chosen evenly from those of the print; never more than it has.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Ansichten unter jeder Linse, gleichmäßig aus denen des Drucks gewählt; nie mehr, als er hat.</translation>
+    </message>
+    <message>
+        <source>Number of waves that are summed, from the longest: few are smooth, many add small waves.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Wellen, die summiert werden, von der längsten an: Wenige sind glatt, viele fügen kleine Wellen hinzu.</translation>
     </message>
     <message>
         <source>Number to read</source>
@@ -9813,11 +9839,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Octaves</source>
         <extracomment>tables</extracomment>
         <translation>Oktaven</translation>
-    </message>
-    <message>
-        <source>Octaves of the clouds' noise: more is finer.</source>
-        <extracomment>tables</extracomment>
-        <translation>Oktaven des Rauschens der Wolken: Mehr ist feiner.</translation>
     </message>
     <message>
         <source>of %1</source>
@@ -9928,11 +9949,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Dieser Sonne.</translation>
     </message>
     <message>
-        <source>Of the air: 0 is clear to the horizon, 1 hides it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Luft: 0 ist klar bis zum Horizont, 1 verbirgt ihn.</translation>
-    </message>
-    <message>
         <source>Of the ball that the bowl is cut from.</source>
         <extracomment>tables</extracomment>
         <translation>Der Kugel, aus der die Schale geschnitten ist.</translation>
@@ -9980,11 +9996,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Of the frame's middle above the calm water.</source>
         <extracomment>tables</extracomment>
         <translation>Der Mitte des Rahmens über dem ruhigen Wasser.</translation>
-    </message>
-    <message>
-        <source>Of the frame's middle over the base of the clouds: between 0 and 1400 it is among them.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Mitte des Rahmens über der Unterseite der Wolken: Zwischen 0 und 1400 liegt sie mitten darin.</translation>
     </message>
     <message>
         <source>Of the frustum that it stands on.</source>
@@ -10064,11 +10075,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Of the small picture.</source>
         <extracomment>tables</extracomment>
         <translation>Des kleinen Bildes.</translation>
-    </message>
-    <message>
-        <source>Of the solid field.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des festen Felds.</translation>
     </message>
     <message>
         <source>Of the sun.</source>
@@ -10381,11 +10387,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>geordnet</translation>
     </message>
     <message>
-        <source>Orders of scattering that are summed: 1 is dark within, each more is whiter.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ordnungen der Streuung, die summiert werden: 1 ist innen dunkel, jede weitere ist weißer.</translation>
-    </message>
-    <message>
         <source>Origin</source>
         <translation>Ursprung</translation>
     </message>
@@ -10405,11 +10406,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Our own is shown in its place until it can be read.</source>
         <translation>Unser eigener wird an seiner Stelle gezeigt, bis er gelesen werden kann.</translation>
-    </message>
-    <message>
-        <source>Our way to draw the work, or that of the scenes that this exhibit follows.</source>
-        <extracomment>tables</extracomment>
-        <translation>Unsere Art, das Werk zu zeichnen, oder die der Szenen, denen dieses Exponat folgt.</translation>
     </message>
     <message>
         <source>ours</source>
@@ -11619,6 +11615,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Neu rendern</translation>
     </message>
     <message>
+        <source>Rendering of the work: ours, or that of the scenes that this exhibit follows.</source>
+        <extracomment>tables</extracomment>
+        <translation>Darstellung des Werks: unsere oder die der Szenen, denen dieses Exponat folgt.</translation>
+    </message>
+    <message>
         <source>Rendering the views was stopped; nothing was written.</source>
         <translation>Das Rendern der Ansichten wurde angehalten; nichts wurde geschrieben.</translation>
     </message>
@@ -11716,6 +11717,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Resolution of the sun's shadow map, in texels per side: low gives coarse shadow edges.</source>
         <extracomment>tables</extracomment>
         <translation>Auflösung der Shadow-Map der Sonne, in Texeln je Seite: Niedrige Werte geben grobe Schattenränder.</translation>
+    </message>
+    <message>
+        <source>Resolution of the volume into which noise is baked, in texels per side: low loses detail.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auflösung des Volumens, in das Rauschen gebacken wird, in Texeln je Seite: Niedrige Werte verlieren Details.</translation>
     </message>
     <message>
         <source>Resolution scale</source>
@@ -12380,6 +12386,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Startwert</translation>
     </message>
     <message>
+        <source>Seed of the noise: each number gives another field, sea and sky.</source>
+        <extracomment>tables</extracomment>
+        <translation>Startwert des Rauschens: Jede Zahl gibt ein anderes Feld, ein anderes Meer und einen anderen Himmel.</translation>
+    </message>
+    <message>
         <source>Seed of the random directions and spins of a jump: the same number gives the same jump.</source>
         <extracomment>tables</extracomment>
         <translation>Startwert der zufälligen Richtungen und Drehungen eines Sprungs: Dieselbe Zahl gibt denselben Sprung.</translation>
@@ -12540,6 +12551,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Form zwischen Torus und Tasse: 0 ist der Torus, 1 ist die Tasse.</translation>
     </message>
     <message>
+        <source>Shape of each octave before it is added: plain noise, sharp ridges, round lumps (billow), or its absolute value (turbulence).</source>
+        <extracomment>tables</extracomment>
+        <translation>Form jeder Oktave, bevor sie addiert wird: einfaches Rauschen, scharfe Grate, runde Klumpen (bauschig) oder ihr Betrag (Turbulenz).</translation>
+    </message>
+    <message>
         <source>Shape of the strands along their length: 0 tapers them to a needle, high keeps them thick with a blunt tip.</source>
         <extracomment>tables</extracomment>
         <translation>Form der Haare entlang ihrer Länge: 0 spitzt sie zu wie Nadeln, hohe Werte lassen sie dick mit stumpfer Spitze.</translation>
@@ -12572,11 +12588,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Anteil der Pixel, die um mehr als 1/255 abweichen</translation>
     </message>
     <message>
-        <source>Share of the bounds of slope and curvature that strides go by, proven ones of the field, five and a half standard deviations of the sea: 1 passes nothing wide, less is quicker, for noise is seldom as steep.</source>
-        <extracomment>tables</extracomment>
-        <translation>Anteil der Schranken von Steigung und Krümmung, nach denen Schritte gehen, beim Feld bewiesene, beim Meer fünfeinhalb Standardabweichungen: 1 übergeht nichts Breites, weniger ist schneller, denn Rauschen ist selten so steil.</translation>
-    </message>
-    <message>
         <source>Share of the color that is lit by the lights.</source>
         <translation>Anteil der Farbe, der von den Lichtern beleuchtet wird.</translation>
     </message>
@@ -12604,14 +12615,24 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Anteil des Lichts, der sogar die Wurzeln erreicht: 0 lässt sie schwarz, 1 hebt die Abdunklung auf.</translation>
     </message>
     <message>
-        <source>Share of the light that they scatter in the second lobe, back.</source>
+        <source>Share of the light that the clouds scatter backward, in a second lobe of the phase function.</source>
         <extracomment>tables</extracomment>
-        <translation>Anteil des Lichts, den sie in der zweiten Keule streuen, zurück.</translation>
+        <translation>Anteil des Lichts, den die Wolken zurückstreuen, in einer zweiten Keule der Phasenfunktion.</translation>
     </message>
     <message>
         <source>Share of the period in which a print stays in place: low scrolls slowly, high scrolls quickly.</source>
         <extracomment>tables</extracomment>
         <translation>Anteil der Periode, in dem ein Druck stehen bleibt: Niedrige Werte rollen langsam, hohe schnell.</translation>
+    </message>
+    <message>
+        <source>Share of the sky that clouds cover: 0 is clear, 1 is overcast.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil des Himmels, den Wolken bedecken: 0 ist klar, 1 ist bedeckt.</translation>
+    </message>
+    <message>
+        <source>Share of the slope and curvature bounds that sets the step length: 1 misses nothing, less is quicker but may miss details.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil der Schranken von Steigung und Krümmung, der die Schrittlänge bestimmt: 1 übergeht nichts, weniger ist schneller, kann aber Details übergehen.</translation>
     </message>
     <message>
         <source>share of the variance, cells</source>
@@ -12631,6 +12652,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>sharp</source>
         <extracomment>tables</extracomment>
         <translation>scharf</translation>
+    </message>
+    <message>
+        <source>Sharpness of the wave crests: 0 is a plain sum of sines, 1 is a sea, above 1 crests overturn.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schärfe der Wellenkämme: 0 ist eine einfache Summe von Sinuswellen, 1 ein Meer, über 1 überschlagen sich Kämme.</translation>
     </message>
     <message>
         <source>Sheen</source>
@@ -12679,11 +12705,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shift of the view to the right</source>
         <translation>Verschiebung der Ansicht nach rechts</translation>
-    </message>
-    <message>
-        <source>Shift the steps by blue noise, another at every supersample, so that few of them look like grain and not like shells.</source>
-        <extracomment>tables</extracomment>
-        <translation>Versetzt die Schritte durch blaues Rauschen, bei jedem Supersample ein anderes, sodass wenige davon wie Korn aussehen und nicht wie Schalen.</translation>
     </message>
     <message>
         <source>Shininess</source>
@@ -13030,6 +13051,21 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Nebel (Original)</translation>
     </message>
     <message>
+        <source>Source of the clouds' noise: evaluated at every step, or baked into a texture, which is quicker.</source>
+        <extracomment>tables</extracomment>
+        <translation>Quelle des Wolkenrauschens: bei jedem Schritt ausgewertet oder in eine Textur gebacken, was schneller ist.</translation>
+    </message>
+    <message>
+        <source>Source of the noise for empty space and shadows: evaluated, or baked into a texture, which is quicker. The surface is always evaluated.</source>
+        <extracomment>tables</extracomment>
+        <translation>Quelle des Rauschens für leeren Raum und Schatten: ausgewertet oder in eine Textur gebacken, was schneller ist. Die Oberfläche wird immer ausgewertet.</translation>
+    </message>
+    <message>
+        <source>Source of the sun's direction: angles of the work's own, or the hall's sun.</source>
+        <extracomment>tables</extracomment>
+        <translation>Quelle der Sonnenrichtung: eigene Winkel des Werks oder die Sonne der Halle.</translation>
+    </message>
+    <message>
         <source>Source sun</source>
         <extracomment>tables</extracomment>
         <translation>Sonne (Original)</translation>
@@ -13080,6 +13116,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Speed at which the draft carries the drifts of dust, in meters per second.</source>
         <extracomment>tables</extracomment>
         <translation>Geschwindigkeit, mit der der Luftzug die Staubschwaden trägt, in Metern pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Speed at which the field moves towards the viewer, in meters per second.</source>
+        <extracomment>tables</extracomment>
+        <translation>Geschwindigkeit, mit der das Feld auf den Betrachter zukommt, in Metern pro Sekunde.</translation>
     </message>
     <message>
         <source>Speed of looking</source>
@@ -13267,6 +13308,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schritt &amp;zurück</translation>
     </message>
     <message>
+        <source>Step lengths of the rays: as in the reference (half the field's value, the height above the water, equal steps through clouds), or as far as bounds of the slope allow.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schrittlängen der Strahlen: wie im Original (halber Wert des Felds, Höhe über dem Wasser, gleiche Schritte durch Wolken) oder so weit, wie Schranken der Steigung erlauben.</translation>
+    </message>
+    <message>
         <source>Step limit</source>
         <extracomment>tables</extracomment>
         <translation>Schrittgrenze</translation>
@@ -13297,24 +13343,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Schritte, die ein Strahl in einer Laterne machen darf, oder, bei Zellen ringsum, insgesamt.</translation>
     </message>
     <message>
-        <source>Steps a ray may take to find the field, or the sea of the source.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schritte, die ein Strahl machen darf, um das Feld zu finden, oder das Meer des Originals.</translation>
-    </message>
-    <message>
         <source>Steps by which a ray finds the water.</source>
         <extracomment>tables</extracomment>
         <translation>Schritte, in denen ein Strahl das Wasser findet.</translation>
-    </message>
-    <message>
-        <source>Steps from there towards the sun.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schritte von dort zur Sonne.</translation>
-    </message>
-    <message>
-        <source>Steps of a ray through the clouds.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schritte eines Strahls durch die Wolken.</translation>
     </message>
     <message>
         <source>Steps of half and of double that length give the same normals.</source>
@@ -13409,13 +13440,19 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke</translation>
     </message>
     <message>
-        <source>Strength of an octave over that of the one before: low is smooth, high is rough.</source>
+        <source>Strength of an octave relative to the one before: low is smooth, high is rough.</source>
         <extracomment>tables</extracomment>
-        <translation>Stärke einer Oktave gegenüber der davor: Niedrige Werte sind glatt, hohe rau.</translation>
+        <translation>Stärke einer Oktave gegenüber der vorigen: Niedrige Werte sind glatt, hohe rau.</translation>
     </message>
     <message>
-        <source>Strength of an octave relative to the one before: low is smooth, high is rough.</source>
-        <translation>Stärke einer Oktave gegenüber der vorigen: Niedrige Werte sind glatt, hohe rau.</translation>
+        <source>Strength of domain warping, in cells: 0 is off, high folds and swirls.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Domain Warping, in Zellen: 0 ist aus, hohe Werte falten und wirbeln.</translation>
+    </message>
+    <message>
+        <source>Strength of forward scattering in the clouds: high gives silver edges in front of the sun.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der Vorwärtsstreuung in den Wolken: Hohe Werte geben silberne Ränder vor der Sonne.</translation>
     </message>
     <message>
         <source>Strength of random swirls in the coat: 0 is even, high is tousled.</source>
@@ -13765,11 +13802,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tetraeder</translation>
     </message>
     <message>
-        <source>Texels along each side of the volume it is baked to.</source>
-        <extracomment>tables</extracomment>
-        <translation>Texel entlang jeder Seite des Volumens, in das es gebacken wird.</translation>
-    </message>
-    <message>
         <source>Texels around that faceted normals are averaged over, not across edges.</source>
         <extracomment>tables</extracomment>
         <translation>Texel ringsum, über die facettierte Normalen gemittelt werden, nicht über Kanten hinweg.</translation>
@@ -14059,11 +14091,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the field of view changed</source>
         <translation>der Sichtwinkel hat sich geändert</translation>
-    </message>
-    <message>
-        <source>The field's normal: by six further evaluations, or by its derivative.</source>
-        <extracomment>tables</extracomment>
-        <translation>Die Normale des Felds: durch sechs weitere Auswertungen, oder durch seine Ableitung.</translation>
     </message>
     <message>
         <source>the file cannot be shown without {1}, which is not supported; export it without that.</source>
@@ -16232,6 +16259,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Hochskalieren</translation>
     </message>
     <message>
+        <source>Upward tilt of the view: negative looks down.</source>
+        <extracomment>tables</extracomment>
+        <translation>Neigung des Blicks nach oben: Negative Werte blicken nach unten.</translation>
+    </message>
+    <message>
         <source>Usual sizes</source>
         <translation>Übliche Größen</translation>
     </message>
@@ -16541,11 +16573,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wellen pro Zelle</translation>
     </message>
     <message>
-        <source>Waves that are summed, from the longest on.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wellen, die summiert werden, von der längsten an.</translation>
-    </message>
-    <message>
         <source>Wax</source>
         <translation>Wachs</translation>
     </message>
@@ -16578,22 +16605,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was ein Meter der Luft am Wasser verbirgt.</translation>
     </message>
     <message>
-        <source>What a meter of the thickest cloud takes out of a ray.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was ein Meter der dicksten Wolke einem Strahl nimmt.</translation>
-    </message>
-    <message>
         <source>What a ray costs</source>
         <translation>Was ein Strahl kostet</translation>
     </message>
     <message>
         <source>what a server left there cannot be removed ({1}); choose another path.</source>
         <translation>Was ein Server dort hinterließ, lässt sich nicht entfernen ({1}); wählen Sie einen anderen Pfad.</translation>
-    </message>
-    <message>
-        <source>What an octave is: numbers at the corners of cells, slopes there, slopes on a lattice without axes, or the distance to the nearest of scattered points.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was eine Oktave ist: Zahlen an den Ecken von Zellen, Steigungen dort, Steigungen auf einem Gitter ohne Achsen, oder die Distanz zum nächsten verstreuter Punkte.</translation>
     </message>
     <message>
         <source>What becomes of pictures that are not shaped as the print is: cropped at two sides, seen whole between white margins, or distorted.</source>
@@ -16606,11 +16623,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What counts as exact is not checked: {1}</source>
         <translation>Was als exakt gilt, ist nicht geprüft: {1}</translation>
-    </message>
-    <message>
-        <source>What deep water sends back of the daylight.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was tiefes Wasser vom Tageslicht zurückgibt.</translation>
     </message>
     <message>
         <source>What deep water sends back.</source>
@@ -16648,11 +16660,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>what is in view has no fins</source>
         <translation>was zu sehen ist, hat keine Fins</translation>
-    </message>
-    <message>
-        <source>What is made of each octave: itself, sharp ridges, round lumps, or its absolute value.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was aus jeder Oktave gemacht wird: sie selbst, scharfe Grate, runde Klumpen, oder ihr Betrag.</translation>
     </message>
     <message>
         <source>what is near</source>
@@ -16813,11 +16820,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wo seine Grundfläche liegt, nach vorn.</translation>
     </message>
     <message>
-        <source>Where its own sun stands, seen through the frame: negative is to the left.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo die eigene Sonne steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
-    </message>
-    <message>
         <source>Where the camera stands around the middle.</source>
         <extracomment>tables</extracomment>
         <translation>Wo die Kamera um die Mitte herum steht.</translation>
@@ -16870,11 +16872,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob Entfernung Dinge kleiner macht. Pixel-Art ist meist orthografisch.</translation>
     </message>
     <message>
-        <source>Whether empty space is crossed, and light told, by evaluated noise or by noise that is looked up: the surface itself is always evaluated.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ob leerer Raum und Licht durch ausgewertetes oder durch nachgeschlagenes Rauschen gefunden werden: Die Oberfläche selbst wird immer ausgewertet.</translation>
-    </message>
-    <message>
         <source>Whether fewer shells are drawn where the coat is far away and small.</source>
         <extracomment>tables</extracomment>
         <translation>Ob weniger Shells gezeichnet werden, wo das Fell weit weg und klein ist.</translation>
@@ -16917,11 +16914,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the card scrolls from one print to the other and back, like a billboard.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Karte von einem Druck zum anderen und zurück rollt, wie eine Werbetafel.</translation>
-    </message>
-    <message>
-        <source>Whether the clouds' noise is evaluated at every step or looked up.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ob das Rauschen der Wolken bei jedem Schritt ausgewertet oder nachgeschlagen wird.</translation>
     </message>
     <message>
         <source>Whether the draft turns the mobile and carries the dust.</source>
@@ -16978,14 +16970,14 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob die Form hin und her schmilzt, vom Morph darüber an.</translation>
     </message>
     <message>
+        <source>Whether the steps are shifted by blue noise, differently in each sample: too few of them then look like grain, not like shells.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Schritte durch blaues Rauschen versetzt werden, in jedem Sample anders: Zu wenige davon wirken dann wie Korn und nicht wie Schalen.</translation>
+    </message>
+    <message>
         <source>Whether the views are printed in reverse order: depth turns inside out.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Ansichten in umgekehrter Reihenfolge gedruckt sind: Die Tiefe kehrt sich um.</translation>
-    </message>
-    <message>
-        <source>Whether the work has a sun of its own or the direction of the hall's.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ob das Werk eine eigene Sonne hat, oder die Richtung der Sonne der Halle.</translation>
     </message>
     <message>
         <source>Whether they flicker in step.</source>
@@ -16996,6 +16988,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether they have the colors of the first five candies, or one.</source>
         <extracomment>tables</extracomment>
         <translation>Ob sie die Farben der ersten fünf Bonbons haben, oder eine.</translation>
+    </message>
+    <message>
+        <source>Whether time runs: the field drifts, waves roll, clouds sail.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Zeit läuft: Das Feld treibt, Wellen rollen, Wolken segeln.</translation>
     </message>
     <message>
         <source>Whether time runs; it shows only in scenes in which something moves.</source>
@@ -17143,6 +17140,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Windtempo</translation>
     </message>
     <message>
+        <source>Wind speed ten meters above the water, in meters per second: high makes longer and higher waves.</source>
+        <extracomment>tables</extracomment>
+        <translation>Windgeschwindigkeit zehn Meter über dem Wasser, in Metern pro Sekunde: Hohe Werte geben längere und höhere Wellen.</translation>
+    </message>
+    <message>
         <source>Window</source>
         <translation>Fenster</translation>
     </message>
@@ -17197,6 +17199,11 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>work for several frames needs a key</source>
         <translation>Arbeit für mehrere Frames braucht einen Schlüssel</translation>
+    </message>
+    <message>
+        <source>Work to show: blobs of one octave (field), of many octaves (fractal sum), a sea of waves, or a sky of clouds, all made of noise.</source>
+        <extracomment>tables</extracomment>
+        <translation>Gezeigtes Werk: Klumpen aus einer Oktave (Feld), aus vielen Oktaven (fraktale Summe), ein Meer aus Wellen oder ein Wolkenhimmel, alles aus Rauschen.</translation>
     </message>
     <message>
         <source>World</source>

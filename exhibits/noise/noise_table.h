@@ -16,15 +16,16 @@ enum class NoiseLookup : int { evaluated, baked };
 
 /// All parameters of the works behind the noise frame. Lengths are in meters of the work's own world.
 struct NoiseTable final : Parameters {
-    Group show = group("On show");
-    Choice<NoiseWork> work =
-        choice("work", NoiseWork::sea, {"field", "fractal sum", "sea", "clouds"},
-               "Blobs of one octave, the same of many, waves, or a sky of clouds: all made of noise.");
+    Group show = group("Display");
+    Choice<NoiseWork> work = choice("work", NoiseWork::sea, {"field", "fractal sum", "sea", "clouds"},
+                                    "Work to show: blobs of one octave (field), of many octaves (fractal sum), a sea "
+                                    "of waves, or a sky of clouds, all made of noise.");
     Choice<NoiseLook> look = choice("look", NoiseLook::ours, {"ours", "as in the source"},
-                                    "Our way to draw the work, or that of the scenes that this exhibit follows.");
-    Toggle animate = toggle("animate", false, "Let time run: the field drifts, waves roll, clouds sail.");
-    Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 60), "The moment that is shown, or begun with.");
-    Count seed = count("seed", 1, {0, 9999}, "Another number is another field, another sea, another sky.");
+                                    "Rendering of the work: ours, or that of the scenes that this exhibit follows.");
+    Toggle animate = toggle("animate", false, "Whether time runs: the field drifts, waves roll, clouds sail.");
+    Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 60),
+                       "Time that is shown, or at which the animation starts.");
+    Count seed = count("seed", 1, {0, 9999}, "Seed of the noise: each number gives another field, sea and sky.");
 
     const Condition inField = when(work, {NoiseWork::field, NoiseWork::fractal});
     const Condition inFractal = when(work, NoiseWork::fractal);
@@ -34,129 +35,144 @@ struct NoiseTable final : Parameters {
     const Condition moving = when(animate) or whenNot(moment, 0);
 
     Group noise = group("Noise");
-    Choice<NoiseKind> kind =
-        choice("kind", NoiseKind::gradient, {"value", "gradient", "simplex", "cellular"},
-               "What an octave is: numbers at the corners of cells, slopes there, slopes on a lattice without axes, or "
-               "the distance to the nearest of scattered points.",
-               inField);
-    Real frequency = real("frequency", 0.9, perMeter, Range{0.01, 100, logarithmic}.soft(0.1, 10),
-                          "Cells of the first octave in a meter.", inField);
+    Choice<NoiseKind> kind = choice("kind", NoiseKind::gradient, {"value", "gradient", "simplex", "cellular"},
+                                    "Kind of noise: values at the cell corners, gradients there, gradients on a "
+                                    "simplex lattice, or the distance to the nearest of scattered points (cellular).",
+                                    inField);
+    Real frequency =
+        real("frequency", 0.9, perMeter, Range{0.01, 100, logarithmic}.soft(0.1, 10),
+             "Frequency of the first octave, in cells per meter: low makes large blobs, high small ones.", inField);
     Real threshold = real("threshold", 0.12, none, Range{-1, 1}.soft(-0.4, 0.6),
-                          "Noise above this is solid: low fills space, high leaves islands.", inField);
+                          "Noise value above which space is solid: low fills space, high leaves islands.", inField);
     Real drift = real("drift", 0.25, none, Range{-1000, 1000}.soft(-3, 3),
-                      "Meters a second by which the field comes towards you.", inField and moving);
-    Real distance = real("distance", 0, meter, Range{-1e7, 1e7}.soft(0, 1000),
-                         "How far from the origin of the noise the picture is: ten thousand kilometers off, it is as "
-                         "sharp as at home.",
-                         inField);
+                      "Speed at which the field moves towards the viewer, in meters per second.", inField and moving);
+    Real distance = real(
+        "distance", 0, meter, Range{-1e7, 1e7}.soft(0, 1000),
+        "Distance of the view from the origin of the noise: the picture stays sharp even ten thousand kilometers away.",
+        inField);
 
     Group sums = group("Octaves");
-    Choice<NoiseSumKind> sum =
-        choice("sum", NoiseSumKind::fbm, {"plain", "ridged", "billow", "turbulence"},
-               "What is made of each octave: itself, sharp ridges, round lumps, or its absolute value.", inFractal);
-    Count octaves =
-        count("octaves", 5, {1, 10}, "How many octaves are summed: each has finer grain.", quality(10), inFractal);
+    Choice<NoiseSumKind> sum = choice("sum", NoiseSumKind::fbm, {"plain", "ridged", "billow", "turbulence"},
+                                      "Shape of each octave before it is added: plain noise, sharp ridges, round lumps "
+                                      "(billow), or its absolute value (turbulence).",
+                                      inFractal);
+    Count octaves = count("octaves", 5, {1, 10}, "Number of octaves that are summed: each adds finer detail.",
+                          quality(10), inFractal);
     Real gain = real("gain", 0.5, none, Range{0, 1}.soft(0.2, 0.8),
-                     "Strength of an octave over that of the one before: low is smooth, high is rough.", inFractal);
+                     "Strength of an octave relative to the one before: low is smooth, high is rough.", inFractal);
     Real lacunarity = real("lacunarity", 2.02, none, Range{1, 8}.soft(1.5, 4),
-                           "Frequency of an octave over that of the one before.", inFractal);
-    Real octaveRotation =
-        real("octaveRotation", degrees(37), degree, Range{degrees(-180), degrees(180)},
-             "By which each octave's lattice is turned, so that no two lie along each other.", inFractal);
+                           "Frequency of an octave relative to the one before: 2 doubles it.", inFractal);
+    Real octaveRotation = real(
+        "octaveRotation", degrees(37), degree, Range{degrees(-180), degrees(180)},
+        "Angle by which the lattice of each octave is rotated against the one before; 0 shows the lattice.", inFractal);
     Real warp = real("warp", 0, none, Range{0, 4}.soft(0, 1),
-                     "How many cells a further noise moves the first ones by: 0 leaves them, high folds and swirls.",
-                     inFractal and ours);
+                     "Strength of domain warping, in cells: 0 is off, high folds and swirls.", inFractal and ours);
 
     Group light = group("Light");
-    Choice<NoiseSun> sunBy = choice("sunBy", NoiseSun::own, {"its own", "the hall's"},
-                                    "Whether the work has a sun of its own or the direction of the hall's.", ours);
+    Choice<NoiseSun> sunBy =
+        choice("sunBy", NoiseSun::own, {"its own", "the hall's"},
+               "Source of the sun's direction: angles of the work's own, or the hall's sun.", ours);
     Real sunElevation = real("sunElevation", degrees(9), degree, Range{degrees(-5), degrees(90)}.soft(0, degrees(70)),
-                             "Height of its own sun above the horizon.", ours and when(sunBy, NoiseSun::own));
-    Real sunAzimuth = real("sunAzimuth", degrees(14), degree, Range{degrees(-180), degrees(180)},
-                           "Where its own sun stands, seen through the frame: negative is to the left.",
-                           ours and when(sunBy, NoiseSun::own));
-    Real haze = real("haze", 0.35, none, {0, 1}, "Of the air: 0 is clear to the horizon, 1 hides it.", ours);
-    Color albedo = color("albedo", {0.62, 0.56, 0.48}, "Of the solid field.", inField and ours);
+                             "Height of the work's own sun above the horizon.", ours and when(sunBy, NoiseSun::own));
+    Real sunAzimuth =
+        real("sunAzimuth", degrees(14), degree, Range{degrees(-180), degrees(180)},
+             "Horizontal direction of the work's own sun, seen through the frame: negative is to the left.",
+             ours and when(sunBy, NoiseSun::own));
+    Real haze = real("haze", 0.35, none, {0, 1}, "Density of the haze: 0 is clear to the horizon, 1 hides it.", ours);
+    Color albedo = color("albedo", {0.62, 0.56, 0.48}, "Albedo (diffuse color) of the solid field.", inField and ours);
 
     Group sea = group("Sea and wind");
-    Real windSpeed = real("windSpeed", 7.5, none, Range{0.5, 25}.soft(2, 16),
-                          "Meters a second, ten meters above the water: more makes longer and higher waves.",
-                          ours and (inSea or (inClouds and moving)));
+    Real windSpeed =
+        real("windSpeed", 7.5, none, Range{0.5, 25}.soft(2, 16),
+             "Wind speed ten meters above the water, in meters per second: high makes longer and higher waves.",
+             ours and (inSea or (inClouds and moving)));
     Real windDirection = real("windDirection", degrees(-150), degree, Range{degrees(-180), degrees(180)},
-                              "Where the wind blows to, from straight ahead: negative is to the left.",
+                              "Direction in which the wind blows, from straight ahead: negative is to the left.",
                               ours and (inSea or (inClouds and moving)));
-    Real chop =
-        real("chop", 0.85, none, Range{0, 1.2}.soft(0, 1),
-             "How much crests are drawn together: 0 is a plain sum of sines, 1 a sea, more breaks.", inSea and ours);
-    Real foam = real("foam", 0.5, none, {0, 1}, "How soon crests break into foam; 0 never.", inSea and ours);
-    Color water = color("water", {0.016, 0.075, 0.085}, "What deep water sends back of the daylight.", inSea and ours);
+    Real chop = real("chop", 0.85, none, Range{0, 1.2}.soft(0, 1),
+                     "Sharpness of the wave crests: 0 is a plain sum of sines, 1 is a sea, above 1 crests overturn.",
+                     inSea and ours);
+    Real foam =
+        real("foam", 0.5, none, {0, 1}, "Amount of foam on the crests: 0 is none, high foams early.", inSea and ours);
+    Color water = color("water", {0.016, 0.075, 0.085}, "Color of deep water in daylight.", inSea and ours);
     Real eyeHeight = real("eyeHeight", 2.6, meter, Range{1, 1000, logarithmic}.soft(1.5, 50),
-                          "Of the frame's middle above the calm water.", inSea and ours);
+                          "Height of the middle of the frame above the calm water.", inSea and ours);
 
     Group clouds = group("Clouds");
-    Real coverage = real("coverage", 0.72, none, {0, 1}, "How much of the sky the clouds fill.", inClouds and ours);
+    Real coverage = real("coverage", 0.72, none, {0, 1},
+                         "Share of the sky that clouds cover: 0 is clear, 1 is overcast.", inClouds and ours);
     Real density = real("density", 0.03, perMeter, Range{0.001, 1, logarithmic}.soft(0.005, 0.2),
-                        "What a meter of the thickest cloud takes out of a ray.", inClouds and ours);
+                        "Density of the clouds, as the share of light that a meter of the thickest cloud removes.",
+                        inClouds and ours);
     Real erosion =
-        real("erosion", 0.65, none, {0, 1}, "How much fine noise takes away from their edges.", inClouds and ours);
-    Real altitude = real("altitude", -120, meter, Range{-2000, 4000}.soft(-600, 1500),
-                         "Of the frame's middle over the base of the clouds: between 0 and 1400 it is among them.",
-                         inClouds and ours);
-    Real tilt = real("tilt", degrees(13), degree, {degrees(-45), degrees(45)}, "How far up the frame looks.",
-                     inClouds and ours);
-    Real forward =
-        real("forward", 0.78, none, Range{0, 0.95}.soft(0.3, 0.9),
-             "How strongly droplets scatter ahead: high gives silver edges before the sun.", inClouds and ours);
+        real("erosion", 0.65, none, {0, 1},
+             "Amount by which fine noise erodes the edges of the clouds: 0 is smooth, 1 is ragged.", inClouds and ours);
+    Real altitude =
+        real("altitude", -120, meter, Range{-2000, 4000}.soft(-600, 1500),
+             "Height of the middle of the frame above the base of the clouds: between 0 and 1400 m it is inside them.",
+             inClouds and ours);
+    Real tilt = real("tilt", degrees(13), degree, {degrees(-45), degrees(45)},
+                     "Upward tilt of the view: negative looks down.", inClouds and ours);
+    Real forward = real("forward", 0.78, none, Range{0, 0.95}.soft(0.3, 0.9),
+                        "Strength of forward scattering in the clouds: high gives silver edges in front of the sun.",
+                        inClouds and ours);
     Real backward = real("backward", 0.3, none, {0, 1},
-                         "Share of the light that they scatter in the second lobe, back.", inClouds and ours);
-    Count scatterings =
-        count("scatterings", 6, {1, 8}, "Orders of scattering that are summed: 1 is dark within, each more is whiter.",
-              quality(8), inClouds and ours);
+                         "Share of the light that the clouds scatter backward, in a second lobe of the phase function.",
+                         inClouds and ours);
+    Count scatterings = count("scatterings", 6, {1, 8},
+                              "Number of orders of scattering that are summed: 1 leaves clouds dark inside, each "
+                              "further one makes them whiter.",
+                              quality(8), inClouds and ours);
 
     Group accuracy = foldedGroup("Accuracy");
-    Choice<NoiseMarch> march = choice(
-        "march", NoiseMarch::bounded, {"as in the source", "bounded"},
-        "How rays find what they show: by steps of half the field's value, of the height above the water, of one "
-        "length through clouds, or by as much as bounds of the slope allow, with clear air passed quickly.",
-        quality(NoiseMarch::bounded), ours);
-    Real boundShare =
-        real("boundShare", 0.45, none, {0.1, 1},
-             "Share of the bounds of slope and curvature that strides go by, proven ones of the field, five and a half "
-             "standard deviations of the sea: 1 passes nothing wide, less is quicker, for noise is seldom as steep.",
-             exactAt(1), (inField or inSea) and ours and when(march, NoiseMarch::bounded));
+    Choice<NoiseMarch> march =
+        choice("march", NoiseMarch::bounded, {"as in the source", "bounded"},
+               "Step lengths of the rays: as in the reference (half the field's value, the height above the water, "
+               "equal steps through clouds), or as far as bounds of the slope allow.",
+               quality(NoiseMarch::bounded), ours);
+    Real boundShare = real("boundShare", 0.45, none, {0.1, 1},
+                           "Share of the slope and curvature bounds that sets the step length: 1 misses nothing, less "
+                           "is quicker but may miss details.",
+                           exactAt(1), (inField or inSea) and ours and when(march, NoiseMarch::bounded));
     Count stepLimit = count("stepLimit", 160, {1, 1024, logarithmic},
-                            "Steps a ray may take to find the field, or the sea of the source.", quality(1024),
-                            inField or (inSea and when(look, NoiseLook::source)));
-    Real hitTolerance = real("hitTolerance", 0.5, none, Range{0.01, 16, logarithmic}.soft(0.1, 4),
-                             "How near a ray must come to the field or the water, in pixels at that distance.",
-                             quality(0.01), (inField or inSea) and ours);
+                            "Largest number of steps of a ray to find the field, or the sea as in the reference.",
+                            quality(1024), inField or (inSea and when(look, NoiseLook::source)));
+    Real hitTolerance =
+        real("hitTolerance", 0.5, none, Range{0.01, 16, logarithmic}.soft(0.1, 4),
+             "Distance at which a ray counts as a hit of the field or the water, in pixels at that depth.",
+             quality(0.01), (inField or inSea) and ours);
     Choice<NoiseLookup> fieldNoise =
         choice("fieldNoise", NoiseLookup::baked, {"evaluated", "baked"},
-               "Whether empty space is crossed, and light told, by evaluated noise or by noise that is looked up: the "
-               "surface itself is always evaluated.",
+               "Source of the noise for empty space and shadows: evaluated, or baked into a texture, which is quicker. "
+               "The surface is always evaluated.",
                exactAt(NoiseLookup::evaluated), inField and ours and when(march, NoiseMarch::bounded));
-    Choice<NoiseNormal> normals = choice("normals", NoiseNormal::derivative, {"differences", "derivative"},
-                                         "The field's normal: by six further evaluations, or by its derivative.",
-                                         exactAt(NoiseNormal::derivative), inField and ours);
-    Count waves =
-        count("waves", 48, {1, 64}, "Waves that are summed, from the longest on.", quality(64), inSea and ours);
-    Count seaSteps = count("seaSteps", 40, {1, 256, logarithmic}, "Steps by which a ray finds the water.", quality(256),
-                           inSea and ours);
+    Choice<NoiseNormal> normals =
+        choice("normals", NoiseNormal::derivative, {"differences", "derivative"},
+               "Normals of the field: by six further evaluations (differences), or by the analytic derivative.",
+               exactAt(NoiseNormal::derivative), inField and ours);
+    Count waves = count("waves", 48, {1, 64},
+                        "Number of waves that are summed, from the longest: few are smooth, many add small waves.",
+                        quality(64), inSea and ours);
+    Count seaSteps = count("seaSteps", 40, {1, 256, logarithmic},
+                           "Largest number of steps in which a ray finds the water.", quality(256), inSea and ours);
     Count cloudSteps =
-        count("cloudSteps", 64, {1, 512, logarithmic}, "Steps of a ray through the clouds.", quality(512), inClouds);
-    Count lightSteps =
-        count("lightSteps", 5, {1, 64, logarithmic}, "Steps from there towards the sun.", quality(64), inClouds);
+        count("cloudSteps", 64, {1, 512, logarithmic},
+              "Number of steps of a ray through the clouds: few are noisy, many cost more.", quality(512), inClouds);
+    Count lightSteps = count("lightSteps", 5, {1, 64, logarithmic},
+                             "Number of steps towards the sun from each point in a cloud.", quality(64), inClouds);
     Count cloudOctaves =
-        count("cloudOctaves", 3, {1, 6}, "Octaves of the clouds' noise: more is finer.", quality(6), inClouds and ours);
-    Choice<NoiseLookup> cloudNoise = choice("cloudNoise", NoiseLookup::baked, {"evaluated", "baked"},
-                                            "Whether the clouds' noise is evaluated at every step or looked up.",
-                                            exactAt(NoiseLookup::evaluated), inClouds and ours);
-    Count bakeSize =
-        count("bakeSize", 96, {16, 256, logarithmic}, "Texels along each side of the volume it is baked to.",
-              quality(256), inClouds and ours and when(cloudNoise, NoiseLookup::baked));
+        count("cloudOctaves", 3, {1, 6}, "Number of octaves of the clouds' noise: each adds finer detail.", quality(6),
+              inClouds and ours);
+    Choice<NoiseLookup> cloudNoise =
+        choice("cloudNoise", NoiseLookup::baked, {"evaluated", "baked"},
+               "Source of the clouds' noise: evaluated at every step, or baked into a texture, which is quicker.",
+               exactAt(NoiseLookup::evaluated), inClouds and ours);
+    Count bakeSize = count("bakeSize", 96, {16, 256, logarithmic},
+                           "Resolution of the volume into which noise is baked, in texels per side: low loses detail.",
+                           quality(256), inClouds and ours and when(cloudNoise, NoiseLookup::baked));
     Toggle jitter = toggle("jitter", true,
-                           "Shift the steps by blue noise, another at every supersample, so that few of them look like "
-                           "grain and not like shells.",
+                           "Whether the steps are shifted by blue noise, differently in each sample: too few of them "
+                           "then look like grain, not like shells.",
                            quality(1), inClouds and ours);
 
     StudiedRows studied{*this,
