@@ -1508,11 +1508,6 @@ Zeiten nach: %2.</translation>
         <translation>Ein GIF zählt in hundertstel Sekunden, und Programme zeigen davon nicht mehr als 50 Frames pro Sekunde; geben Sie höchstens 50 an, oder wählen Sie .webp oder .apng.</translation>
     </message>
     <message>
-        <source>A glTF 2.0 file, .glb or .gltf, in place of the small world.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eine Datei in glTF 2.0, .glb oder .gltf, anstelle der kleinen Welt.</translation>
-    </message>
-    <message>
         <source>A glTF 2.0 file, .glb or .gltf; without one, the torus over its pillar.</source>
         <translation>Eine Datei in glTF 2.0, .glb oder .gltf; ohne eine der Torus über seiner Säule.</translation>
     </message>
@@ -1659,11 +1654,6 @@ Zeiten nach: %2.</translation>
         <translation>Ein Bild von {1} benutzt die zweiten Texturkoordinaten; benutzt werden die ersten.</translation>
     </message>
     <message>
-        <source>A picture whose main colors become the palette, in place of the other.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ein Bild, dessen Hauptfarben die Palette werden, anstelle der anderen.</translation>
-    </message>
-    <message>
         <source>a picture without the channel depth.Z</source>
         <translation>ein Bild ohne den Kanal depth.Z</translation>
     </message>
@@ -1798,11 +1788,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A shell around the child's surface, hollow inside.</source>
         <translation>Eine Wand um die Oberfläche des Kindes, innen hohl.</translation>
-    </message>
-    <message>
-        <source>A small isle, the bare scene that the source tests with, or bars of one and two pixels.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eine kleine Insel, die nackte Szene, mit der das Original prüft, oder Stäbe von ein und zwei Pixeln.</translation>
     </message>
     <message>
         <source>A solid sphere around the origin.</source>
@@ -2255,6 +2240,11 @@ Zeiten nach: %2.</translation>
         <translation>Wie weit das Fell nachhängt, wenn der Körper anfährt, anhält oder sich dreht: 0 folgt sofort.</translation>
     </message>
     <message>
+        <source>Amount by which the view follows a visitor who steps aside: 0 is a flat picture, 1 a window.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie weit die Ansicht einem Besucher folgt, der zur Seite geht: 0 ist ein flaches Bild, 1 ein Fenster.</translation>
+    </message>
+    <message>
         <source>Amount of foam on the crests: 0 is none, high foams early.</source>
         <extracomment>tables</extracomment>
         <translation>Menge des Schaums auf den Kämmen: 0 ist keiner, hohe Werte schäumen früh.</translation>
@@ -2374,6 +2364,11 @@ Zeiten nach: %2.</translation>
         <translation>Winkel zwischen der Achse und der Seite.</translation>
     </message>
     <message>
+        <source>Angle by which a surface must turn to make an edge: low draws more lines.</source>
+        <extracomment>tables</extracomment>
+        <translation>Winkel, um den sich eine Oberfläche wenden muss, damit eine Kante entsteht: Niedrige Werte zeichnen mehr Linien.</translation>
+    </message>
+    <message>
         <source>Angle by which the lattice of each octave is rotated against the one before; 0 shows the lattice.</source>
         <extracomment>tables</extracomment>
         <translation>Winkel, um den das Gitter jeder Oktave gegen das vorige gedreht wird; 0 lässt das Gitter sehen.</translation>
@@ -2389,6 +2384,11 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Angle in which all views are seen once; beyond it they start again.</source>
         <translation>Winkel, in dem alle Ansichten einmal zu sehen sind; darüber hinaus beginnen sie von vorn.</translation>
+    </message>
+    <message>
+        <source>Angle of a step by which the camera turns: large keeps pixels stable for longer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Winkel eines Schritts, um den sich die Kamera dreht: Große halten Pixel länger ruhig.</translation>
     </message>
     <message>
         <source>Angle of the bend per meter along x: 0 is straight.</source>
@@ -4371,6 +4371,21 @@ Zeiten nach: %2.</translation>
         <translation>Farbe tiefen Wassers bei Tageslicht.</translation>
     </message>
     <message>
+        <source>Color of the background at the bottom.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Hintergrunds unten.</translation>
+    </message>
+    <message>
+        <source>Color of the background at the top.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Hintergrunds oben.</translation>
+    </message>
+    <message>
+        <source>Color of the dark lines.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe der dunklen Linien.</translation>
+    </message>
+    <message>
         <source>Color of the dust, as the share of light that it scatters rather than absorbs: white absorbs none.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe des Staubs, als Anteil des Lichts, den er streut statt absorbiert: Weiß absorbiert nichts.</translation>
@@ -4381,9 +4396,29 @@ Zeiten nach: %2.</translation>
         <translation>Farbe der Glasur, des Metalls oder von 10 cm des Glases.</translation>
     </message>
     <message>
+        <source>Color of the light lines.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe der hellen Linien.</translation>
+    </message>
+    <message>
+        <source>Color of the light that fills shadows from below.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Lichts, das Schatten von unten aufhellt.</translation>
+    </message>
+    <message>
         <source>Color of the rays, multiplied with the sun's own.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe der Strahlen, multipliziert mit der Farbe der Sonne.</translation>
+    </message>
+    <message>
+        <source>Color of the sky's light, which fills shadows from above.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Himmelslichts, das Schatten von oben aufhellt.</translation>
+    </message>
+    <message>
+        <source>Color of the sunlight.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Sonnenlichts.</translation>
     </message>
     <message>
         <source>Color of this coat at the skin.</source>
@@ -4941,11 +4976,6 @@ Zeiten nach: %2.</translation>
         <translation>Grad im Uhrzeigersinn um die Mitte.</translation>
     </message>
     <message>
-        <source>Degrees off that are shown hottest.</source>
-        <extracomment>tables</extracomment>
-        <translation>Abweichung in Grad, die am heißesten gezeigt wird.</translation>
-    </message>
-    <message>
         <source>Delete</source>
         <translation>Löschen</translation>
     </message>
@@ -5015,6 +5045,11 @@ Zeiten nach: %2.</translation>
         <source>depth</source>
         <extracomment>tables</extracomment>
         <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Depth between two surfaces that makes a line, in texels after removing the slope: low draws more lines.</source>
+        <extracomment>tables</extracomment>
+        <translation>Tiefe zwischen zwei Oberflächen, die eine Linie ergibt, in Texeln nach Abzug der Steigung: Niedrige Werte zeichnen mehr Linien.</translation>
     </message>
     <message>
         <source>Depth bits</source>
@@ -5246,6 +5281,11 @@ Zeiten nach: %2.</translation>
         <translation>Entfernung in der Szene, die in der Ebene des Drucks liegen wird; 0 ist das, worauf die Kamera schaut.</translation>
     </message>
     <message>
+        <source>Distance of the camera from the middle of the world; in orthographic projection, the start of the visible range.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand der Kamera von der Mitte der Welt; bei orthografischer Projektion der Beginn des sichtbaren Bereichs.</translation>
+    </message>
+    <message>
         <source>Distance of the plane from the origin along the normal.</source>
         <translation>Abstand der Ebene vom Ursprung entlang der Normalen.</translation>
     </message>
@@ -5275,9 +5315,9 @@ Zeiten nach: %2.</translation>
         <translation>Dithering-Stärke</translation>
     </message>
     <message>
-        <source>Divide the picture in two halves, each with a method and a view of its own.</source>
+        <source>Dithering method for colors between those of the palette: ordered, blue noise, or error diffusion.</source>
         <extracomment>tables</extracomment>
-        <translation>Teilt das Bild in zwei Hälften, jede mit eigenem Verfahren und eigener Ansicht.</translation>
+        <translation>Dithering-Verfahren für Farben zwischen denen der Palette: geordnet, blaues Rauschen oder Fehlerdiffusion.</translation>
     </message>
     <message>
         <source>Divider</source>
@@ -5469,6 +5509,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Kantenwinkel</translation>
     </message>
     <message>
+        <source>Edge detection: ours, one texel wide with thresholds that follow distance and slope, or the formulas of the reference in meters.</source>
+        <extracomment>tables</extracomment>
+        <translation>Kantenerkennung: unsere, ein Texel breit mit Schwellen, die Entfernung und Steigung folgen, oder die Formeln des Originals in Metern.</translation>
+    </message>
+    <message>
         <source>Edge fade</source>
         <extracomment>tables</extracomment>
         <translation>Randblende</translation>
@@ -5552,6 +5597,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>das Beenden des Videos</translation>
     </message>
     <message>
+        <source>Enlargement of the small picture: each texel by a whole number of pixels, or to any size with borders smoothed over one pixel (sharp).</source>
+        <extracomment>tables</extracomment>
+        <translation>Vergrößerung des kleinen Bildes: jedes Texel auf eine ganze Zahl von Pixeln oder auf jede Größe mit über ein Pixel geglätteten Grenzen (scharf).</translation>
+    </message>
+    <message>
         <source>Enter</source>
         <translation>Eingabe</translation>
     </message>
@@ -5608,6 +5658,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Error scale</source>
         <extracomment>tables</extracomment>
         <translation>Fehlerskala</translation>
+    </message>
+    <message>
+        <source>Error that is shown hottest, in degrees: low brings out small errors.</source>
+        <extracomment>tables</extracomment>
+        <translation>Fehler, der am heißesten gezeigt wird, in Grad: Niedrige Werte zeigen kleine Fehler.</translation>
     </message>
     <message>
         <source>errors are handed on</source>
@@ -5670,11 +5725,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>every shape</source>
         <extracomment>tables</extracomment>
         <translation>jede Form</translation>
-    </message>
-    <message>
-        <source>Every texel by a whole number of pixels, or any, with borders smoothed over one pixel.</source>
-        <extracomment>tables</extracomment>
-        <translation>Jedes Texel durch eine ganze Zahl von Pixeln, oder beliebig, mit über ein Pixel geglätteten Grenzen.</translation>
     </message>
     <message>
         <source>everything exact, {1}</source>
@@ -6268,6 +6318,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Frames pro Sekunde</translation>
     </message>
     <message>
+        <source>Frames per second of the animation: few look drawn by hand, many run smoothly.</source>
+        <extracomment>tables</extracomment>
+        <translation>Bilder pro Sekunde der Animation: Wenige wirken handgezeichnet, viele laufen flüssig.</translation>
+    </message>
+    <message>
         <source>free plinth</source>
         <extracomment>tables</extracomment>
         <translation>freier Sockel</translation>
@@ -6327,11 +6382,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>from parent</source>
         <translation>vom Elternknoten</translation>
-    </message>
-    <message>
-        <source>From the middle; of the orthographic camera, where its view begins.</source>
-        <extracomment>tables</extracomment>
-        <translation>Von der Mitte; bei der orthografischen Kamera, wo ihre Sicht beginnt.</translation>
     </message>
     <message>
         <source>From the picture to the next panel, and on to the one before</source>
@@ -6745,6 +6795,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe von Ende zu Ende.</translation>
     </message>
     <message>
+        <source>Height of the camera above the horizon, as an angle: negative looks up from below.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der Kamera über dem Horizont, als Winkel: Negative Werte blicken von unten hinauf.</translation>
+    </message>
+    <message>
         <source>Height of the center of the upper sphere.</source>
         <translation>Höhe des Mittelpunkts der oberen Kugel.</translation>
     </message>
@@ -6778,13 +6833,13 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe des eigenen Sockels des Objekts.</translation>
     </message>
     <message>
-        <source>Height of the picture at the middle: low is near.</source>
-        <extracomment>tables</extracomment>
-        <translation>Höhe des Bildes in der Mitte: Niedrige Werte sind nah.</translation>
-    </message>
-    <message>
         <source>Height of the rim.</source>
         <translation>Höhe des Rands.</translation>
+    </message>
+    <message>
+        <source>Height of the sun above the horizon: low makes long shadows.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der Sonne über dem Horizont: Niedrige Werte geben lange Schatten.</translation>
     </message>
     <message>
         <source>Height of the sun above the horizon: low reaches far into the hall, high lights the window's foot.</source>
@@ -6794,6 +6849,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Height of the tip.</source>
         <translation>Höhe der Spitze.</translation>
+    </message>
+    <message>
+        <source>Height of the view at the middle of the world: low zooms in, high zooms out.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe des Ausschnitts in der Mitte der Welt: Niedrige Werte zoomen hinein, hohe heraus.</translation>
     </message>
     <message>
         <source>Height of the work's own sun above the horizon.</source>
@@ -6929,6 +6989,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>waagerecht</translation>
     </message>
     <message>
+        <source>Horizontal angle of the camera around the middle of the world.</source>
+        <extracomment>tables</extracomment>
+        <translation>Horizontaler Winkel der Kamera um die Mitte der Welt.</translation>
+    </message>
+    <message>
+        <source>Horizontal direction of the sun, seen from the camera: negative is to the left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Horizontale Richtung der Sonne, von der Kamera aus: Negative Werte liegen links.</translation>
+    </message>
+    <message>
         <source>Horizontal direction of the sun, seen through the window: negative is to the left.</source>
         <extracomment>tables</extracomment>
         <translation>Horizontale Richtung der Sonne, durch das Fenster gesehen: Negative Werte liegen links.</translation>
@@ -6962,11 +7032,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie hell sie sind.</translation>
     </message>
     <message>
-        <source>How colors between those of the palette are hinted at.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie Farben zwischen denen der Palette angedeutet werden.</translation>
-    </message>
-    <message>
         <source>How colors between those of the palette are hinted at. Ordered and blue noise stay where they are from frame to frame.</source>
         <translation>Wie Farben zwischen denen der Palette angedeutet werden. Geordnetes und blaues Rauschen bleiben von Frame zu Frame, wo sie sind.</translation>
     </message>
@@ -6977,16 +7042,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How far a printed point spreads (standard deviation): counts as cross-talk; 10 to 40 µm are usual.</source>
         <translation>Wie weit ein Druckpunkt verläuft (Standardabweichung): zählt als Übersprechen; 10 bis 40 µm sind üblich.</translation>
-    </message>
-    <message>
-        <source>How far a surface turns at an edge.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit sich eine Oberfläche an einer Kante wendet.</translation>
-    </message>
-    <message>
-        <source>How far above the horizon it stands.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie hoch sie über dem Horizont steht.</translation>
     </message>
     <message>
         <source>How far apart the cameras of rendered views stand: 0 is flat, 1 true to scale for the viewing distance, above 1 deeper than life.</source>
@@ -7041,19 +7096,9 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit sie gedreht sind, jede um einen eigenen Winkel.</translation>
     </message>
     <message>
-        <source>How far: at 1 means are kept, less leaves calm areas.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit: Bei 1 bleiben Mittelwerte erhalten, weniger lässt ruhige Flächen.</translation>
-    </message>
-    <message>
         <source>How fast distance fades to black: light falls by e where this times its cube is 1.</source>
         <extracomment>tables</extracomment>
         <translation>Wie schnell Entfernung zu Schwarz verblasst: Licht fällt um e, wo diese Zahl mal deren dritte Potenz 1 ist.</translation>
-    </message>
-    <message>
-        <source>How fast it is played: 1 as the file has it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie schnell sie abgespielt wird: 1, wie die Datei es vorgibt.</translation>
     </message>
     <message>
         <source>How fast it spins, against the source's slow and uneven turn.</source>
@@ -7084,11 +7129,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie viele unter Datei &gt; Zuletzt geöffnet bleiben; 0 behält keine.</translation>
     </message>
     <message>
-        <source>How many colors are taken from a picture.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie viele Farben aus einem Bild genommen werden.</translation>
-    </message>
-    <message>
         <source>How many the palette made of the frames has.</source>
         <translation>Wie viele die aus den Frames gemachte Palette hat.</translation>
     </message>
@@ -7101,11 +7141,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie viele Ansichten gerendert oder gleichmäßig aus den Dateien genommen werden.</translation>
     </message>
     <message>
-        <source>How much a line takes a dark tone of what it borders, in place of its own color.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr eine Linie statt ihrer eigenen Farbe einen dunklen Ton dessen annimmt, was sie begrenzt.</translation>
-    </message>
-    <message>
         <source>How much flames flicker: 0 burns evenly.</source>
         <extracomment>tables</extracomment>
         <translation>Wie sehr Flammen flackern: 0 brennt gleichmäßig.</translation>
@@ -7113,11 +7148,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How much nearer one step of the wheel takes you to an exhibit.</source>
         <translation>Wie viel näher ein Schritt des Mausrads an ein Exponat heranführt.</translation>
-    </message>
-    <message>
-        <source>How much the camera follows a visitor who steps aside: 1 as a window would.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr die Kamera einem Besucher folgt, der zur Seite geht: 1 wie ein Fenster.</translation>
     </message>
     <message>
         <source>How near a part rays go on by small even steps until they touch, in pixels at that distance: more makes edges uneven.</source>
@@ -8261,29 +8291,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lektionen (*.md)</translation>
     </message>
     <message>
-        <source>Let the model turn about the vertical, once a round.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt das Modell sich um die Senkrechte drehen, einmal je Runde.</translation>
-    </message>
-    <message>
-        <source>Let things throw shadows.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt Dinge Schatten werfen.</translation>
-    </message>
-    <message>
-        <source>Let time run: the torus tumbles, cubes bob, water breathes; a round takes 4 s.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt die Zeit laufen: Der Torus taumelt, Würfel wippen, Wasser atmet; eine Runde dauert 4 s.</translation>
-    </message>
-    <message>
         <source>Let time run: waves roll, flames flicker, lanterns drift.</source>
         <extracomment>tables</extracomment>
         <translation>Lässt die Zeit laufen: Wellen rollen, Flammen flackern, Laternen treiben.</translation>
-    </message>
-    <message>
-        <source>Let what is nothing face the camera, so that no edge is seen against it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt, was nichts ist, zur Kamera zeigen, sodass dagegen keine Kante gesehen wird.</translation>
     </message>
     <message>
         <source>Lets go of B and shows A alone.</source>
@@ -8403,16 +8413,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Lines and points are not supported and were left out of mesh {1}.</source>
         <translation>Linien und Punkte werden nicht unterstützt und wurden im Netz {=1} weggelassen.</translation>
-    </message>
-    <message>
-        <source>Lines between objects that touch, by their numbers.</source>
-        <extracomment>tables</extracomment>
-        <translation>Linien zwischen Objekten, die sich berühren, nach ihren Nummern.</translation>
-    </message>
-    <message>
-        <source>Lines of one texel by thresholds that follow distance and slope, or the formulas of the source, in meters.</source>
-        <extracomment>tables</extracomment>
-        <translation>Linien von einem Texel nach Schwellen, die Entfernung und Steigung folgen, oder nach den Formeln des Originals, in Metern.</translation>
     </message>
     <message>
         <source>list --manual: there is no exhibit &quot;{1}&quot;; `vitrine list` names them.</source>
@@ -8792,6 +8792,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Verfahren</translation>
     </message>
     <message>
+        <source>Method for normals in the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren für Normalen in der rechten Hälfte.</translation>
+    </message>
+    <message>
+        <source>Method for normals: drawn ones (true), or reconstructed from depth by fixed neighbors (3, 4), nearer ones (5), those in line with a texel (9, 9 plus), a parabola, or a vote of the texels around, which thin objects need.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verfahren für Normalen: gezeichnet (richtig) oder aus der Tiefe rekonstruiert durch feste Nachbarn (3, 4), nähere (5), solche in einer Linie mit dem Texel (9, 9 plus), eine Parabel oder eine Abstimmung der Texel ringsum, die dünne Objekte brauchen.</translation>
+    </message>
+    <message>
         <source>Method of ambient occlusion: as the shading has it, none, 5 taps along the normal, rays over the hemisphere, or cones.</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren der Umgebungsverdeckung: je nach Beleuchtung, keines, 5 Samples entlang der Normalen, Strahlen über die Halbkugel oder Kegel.</translation>
@@ -9006,11 +9016,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Move on</source>
         <translation>Weiterbewegen</translation>
-    </message>
-    <message>
-        <source>Move the camera by whole texels and turn it by whole steps, so that nothing crawls; the screen slides the rest.</source>
-        <extracomment>tables</extracomment>
-        <translation>Bewegt die Kamera um ganze Texel und dreht sie um ganze Schritte, sodass nichts kriecht; den Rest verschiebt der Bildschirm.</translation>
     </message>
     <message>
         <source>Move the node: up, down, out of its parent, into the one above</source>
@@ -9472,11 +9477,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Normalen gegen wahre</translation>
     </message>
     <message>
-        <source>Normals as drawn, or from depth alone: by fixed neighbors (3, 4), the nearer ones (5), those on whose line a texel lies (9; 9 plus looks at fewer), with the slope of a parabola, or by a vote of the texels around, which thin things need.</source>
-        <extracomment>tables</extracomment>
-        <translation>Normalen, wie gezeichnet, oder nur aus der Tiefe: durch feste Nachbarn (3, 4), die näheren (5), die, auf deren Gerade ein Texel liegt (9; 9 plus sieht weniger an), mit der Steigung einer Parabel, oder durch Abstimmung der Texel ringsum, die Dünnes braucht.</translation>
-    </message>
-    <message>
         <source>Normals from depth, lines of one pixel, and few colors.</source>
         <translation>Normalen aus der Tiefe, Linien von einem Pixel und wenige Farben.</translation>
     </message>
@@ -9622,6 +9622,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nichts wurde geschrieben.</translation>
     </message>
     <message>
+        <source>Number of colors taken from the picture.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Farben, die aus dem Bild genommen werden.</translation>
+    </message>
+    <message>
         <source>Number of copies along x, y and z; 0 is infinitely many.</source>
         <translation>Zahl der Kopien entlang x, y und z; 0 sind unendlich viele.</translation>
     </message>
@@ -9745,9 +9750,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Haare pro Quadratmeter: Niedrige Werte geben dünnes Fell, hohe dichtes.</translation>
     </message>
     <message>
+        <source>Number of the model's animation to play, in the order of its file; 0 is none. Beyond the last, the last is played.</source>
+        <extracomment>tables</extracomment>
+        <translation>Nummer der Animation des Modells, die abgespielt wird, in der Reihenfolge seiner Datei; 0 ist keine. Über die letzte hinaus wird die letzte abgespielt.</translation>
+    </message>
+    <message>
         <source>Number of times a reflected ray may meet the object again before it sees only the hall: 0 is cheapest.</source>
         <extracomment>tables</extracomment>
         <translation>Wie oft ein gespiegelter Strahl das Objekt wieder treffen darf, bevor er nur noch die Halle sieht: 0 kostet am wenigsten.</translation>
+    </message>
+    <message>
+        <source>Number of tones from shade to light, as in hand-drawn pixel art; 1 shades smoothly.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Töne von Schatten bis Licht, wie bei gezeichneter Pixel-Art; 1 ist ohne Stufen.</translation>
     </message>
     <message>
         <source>Number of turns of a curl from skin to tip.</source>
@@ -9882,11 +9897,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Der Krümmung, am Linsenscheitel.</translation>
     </message>
     <message>
-        <source>Of dark lines on the borders of near objects.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der dunklen Linien an den Rändern naher Objekte.</translation>
-    </message>
-    <message>
         <source>Of each direction, evenly over the animation.</source>
         <translation>Jeder Richtung, gleichmäßig über die Animation.</translation>
     </message>
@@ -9919,11 +9929,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Seines oberen Rands.</translation>
     </message>
     <message>
-        <source>Of light on edges that face the camera.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Lichts auf Kanten, die zur Kamera zeigen.</translation>
-    </message>
-    <message>
         <source>Of that frustum at the bottom.</source>
         <extracomment>tables</extracomment>
         <translation>Dieses Kegelstumpfs unten.</translation>
@@ -9937,11 +9942,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Of that lamp.</source>
         <extracomment>tables</extracomment>
         <translation>Dieser Lampe.</translation>
-    </message>
-    <message>
-        <source>Of that light.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dieses Lichts.</translation>
     </message>
     <message>
         <source>Of that sun.</source>
@@ -10067,21 +10067,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des zweiten Kegelstumpfs.</translation>
     </message>
     <message>
-        <source>Of the sky, which fills shadows from above.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Himmels, der Schatten von oben füllt.</translation>
-    </message>
-    <message>
-        <source>Of the small picture.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des kleinen Bildes.</translation>
-    </message>
-    <message>
-        <source>Of the sun.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Sonne.</translation>
-    </message>
-    <message>
         <source>Of the videos only .webp and .apng can be transparent; choose one of them, or frames of PNG.</source>
         <translation>Von den Videos können nur .webp und .apng transparent sein; wählen Sie eines davon, oder Frames als PNG.</translation>
     </message>
@@ -10100,18 +10085,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des Fensters, ab dem nächsten Start. Dateien und die Zahlen darin bleiben, wie sie sind.</translation>
     </message>
     <message>
-        <source>Of these lines.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dieser Linien.</translation>
-    </message>
-    <message>
         <source>Of TIFF: none is what every print shop reads. PNG is always compressed.</source>
         <translation>Von TIFF: Ohne ist, was jede Druckerei liest. PNG ist immer komprimiert.</translation>
-    </message>
-    <message>
-        <source>Of what fills them from below.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dessen, was sie von unten füllt.</translation>
     </message>
     <message>
         <source>off</source>
@@ -10382,6 +10357,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Reihenfolge, in der die Shells gezeichnet werden: Äußere zuerst verdecken die inneren früh und sparen Arbeit. Das Bild ist dasselbe.</translation>
     </message>
     <message>
+        <source>Order of the depth values: reversed has 1 near and 0 far, standard the opposite.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ordnung der Tiefenwerte: Umgekehrt ist nah 1 und fern 0, bei Standard andersherum.</translation>
+    </message>
+    <message>
         <source>ordered</source>
         <extracomment>tables</extracomment>
         <translation>geordnet</translation>
@@ -10481,6 +10461,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Palette picture</source>
         <extracomment>tables</extracomment>
         <translation>Palettenbild</translation>
+    </message>
+    <message>
+        <source>Palette that limits the colors: none, made for the isle, of an old machine, or of a picture of the hall (golden hour).</source>
+        <extracomment>tables</extracomment>
+        <translation>Palette, die die Farben begrenzt: keine, für die Insel gemacht, die eines alten Geräts oder die eines Bildes der Halle (goldene Stunde).</translation>
     </message>
     <message>
         <source>Pan x</source>
@@ -10613,6 +10598,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Alle Werte einfügen</translation>
     </message>
     <message>
+        <source>Path of a glTF 2.0 file (.glb or .gltf) that replaces the small world.</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfad einer Datei in glTF 2.0 (.glb oder .gltf), die die kleine Welt ersetzt.</translation>
+    </message>
+    <message>
         <source>Path of a glTF object (.glb or .gltf) to show, at first on the free plinth.</source>
         <extracomment>tables</extracomment>
         <translation>Pfad eines glTF-Objekts (.glb oder .gltf), das gezeigt wird, zuerst auf dem freien Sockel.</translation>
@@ -10630,6 +10620,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Path of a picture in this folder or below it.</source>
         <translation>Pfad eines Bildes in diesem Ordner oder darunter.</translation>
+    </message>
+    <message>
+        <source>Path of a picture whose main colors replace the palette.</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfad eines Bildes, dessen Hauptfarben die Palette ersetzen.</translation>
     </message>
     <message>
         <source>Path of a scene file in this folder or below it.</source>
@@ -10742,6 +10737,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bild als %1 gespeichert.</translation>
     </message>
     <message>
+        <source>Picture to show in the right half.</source>
+        <extracomment>tables</extracomment>
+        <translation>Gezeigtes Bild in der rechten Hälfte.</translation>
+    </message>
+    <message>
+        <source>Picture to show: the finished one, or a step on the way to it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Gezeigtes Bild: das fertige oder ein Schritt auf dem Weg dorthin.</translation>
+    </message>
+    <message>
         <source>Picture to show: the finished one, the mask with its occluders black, or only the added light without the hall.</source>
         <extracomment>tables</extracomment>
         <translation>Gezeigtes Bild: das fertige, die Maske mit schwarzen Verdeckern oder nur das hinzugefügte Licht ohne die Halle.</translation>
@@ -10761,11 +10766,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp *.bmp *.gif);;All files (*)</source>
         <translation>Bilder (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp *.bmp *.gif);;Alle Dateien (*)</translation>
-    </message>
-    <message>
-        <source>Pictures a second: few look drawn by hand, many run smoothly.</source>
-        <extracomment>tables</extracomment>
-        <translation>Bilder pro Sekunde: Wenige wirken gezeichnet, viele laufen glatt.</translation>
     </message>
     <message>
         <source>Pictures in viewing order from the left.</source>
@@ -10947,6 +10947,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lage der Grenze zwischen den Hälften: 0 ist der linke Rand der Öffnung, 1 der rechte.</translation>
     </message>
     <message>
+        <source>Position of the boundary between the halves: 0 is the left edge, 1 the right.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lage der Grenze zwischen den Hälften: 0 ist der linke Rand, 1 der rechte.</translation>
+    </message>
+    <message>
         <source>Position of the center of the light.</source>
         <translation>Position der Mitte des Lichts.</translation>
     </message>
@@ -11000,6 +11005,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Pre&amp;vious panel</source>
         <translation>V&amp;origes Bedienfeld</translation>
+    </message>
+    <message>
+        <source>Precision of the depth buffer: 16 bits make visible errors in normals.</source>
+        <extracomment>tables</extracomment>
+        <translation>Genauigkeit des Tiefenpuffers: 16 Bit machen sichtbare Fehler in Normalen.</translation>
     </message>
     <message>
         <source>Prefere&amp;nces…</source>
@@ -11128,6 +11138,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Projection</source>
         <extracomment>tables</extracomment>
         <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Projection of the camera: orthographic, which is usual for pixel art, or perspective, in which distance makes things smaller.</source>
+        <extracomment>tables</extracomment>
+        <translation>Projektion der Kamera: orthografisch, wie bei Pixel-Art üblich, oder perspektivisch, bei der Entfernung Dinge kleiner macht.</translation>
     </message>
     <message>
         <source>Put %1 into the hall</source>
@@ -11351,6 +11366,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Radius of the upper sphere.</source>
         <translation>Radius der oberen Kugel.</translation>
+    </message>
+    <message>
+        <source>Radius over which faceted normals are averaged, in texels, but not across edges: 0 keeps facets.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius, über den facettierte Normalen gemittelt werden, in Texeln, aber nicht über Kanten hinweg: 0 lässt Facetten.</translation>
     </message>
     <message>
         <source>Radius to the middle of the wall.</source>
@@ -11712,6 +11732,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Resolution of the reflection probe, in texels per side of a face: low blurs polished surfaces.</source>
         <extracomment>tables</extracomment>
         <translation>Auflösung der Reflexionssonde, in Texeln je Seite einer Fläche: Niedrige Werte machen polierte Oberflächen unscharf.</translation>
+    </message>
+    <message>
+        <source>Resolution of the small picture in pixels.</source>
+        <extracomment>tables</extracomment>
+        <translation>Auflösung des kleinen Bildes in Pixeln.</translation>
     </message>
     <message>
         <source>Resolution of the sun's shadow map, in texels per side: low gives coarse shadow edges.</source>
@@ -12588,6 +12613,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Anteil der Pixel, die um mehr als 1/255 abweichen</translation>
     </message>
     <message>
+        <source>Share of the bordering object's color in a dark line: 0 uses the outline color, 1 a dark tone of the object.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil der Farbe des angrenzenden Objekts an einer dunklen Linie: 0 nimmt die Umrissfarbe, 1 einen dunklen Ton des Objekts.</translation>
+    </message>
+    <message>
         <source>Share of the color that is lit by the lights.</source>
         <translation>Anteil der Farbe, der von den Lichtern beleuchtet wird.</translation>
     </message>
@@ -12688,6 +12718,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shift</source>
         <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>Shift of the camera to the right.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verschiebung der Kamera nach rechts.</translation>
+    </message>
+    <message>
+        <source>Shift of the camera upwards.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verschiebung der Kamera nach oben.</translation>
     </message>
     <message>
         <source>Shift of the noise through space.</source>
@@ -12946,16 +12986,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Scheiben</translation>
     </message>
     <message>
-        <source>Slides the camera to the right.</source>
-        <extracomment>tables</extracomment>
-        <translation>Verschiebt die Kamera nach rechts.</translation>
-    </message>
-    <message>
-        <source>Slides the camera up.</source>
-        <extracomment>tables</extracomment>
-        <translation>Verschiebt die Kamera nach oben.</translation>
-    </message>
-    <message>
         <source>Slope of the small waves that the wind makes: it draws reflections out.</source>
         <extracomment>tables</extracomment>
         <translation>Steigung der kleinen Wellen, die der Wind macht: Sie zieht Spiegelungen in die Länge.</translation>
@@ -13135,6 +13165,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Speed of the camera around its target, per second: 0 stands still.</source>
         <extracomment>tables</extracomment>
         <translation>Geschwindigkeit der Kamera um ihr Ziel, pro Sekunde: 0 steht still.</translation>
+    </message>
+    <message>
+        <source>Speed of the model's animation: 1 is as in its file, 0 stops it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Tempo der Animation des Modells: 1 ist wie in der Datei, 0 hält sie an.</translation>
     </message>
     <message>
         <source>Speed of the wheel</source>
@@ -13469,6 +13504,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Wie stark das Fell zu einer Seite gekämmt ist: 0 lässt die Haare aufrecht, hohe Werte legen sie flach.</translation>
     </message>
     <message>
+        <source>Strength of the dark lines on the borders of near objects: 0 draws none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der dunklen Linien an den Rändern naher Objekte: 0 zeichnet keine.</translation>
+    </message>
+    <message>
+        <source>Strength of the dithering: at 1 average colors are kept, less leaves calm areas.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Ditherings: Bei 1 bleiben mittlere Farben erhalten, weniger lässt ruhige Flächen.</translation>
+    </message>
+    <message>
         <source>Strength of the draft over the pit: 0 is still air, above 0 the fur keeps moving.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke des Luftzugs über der Grube: 0 ist ruhige Luft, darüber bleibt das Fell in Bewegung.</translation>
@@ -13497,6 +13542,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Strength of the lamps in the vault: 0 is a dark night, 1 is enough to read by.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke der Lampen im Gewölbe: 0 ist eine dunkle Nacht, 1 genügt zum Lesen.</translation>
+    </message>
+    <message>
+        <source>Strength of the light lines on edges that face the camera: 0 draws none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der hellen Linien auf Kanten, die zur Kamera zeigen: 0 zeichnet keine.</translation>
     </message>
     <message>
         <source>Strength of the screen-space rays: 0 makes none. In the plain sum, the strength of each sample.</source>
@@ -13802,16 +13852,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tetraeder</translation>
     </message>
     <message>
-        <source>Texels around that faceted normals are averaged over, not across edges.</source>
-        <extracomment>tables</extracomment>
-        <translation>Texel ringsum, über die facettierte Normalen gemittelt werden, nicht über Kanten hinweg.</translation>
-    </message>
-    <message>
-        <source>Texels of depth between two surfaces that make a line; slopes are taken off first.</source>
-        <extracomment>tables</extracomment>
-        <translation>Texel Tiefe zwischen zwei Oberflächen, die eine Linie ergeben; Steigungen werden vorher abgezogen.</translation>
-    </message>
-    <message>
         <source>texture fetches</source>
         <translation>Texturzugriffe</translation>
     </message>
@@ -13834,16 +13874,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>the back, from above</source>
         <translation>die Rückseite, von oben</translation>
-    </message>
-    <message>
-        <source>The background, below.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Hintergrund, unten.</translation>
-    </message>
-    <message>
-        <source>The background, high up.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Hintergrund, hoch oben.</translation>
     </message>
     <message>
         <source>the ball grows and shrinks</source>
@@ -14338,11 +14368,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Modell hat keine Animation</translation>
     </message>
     <message>
-        <source>The moment of the round that is shown, or begun with.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Augenblick der Runde, der gezeigt wird oder mit dem begonnen wird.</translation>
-    </message>
-    <message>
         <source>The moment that is shown, or begun with.</source>
         <extracomment>tables</extracomment>
         <translation>Der Augenblick, der gezeigt wird oder mit dem begonnen wird.</translation>
@@ -14390,11 +14415,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The object itself, ray by ray, beside what stands in its place.</source>
         <translation>Das Objekt selbst, Strahl für Strahl, neben dem, was an seiner Stelle steht.</translation>
-    </message>
-    <message>
-        <source>The only colors there are: made for the isle, those of old machines, or the main ones of a picture of the hall.</source>
-        <extracomment>tables</extracomment>
-        <translation>Die einzigen Farben, die es gibt: für die Insel gemacht, die alter Geräte, oder die Hauptfarben eines Bildes der Halle.</translation>
     </message>
     <message>
         <source>The other command loses it.</source>
@@ -14602,11 +14622,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>in beiden gleich</translation>
     </message>
     <message>
-        <source>The same of the right half.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dasselbe für die rechte Hälfte.</translation>
-    </message>
-    <message>
         <source>The same with what is in the middle of the picture</source>
         <translation>Dasselbe mit dem, was in der Mitte des Bildes ist</translation>
     </message>
@@ -14721,11 +14736,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The sprite from all its sides. The cross is its pivot.</source>
         <translation>Der Sprite von all seinen Seiten. Das Kreuz ist sein Drehpunkt.</translation>
-    </message>
-    <message>
-        <source>The step by which it turns.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Schritt, um den sie sich dreht.</translation>
     </message>
     <message>
         <source>the strength of the beams is 0</source>
@@ -15845,6 +15855,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Zeitpunkt, der gezeigt wird oder mit dem die Animation beginnt.</translation>
     </message>
     <message>
+        <source>Time within the round that is shown, or at which the animation starts.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeitpunkt der Runde, der gezeigt wird oder mit dem die Animation beginnt.</translation>
+    </message>
+    <message>
         <source>Times of the last frames</source>
         <translation>Zeiten der letzten Frames</translation>
     </message>
@@ -15891,11 +15906,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>together</source>
         <extracomment>tables</extracomment>
         <translation>gemeinsam</translation>
-    </message>
-    <message>
-        <source>Tones from shade to light, as an artist lays them; 1 is without steps.</source>
-        <extracomment>tables</extracomment>
-        <translation>Töne von Schatten bis Licht, wie ein Künstler sie legt; 1 ist ohne Stufen.</translation>
     </message>
     <message>
         <source>too little of the sun comes in by window and oculus</source>
@@ -16691,11 +16701,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>das Gezeigte</translation>
     </message>
     <message>
-        <source>What is shown: the finished picture, or a step on the way there.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was gezeigt wird: das fertige Bild, oder ein Schritt auf dem Weg dorthin.</translation>
-    </message>
-    <message>
         <source>What lies behind a shell is covered in either order, so that the picture is the same.</source>
         <translation>Was hinter einer Shell liegt, wird in jeder Reihenfolge verdeckt, so dass das Bild dasselbe ist.</translation>
     </message>
@@ -16711,11 +16716,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What the chart has on its lower axis: time, or work that was counted, which is the same on every machine.</source>
         <translation>Was das Diagramm auf der unteren Achse hat: Zeit oder gezählte Arbeit, die auf jedem Rechner gleich ist.</translation>
-    </message>
-    <message>
-        <source>What the depth buffer stores.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was der Tiefenpuffer speichert.</translation>
     </message>
     <message>
         <source>What the description tells; 0: as long as the animation.</source>
@@ -16820,24 +16820,9 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wo seine Grundfläche liegt, nach vorn.</translation>
     </message>
     <message>
-        <source>Where the camera stands around the middle.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo die Kamera um die Mitte herum steht.</translation>
-    </message>
-    <message>
-        <source>Where the right half begins.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo die rechte Hälfte beginnt.</translation>
-    </message>
-    <message>
         <source>Where the source's sun stands.</source>
         <extracomment>tables</extracomment>
         <translation>Wo die Sonne des Originals steht.</translation>
-    </message>
-    <message>
-        <source>Where the sun stands, from the camera's side: negative is to the left.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo die Sonne steht, von der Seite der Kamera: Negative Werte liegen links.</translation>
     </message>
     <message>
         <source>Where the views come from</source>
@@ -16867,11 +16852,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob Farben die des Materials sind, oder die Teile voneinander unterscheiden.</translation>
     </message>
     <message>
-        <source>Whether distance makes things smaller. Pixel art is mostly orthographic.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ob Entfernung Dinge kleiner macht. Pixel-Art ist meist orthografisch.</translation>
-    </message>
-    <message>
         <source>Whether fewer shells are drawn where the coat is far away and small.</source>
         <extracomment>tables</extracomment>
         <translation>Ob weniger Shells gezeichnet werden, wo das Fell weit weg und klein ist.</translation>
@@ -16882,9 +16862,14 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob Frames in Bewegung mit Bewegungsausgleich gemittelt werden (TAA); ohne das kriechen Kanten, und Feines flimmert, bis das Bild ruht.</translation>
     </message>
     <message>
-        <source>Whether near is 1 and far 0, or the other way round.</source>
+        <source>Whether lines separate objects that touch.</source>
         <extracomment>tables</extracomment>
-        <translation>Ob nah 1 und fern 0 ist, oder umgekehrt.</translation>
+        <translation>Ob Linien Objekte trennen, die sich berühren.</translation>
+    </message>
+    <message>
+        <source>Whether objects cast shadows.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob Objekte Schatten werfen.</translation>
     </message>
     <message>
         <source>Whether one cone per 8 × 8 pixels is marched first; their rays start at the end of the cone.</source>
@@ -16911,6 +16896,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob der Ball ständig wächst und schrumpft; sonst nur während eines Sprungs.</translation>
     </message>
     <message>
+        <source>Whether the camera moves by whole texels and turns by whole steps, so that pixels do not crawl; the remainder shifts the finished picture.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob sich die Kamera um ganze Texel bewegt und um ganze Schritte dreht, sodass Pixel nicht kriechen; der Rest verschiebt das fertige Bild.</translation>
+    </message>
+    <message>
         <source>Whether the card scrolls from one print to the other and back, like a billboard.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Karte von einem Druck zum anderen und zurück rollt, wie eine Werbetafel.</translation>
@@ -16924,6 +16914,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the edges of the bounding mesh are drawn: amber if it holds the object, red if it clips it.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Kanten des Hüllnetzes gezeichnet werden: bernsteinfarben, wenn es das Objekt umschließt, rot, wenn es beschneidet.</translation>
+    </message>
+    <message>
+        <source>Whether the empty background gets normals towards the camera, so that objects have no edges against it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob der leere Hintergrund Normalen zur Kamera bekommt, sodass Objekte gegen ihn keine Kanten haben.</translation>
     </message>
     <message>
         <source>Whether the floor is darkened around the things that stand on it; without it, feet and plinths seem to float.</source>
@@ -16951,6 +16946,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob die Maske die Farben des Himmels trägt; sonst ist sie reinweiß.</translation>
     </message>
     <message>
+        <source>Whether the model turns about the vertical axis, once per round of 4 s.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob sich das Modell um die senkrechte Achse dreht, einmal je Runde von 4 s.</translation>
+    </message>
+    <message>
         <source>Whether the next four parameters set how the fur lies, while the bodies stand still.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die nächsten vier Parameter bestimmen, wie das Fell liegt, während die Körper stillstehen.</translation>
@@ -16958,6 +16958,11 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Whether the node is left out.</source>
         <translation>Ob der Knoten weggelassen wird.</translation>
+    </message>
+    <message>
+        <source>Whether the picture is split into two halves, each with its own method and view.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob das Bild in zwei Hälften geteilt wird, jede mit eigenem Verfahren und eigener Ansicht.</translation>
     </message>
     <message>
         <source>Whether the picture is split into two halves; the right one has its own parameters.</source>
@@ -16995,6 +17000,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob die Zeit läuft: Das Feld treibt, Wellen rollen, Wolken segeln.</translation>
     </message>
     <message>
+        <source>Whether time runs: the torus tumbles, cubes bob, water moves; a round takes 4 s.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Zeit läuft: Der Torus taumelt, Würfel wippen, Wasser bewegt sich; eine Runde dauert 4 s.</translation>
+    </message>
+    <message>
         <source>Whether time runs; it shows only in scenes in which something moves.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Zeit läuft; zu sehen nur in Szenen, in denen sich etwas bewegt.</translation>
@@ -17029,11 +17039,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Which of many ways it lies; 0 is upright.</source>
         <extracomment>tables</extracomment>
         <translation>Auf welche von vielen Arten es liegt; 0 ist aufrecht.</translation>
-    </message>
-    <message>
-        <source>Which of the model's animations is played, by its number in the file, beyond which there is the last; 0: none.</source>
-        <extracomment>tables</extracomment>
-        <translation>Welche Animation des Modells abgespielt wird, nach ihrer Nummer in der Datei; über die letzte hinaus die letzte; 0: keine.</translation>
     </message>
     <message>
         <source>Which one?</source>
@@ -17209,6 +17214,11 @@ steht in assets/SOURCES.md.</translation>
         <source>World</source>
         <extracomment>tables</extracomment>
         <translation>Welt</translation>
+    </message>
+    <message>
+        <source>World to show: a small isle, the test scene of the reference, or bars of one and two pixels.</source>
+        <extracomment>tables</extracomment>
+        <translation>Gezeigte Welt: eine kleine Insel, die Testszene des Originals oder Stäbe von ein und zwei Pixeln.</translation>
     </message>
     <message>
         <source>Wrap</source>
