@@ -1075,11 +1075,6 @@ Zeiten nach: %2.</translation>
         <translation>0 ist ein Kreis; -1/n² die Ellipse ohne sphärische Aberration.</translation>
     </message>
     <message>
-        <source>0 is edible, 1 is bare metal in these colors.</source>
-        <extracomment>tables</extracomment>
-        <translation>0 ist essbar, 1 ist blankes Metall in diesen Farben.</translation>
-    </message>
-    <message>
         <source>1 dot : %1 px</source>
         <translation>1 Punkt : %1 px</translation>
     </message>
@@ -2480,11 +2475,6 @@ Zeiten nach: %2.</translation>
         <translation>Eine andere Zahl streut andere Laternen und andere Wellen.</translation>
     </message>
     <message>
-        <source>Another number strews them elsewhere.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eine andere Zahl streut sie anderswohin.</translation>
-    </message>
-    <message>
         <source>Another one gives nine others; the same one gives the same again.</source>
         <translation>Ein anderer gibt neun andere; derselbe gibt wieder dieselben.</translation>
     </message>
@@ -2513,11 +2503,6 @@ Zeiten nach: %2.</translation>
         <source>area</source>
         <extracomment>tables</extracomment>
         <translation>Fläche</translation>
-    </message>
-    <message>
-        <source>Around the foot, evenly up its side.</source>
-        <extracomment>tables</extracomment>
-        <translation>Um den Fuß herum, gleichmäßig an seiner Seite hinauf.</translation>
     </message>
     <message>
         <source>Arrows go from one to another, Enter makes it the look.</source>
@@ -3120,11 +3105,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Buffer {1} names no data; it is zeros.</source>
         <translation>Puffer {1} nennt keine Daten; er besteht aus Nullen.</translation>
-    </message>
-    <message>
-        <source>Build it up by itself, again and again.</source>
-        <extracomment>tables</extracomment>
-        <translation>Baut es von selbst auf, wieder und wieder.</translation>
     </message>
     <message>
         <source>Build up</source>
@@ -4366,6 +4346,11 @@ Zeiten nach: %2.</translation>
         <translation>Färben nach</translation>
     </message>
     <message>
+        <source>Color of all sprinkles.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe aller Streusel.</translation>
+    </message>
+    <message>
         <source>Color of deep water in daylight.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe tiefen Wassers bei Tageslicht.</translation>
@@ -4379,6 +4364,11 @@ Zeiten nach: %2.</translation>
         <source>Color of the background at the top.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe des Hintergrunds oben.</translation>
+    </message>
+    <message>
+        <source>Color of the candy.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Bonbons.</translation>
     </message>
     <message>
         <source>Color of the dark lines.</source>
@@ -4396,6 +4386,11 @@ Zeiten nach: %2.</translation>
         <translation>Farbe der Glasur, des Metalls oder von 10 cm des Glases.</translation>
     </message>
     <message>
+        <source>Color of the lamp in front of the niche.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe der Lampe vor der Nische.</translation>
+    </message>
+    <message>
         <source>Color of the light lines.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe der hellen Linien.</translation>
@@ -4406,9 +4401,29 @@ Zeiten nach: %2.</translation>
         <translation>Farbe des Lichts, das Schatten von unten aufhellt.</translation>
     </message>
     <message>
+        <source>Color of the plinth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Sockels.</translation>
+    </message>
+    <message>
         <source>Color of the rays, multiplied with the sun's own.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe der Strahlen, multipliziert mit der Farbe der Sonne.</translation>
+    </message>
+    <message>
+        <source>Color of the reference's ambient light, of which more comes from above.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Umgebungslichts des Originals, von dem mehr von oben kommt.</translation>
+    </message>
+    <message>
+        <source>Color of the reference's sun.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe der Sonne des Originals.</translation>
+    </message>
+    <message>
+        <source>Color of the sand in white light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Sandes in weißem Licht.</translation>
     </message>
     <message>
         <source>Color of the sky's light, which fills shadows from above.</source>
@@ -4421,6 +4436,11 @@ Zeiten nach: %2.</translation>
         <translation>Farbe des Sonnenlichts.</translation>
     </message>
     <message>
+        <source>Color of the wafer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe der Waffel.</translation>
+    </message>
+    <message>
         <source>Color of this coat at the skin.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe dieses Fells an der Haut.</translation>
@@ -4429,6 +4449,16 @@ Zeiten nach: %2.</translation>
         <source>Color of this coat at the tips of the strands.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe dieses Fells an den Haarspitzen.</translation>
+    </message>
+    <message>
+        <source>Color of this layer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe dieser Schicht.</translation>
+    </message>
+    <message>
+        <source>Color of white light after 10 cm of the glass.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe weißen Lichts nach 10 cm des Glases.</translation>
     </message>
     <message>
         <source>Color temperature of the lamps: low is candlelight, high is bluish.</source>
@@ -4476,6 +4506,11 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Colors of the hall</source>
         <translation>Farben der Halle</translation>
+    </message>
+    <message>
+        <source>Colors of the sprinkles: those of the first five candies, or a single one.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farben der Streusel: die der ersten fünf Bonbons oder eine einzige.</translation>
     </message>
     <message>
         <source>Colors spread</source>
@@ -4599,11 +4634,6 @@ Zeiten nach: %2.</translation>
         <source>cones</source>
         <extracomment>tables</extracomment>
         <translation>Kegel</translation>
-    </message>
-    <message>
-        <source>Cones around the axis.</source>
-        <extracomment>tables</extracomment>
-        <translation>Kegel um die Achse.</translation>
     </message>
     <message>
         <source>Conic</source>
@@ -5034,6 +5064,11 @@ Zeiten nach: %2.</translation>
         <translation>Dichte des Dunsts: 0 ist klar bis zum Horizont, 1 verbirgt ihn.</translation>
     </message>
     <message>
+        <source>Density of the reference's black fog: light falls to 1/e where this value times the cube of the distance is 1.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dichte des schwarzen Nebels des Originals: Licht fällt auf 1/e, wo dieser Wert mal die dritte Potenz der Entfernung 1 ist.</translation>
+    </message>
+    <message>
         <source>Depot: shown alone</source>
         <translation>Depot: wird allein gezeigt</translation>
     </message>
@@ -5110,6 +5145,11 @@ Zeiten nach: %2.</translation>
         <translation>Richtung</translation>
     </message>
     <message>
+        <source>Direction from the ice cream to the lamp.</source>
+        <extracomment>tables</extracomment>
+        <translation>Richtung vom Eis zur Lampe.</translation>
+    </message>
+    <message>
         <source>Direction from the pit to the lamp.</source>
         <extracomment>tables</extracomment>
         <translation>Richtung von der Grube zur Lampe.</translation>
@@ -5141,6 +5181,11 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Direction that points up in the picture.</source>
         <translation>Richtung, die im Bild nach oben zeigt.</translation>
+    </message>
+    <message>
+        <source>Direction to the sun of the reference.</source>
+        <extracomment>tables</extracomment>
+        <translation>Richtung zur Sonne des Originals.</translation>
     </message>
     <message>
         <source>Direction to the sun.</source>
@@ -5253,6 +5298,11 @@ Zeiten nach: %2.</translation>
         <source>Distance beyond which shapes cause no ambient occlusion; the reference has no such limit.</source>
         <extracomment>tables</extracomment>
         <translation>Abstand, ab dem Formen keine Umgebungsverdeckung bewirken; das Original kennt keine solche Grenze.</translation>
+    </message>
+    <message>
+        <source>Distance by which the candy floats up and down.</source>
+        <extracomment>tables</extracomment>
+        <translation>Strecke, um die das Bonbon auf und ab schwebt.</translation>
     </message>
     <message>
         <source>Distance by which the cross-section is first moved away from the axis.</source>
@@ -5971,6 +6021,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Dateien</translation>
     </message>
     <message>
+        <source>Fillets of the cream</source>
+        <extracomment>tables</extracomment>
+        <translation>Rundungen des Eises</translation>
+    </message>
+    <message>
         <source>Fills the screen.</source>
         <translation>Füllt den Bildschirm.</translation>
     </message>
@@ -6675,19 +6730,19 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Halber Winkel</translation>
     </message>
     <message>
-        <source>Half its depth.</source>
+        <source>Half the depth of the candy.</source>
         <extracomment>tables</extracomment>
-        <translation>Halbe Tiefe.</translation>
+        <translation>Halbe Tiefe des Bonbons.</translation>
     </message>
     <message>
-        <source>Half its height.</source>
+        <source>Half the height of the candy.</source>
         <extracomment>tables</extracomment>
-        <translation>Halbe Höhe.</translation>
+        <translation>Halbe Höhe des Bonbons.</translation>
     </message>
     <message>
-        <source>Half its width.</source>
+        <source>Half the width of the candy.</source>
         <extracomment>tables</extracomment>
-        <translation>Halbe Breite.</translation>
+        <translation>Halbe Breite des Bonbons.</translation>
     </message>
     <message>
         <source>Half x</source>
@@ -6795,17 +6850,42 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe von Ende zu Ende.</translation>
     </message>
     <message>
+        <source>Height of a cone.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe eines Kegels.</translation>
+    </message>
+    <message>
         <source>Height of the camera above the horizon, as an angle: negative looks up from below.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe der Kamera über dem Horizont, als Winkel: Negative Werte blicken von unten hinauf.</translation>
+    </message>
+    <message>
+        <source>Height of the candy above the foot of the wafer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe des Bonbons über dem Fuß der Waffel.</translation>
     </message>
     <message>
         <source>Height of the center of the upper sphere.</source>
         <translation>Höhe des Mittelpunkts der oberen Kugel.</translation>
     </message>
     <message>
+        <source>Height of the collar, the second frustum.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe des Kragens, des zweiten Kegelstumpfs.</translation>
+    </message>
+    <message>
+        <source>Height of the cones' bases above the rim of the bowl.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der Grundflächen der Kegel über dem Rand der Schale.</translation>
+    </message>
+    <message>
         <source>Height of the cutting plane.</source>
         <translation>Höhe der Schnittebene.</translation>
+    </message>
+    <message>
+        <source>Height of the foot, the frustum on which the wafer stands.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe des Fußes, des Kegelstumpfs, auf dem die Waffel steht.</translation>
     </message>
     <message>
         <source>Height of the lower ring.</source>
@@ -7057,31 +7137,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit Ziehen Sie dreht, oder um ein Exponat herumführt.</translation>
     </message>
     <message>
-        <source>How far it floats up and down.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit es auf und ab schwebt.</translation>
-    </message>
-    <message>
-        <source>How far it is built up, as its author's slides go; each stage has all before it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit es aufgebaut ist, nach den Folien seines Autors; jede Stufe hat alles davor.</translation>
-    </message>
-    <message>
-        <source>How far it is turned.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit es gedreht ist.</translation>
-    </message>
-    <message>
-        <source>How far it leans past the axis to a side.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit er an der Achse vorbei zur Seite lehnt.</translation>
-    </message>
-    <message>
-        <source>How far it leans: below 0 towards the axis.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit er lehnt: unter 0 zur Achse hin.</translation>
-    </message>
-    <message>
         <source>How far papers differ in color: 0 not at all, 1 is a festival.</source>
         <extracomment>tables</extracomment>
         <translation>Wie sehr sich Papiere in der Farbe unterscheiden: 0 gar nicht, 1 ist ein Fest.</translation>
@@ -7096,21 +7151,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit sie gedreht sind, jede um einen eigenen Winkel.</translation>
     </message>
     <message>
-        <source>How fast distance fades to black: light falls by e where this times its cube is 1.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie schnell Entfernung zu Schwarz verblasst: Licht fällt um e, wo diese Zahl mal deren dritte Potenz 1 ist.</translation>
-    </message>
-    <message>
-        <source>How fast it spins, against the source's slow and uneven turn.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie schnell es sich dreht, gegenüber der langsamen, ungleichmäßigen Drehung des Originals.</translation>
-    </message>
-    <message>
-        <source>How high it is.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie hoch es liegt.</translation>
-    </message>
-    <message>
         <source>How it works</source>
         <translation>So funktioniert es</translation>
     </message>
@@ -7118,11 +7158,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>How light is reckoned: through translucent paper, with Fresnel's mirror, or as the source does.</source>
         <extracomment>tables</extracomment>
         <translation>Wie Licht berechnet wird: durch durchscheinendes Papier, mit Fresnels Spiegel, oder wie es das Original tut.</translation>
-    </message>
-    <message>
-        <source>How long each stage is shown.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie lange jede Stufe gezeigt wird.</translation>
     </message>
     <message>
         <source>How many are kept in File &gt; Open recent; 0 keeps none.</source>
@@ -7828,11 +7863,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>seine Einstellungen haben {=1} Bytes, und ein JPEG fasst {=2}; wählen Sie PNG</translation>
     </message>
     <message>
-        <source>Its size against the source's, which is 1.4 m high.</source>
-        <extracomment>tables</extracomment>
-        <translation>Seine Größe gegenüber dem Original, das 1.4 m hoch ist.</translation>
-    </message>
-    <message>
         <source>its size is no multiple of its tiles' size, which the OpenImageIO library that Vitrine uses cannot read safely (the file is good); save it by scanlines</source>
         <translation>seine Größe ist kein Vielfaches der Größe seiner Kacheln, was die Bibliothek OpenImageIO, die Vitrine verwendet, nicht sicher lesen kann (die Datei ist gut); speichern Sie es zeilenweise</translation>
     </message>
@@ -7873,11 +7903,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>joined</source>
         <extracomment>tables</extracomment>
         <translation>verbunden</translation>
-    </message>
-    <message>
-        <source>Joints of the cream</source>
-        <extracomment>tables</extracomment>
-        <translation>Fugen des Eises</translation>
     </message>
     <message>
         <source>JSON (*.json)</source>
@@ -8169,6 +8194,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Länge entlang z.</translation>
     </message>
     <message>
+        <source>Length of a sprinkle.</source>
+        <extracomment>tables</extracomment>
+        <translation>Länge eines Streusels.</translation>
+    </message>
+    <message>
         <source>Length of an edge of the base.</source>
         <translation>Länge einer Kante der Grundfläche.</translation>
     </message>
@@ -8342,11 +8372,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lichtzellen</translation>
     </message>
     <message>
-        <source>Light from everywhere, more of it from above.</source>
-        <extracomment>tables</extracomment>
-        <translation>Licht von überall, mehr davon von oben.</translation>
-    </message>
-    <message>
         <source>Light from one direction.</source>
         <translation>Licht aus einer Richtung.</translation>
     </message>
@@ -8397,6 +8422,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Beleuchtung</translation>
     </message>
     <message>
+        <source>Lighting of the ice cream: by the hall around it, or by the sun, ambient light and fog of the reference.</source>
+        <extracomment>tables</extracomment>
+        <translation>Beleuchtung des Eises: durch die Halle ringsum oder durch Sonne, Umgebungslicht und Nebel des Originals.</translation>
+    </message>
+    <message>
         <source>linear</source>
         <extracomment>tables</extracomment>
         <translation>linear</translation>
@@ -8425,11 +8455,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>lists have no numbers in their text</source>
         <translation>Listen haben keine Zahlen in ihrem Text</translation>
-    </message>
-    <message>
-        <source>Lit by what is around it, or by the one sun, the ambient light and the fog of the source.</source>
-        <extracomment>tables</extracomment>
-        <translation>Beleuchtet von dem, was es umgibt, oder von der einen Sonne, dem Umgebungslicht und dem Nebel des Originals.</translation>
     </message>
     <message>
         <source>Load %1</source>
@@ -8671,6 +8696,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Material</translation>
     </message>
     <message>
+        <source>Material of the ice cream: opaque reflects, glass also refracts at every surface.</source>
+        <translation>Material des Eises: Undurchsichtig spiegelt, Glas bricht außerdem an jeder Oberfläche.</translation>
+    </message>
+    <message>
         <source>Material of the object: opaque reflects, glass also refracts at every surface.</source>
         <extracomment>tables</extracomment>
         <translation>Material des Objekts: Undurchsichtig spiegelt, Glas bricht außerdem an jeder Oberfläche.</translation>
@@ -8713,6 +8742,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Mean size</source>
         <extracomment>tables</extracomment>
         <translation>Mittelungsgröße</translation>
+    </message>
+    <message>
+        <source>Meaning of the colors: the materials, or one color per part.</source>
+        <extracomment>tables</extracomment>
+        <translation>Bedeutung der Farben: die Materialien oder eine Farbe je Teil.</translation>
     </message>
     <message>
         <source>Measure</source>
@@ -8891,6 +8925,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Model along</source>
         <extracomment>tables</extracomment>
         <translation>Modell längs</translation>
+    </message>
+    <message>
+        <source>Model of the highlights of the reference's sun: microfacets (GGX), or Blinn-Phong with the exponent 2^(10 (1 - roughness)).</source>
+        <extracomment>tables</extracomment>
+        <translation>Modell der Glanzlichter der Sonne des Originals: Mikrofacetten (GGX) oder Blinn-Phong mit dem Exponenten 2^(10 (1 - Rauheit)).</translation>
     </message>
     <message>
         <source>Model plinth height</source>
@@ -9622,9 +9661,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nichts wurde geschrieben.</translation>
     </message>
     <message>
+        <source>Number of bars up the side of the foot.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Stäbe an der Seite des Fußes.</translation>
+    </message>
+    <message>
         <source>Number of colors taken from the picture.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Farben, die aus dem Bild genommen werden.</translation>
+    </message>
+    <message>
+        <source>Number of cones around the axis of this layer.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Kegel um die Achse dieser Schicht.</translation>
     </message>
     <message>
         <source>Number of copies along x, y and z; 0 is infinitely many.</source>
@@ -9700,9 +9749,19 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Strahlen über eine Linse oder über den Teil davon unter einem Pixel: Wenige zeigen Stufen zwischen Ansichten, viele sind glatt.</translation>
     </message>
     <message>
+        <source>Number of rings around the foot, evenly spaced over its height.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Ringe um den Fuß, gleichmäßig über seine Höhe verteilt.</translation>
+    </message>
+    <message>
         <source>Number of samples along a ray: few show bands. Each of the three passes takes the cube root of it, the polar grid has two cells per sample.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Samples entlang eines Strahls: Wenige zeigen Streifen. Jeder der drei Passes nimmt die dritte Wurzel davon, das Polargitter hat zwei Zellen pro Sample.</translation>
+    </message>
+    <message>
+        <source>Number of samples along the normal that darken what is hidden from the ambient light: few are coarse.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Samples entlang der Normalen, die abdunkeln, was dem Umgebungslicht verborgen ist: Wenige sind grob.</translation>
     </message>
     <message>
         <source>Number of samples per pixel to which an idle picture is refined: few leave jagged edges, many take longer.</source>
@@ -9723,6 +9782,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of spring steps per second: with few, the two Euler methods fail.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Federschritte pro Sekunde: Bei wenigen versagen die beiden Euler-Verfahren.</translation>
+    </message>
+    <message>
+        <source>Number of sprinkles on the cream, placed at random.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Streusel auf dem Eis, zufällig verteilt.</translation>
     </message>
     <message>
         <source>Number of steps in which a ray crosses the beams of the volume: few are noisy, many cost more.</source>
@@ -9860,37 +9924,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>von %1</translation>
     </message>
     <message>
-        <source>Of a cone at its base.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eines Kegels an seiner Grundfläche.</translation>
-    </message>
-    <message>
-        <source>Of a cone.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eines Kegels.</translation>
-    </message>
-    <message>
         <source>Of a frame, pixels.</source>
         <translation>Eines Frames, in Pixeln.</translation>
     </message>
     <message>
-        <source>Of a sprinkle.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eines Streusels.</translation>
-    </message>
-    <message>
-        <source>Of all sprinkles.</source>
-        <extracomment>tables</extracomment>
-        <translation>Aller Streusel.</translation>
-    </message>
-    <message>
         <source>Of all words in the window, as a share of the desktop's.</source>
         <translation>Aller Wörter im Fenster, als Anteil der des Desktops.</translation>
-    </message>
-    <message>
-        <source>Of candies and sprinkles.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Bonbons und Streusel.</translation>
     </message>
     <message>
         <source>Of curvature, at the lens top.</source>
@@ -9904,11 +9943,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Of heights and slopes in the views of them.</source>
         <extracomment>tables</extracomment>
         <translation>Der Höhen und Steigungen in deren Ansichten.</translation>
-    </message>
-    <message>
-        <source>Of its base above the rim of the bowl.</source>
-        <extracomment>tables</extracomment>
-        <translation>Seiner Grundfläche über dem Rand der Schale.</translation>
     </message>
     <message>
         <source>Of its disk: the real one has half a degree.</source>
@@ -9929,49 +9963,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Seines oberen Rands.</translation>
     </message>
     <message>
-        <source>Of that frustum at the bottom.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dieses Kegelstumpfs unten.</translation>
-    </message>
-    <message>
-        <source>Of that frustum at the top.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dieses Kegelstumpfs oben.</translation>
-    </message>
-    <message>
-        <source>Of that lamp.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dieser Lampe.</translation>
-    </message>
-    <message>
-        <source>Of that sun.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dieser Sonne.</translation>
-    </message>
-    <message>
-        <source>Of the ball that the bowl is cut from.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Kugel, aus der die Schale geschnitten ist.</translation>
-    </message>
-    <message>
-        <source>Of the bars' round section.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des runden Querschnitts der Stäbe.</translation>
-    </message>
-    <message>
         <source>Of the base.</source>
         <extracomment>tables</extracomment>
         <translation>Des Bodens.</translation>
-    </message>
-    <message>
-        <source>Of the candy.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Bonbons.</translation>
-    </message>
-    <message>
-        <source>Of the cream: low melts, high is dry.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Eises: Niedrige Werte schmelzen, hohe sind trocken.</translation>
     </message>
     <message>
         <source>Of the file, by its name.</source>
@@ -9998,20 +9992,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Der Mitte des Rahmens über dem ruhigen Wasser.</translation>
     </message>
     <message>
-        <source>Of the frustum that it stands on.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Kegelstumpfs, auf dem es steht.</translation>
-    </message>
-    <message>
-        <source>Of the glass: 1 bends nothing, 2.4 is diamond.</source>
-        <translation>Des Glases: 1 bricht nichts, 2.4 ist Diamant.</translation>
-    </message>
-    <message>
-        <source>Of the layer.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Schicht.</translation>
-    </message>
-    <message>
         <source>Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.</source>
         <translation>Der Linsen: 0 aufrecht für Tiefe, 90 quer für Wechselbilder, dazwischen schräg.</translation>
     </message>
@@ -10034,11 +10014,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des Kunststoffs: 1.49 Acryl, 1.57 PET, 1.59 Polystyrol.</translation>
     </message>
     <message>
-        <source>Of the plinth.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Sockels.</translation>
-    </message>
-    <message>
         <source>Of the printer, across; its native resolution or a whole fraction of it.</source>
         <translation>Des Druckers, quer; seine native Auflösung oder ein ganzer Bruchteil davon.</translation>
     </message>
@@ -10047,38 +10022,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Des Rasters, mit Anschnitt.</translation>
     </message>
     <message>
-        <source>Of the sand, before the warm light.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Sandes, vor dem warmen Licht.</translation>
-    </message>
-    <message>
-        <source>Of the second frustum at the bottom.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des zweiten Kegelstumpfs unten.</translation>
-    </message>
-    <message>
-        <source>Of the second frustum at the top.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des zweiten Kegelstumpfs oben.</translation>
-    </message>
-    <message>
-        <source>Of the second frustum.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des zweiten Kegelstumpfs.</translation>
-    </message>
-    <message>
         <source>Of the videos only .webp and .apng can be transparent; choose one of them, or frames of PNG.</source>
         <translation>Von den Videos können nur .webp und .apng transparent sein; wählen Sie eines davon, oder Frames als PNG.</translation>
-    </message>
-    <message>
-        <source>Of the wafer.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Waffel.</translation>
-    </message>
-    <message>
-        <source>Of the wafer: 0 is a mirror, 1 is chalk.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Waffel: 0 ist ein Spiegel, 1 ist Kreide.</translation>
     </message>
     <message>
         <source>Of the window, from its next start. Files and the numbers in them stay as they are.</source>
@@ -10202,11 +10147,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>eines von {=1}</translation>
     </message>
     <message>
-        <source>One part alone, or all of them.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ein Teil allein, oder alle.</translation>
-    </message>
-    <message>
         <source>One rhythm for all waves, or slow long ones and quick short ones.</source>
         <extracomment>tables</extracomment>
         <translation>Ein Takt für alle Wellen, oder langsame lange und schnelle kurze.</translation>
@@ -10259,10 +10199,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>opaque</source>
         <extracomment>tables</extracomment>
         <translation>undurchsichtig</translation>
-    </message>
-    <message>
-        <source>Opaque reflects; glass also refracts, in and out through every wall.</source>
-        <translation>Undurchsichtig spiegelt; Glas bricht auch, hinein und hinaus durch jede Wand.</translation>
     </message>
     <message>
         <source>Open</source>
@@ -10559,6 +10495,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Part of a strip that its two blended edges take.</source>
         <translation>Teil eines Streifens, den seine beiden weichen Ränder einnehmen.</translation>
+    </message>
+    <message>
+        <source>Part of the ice cream to show: one alone, or all.</source>
+        <extracomment>tables</extracomment>
+        <translation>Gezeigter Teil des Eises: einer allein oder alle.</translation>
     </message>
     <message>
         <source>parts</source>
@@ -10952,8 +10893,28 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lage der Grenze zwischen den Hälften: 0 ist der linke Rand, 1 der rechte.</translation>
     </message>
     <message>
+        <source>Position of the candy across, from the axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lage des Bonbons quer, von der Achse aus.</translation>
+    </message>
+    <message>
+        <source>Position of the candy towards the front, from the axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lage des Bonbons nach vorn, von der Achse aus.</translation>
+    </message>
+    <message>
         <source>Position of the center of the light.</source>
         <translation>Position der Mitte des Lichts.</translation>
+    </message>
+    <message>
+        <source>Position of the cones' bases across, from the axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lage der Grundflächen der Kegel quer, von der Achse aus.</translation>
+    </message>
+    <message>
+        <source>Position of the cones' bases towards the front, from the axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Lage der Grundflächen der Kegel nach vorn, von der Achse aus.</translation>
     </message>
     <message>
         <source>Position of the eye.</source>
@@ -11200,11 +11161,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Strahldichte des Lichts, in linearen Werten.</translation>
     </message>
     <message>
-        <source>Radians by which the layer turns for each meter of height.</source>
-        <extracomment>tables</extracomment>
-        <translation>Radiant, um die sich die Schicht je Meter Höhe dreht.</translation>
-    </message>
-    <message>
         <source>Radii</source>
         <translation>Radien</translation>
     </message>
@@ -11250,19 +11206,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius in der Mitte; höchstens die halbe Länge.</translation>
     </message>
     <message>
+        <source>Radius of a cone at its base.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius eines Kegels an seiner Grundfläche.</translation>
+    </message>
+    <message>
         <source>Radius of curvature at the top of a custom lens; a radius too small for the lens pitch is enlarged to fit.</source>
         <extracomment>tables</extracomment>
         <translation>Krümmungsradius am Scheitel einer eigenen Linse; ein für den Linsenabstand zu kleiner wird passend vergrößert.</translation>
-    </message>
-    <message>
-        <source>Radius of its edges, cut to half its smallest side.</source>
-        <extracomment>tables</extracomment>
-        <translation>Radius der Kanten, begrenzt auf die halbe kleinste Seite.</translation>
-    </message>
-    <message>
-        <source>Radius of its edges; cut so that a cone is left.</source>
-        <extracomment>tables</extracomment>
-        <translation>Radius der Kanten; begrenzt, sodass ein Kegel bleibt.</translation>
     </message>
     <message>
         <source>Radius of the base.</source>
@@ -11273,14 +11224,24 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius der Bögen, bis zur Mitte des Rohrs.</translation>
     </message>
     <message>
-        <source>Radius of the bowl at the bottom; cut to that of the ball.</source>
+        <source>Radius of the bowl at its bottom; at most that of its sphere.</source>
         <extracomment>tables</extracomment>
-        <translation>Radius der Schale unten; begrenzt auf den der Kugel.</translation>
+        <translation>Radius der Schale unten; höchstens der ihrer Kugel.</translation>
     </message>
     <message>
-        <source>Radius of the bowl at the rim, between those of bottom and ball.</source>
+        <source>Radius of the bowl at its rim, between those of its bottom and of its sphere.</source>
         <extracomment>tables</extracomment>
-        <translation>Radius der Schale am Rand, zwischen dem unten und dem der Kugel.</translation>
+        <translation>Radius der Schale am Rand, zwischen dem unten und dem ihrer Kugel.</translation>
+    </message>
+    <message>
+        <source>Radius of the collar at its bottom.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Kragens unten.</translation>
+    </message>
+    <message>
+        <source>Radius of the collar at its top.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Kragens oben.</translation>
     </message>
     <message>
         <source>Radius of the curls of a tuft, in strand lengths: 0 is straight.</source>
@@ -11308,6 +11269,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius der Kanten; höchstens der Radius und die halbe Höhe.</translation>
     </message>
     <message>
+        <source>Radius of the foot at its bottom.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Fußes unten.</translation>
+    </message>
+    <message>
+        <source>Radius of the foot at its top.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Fußes oben.</translation>
+    </message>
+    <message>
         <source>Radius of the handle, from its center to the middle of its tube.</source>
         <extracomment>tables</extracomment>
         <translation>Radius des Henkels, von seinem Mittelpunkt bis zur Mitte seines Rohrs.</translation>
@@ -11331,19 +11302,34 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius der Pfosten.</translation>
     </message>
     <message>
-        <source>Radius of the rings' tube.</source>
-        <extracomment>tables</extracomment>
-        <translation>Radius des Rohrs der Ringe.</translation>
-    </message>
-    <message>
         <source>Radius of the rings' wire.</source>
         <extracomment>tables</extracomment>
         <translation>Radius des Drahts der Ringe.</translation>
     </message>
     <message>
+        <source>Radius of the round cross-section of the bars.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des runden Querschnitts der Stäbe.</translation>
+    </message>
+    <message>
+        <source>Radius of the rounded edges of a cone; limited so that a cone is left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der gerundeten Kanten eines Kegels; begrenzt, sodass ein Kegel bleibt.</translation>
+    </message>
+    <message>
+        <source>Radius of the rounded edges of the candy; at most half its smallest side.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der gerundeten Kanten des Bonbons; höchstens die halbe kleinste Seite.</translation>
+    </message>
+    <message>
         <source>Radius of the scene's point lights: large gives soft shadows and wide highlights.</source>
         <extracomment>tables</extracomment>
         <translation>Radius der Punktlichter der Szene: Große geben weiche Schatten und breite Glanzlichter.</translation>
+    </message>
+    <message>
+        <source>Radius of the sphere from which the bowl is cut.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der Kugel, aus der die Schale geschnitten ist.</translation>
     </message>
     <message>
         <source>Radius of the sphere.</source>
@@ -11353,6 +11339,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Radius of the torus, from its center to the middle of the tube.</source>
         <extracomment>tables</extracomment>
         <translation>Radius des Torus, vom Mittelpunkt bis zur Mitte des Rohrs.</translation>
+    </message>
+    <message>
+        <source>Radius of the tube of the rings.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Rohrs der Ringe.</translation>
     </message>
     <message>
         <source>Radius of the tube of the torus.</source>
@@ -11998,6 +11989,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Drehmodell</translation>
     </message>
     <message>
+        <source>Rotation of the ice cream about its axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Drehung des Eises um seine Achse.</translation>
+    </message>
+    <message>
         <source>Rotation of the mobile about its axis.</source>
         <extracomment>tables</extracomment>
         <translation>Drehung des Mobiles um seine Achse.</translation>
@@ -12040,14 +12036,34 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rauheit</translation>
     </message>
     <message>
+        <source>Roughness of candies and sprinkles: 0 is a mirror, 1 is chalk.</source>
+        <extracomment>tables</extracomment>
+        <translation>Rauheit der Bonbons und Streusel: 0 ist ein Spiegel, 1 ist Kreide.</translation>
+    </message>
+    <message>
+        <source>Roughness of the cream: low looks melting, high dry.</source>
+        <extracomment>tables</extracomment>
+        <translation>Rauheit des Eises: Niedrige Werte wirken schmelzend, hohe trocken.</translation>
+    </message>
+    <message>
         <source>Roughness of the plastic: low looks wet, high is matte.</source>
         <extracomment>tables</extracomment>
         <translation>Rauheit des Kunststoffs: Niedrige Werte wirken nass, hohe matt.</translation>
     </message>
     <message>
+        <source>Roughness of the plinth: 0 is a mirror, 1 is chalk.</source>
+        <extracomment>tables</extracomment>
+        <translation>Rauheit des Sockels: 0 ist ein Spiegel, 1 ist Kreide.</translation>
+    </message>
+    <message>
         <source>Roughness of the surface: 0 is a mirror, 1 is chalk.</source>
         <extracomment>tables</extracomment>
         <translation>Rauheit der Oberfläche: 0 ist ein Spiegel, 1 ist Kreide.</translation>
+    </message>
+    <message>
+        <source>Roughness of the wafer: 0 is a mirror, 1 is chalk.</source>
+        <extracomment>tables</extracomment>
+        <translation>Rauheit der Waffel: 0 ist ein Spiegel, 1 ist Kreide.</translation>
     </message>
     <message>
         <source>round edges</source>
@@ -12141,16 +12157,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Samples per pixel: edges are stairs at 1, smooth at 16; 64 is for prints.</source>
         <translation>Samples pro Pixel: Kanten sind bei 1 Treppen, bei 16 glatt; 64 sind für Drucke.</translation>
-    </message>
-    <message>
-        <source>Samples up the normal that darken what is hidden from that light.</source>
-        <extracomment>tables</extracomment>
-        <translation>Samples entlang der Normalen, die abdunkeln, was diesem Licht verborgen ist.</translation>
-    </message>
-    <message>
-        <source>Sand around it, and a black horizon, where it is shown alone.</source>
-        <extracomment>tables</extracomment>
-        <translation>Sand ringsum und ein schwarzer Horizont, wo es allein gezeigt wird.</translation>
     </message>
     <message>
         <source>Saturation to the right, brightness upward; hue in the bar.
@@ -12421,6 +12427,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Startwert der zufälligen Richtungen und Drehungen eines Sprungs: Dieselbe Zahl gibt denselben Sprung.</translation>
     </message>
     <message>
+        <source>Seed of the random rotation of the candy; 0 is upright.</source>
+        <extracomment>tables</extracomment>
+        <translation>Startwert der zufälligen Drehung des Bonbons; 0 ist aufrecht.</translation>
+    </message>
+    <message>
+        <source>Seed of the sprinkles' places: each number places them elsewhere.</source>
+        <extracomment>tables</extracomment>
+        <translation>Startwert der Plätze der Streusel: Jede Zahl verteilt sie anders.</translation>
+    </message>
+    <message>
         <source>Selected p&amp;reset as B</source>
         <translation>Gewähltes P&amp;reset als B</translation>
     </message>
@@ -12598,6 +12614,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Share</source>
         <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Share of metal in all materials: 0 is edible, 1 is bare metal in their colors.</source>
+        <extracomment>tables</extracomment>
+        <translation>Metallanteil aller Materialien: 0 ist essbar, 1 ist blankes Metall in ihren Farben.</translation>
     </message>
     <message>
         <source>Share of metal: 0 is a glaze over a colored body, 1 is bare metal.</source>
@@ -12870,6 +12891,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Seite des hölzernen Bodens.</translation>
     </message>
     <message>
+        <source>Sideways rotation of the cones, by which they lean past the axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Seitliche Drehung der Kegel, mit der sie an der Achse vorbei lehnen.</translation>
+    </message>
+    <message>
         <source>Signed</source>
         <translation>Differenz</translation>
     </message>
@@ -12942,6 +12968,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Size of type</source>
         <translation>Schriftgröße</translation>
+    </message>
+    <message>
+        <source>Size relative to the reference, which is 1.4 m high.</source>
+        <extracomment>tables</extracomment>
+        <translation>Größe gegenüber dem Original, das 1.4 m hoch ist.</translation>
     </message>
     <message>
         <source>skewed, from above</source>
@@ -13143,6 +13174,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Geschwindigkeit, mit der die Körper beim Druck auf den Knopf abheben, in Metern pro Sekunde.</translation>
     </message>
     <message>
+        <source>Speed at which the candy spins, relative to the slow and uneven rotation in the reference.</source>
+        <extracomment>tables</extracomment>
+        <translation>Tempo, mit dem sich das Bonbon dreht, gegenüber der langsamen, ungleichmäßigen Drehung im Original.</translation>
+    </message>
+    <message>
         <source>Speed at which the draft carries the drifts of dust, in meters per second.</source>
         <extracomment>tables</extracomment>
         <translation>Geschwindigkeit, mit der der Luftzug die Staubschwaden trägt, in Metern pro Sekunde.</translation>
@@ -13151,6 +13187,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Speed at which the field moves towards the viewer, in meters per second.</source>
         <extracomment>tables</extracomment>
         <translation>Geschwindigkeit, mit der das Feld auf den Betrachter zukommt, in Metern pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Speed at which the ice cream turns, in turns per second: negative turns the other way.</source>
+        <extracomment>tables</extracomment>
+        <translation>Tempo, mit dem sich das Eis dreht, in Umdrehungen pro Sekunde: Negative Werte drehen andersherum.</translation>
     </message>
     <message>
         <source>Speed of looking</source>
@@ -13186,11 +13227,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>spin of 120 degrees</source>
         <translation>Drehung um 120 Grad</translation>
-    </message>
-    <message>
-        <source>Spin the candies, let those in the air float, and turn the whole.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dreht die Bonbons, lässt die in der Luft schweben und dreht das Ganze.</translation>
     </message>
     <message>
         <source>Split</source>
@@ -13270,14 +13306,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stufe</translation>
     </message>
     <message>
+        <source>Stage of the build-up, after the slides of its author; each stage includes all before it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stufe des Aufbaus, nach den Folien seines Autors; jede Stufe enthält alle davor.</translation>
+    </message>
+    <message>
         <source>Stage time</source>
         <extracomment>tables</extracomment>
         <translation>Zeit je Stufe</translation>
-    </message>
-    <message>
-        <source>Stand it on a plinth.</source>
-        <extracomment>tables</extracomment>
-        <translation>Stellt es auf einen Sockel.</translation>
     </message>
     <message>
         <source>standard</source>
@@ -13524,9 +13560,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke des Umgebungslichts der Halle, das der Staub streut: 1 ist physikalisch, bei 0 verdunkelt der Staub nur.</translation>
     </message>
     <message>
-        <source>Strength of the lamp before the niche.</source>
+        <source>Strength of the lamp in front of the niche: 0 switches it off.</source>
         <extracomment>tables</extracomment>
-        <translation>Stärke der Lampe vor der Nische.</translation>
+        <translation>Stärke der Lampe vor der Nische: 0 schaltet sie aus.</translation>
     </message>
     <message>
         <source>Strength of the lamp in the vault above the pit: 0 switches it off.</source>
@@ -13547,6 +13583,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Strength of the light lines on edges that face the camera: 0 draws none.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke der hellen Linien auf Kanten, die zur Kamera zeigen: 0 zeichnet keine.</translation>
+    </message>
+    <message>
+        <source>Strength of the reference's sun: 0 switches it off.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke der Sonne des Originals: 0 schaltet sie aus.</translation>
     </message>
     <message>
         <source>Strength of the screen-space rays: 0 makes none. In the plain sum, the strength of each sample.</source>
@@ -13580,11 +13621,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>stretch</source>
         <translation>strecken</translation>
-    </message>
-    <message>
-        <source>Strewn over the cream, each by a seed of its own.</source>
-        <extracomment>tables</extracomment>
-        <translation>Über das Eis gestreut, jedes nach einem eigenen Startwert.</translation>
     </message>
     <message>
         <source>Strips</source>
@@ -15260,6 +15296,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dicke</translation>
     </message>
     <message>
+        <source>Thickness of a sprinkle.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dicke eines Streusels.</translation>
+    </message>
+    <message>
         <source>Thickness of a strand at its root.</source>
         <extracomment>tables</extracomment>
         <translation>Dicke eines Haars an der Wurzel.</translation>
@@ -15805,6 +15846,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Neigung</translation>
     </message>
     <message>
+        <source>Tilt of the cones: negative leans them towards the axis.</source>
+        <extracomment>tables</extracomment>
+        <translation>Neigung der Kegel: Negative Werte neigen sie zur Achse hin.</translation>
+    </message>
+    <message>
         <source>Time after a jump at which the bodies are frozen; 0 lets them move with button and clock.</source>
         <extracomment>tables</extracomment>
         <translation>Zeit nach einem Sprung, zu der die Körper eingefroren sind; 0 lässt sie sich mit Knopf und Uhr bewegen.</translation>
@@ -15817,6 +15863,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>time does not run</source>
         <translation>die Zeit läuft nicht</translation>
+    </message>
+    <message>
+        <source>Time for which each stage is shown.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zeit, für die jede Stufe gezeigt wird.</translation>
     </message>
     <message>
         <source>Time from one print to the next.</source>
@@ -16070,11 +16121,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Gedreht</translation>
     </message>
     <message>
-        <source>Turns a second, as if the camera went round it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Umdrehungen pro Sekunde, als ginge die Kamera darum herum.</translation>
-    </message>
-    <message>
         <source>Turns the other way round when you drag up or down.</source>
         <translation>Dreht andersherum, wenn Sie nach oben oder unten ziehen.</translation>
     </message>
@@ -16082,6 +16128,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Twist</source>
         <extracomment>tables</extracomment>
         <translation>Verdrillung</translation>
+    </message>
+    <message>
+        <source>Twist of the layer, in radians per meter of height: 0 is straight.</source>
+        <extracomment>tables</extracomment>
+        <translation>Verdrillung der Schicht, in Radiant je Meter Höhe: 0 ist gerade.</translation>
     </message>
     <message>
         <source>twisted</source>
@@ -16170,11 +16221,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>up into the vault</source>
         <translation>hinauf ins Gewölbe</translation>
-    </message>
-    <message>
-        <source>Up the side of the foot.</source>
-        <extracomment>tables</extracomment>
-        <translation>An der Seite des Fußes hinauf.</translation>
     </message>
     <message>
         <source>Up, Down, wheel</source>
@@ -16605,11 +16651,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Gewicht</translation>
     </message>
     <message>
-        <source>What 10 cm of the glass leave of white.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was 10 cm des Glases von Weiß übrig lassen.</translation>
-    </message>
-    <message>
         <source>What a meter of the air at the water hides.</source>
         <extracomment>tables</extracomment>
         <translation>Was ein Meter der Luft am Wasser verbirgt.</translation>
@@ -16705,11 +16746,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was hinter einer Shell liegt, wird in jeder Reihenfolge verdeckt, so dass das Bild dasselbe ist.</translation>
     </message>
     <message>
-        <source>What roughness means for the source's sun: a lobe of microfacets, or the exponent 2^(10 (1 - roughness)).</source>
-        <extracomment>tables</extracomment>
-        <translation>Was Rauheit für die Sonne des Originals bedeutet: eine Keule aus Mikrofacetten, oder den Exponenten 2^(10 (1 - Rauheit)).</translation>
-    </message>
-    <message>
         <source>What surrounds the scene is black until it can be read.</source>
         <translation>Was die Szene umgibt, ist schwarz, bis es gelesen werden kann.</translation>
     </message>
@@ -16790,39 +16826,9 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wo jeder Frame liegt, in dem JSON, das Aseprite exportiert.</translation>
     </message>
     <message>
-        <source>Where it hangs, seen from the ice cream.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo sie hängt, vom Eis aus gesehen.</translation>
-    </message>
-    <message>
-        <source>Where it is, across.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo es liegt, quer.</translation>
-    </message>
-    <message>
-        <source>Where it is, towards the front.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo es liegt, nach vorn.</translation>
-    </message>
-    <message>
         <source>Where it stands, seen through the frame: negative is to the left.</source>
         <extracomment>tables</extracomment>
         <translation>Wo er steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
-    </message>
-    <message>
-        <source>Where its base is, across.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo seine Grundfläche liegt, quer.</translation>
-    </message>
-    <message>
-        <source>Where its base is, towards the front.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo seine Grundfläche liegt, nach vorn.</translation>
-    </message>
-    <message>
-        <source>Where the source's sun stands.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo die Sonne des Originals steht.</translation>
     </message>
     <message>
         <source>Where the views come from</source>
@@ -16845,11 +16851,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether baked sky light and occlusion light the walls; without it, they get one even ambient light.</source>
         <extracomment>tables</extracomment>
         <translation>Ob gebackenes Himmelslicht und Verdeckung die Wände beleuchten; ohne das bekommen sie ein gleichmäßiges Umgebungslicht.</translation>
-    </message>
-    <message>
-        <source>Whether colors are those of what it is made of, or tell the parts from each other.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ob Farben die des Materials sind, oder die Teile voneinander unterscheiden.</translation>
     </message>
     <message>
         <source>Whether fewer shells are drawn where the coat is far away and small.</source>
@@ -16891,6 +16892,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob Samples und Schritte durch blaues Rauschen versetzt werden: Zu wenige davon wirken dann wie Korn und nicht wie Streifen.</translation>
     </message>
     <message>
+        <source>Whether sand and a black horizon surround the ice cream when it is shown alone.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob Sand und ein schwarzer Horizont das Eis umgeben, wenn es allein gezeigt wird.</translation>
+    </message>
+    <message>
         <source>Whether the ball grows and shrinks all the time; otherwise only during a jump.</source>
         <extracomment>tables</extracomment>
         <translation>Ob der Ball ständig wächst und schrumpft; sonst nur während eines Sprungs.</translation>
@@ -16899,6 +16905,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the camera moves by whole texels and turns by whole steps, so that pixels do not crawl; the remainder shifts the finished picture.</source>
         <extracomment>tables</extracomment>
         <translation>Ob sich die Kamera um ganze Texel bewegt und um ganze Schritte dreht, sodass Pixel nicht kriechen; der Rest verschiebt das fertige Bild.</translation>
+    </message>
+    <message>
+        <source>Whether the candies spin, those in the air float, and the whole turns.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob sich die Bonbons drehen, die in der Luft schweben und das Ganze sich dreht.</translation>
     </message>
     <message>
         <source>Whether the card scrolls from one print to the other and back, like a billboard.</source>
@@ -16934,6 +16945,16 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the hall's light is darkened where the object hides it, at five evaluations per pixel.</source>
         <extracomment>tables</extracomment>
         <translation>Ob das Licht der Halle abgedunkelt wird, wo das Objekt es verdeckt, mit fünf Auswertungen pro Pixel.</translation>
+    </message>
+    <message>
+        <source>Whether the ice cream is built up stage by stage, again and again.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob das Eis Stufe für Stufe aufgebaut wird, wieder und wieder.</translation>
+    </message>
+    <message>
+        <source>Whether the ice cream stands on a plinth.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob das Eis auf einem Sockel steht.</translation>
     </message>
     <message>
         <source>Whether the lens and the pixel are integrated over; without it, one ray per pixel gives moiré from afar.</source>
@@ -16990,11 +17011,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob sie im Gleichtakt flackern.</translation>
     </message>
     <message>
-        <source>Whether they have the colors of the first five candies, or one.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ob sie die Farben der ersten fünf Bonbons haben, oder eine.</translation>
-    </message>
-    <message>
         <source>Whether time runs: the field drifts, waves roll, clouds sail.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Zeit läuft: Das Feld treibt, Wellen rollen, Wolken segeln.</translation>
@@ -17034,11 +17050,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Which lanterns a step of a ray looks at: those of some cells around it, which cuts what lies beyond, or all that the ray can touch, cell by cell.</source>
         <extracomment>tables</extracomment>
         <translation>Welche Laternen ein Schritt eines Strahls ansieht: die einiger Zellen ringsum, was Weiteres abschneidet, oder alle, die der Strahl berühren kann, Zelle für Zelle.</translation>
-    </message>
-    <message>
-        <source>Which of many ways it lies; 0 is upright.</source>
-        <extracomment>tables</extracomment>
-        <translation>Auf welche von vielen Arten es liegt; 0 ist aufrecht.</translation>
     </message>
     <message>
         <source>Which one?</source>
@@ -17086,29 +17097,29 @@ steht in assets/SOURCES.md.</translation>
         <translation>Breite der Verschmelzung; 0 lässt eine scharfe Kante.</translation>
     </message>
     <message>
-        <source>Width of the fillet between cream and wafer: wide runs down.</source>
+        <source>Width of the fillet between cream and wafer: wide looks melted.</source>
         <extracomment>tables</extracomment>
-        <translation>Breite der Rundung zwischen Eis und Waffel: Breit läuft herunter.</translation>
+        <translation>Breite der Rundung zwischen Eis und Waffel: Breite wirkt geschmolzen.</translation>
     </message>
     <message>
-        <source>Width of the fillet between neighbors: wide makes soft folds.</source>
+        <source>Width of the fillet between neighboring cones: wide makes soft folds.</source>
         <extracomment>tables</extracomment>
-        <translation>Breite der Rundung zwischen Nachbarn: Breit macht weiche Falten.</translation>
+        <translation>Breite der Rundung zwischen benachbarten Kegeln: Breite gibt weiche Falten.</translation>
     </message>
     <message>
-        <source>Width of the fillet between the two layers.</source>
+        <source>Width of the fillet between the relief (bars and rings) and the foot; 0 joins them sharply.</source>
         <extracomment>tables</extracomment>
-        <translation>Breite der Rundung zwischen den beiden Schichten.</translation>
+        <translation>Breite der Rundung zwischen dem Relief (Stäbe und Ringe) und dem Fuß; 0 verbindet sie scharf.</translation>
     </message>
     <message>
-        <source>Width of the fillet between them and the foot.</source>
+        <source>Width of the fillet between the two layers of cream; 0 joins them sharply.</source>
         <extracomment>tables</extracomment>
-        <translation>Breite der Rundung zwischen ihnen und dem Fuß.</translation>
+        <translation>Breite der Rundung zwischen den beiden Eisschichten; 0 verbindet sie scharf.</translation>
     </message>
     <message>
-        <source>Width of the fillet where bars cross rings; 0 joins them hard.</source>
+        <source>Width of the fillet where bars cross rings; 0 joins them sharply.</source>
         <extracomment>tables</extracomment>
-        <translation>Breite der Rundung, wo Stäbe Ringe kreuzen; 0 verbindet sie hart.</translation>
+        <translation>Breite der Rundung, wo Stäbe Ringe kreuzen; 0 verbindet sie scharf.</translation>
     </message>
     <message>
         <source>Width of the fillet where the handle meets the cup; 0 joins them hard.</source>

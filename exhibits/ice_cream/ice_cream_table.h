@@ -66,58 +66,63 @@ struct IceCreamRows : virtual Parameters {
         {"foot",        "collar",     "bowl",           "rings",           "bars",        "smooth wafer",  "one cone",
          "round edges", "repeated",   "joined",         "twisted",         "upper layer", "smooth layers", "candies",
          "colors",      "highlights", "shadow k h / t", "improved shadow", "occlusion",   "fog",           "finished"},
-        "How far it is built up, as its author's slides go; each stage has all before it.");
-    Toggle buildUp = toggle("buildUp", false, "Build it up by itself, again and again.");
+        "Stage of the build-up, after the slides of its author; each stage includes all before it.");
+    Toggle buildUp = toggle("buildUp", false, "Whether the ice cream is built up stage by stage, again and again.");
     Real stageTime = real("stageTime", 1.5, second, Range{0.05, 60, logarithmic}.soft(0.2, 10),
-                          "How long each stage is shown.", when(buildUp));
+                          "Time for which each stage is shown.", when(buildUp));
     Choice<IceCreamParts> show =
         choice("show", IceCreamParts::all,
                {"all", "foot", "collar", "bowl", "rings", "bars", "lower cream", "upper cream", "candies", "sprinkles"},
-               "One part alone, or all of them.");
-    Choice<IceCreamColors> colorBy =
-        choice("colorBy", IceCreamColors::material, {"material", "part"},
-               "Whether colors are those of what it is made of, or tell the parts from each other.");
-    Toggle animate = toggle("animate", false, "Spin the candies, let those in the air float, and turn the whole.");
-    Real orbitSpeed = real("orbitSpeed", 0.1 / (2 * std::numbers::pi), hertz, Range{-10, 10}.soft(-0.2, 0.2),
-                           "Turns a second, as if the camera went round it.", when(animate));
-    Real orbitAngle = real("orbitAngle", 0.0, degree, Range{degrees(-180), degrees(180)}, "How far it is turned.");
+               "Part of the ice cream to show: one alone, or all.");
+    Choice<IceCreamColors> colorBy = choice("colorBy", IceCreamColors::material, {"material", "part"},
+                                            "Meaning of the colors: the materials, or one color per part.");
+    Toggle animate = toggle("animate", false, "Whether the candies spin, those in the air float, and the whole turns.");
+    Real orbitSpeed =
+        real("orbitSpeed", 0.1 / (2 * std::numbers::pi), hertz, Range{-10, 10}.soft(-0.2, 0.2),
+             "Speed at which the ice cream turns, in turns per second: negative turns the other way.", when(animate));
+    Real orbitAngle = real("orbitAngle", 0.0, degree, Range{degrees(-180), degrees(180)},
+                           "Rotation of the ice cream about its axis.");
     Real size = real("size", 0.66, none, Range{0.01, 10, logarithmic}.soft(0.2, 1.5),
-                     "Its size against the source's, which is 1.4 m high.");
+                     "Size relative to the reference, which is 1.4 m high.");
 
     Group wafer = group("Wafer");
-    Real footHeight = real("footHeight", 0.46, meter, Range{0.02, 2}.soft(0.1, 1), "Of the frustum that it stands on.");
-    Real footRadius = real("footRadius", 0.2, meter, Range{0.01, 1}.soft(0.05, 0.4), "Of that frustum at the bottom.");
-    Real footTop = real("footTop", 0.25, meter, Range{0.01, 1}.soft(0.05, 0.4), "Of that frustum at the top.");
-    Real collarHeight = real("collarHeight", 0.04, meter, Range{0.002, 0.5}.soft(0.01, 0.15), "Of the second frustum.");
+    Real footHeight = real("footHeight", 0.46, meter, Range{0.02, 2}.soft(0.1, 1),
+                           "Height of the foot, the frustum on which the wafer stands.");
+    Real footRadius =
+        real("footRadius", 0.2, meter, Range{0.01, 1}.soft(0.05, 0.4), "Radius of the foot at its bottom.");
+    Real footTop = real("footTop", 0.25, meter, Range{0.01, 1}.soft(0.05, 0.4), "Radius of the foot at its top.");
+    Real collarHeight = real("collarHeight", 0.04, meter, Range{0.002, 0.5}.soft(0.01, 0.15),
+                             "Height of the collar, the second frustum.");
     Real collarRadius =
-        real("collarRadius", 0.2675, meter, Range{0.01, 1}.soft(0.1, 0.4), "Of the second frustum at the bottom.");
+        real("collarRadius", 0.2675, meter, Range{0.01, 1}.soft(0.1, 0.4), "Radius of the collar at its bottom.");
     Real collarTop =
-        real("collarTop", 0.2375, meter, Range{0.01, 1}.soft(0.1, 0.4), "Of the second frustum at the top.");
-    Real bowlRadius =
-        real("bowlRadius", 0.325, meter, Range{0.02, 1}.soft(0.2, 0.5), "Of the ball that the bowl is cut from.");
+        real("collarTop", 0.2375, meter, Range{0.01, 1}.soft(0.1, 0.4), "Radius of the collar at its top.");
+    Real bowlRadius = real("bowlRadius", 0.325, meter, Range{0.02, 1}.soft(0.2, 0.5),
+                           "Radius of the sphere from which the bowl is cut.");
     Real bowlBottom = real("bowlBottom", 0.2535, meter, Range{0.01, 1}.soft(0.1, 0.32),
-                           "Radius of the bowl at the bottom; cut to that of the ball.");
+                           "Radius of the bowl at its bottom; at most that of its sphere.");
     Real bowlTop = real("bowlTop", 0.32175, meter, Range{0.01, 1}.soft(0.2, 0.5),
-                        "Radius of the bowl at the rim, between those of bottom and ball.");
-    Count rings = count("rings", 3, {0, 24}, "Around the foot, evenly up its side.");
+                        "Radius of the bowl at its rim, between those of its bottom and of its sphere.");
+    Count rings = count("rings", 3, {0, 24}, "Number of rings around the foot, evenly spaced over its height.");
     Real ringTube =
-        real("ringTube", 0.0075, meter, Range{0.0005, 0.05}.soft(0.002, 0.02), "Radius of the rings' tube.");
-    Count bars = count("bars", 7, {0, 36}, "Up the side of the foot.");
-    Real barRadius =
-        real("barRadius", 0.01, meter, Range{0.0005, 0.05}.soft(0.002, 0.025), "Of the bars' round section.");
+        real("ringTube", 0.0075, meter, Range{0.0005, 0.05}.soft(0.002, 0.02), "Radius of the tube of the rings.");
+    Count bars = count("bars", 7, {0, 36}, "Number of bars up the side of the foot.");
+    Real barRadius = real("barRadius", 0.01, meter, Range{0.0005, 0.05}.soft(0.002, 0.025),
+                          "Radius of the round cross-section of the bars.");
     Real reliefBlend = real("reliefBlend", 0.00875, meter, Range{0, 0.1}.soft(0, 0.03),
-                            "Width of the fillet where bars cross rings; 0 joins them hard.");
+                            "Width of the fillet where bars cross rings; 0 joins them sharply.");
     Real footBlend =
-        real("footBlend", 0.0075, meter, Range{0, 0.1}.soft(0, 0.03), "Width of the fillet between them and the foot.");
+        real("footBlend", 0.0075, meter, Range{0, 0.1}.soft(0, 0.03),
+             "Width of the fillet between the relief (bars and rings) and the foot; 0 joins them sharply.");
 
     /// Indexed by layer: lowerLobes, ... upperLobes, ...
     std::vector<CreamRows> layers =
         groups("layers", layerElements, [this](std::size_t i) { return layer(layerInitials[i]); });
-    Group joints = group("Joints of the cream");
-    Real layerBlend =
-        real("layerBlend", 0.05, meter, Range{0, 0.5}.soft(0, 0.15), "Width of the fillet between the two layers.");
+    Group joints = group("Fillets of the cream");
+    Real layerBlend = real("layerBlend", 0.05, meter, Range{0, 0.5}.soft(0, 0.15),
+                           "Width of the fillet between the two layers of cream; 0 joins them sharply.");
     Real waferBlend = real("waferBlend", 0.01, meter, Range{0, 0.5}.soft(0, 0.1),
-                           "Width of the fillet between cream and wafer: wide runs down.");
+                           "Width of the fillet between cream and wafer: wide looks melted.");
 
     /// Indexed by candy: candy1X, ... candy10Bob.
     std::vector<CandyRows> candies =
@@ -125,69 +130,83 @@ struct IceCreamRows : virtual Parameters {
 
     Group sprinkling = group("Sprinkles");
     Count sprinkles =
-        count("sprinkles", 0, Range{0, 5000}.soft(0, 1500), "Strewn over the cream, each by a seed of its own.");
+        count("sprinkles", 0, Range{0, 5000}.soft(0, 1500), "Number of sprinkles on the cream, placed at random.");
     Count sprinkleSeed =
-        count("sprinkleSeed", 1, {1, 9999}, "Another number strews them elsewhere.", whenLaterAbove("sprinkles", 0));
-    Real sprinkleLength = real("sprinkleLength", 0.034, meter, Range{0.001, 0.2}.soft(0.005, 0.08), "Of a sprinkle.",
-                               whenLaterAbove("sprinkles", 0));
+        count("sprinkleSeed", 1, {1, 9999}, "Seed of the sprinkles' places: each number places them elsewhere.",
+              whenLaterAbove("sprinkles", 0));
+    Real sprinkleLength = real("sprinkleLength", 0.034, meter, Range{0.001, 0.2}.soft(0.005, 0.08),
+                               "Length of a sprinkle.", whenLaterAbove("sprinkles", 0));
     Real sprinkleThickness = real("sprinkleThickness", 0.010, meter, Range{0.001, 0.05}.soft(0.004, 0.02),
-                                  "Of a sprinkle.", whenLaterAbove("sprinkles", 0));
-    Choice<SprinkleColors> sprinkleColors =
-        choice("sprinkleColors", SprinkleColors::candies, {"candies", "one"},
-               "Whether they have the colors of the first five candies, or one.", whenLaterAbove("sprinkles", 0));
-    Color sprinkleColor =
-        color("sprinkleColor", {0.16, 0.055, 0.022}, "Of all sprinkles.", when(sprinkleColors, SprinkleColors::one));
+                                  "Thickness of a sprinkle.", whenLaterAbove("sprinkles", 0));
+    Choice<SprinkleColors> sprinkleColors = choice(
+        "sprinkleColors", SprinkleColors::candies, {"candies", "one"},
+        "Colors of the sprinkles: those of the first five candies, or a single one.", whenLaterAbove("sprinkles", 0));
+    Color sprinkleColor = color("sprinkleColor", {0.16, 0.055, 0.022}, "Color of all sprinkles.",
+                                when(sprinkleColors, SprinkleColors::one));
 
     Group surface = group("Material");
-    Choice<SdfMaterial> material =
-        choice("material", SdfMaterial::opaque, {"opaque", "glass"},
-               "Opaque reflects; glass also refracts, in and out through every wall.", whenLater("lighting", 0));
-    Color glassColor = color("glassColor", {0.86, 0.95, 0.97}, "What 10 cm of the glass leave of white.",
+    Choice<SdfMaterial> material = choice(
+        "material", SdfMaterial::opaque, {"opaque", "glass"},
+        "Material of the ice cream: opaque reflects, glass also refracts at every surface.", whenLater("lighting", 0));
+    Color glassColor = color("glassColor", {0.86, 0.95, 0.97}, "Color of white light after 10 cm of the glass.",
                              when(material, SdfMaterial::glass));
-    Real refractiveIndex = real("refractiveIndex", 1.5, none, Range{1, 3}.soft(1, 2.4),
-                                "Of the glass: 1 bends nothing, 2.4 is diamond.", when(material, SdfMaterial::glass));
-    Color waferColor = color("waferColor", {0.7156, 0.3814, 0.0865}, "Of the wafer.");
-    Real waferRoughness = real("waferRoughness", 1.0, none, {0, 1}, "Of the wafer: 0 is a mirror, 1 is chalk.");
-    Real creamRoughness = real("creamRoughness", 0.25, none, {0, 1}, "Of the cream: low melts, high is dry.");
-    Real candyRoughness = real("candyRoughness", 0.65, none, {0, 1}, "Of candies and sprinkles.");
-    Real metalness = real("metalness", 0.0, none, {0, 1}, "0 is edible, 1 is bare metal in these colors.");
+    Real refractiveIndex =
+        real("refractiveIndex", 1.5, none, Range{1, 3}.soft(1, 2.4),
+             "Refractive index of the glass: 1 bends nothing, 2.4 is diamond.", when(material, SdfMaterial::glass));
+    Color waferColor = color("waferColor", {0.7156, 0.3814, 0.0865}, "Color of the wafer.");
+    Real waferRoughness =
+        real("waferRoughness", 1.0, none, {0, 1}, "Roughness of the wafer: 0 is a mirror, 1 is chalk.");
+    Real creamRoughness =
+        real("creamRoughness", 0.25, none, {0, 1}, "Roughness of the cream: low looks melting, high dry.");
+    Real candyRoughness =
+        real("candyRoughness", 0.65, none, {0, 1}, "Roughness of candies and sprinkles: 0 is a mirror, 1 is chalk.");
+    Real metalness = real("metalness", 0.0, none, {0, 1},
+                          "Share of metal in all materials: 0 is edible, 1 is bare metal in their colors.");
 
     Group stand = group("Plinth");
-    Toggle plinth = toggle("plinth", true, "Stand it on a plinth.");
-    Color plinthColor = color("plinthColor", {0.36, 0.31, 0.26}, "Of the plinth.", when(plinth));
-    Real plinthRoughness = real("plinthRoughness", 0.55, none, {0, 1}, "Of the plinth.", when(plinth));
+    Toggle plinth = toggle("plinth", true, "Whether the ice cream stands on a plinth.");
+    Color plinthColor = color("plinthColor", {0.36, 0.31, 0.26}, "Color of the plinth.", when(plinth));
+    Real plinthRoughness = real("plinthRoughness", 0.55, none, {0, 1},
+                                "Roughness of the plinth: 0 is a mirror, 1 is chalk.", when(plinth));
 
     Group ownLight = group("Light");
-    Choice<IceCreamLighting> lighting =
-        choice("lighting", IceCreamLighting::hall, {"hall", "as in the source"},
-               "Lit by what is around it, or by the one sun, the ambient light and the fog of the source.");
-    Real lamp = real("lamp", 1.1, none, Range{0, 100}.soft(0, 8), "Strength of the lamp before the niche.",
-                     when(lighting, IceCreamLighting::hall));
-    Color lampColor = color("lampColor", {1.0, 0.88, 0.74}, "Of that lamp.", whenAbove(lamp, 0));
-    Direction lampDirection =
-        direction("lampDirection", {-0.85, 0.62, 0.42}, "Where it hangs, seen from the ice cream.", whenAbove(lamp, 0));
-    Choice<IceCreamHighlight> highlight = choice(
-        "highlight", IceCreamHighlight::blinnPhong, {"GGX", "Blinn-Phong"},
-        "What roughness means for the source's sun: a lobe of microfacets, or the exponent 2^(10 (1 - roughness)).",
-        when(lighting, IceCreamLighting::source));
-    Direction sourceSun = direction("sourceSun", {-16, 12, 4}, "Where the source's sun stands.",
+    Choice<IceCreamLighting> lighting = choice(
+        "lighting", IceCreamLighting::hall, {"hall", "as in the source"},
+        "Lighting of the ice cream: by the hall around it, or by the sun, ambient light and fog of the reference.");
+    Real lamp =
+        real("lamp", 1.1, none, Range{0, 100}.soft(0, 8),
+             "Strength of the lamp in front of the niche: 0 switches it off.", when(lighting, IceCreamLighting::hall));
+    Color lampColor =
+        color("lampColor", {1.0, 0.88, 0.74}, "Color of the lamp in front of the niche.", whenAbove(lamp, 0));
+    Direction lampDirection = direction("lampDirection", {-0.85, 0.62, 0.42},
+                                        "Direction from the ice cream to the lamp.", whenAbove(lamp, 0));
+    Choice<IceCreamHighlight> highlight = choice("highlight", IceCreamHighlight::blinnPhong, {"GGX", "Blinn-Phong"},
+                                                 "Model of the highlights of the reference's sun: microfacets (GGX), "
+                                                 "or Blinn-Phong with the exponent 2^(10 (1 - roughness)).",
+                                                 when(lighting, IceCreamLighting::source));
+    Direction sourceSun = direction("sourceSun", {-16, 12, 4}, "Direction to the sun of the reference.",
                                     when(lighting, IceCreamLighting::source));
-    Color sourceSunColor =
-        color("sourceSunColor", {1.0, 0.7, 0.5}, "Of that sun.", when(lighting, IceCreamLighting::source));
-    Real sourceSunStrength = real("sourceSunStrength", 1 / 1.2, none, Range{0, 100}.soft(0, 3), "Of that sun.",
-                                  when(lighting, IceCreamLighting::source));
-    Color sourceAmbient = color("sourceAmbient", {0.2, 0.1, 0.0}, "Light from everywhere, more of it from above.",
+    Color sourceSunColor = color("sourceSunColor", {1.0, 0.7, 0.5}, "Color of the reference's sun.",
+                                 when(lighting, IceCreamLighting::source));
+    Real sourceSunStrength =
+        real("sourceSunStrength", 1 / 1.2, none, Range{0, 100}.soft(0, 3),
+             "Strength of the reference's sun: 0 switches it off.", when(lighting, IceCreamLighting::source));
+    Color sourceAmbient = color("sourceAmbient", {0.2, 0.1, 0.0},
+                                "Color of the reference's ambient light, of which more comes from above.",
                                 when(lighting, IceCreamLighting::source));
-    Count occlusionTaps = count("occlusionTaps", 5, {2, 64, logarithmic},
-                                "Samples up the normal that darken what is hidden from that light.", quality(64),
-                                when(lighting, IceCreamLighting::source) && whenLater("ambientOcclusion", 1));
+    Count occlusionTaps =
+        count("occlusionTaps", 5, {2, 64, logarithmic},
+              "Number of samples along the normal that darken what is hidden from the ambient light: few are coarse.",
+              quality(64), when(lighting, IceCreamLighting::source) && whenLater("ambientOcclusion", 1));
     Real sourceFog = real("sourceFog", 0.0005, none, Range{0, 10}.soft(0, 0.05),
-                          "How fast distance fades to black: light falls by e where this times its cube is 1.",
+                          "Density of the reference's black fog: light falls to 1/e where this value times the cube of "
+                          "the distance is 1.",
                           when(lighting, IceCreamLighting::source));
-    Toggle ground = toggle("ground", true, "Sand around it, and a black horizon, where it is shown alone.",
-                           when(lighting, IceCreamLighting::source));
+    Toggle ground =
+        toggle("ground", true, "Whether sand and a black horizon surround the ice cream when it is shown alone.",
+               when(lighting, IceCreamLighting::source));
     Color groundColor =
-        color("groundColor", {0.8796, 0.8796, 0.8796}, "Of the sand, before the warm light.", when(ground));
+        color("groundColor", {0.8796, 0.8796, 0.8796}, "Color of the sand in white light.", when(ground));
 
 private:
     struct CreamInitial {
@@ -240,45 +259,52 @@ private:
     CreamRows layer(const CreamInitial& initial)
     {
         CreamRows rows{};
-        rows.lobes = count("lobes", initial.lobes, {3, 12}, "Cones around the axis.");
-        rows.radius = real("radius", initial.radius, meter, Range{0.01, 0.5}.soft(0.03, 0.3), "Of a cone at its base.");
-        rows.height = real("height", initial.height, meter, Range{0.05, 1.5}.soft(0.1, 0.9), "Of a cone.");
+        rows.lobes = count("lobes", initial.lobes, {3, 12}, "Number of cones around the axis of this layer.");
+        rows.radius =
+            real("radius", initial.radius, meter, Range{0.01, 0.5}.soft(0.03, 0.3), "Radius of a cone at its base.");
+        rows.height = real("height", initial.height, meter, Range{0.05, 1.5}.soft(0.1, 0.9), "Height of a cone.");
         rows.corner = real("corner", 0.03, meter, Range{0, 0.2}.soft(0, 0.08),
-                           "Radius of its edges; cut so that a cone is left.");
-        rows.offsetX = real("offsetX", initial.offsetX, meter, Range{-0.5, 0.5}, "Where its base is, across.");
-        rows.offsetZ =
-            real("offsetZ", initial.offsetZ, meter, Range{-0.5, 0.5}, "Where its base is, towards the front.");
+                           "Radius of the rounded edges of a cone; limited so that a cone is left.");
+        rows.offsetX = real("offsetX", initial.offsetX, meter, Range{-0.5, 0.5},
+                            "Position of the cones' bases across, from the axis.");
+        rows.offsetZ = real("offsetZ", initial.offsetZ, meter, Range{-0.5, 0.5},
+                            "Position of the cones' bases towards the front, from the axis.");
         rows.raise = real("raise", initial.raise, meter, Range{-0.5, 1}.soft(-0.2, 0.5),
-                          "Of its base above the rim of the bowl.");
+                          "Height of the cones' bases above the rim of the bowl.");
         rows.tilt =
             real("tilt", initial.tilt, degree, Range{degrees(-180), degrees(180)}.soft(degrees(-90), degrees(90)),
-                 "How far it leans: below 0 towards the axis.");
+                 "Tilt of the cones: negative leans them towards the axis.");
         rows.yaw = real("yaw", initial.yaw, degree, Range{degrees(-180), degrees(180)},
-                        "How far it leans past the axis to a side.");
+                        "Sideways rotation of the cones, by which they lean past the axis.");
         rows.twist = real("twist", initial.twist, perMeter, Range{-30, 30}.soft(-12, 12),
-                          "Radians by which the layer turns for each meter of height.");
+                          "Twist of the layer, in radians per meter of height: 0 is straight.");
         rows.blend = real("blend", 0.01, meter, Range{0, 0.3}.soft(0, 0.08),
-                          "Width of the fillet between neighbors: wide makes soft folds.");
-        rows.color = color("color", {0.8388, 0.8468, 0.6939}, "Of the layer.");
+                          "Width of the fillet between neighboring cones: wide makes soft folds.");
+        rows.color = color("color", {0.8388, 0.8468, 0.6939}, "Color of this layer.");
         return rows;
     }
     CandyRows candy(const CandyInitial& initial)
     {
         CandyRows rows{};
-        rows.x = real("x", initial.x, meter, Range{-20, 20}.soft(-1, 1), "Where it is, across.");
-        rows.y = real("y", initial.y, meter, Range{-20, 20}.soft(0, 1.5), "How high it is.");
-        rows.z = real("z", initial.z, meter, Range{-20, 20}.soft(-1, 1), "Where it is, towards the front.");
-        rows.halfX = real("halfX", 0.02, meter, Range{0.001, 0.5}.soft(0.005, 0.08), "Half its width.");
-        rows.halfY = real("halfY", 0.03, meter, Range{0.001, 0.5}.soft(0.005, 0.08), "Half its height.");
-        rows.halfZ = real("halfZ", 0.01, meter, Range{0.001, 0.5}.soft(0.005, 0.08), "Half its depth.");
+        rows.x =
+            real("x", initial.x, meter, Range{-20, 20}.soft(-1, 1), "Position of the candy across, from the axis.");
+        rows.y = real("y", initial.y, meter, Range{-20, 20}.soft(0, 1.5),
+                      "Height of the candy above the foot of the wafer.");
+        rows.z = real("z", initial.z, meter, Range{-20, 20}.soft(-1, 1),
+                      "Position of the candy towards the front, from the axis.");
+        rows.halfX = real("halfX", 0.02, meter, Range{0.001, 0.5}.soft(0.005, 0.08), "Half the width of the candy.");
+        rows.halfY = real("halfY", 0.03, meter, Range{0.001, 0.5}.soft(0.005, 0.08), "Half the height of the candy.");
+        rows.halfZ = real("halfZ", 0.01, meter, Range{0.001, 0.5}.soft(0.005, 0.08), "Half the depth of the candy.");
         rows.corner = real("corner", 0.007, meter, Range{0, 0.5}.soft(0, 0.05),
-                           "Radius of its edges, cut to half its smallest side.");
-        rows.color = color("color", initial.color, "Of the candy.");
-        rows.tumble = count("tumble", initial.tumble, {0, 9999}, "Which of many ways it lies; 0 is upright.");
+                           "Radius of the rounded edges of the candy; at most half its smallest side.");
+        rows.color = color("color", initial.color, "Color of the candy.");
+        rows.tumble =
+            count("tumble", initial.tumble, {0, 9999}, "Seed of the random rotation of the candy; 0 is upright.");
         rows.spin = real("spin", initial.spin, none, Range{-100, 100}.soft(-5, 5),
-                         "How fast it spins, against the source's slow and uneven turn.", whenLater("animate", 1));
-        rows.bob = real("bob", initial.bob, meter, Range{0, 2}.soft(0, 0.2), "How far it floats up and down.",
-                        whenLater("animate", 1));
+                         "Speed at which the candy spins, relative to the slow and uneven rotation in the reference.",
+                         whenLater("animate", 1));
+        rows.bob = real("bob", initial.bob, meter, Range{0, 2}.soft(0, 0.2),
+                        "Distance by which the candy floats up and down.", whenLater("animate", 1));
         return rows;
     }
 };
