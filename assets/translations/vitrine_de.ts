@@ -1527,11 +1527,6 @@ Zeiten nach: %2.</translation>
         <translation>eine Lampe wirft ihren Schatten</translation>
     </message>
     <message>
-        <source>A lantern whose paper looks narrower than this is a glowing point.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eine Laterne, deren Papier schmaler als das erscheint, ist ein leuchtender Punkt.</translation>
-    </message>
-    <message>
         <source>A left of a line, B right of it; drag the line. Without a B, what is on show becomes B.</source>
         <translation>Links einer Linie A, rechts davon B; die Linie lässt sich ziehen. Ohne B wird das Gezeigte zu B.</translation>
     </message>
@@ -1638,11 +1633,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A picture of </source>
         <translation>Ein Bild von </translation>
-    </message>
-    <message>
-        <source>A picture of all directions, twice as wide as high, in place of the night sky.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ein Bild aller Richtungen, doppelt so breit wie hoch, anstelle des Nachthimmels.</translation>
     </message>
     <message>
         <source>A picture of {1} uses the second texture coordinates; the first are used.</source>
@@ -2409,6 +2399,11 @@ Zeiten nach: %2.</translation>
         <translation>Winkel</translation>
     </message>
     <message>
+        <source>Angular diameter of the moon; the real one has half a degree.</source>
+        <extracomment>tables</extracomment>
+        <translation>Winkeldurchmesser des Mondes; der wirkliche misst ein halbes Grad.</translation>
+    </message>
+    <message>
         <source>Angular diameter of the sun for the disk filter: large softens shadows. The real sun has about half a degree.</source>
         <extracomment>tables</extracomment>
         <translation>Winkeldurchmesser der Sonne für den Scheibenfilter: Große Werte machen Schatten weich. Die wirkliche Sonne misst etwa ein halbes Grad.</translation>
@@ -2468,11 +2463,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>another camera, moment or world than before</source>
         <translation>andere Kamera, anderer Augenblick oder andere Welt als zuvor</translation>
-    </message>
-    <message>
-        <source>Another number strews other lanterns and other ripples.</source>
-        <extracomment>tables</extracomment>
-        <translation>Eine andere Zahl streut andere Laternen und andere Wellen.</translation>
     </message>
     <message>
         <source>Another one gives nine others; the same one gives the same again.</source>
@@ -3083,6 +3073,11 @@ Zeiten nach: %2.</translation>
         <source>Brightness of the rays: each stop doubles it.</source>
         <extracomment>tables</extracomment>
         <translation>Helligkeit der Strahlen: Jede Blende verdoppelt sie.</translation>
+    </message>
+    <message>
+        <source>Brightness of the stars: 0 shows none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Helligkeit der Sterne: 0 zeigt keine.</translation>
     </message>
     <message>
         <source>Brightness of the whole picture, as a factor: 1 leaves it as it is.</source>
@@ -3992,18 +3987,13 @@ Zeiten nach: %2.</translation>
         <translation>Katze</translation>
     </message>
     <message>
-        <source>Cells around a place whose flames light it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Zellen um einen Ort, deren Flammen ihn beleuchten.</translation>
-    </message>
-    <message>
         <source>Cells of {1} m are too small for a scene that reaches {2} m; give --cell {3}m or more.</source>
         <translation>Zellen von {=1} m sind zu klein für eine Szene, die {=2} m weit reicht; geben Sie --cell {=3}m oder mehr an.</translation>
     </message>
     <message>
-        <source>Cells with room for a lantern, in a square whose corner is at the frame: one, or up to the horizon.</source>
+        <source>Cells whose lanterns a step of a ray tests: its own, 2 x 2 or 3 x 3 cells, which cut off lanterns beyond, or cell by cell up to each wall, which is exact.</source>
         <extracomment>tables</extracomment>
-        <translation>Zellen mit Platz für eine Laterne, in einem Quadrat, dessen Ecke am Rahmen liegt: eine, oder bis zum Horizont.</translation>
+        <translation>Zellen, deren Laternen ein Schritt eines Strahls prüft: die eigene, 2 x 2 oder 3 x 3 Zellen, was Laternen dahinter abschneidet, oder Zelle für Zelle bis zur Wand, was exakt ist.</translation>
     </message>
     <message>
         <source>cellular</source>
@@ -4356,6 +4346,11 @@ Zeiten nach: %2.</translation>
         <translation>Farbe tiefen Wassers bei Tageslicht.</translation>
     </message>
     <message>
+        <source>Color of deep water.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe tiefen Wassers.</translation>
+    </message>
+    <message>
         <source>Color of the background at the bottom.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe des Hintergrunds unten.</translation>
@@ -4381,6 +4376,16 @@ Zeiten nach: %2.</translation>
         <translation>Farbe des Staubs, als Anteil des Lichts, den er streut statt absorbiert: Weiß absorbiert nichts.</translation>
     </message>
     <message>
+        <source>Color of the flames' light.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Lichts der Flammen.</translation>
+    </message>
+    <message>
+        <source>Color of the fog at the horizon.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Nebels am Horizont.</translation>
+    </message>
+    <message>
         <source>Color of the glaze, of the metal, or of 10 cm of the glass.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe der Glasur, des Metalls oder von 10 cm des Glases.</translation>
@@ -4399,6 +4404,11 @@ Zeiten nach: %2.</translation>
         <source>Color of the light that fills shadows from below.</source>
         <extracomment>tables</extracomment>
         <translation>Farbe des Lichts, das Schatten von unten aufhellt.</translation>
+    </message>
+    <message>
+        <source>Color of the paper, as the share of light that it does not absorb.</source>
+        <extracomment>tables</extracomment>
+        <translation>Farbe des Papiers, als Anteil des Lichts, den es nicht absorbiert.</translation>
     </message>
     <message>
         <source>Color of the plinth.</source>
@@ -5059,6 +5069,11 @@ Zeiten nach: %2.</translation>
         <translation>Dichte des Staubs in Bodennähe, als Anteil des Lichts, den ein Meter davon nimmt: 0 ist klare Luft.</translation>
     </message>
     <message>
+        <source>Density of the fog at the water, as the share of light that a meter removes: 0 is clear.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dichte des Nebels am Wasser, als Anteil des Lichts, den ein Meter nimmt: 0 ist klar.</translation>
+    </message>
+    <message>
         <source>Density of the haze: 0 is clear to the horizon, 1 hides it.</source>
         <extracomment>tables</extracomment>
         <translation>Dichte des Dunsts: 0 ist klar bis zum Horizont, 1 verbirgt ihn.</translation>
@@ -5317,6 +5332,11 @@ Zeiten nach: %2.</translation>
         <source>Distance by which the tips trail in moving air, in strand lengths per meter per second.</source>
         <extracomment>tables</extracomment>
         <translation>Strecke, um die die Spitzen in bewegter Luft nachwehen, in Haarlängen je Meter pro Sekunde.</translation>
+    </message>
+    <message>
+        <source>Distance from a part at which a ray takes small even steps until it hits, in pixels at that depth: high makes edges uneven.</source>
+        <extracomment>tables</extracomment>
+        <translation>Abstand von einem Teil, ab dem ein Strahl kleine gleiche Schritte macht, bis er trifft, in Pixeln bei dieser Tiefe: Hohe Werte machen Kanten ungleichmäßig.</translation>
     </message>
     <message>
         <source>Distance from the center to a corner.</source>
@@ -5812,6 +5832,11 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Exaggeration</source>
         <extracomment>tables</extracomment>
         <translation>Überhöhung</translation>
+    </message>
+    <message>
+        <source>Exaggeration of heights and slopes in the pictures of heights and normals: 1 is true to scale.</source>
+        <extracomment>tables</extracomment>
+        <translation>Überhöhung von Höhen und Steigungen in den Bildern der Höhen und Normalen: 1 ist maßstäblich.</translation>
     </message>
     <message>
         <source>Exclusive or: everything that is in an odd number of children.</source>
@@ -6883,6 +6908,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe der Schnittebene.</translation>
     </message>
     <message>
+        <source>Height of the five waves, relative to the reference: 0 is flat water.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der fünf Wellen, gegenüber dem Original: 0 ist glattes Wasser.</translation>
+    </message>
+    <message>
+        <source>Height of the flame above the base.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe der Flamme über dem Boden.</translation>
+    </message>
+    <message>
         <source>Height of the foot, the frustum on which the wafer stands.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe des Fußes, des Kegelstumpfs, auf dem die Waffel steht.</translation>
@@ -6901,6 +6936,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Height of the middle of the frame above the calm water.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe der Rahmenmitte über dem ruhigen Wasser.</translation>
+    </message>
+    <message>
+        <source>Height of the moon above the horizon.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe des Mondes über dem Horizont.</translation>
     </message>
     <message>
         <source>Height of the mug, from its foot to its lip.</source>
@@ -6931,6 +6971,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhe der Spitze.</translation>
     </message>
     <message>
+        <source>Height of the upper edge of the paper.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe des oberen Papierrands.</translation>
+    </message>
+    <message>
         <source>Height of the view at the middle of the world: low zooms in, high zooms out.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe des Ausschnitts in der Mitte der Welt: Niedrige Werte zoomen hinein, hohe heraus.</translation>
@@ -6939,6 +6984,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Height of the work's own sun above the horizon.</source>
         <extracomment>tables</extracomment>
         <translation>Höhe der eigenen Sonne des Werks über dem Horizont.</translation>
+    </message>
+    <message>
+        <source>Height over which the fog thins out.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höhe, über die der Nebel dünner wird.</translation>
     </message>
     <message>
         <source>heights</source>
@@ -7074,6 +7124,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Horizontaler Winkel der Kamera um die Mitte der Welt.</translation>
     </message>
     <message>
+        <source>Horizontal direction of the moon, seen through the frame: negative is to the left.</source>
+        <extracomment>tables</extracomment>
+        <translation>Horizontale Richtung des Mondes, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
+    </message>
+    <message>
         <source>Horizontal direction of the sun, seen from the camera: negative is to the left.</source>
         <extracomment>tables</extracomment>
         <translation>Horizontale Richtung der Sonne, von der Kamera aus: Negative Werte liegen links.</translation>
@@ -7102,16 +7157,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie ein Druckpunkt unter den Ansichten unter ihm wählt: die in seiner Mitte, alle nach Fläche, oder nach Fläche mit weichen Streifenrändern.</translation>
     </message>
     <message>
-        <source>How bright the flames are.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie hell die Flammen sind.</translation>
-    </message>
-    <message>
-        <source>How bright they are.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie hell sie sind.</translation>
-    </message>
-    <message>
         <source>How colors between those of the palette are hinted at. Ordered and blue noise stay where they are from frame to frame.</source>
         <translation>Wie Farben zwischen denen der Palette angedeutet werden. Geordnetes und blaues Rauschen bleiben von Frame zu Frame, wo sie sind.</translation>
     </message>
@@ -7128,36 +7173,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit die Kameras gerenderter Ansichten auseinander stehen: 0 ist flach, 1 maßstabsgetreu für den Betrachtungsabstand, über 1 tiefer als in Wirklichkeit.</translation>
     </message>
     <message>
-        <source>How far blue noise moves them from the middle of their cells: 0 is a grid.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit blaues Rauschen sie aus der Mitte ihrer Zellen rückt: 0 ist ein Gitter.</translation>
-    </message>
-    <message>
         <source>How far dragging turns you, or takes you round an exhibit.</source>
         <translation>Wie weit Ziehen Sie dreht, oder um ein Exponat herumführt.</translation>
-    </message>
-    <message>
-        <source>How far papers differ in color: 0 not at all, 1 is a festival.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr sich Papiere in der Farbe unterscheiden: 0 gar nicht, 1 ist ein Fest.</translation>
     </message>
     <message>
         <source>How far the scene may reach before and behind the print, together, without doubled contours.</source>
         <translation>Wie weit die Szene vor und hinter dem Druck zusammen reichen darf, ohne doppelte Konturen.</translation>
     </message>
     <message>
-        <source>How far they are turned, each by an angle of its own.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weit sie gedreht sind, jede um einen eigenen Winkel.</translation>
-    </message>
-    <message>
         <source>How it works</source>
         <translation>So funktioniert es</translation>
-    </message>
-    <message>
-        <source>How light is reckoned: through translucent paper, with Fresnel's mirror, or as the source does.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie Licht berechnet wird: durch durchscheinendes Papier, mit Fresnels Spiegel, oder wie es das Original tut.</translation>
     </message>
     <message>
         <source>How many are kept in File &gt; Open recent; 0 keeps none.</source>
@@ -7176,33 +7201,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie viele Ansichten gerendert oder gleichmäßig aus den Dateien genommen werden.</translation>
     </message>
     <message>
-        <source>How much flames flicker: 0 burns evenly.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie sehr Flammen flackern: 0 brennt gleichmäßig.</translation>
-    </message>
-    <message>
         <source>How much nearer one step of the wheel takes you to an exhibit.</source>
         <translation>Wie viel näher ein Schritt des Mausrads an ein Exponat heranführt.</translation>
-    </message>
-    <message>
-        <source>How near a part rays go on by small even steps until they touch, in pixels at that distance: more makes edges uneven.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie nah an einem Teil Strahlen in kleinen gleichen Schritten weitergehen, bis sie treffen, in Pixeln bei dieser Entfernung: Mehr macht Kanten ungleichmäßig.</translation>
-    </message>
-    <message>
-        <source>How often a ray may be mirrored by the water.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie oft ein Strahl vom Wasser gespiegelt werden darf.</translation>
-    </message>
-    <message>
-        <source>How often light is scattered in it: low is clear and bright, high dim and white.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie oft Licht darin gestreut wird: Niedrige Werte sind klar und hell, hohe trüb und weiß.</translation>
-    </message>
-    <message>
-        <source>How softly posts and rings join.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie weich Pfosten und Ringe ineinander übergehen.</translation>
     </message>
     <message>
         <source>How the other studies stand to the first</source>
@@ -7211,16 +7211,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How this works</source>
         <translation>So funktioniert das</translation>
-    </message>
-    <message>
-        <source>How uneven it is.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie ungleichmäßig es ist.</translation>
-    </message>
-    <message>
-        <source>How warm its horizon is: of the sun that has set, or rises.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wie warm sein Horizont ist: von der Sonne, die untergegangen ist oder aufgeht.</translation>
     </message>
     <message>
         <source>https://www.aseprite.org/docs/cli/#data (written by Vitrine)</source>
@@ -7756,11 +7746,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>der Kopf nennt eine andere Länge, als die Datei hat</translation>
     </message>
     <message>
-        <source>Its height above the horizon.</source>
-        <extracomment>tables</extracomment>
-        <translation>Seine Höhe über dem Horizont.</translation>
-    </message>
-    <message>
         <source>its JSON</source>
         <translation>dem JSON</translation>
     </message>
@@ -7779,11 +7764,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>its lenses are {1} mm deep, and the thickness is only {2} mm</source>
         <translation>ihre Linsen sind {1} mm tief, und die Dicke beträgt nur {2} mm</translation>
-    </message>
-    <message>
-        <source>Its light; 0: it has not risen.</source>
-        <extracomment>tables</extracomment>
-        <translation>Sein Licht; 0: Er ist nicht aufgegangen.</translation>
     </message>
     <message>
         <source>its numbers have not rested for a while</source>
@@ -8053,11 +8033,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Laternen</translation>
     </message>
     <message>
-        <source>Lanterns that look narrower than this are reckoned as their mean.</source>
-        <extracomment>tables</extracomment>
-        <translation>Laternen, die schmaler als das erscheinen, werden als ihr Mittel gerechnet.</translation>
-    </message>
-    <message>
         <source>Largest angle by which the tips lag behind the rotation of their body; the reference allows 30 degrees.</source>
         <extracomment>tables</extracomment>
         <translation>Größter Winkel, um den die Spitzen hinter der Drehung ihres Körpers zurückbleiben; das Original erlaubt 30 Grad.</translation>
@@ -8098,6 +8073,11 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Largest number of steps in which a ray finds the water.</source>
         <extracomment>tables</extracomment>
         <translation>Höchstzahl der Schritte, in denen ein Strahl das Wasser findet.</translation>
+    </message>
+    <message>
+        <source>Largest number of steps of a ray in one lantern; with a fixed number of cells, in all lanterns together.</source>
+        <extracomment>tables</extracomment>
+        <translation>Höchstzahl der Schritte eines Strahls in einer Laterne; bei fester Zellenzahl in allen Laternen zusammen.</translation>
     </message>
     <message>
         <source>Largest number of steps of a ray to find the field, or the sea as in the reference.</source>
@@ -8321,11 +8301,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lektionen (*.md)</translation>
     </message>
     <message>
-        <source>Let time run: waves roll, flames flicker, lanterns drift.</source>
-        <extracomment>tables</extracomment>
-        <translation>Lässt die Zeit laufen: Wellen rollen, Flammen flackern, Laternen treiben.</translation>
-    </message>
-    <message>
         <source>Lets go of B and shows A alone.</source>
         <translation>Gibt B auf und zeigt nur noch A.</translation>
     </message>
@@ -8376,11 +8351,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Licht aus einer Richtung.</translation>
     </message>
     <message>
-        <source>Light of the day that is left in the sky.</source>
-        <extracomment>tables</extracomment>
-        <translation>Licht des Tages, das noch am Himmel ist.</translation>
-    </message>
-    <message>
         <source>light on the strands that were found</source>
         <translation>Licht auf den gefundenen Haaren</translation>
     </message>
@@ -8403,16 +8373,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lichtschritte</translation>
     </message>
     <message>
-        <source>Light that the frame throws on wall and floor beside it.</source>
-        <extracomment>tables</extracomment>
-        <translation>Licht, das der Rahmen auf Wand und Boden daneben wirft.</translation>
-    </message>
-    <message>
-        <source>Light them.</source>
-        <extracomment>tables</extracomment>
-        <translation>Zündet sie an.</translation>
-    </message>
-    <message>
         <source>light, lines and palette</source>
         <translation>Licht, Linien und Palette</translation>
     </message>
@@ -8420,6 +8380,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Lighting</source>
         <extracomment>tables</extracomment>
         <translation>Beleuchtung</translation>
+    </message>
+    <message>
+        <source>Lighting model: ours, with translucent paper and Fresnel reflections, or that of the reference.</source>
+        <extracomment>tables</extracomment>
+        <translation>Beleuchtungsmodell: unseres, mit durchscheinendem Papier und Fresnel-Spiegelungen, oder das des Originals.</translation>
     </message>
     <message>
         <source>Lighting of the ice cream: by the hall around it, or by the sun, ambient light and fog of the reference.</source>
@@ -8811,16 +8776,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Metallanteil</translation>
     </message>
     <message>
-        <source>Meters a second by which the wind moves them.</source>
-        <extracomment>tables</extracomment>
-        <translation>Meter pro Sekunde, mit denen der Wind sie bewegt.</translation>
-    </message>
-    <message>
-        <source>Meters of the lake in a meter of the hall: more makes lanterns smaller.</source>
-        <extracomment>tables</extracomment>
-        <translation>Meter des Sees in einem Meter der Halle: Mehr macht Laternen kleiner.</translation>
-    </message>
-    <message>
         <source>Method</source>
         <extracomment>tables</extracomment>
         <translation>Verfahren</translation>
@@ -9035,6 +8990,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Motion of the fur</source>
         <extracomment>tables</extracomment>
         <translation>Bewegung des Fells</translation>
+    </message>
+    <message>
+        <source>Motion of the lanterns: on a separate wave as in the reference, or on the water under their base.</source>
+        <extracomment>tables</extracomment>
+        <translation>Bewegung der Laternen: auf einer eigenen Welle wie im Original oder auf dem Wasser unter ihrem Boden.</translation>
     </message>
     <message>
         <source>Move</source>
@@ -9666,6 +9626,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Stäbe an der Seite des Fußes.</translation>
     </message>
     <message>
+        <source>Number of cells around a point whose flames light it.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Zellen um einen Punkt, deren Flammen ihn beleuchten.</translation>
+    </message>
+    <message>
         <source>Number of colors taken from the picture.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Farben, die aus dem Bild genommen werden.</translation>
@@ -9687,6 +9652,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of frames averaged while the picture moves: few flicker, many blur fine details.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Frames, über die ein bewegtes Bild gemittelt wird: Wenige flimmern, viele verwischen Feines.</translation>
+    </message>
+    <message>
+        <source>Number of grid cells for lanterns, in a square whose corner is at the frame: low is a few, high reaches to the horizon.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Gitterzellen für Laternen, in einem Quadrat, dessen Ecke am Rahmen liegt: Niedrige Werte sind wenige, hohe reichen bis zum Horizont.</translation>
     </message>
     <message>
         <source>Number of layers (shells) drawn from tip to skin: few show gaps, many are more accurate and cost more.</source>
@@ -9752,6 +9722,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of rings around the foot, evenly spaced over its height.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Ringe um den Fuß, gleichmäßig über seine Höhe verteilt.</translation>
+    </message>
+    <message>
+        <source>Number of ripples that are summed, from the longest: few are smooth, many add fine ones.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Kräuselwellen, die summiert werden, von der längsten an: Wenige sind glatt, viele fügen feine hinzu.</translation>
+    </message>
+    <message>
+        <source>Number of rows of cells in which a ray searches for lanterns; lanterns beyond are drawn as their average.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahl der Zellenreihen, in denen ein Strahl nach Laternen sucht; Laternen dahinter werden als ihr Mittel gezeichnet.</translation>
     </message>
     <message>
         <source>Number of samples along a ray: few show bands. Each of the three passes takes the cube root of it, the polar grid has two cells per sample.</source>
@@ -9822,6 +9802,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of times a reflected ray may meet the object again before it sees only the hall: 0 is cheapest.</source>
         <extracomment>tables</extracomment>
         <translation>Wie oft ein gespiegelter Strahl das Objekt wieder treffen darf, bevor er nur noch die Halle sieht: 0 kostet am wenigsten.</translation>
+    </message>
+    <message>
+        <source>Number of times that the water may reflect a ray: 0 shows no reflections.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wie oft das Wasser einen Strahl spiegeln darf: 0 zeigt keine Spiegelungen.</translation>
     </message>
     <message>
         <source>Number of tones from shade to light, as in hand-drawn pixel art; 1 shades smoothly.</source>
@@ -9940,16 +9925,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Jeder Richtung, gleichmäßig über die Animation.</translation>
     </message>
     <message>
-        <source>Of heights and slopes in the views of them.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Höhen und Steigungen in deren Ansichten.</translation>
-    </message>
-    <message>
-        <source>Of its disk: the real one has half a degree.</source>
-        <extracomment>tables</extracomment>
-        <translation>Seiner Scheibe: Der wirkliche hat ein halbes Grad.</translation>
-    </message>
-    <message>
         <source>Of its layers {1} is read; &quot;{2}&quot; and others are left out.</source>
         <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ und andere fallen weg.</translation>
     </message>
@@ -9958,52 +9933,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ fällt weg.</translation>
     </message>
     <message>
-        <source>Of its upper edge.</source>
-        <extracomment>tables</extracomment>
-        <translation>Seines oberen Rands.</translation>
-    </message>
-    <message>
-        <source>Of the base.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Bodens.</translation>
-    </message>
-    <message>
         <source>Of the file, by its name.</source>
         <translation>Der Datei, nach ihrem Namen.</translation>
     </message>
     <message>
-        <source>Of the five waves over those of the source: 0 is a mirror.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der fünf Wellen gegenüber denen des Originals: 0 ist ein Spiegel.</translation>
-    </message>
-    <message>
-        <source>Of the flame over the base.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Flamme über dem Boden.</translation>
-    </message>
-    <message>
-        <source>Of the flames.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Flammen.</translation>
-    </message>
-    <message>
-        <source>Of the frame's middle above the calm water.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Mitte des Rahmens über dem ruhigen Wasser.</translation>
-    </message>
-    <message>
         <source>Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.</source>
         <translation>Der Linsen: 0 aufrecht für Tiefe, 90 quer für Wechselbilder, dazwischen schräg.</translation>
-    </message>
-    <message>
-        <source>Of the mist at the horizon.</source>
-        <extracomment>tables</extracomment>
-        <translation>Des Nebels am Horizont.</translation>
-    </message>
-    <message>
-        <source>Of the paper tube.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Papierröhre.</translation>
     </message>
     <message>
         <source>Of the picture's own, while something moves: the higher, the sharper, and the fewer pictures a second on a slow machine.</source>
@@ -10076,10 +10011,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>on oder off</translation>
     </message>
     <message>
-        <source>On show</source>
-        <translation>Gezeigt</translation>
-    </message>
-    <message>
         <source>on show</source>
         <translation>gezeigt</translation>
     </message>
@@ -10145,11 +10076,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>one of {1}</source>
         <translation>eines von {=1}</translation>
-    </message>
-    <message>
-        <source>One rhythm for all waves, or slow long ones and quick short ones.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ein Takt für alle Wellen, oder langsame lange und schnelle kurze.</translation>
     </message>
     <message>
         <source>one sample per pixel</source>
@@ -10273,6 +10199,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Operatoren</translation>
     </message>
     <message>
+        <source>Optical thickness of the paper, as the mean number of scattering events: low is clear and bright, high is dim and white.</source>
+        <extracomment>tables</extracomment>
+        <translation>Optische Dicke des Papiers, als mittlere Zahl der Streuungen: Niedrige Werte sind klar und hell, hohe trüb und weiß.</translation>
+    </message>
+    <message>
         <source>Orbit</source>
         <extracomment>tables</extracomment>
         <translation>Umlauf</translation>
@@ -10359,11 +10290,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>over the water</source>
         <translation>über das Wasser</translation>
-    </message>
-    <message>
-        <source>Over which the mist thins out.</source>
-        <extracomment>tables</extracomment>
-        <translation>Über die der Nebel dünner wird.</translation>
     </message>
     <message>
         <source>Overcast</source>
@@ -10559,6 +10485,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pfad eines Panoramas, das den Himmel ersetzt: HDR, EXR oder ein gewöhnliches Bild, doppelt so breit wie hoch.</translation>
     </message>
     <message>
+        <source>Path of a panorama, twice as wide as high, that replaces the night sky.</source>
+        <extracomment>tables</extracomment>
+        <translation>Pfad eines Panoramas, doppelt so breit wie hoch, das den Nachthimmel ersetzt.</translation>
+    </message>
+    <message>
         <source>Path of a picture in this folder or below it.</source>
         <translation>Pfad eines Bildes in diesem Ordner oder darunter.</translation>
     </message>
@@ -10580,6 +10511,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Path of one more glTF object (.glb or .gltf) to show, at first on a plinth of its own.</source>
         <extracomment>tables</extracomment>
         <translation>Pfad eines weiteren glTF-Objekts (.glb oder .gltf), das gezeigt wird, zuerst auf einem eigenen Sockel.</translation>
+    </message>
+    <message>
+        <source>Path of the lantern that the button releases: up into the air, or away on the water.</source>
+        <extracomment>tables</extracomment>
+        <translation>Weg der Laterne, die der Knopf freilässt: hinauf in die Luft oder davon auf dem Wasser.</translation>
     </message>
     <message>
         <source>Path of the views of the first print: a folder of pictures, or a file written by “vitrine print”. Empty: the turning mug.</source>
@@ -10639,6 +10575,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Phase</translation>
     </message>
     <message>
+        <source>Phase of the flickering: all flames together, or each on its own.</source>
+        <extracomment>tables</extracomment>
+        <translation>Phase des Flackerns: alle Flammen gemeinsam oder jede für sich.</translation>
+    </message>
+    <message>
         <source>Phong</source>
         <translation>Phong</translation>
     </message>
@@ -10686,6 +10627,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Picture to show: the finished one, or a step on the way to it.</source>
         <extracomment>tables</extracomment>
         <translation>Gezeigtes Bild: das fertige oder ein Schritt auf dem Weg dorthin.</translation>
+    </message>
+    <message>
+        <source>Picture to show: the finished one, the height of the water, its normals, or the parts of the lanterns in separate colors.</source>
+        <extracomment>tables</extracomment>
+        <translation>Gezeigtes Bild: das fertige, die Höhe des Wassers, seine Normalen oder die Teile der Laternen in eigenen Farben.</translation>
     </message>
     <message>
         <source>Picture to show: the finished one, the mask with its occluders black, or only the added light without the hall.</source>
@@ -11297,14 +11243,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius der Außenseite.</translation>
     </message>
     <message>
+        <source>Radius of the paper tube.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius der Papierröhre.</translation>
+    </message>
+    <message>
         <source>Radius of the posts.</source>
         <extracomment>tables</extracomment>
         <translation>Radius der Pfosten.</translation>
-    </message>
-    <message>
-        <source>Radius of the rings' wire.</source>
-        <extracomment>tables</extracomment>
-        <translation>Radius des Drahts der Ringe.</translation>
     </message>
     <message>
         <source>Radius of the round cross-section of the bars.</source>
@@ -11359,6 +11305,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Radius der oberen Kugel.</translation>
     </message>
     <message>
+        <source>Radius of the wire of the rings.</source>
+        <extracomment>tables</extracomment>
+        <translation>Radius des Drahts der Ringe.</translation>
+    </message>
+    <message>
         <source>Radius over which faceted normals are averaged, in texels, but not across edges: 0 keeps facets.</source>
         <extracomment>tables</extracomment>
         <translation>Radius, über den facettierte Normalen gemittelt werden, in Texeln, aber nicht über Kanten hinweg: 0 lässt Facetten.</translation>
@@ -11371,6 +11322,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Raise</source>
         <extracomment>tables</extracomment>
         <translation>Anheben</translation>
+    </message>
+    <message>
+        <source>Random rotation of the lanterns: at 0 all face the same way.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zufällige Drehung der Laternen: Bei 0 zeigen alle in dieselbe Richtung.</translation>
+    </message>
+    <message>
+        <source>Random shift of the lanterns from the middle of their cells: 0 is a regular grid.</source>
+        <extracomment>tables</extracomment>
+        <translation>Zufällige Verschiebung der Laternen aus der Mitte ihrer Zellen: 0 ist ein regelmäßiges Gitter.</translation>
     </message>
     <message>
         <source>raster</source>
@@ -11905,11 +11866,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Kräuselung</translation>
     </message>
     <message>
-        <source>Ripples that are summed, from the longest on.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wellen, die summiert werden, von der längsten an.</translation>
-    </message>
-    <message>
         <source>rises</source>
         <extracomment>tables</extracomment>
         <translation>steigt</translation>
@@ -12082,11 +12038,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Rows</source>
         <extracomment>tables</extracomment>
         <translation>Reihen</translation>
-    </message>
-    <message>
-        <source>Rows of cells in which a ray looks for lanterns; those beyond are reckoned as their mean.</source>
-        <extracomment>tables</extracomment>
-        <translation>Zellenreihen, in denen ein Strahl nach Laternen sucht; die dahinter werden als ihr Mittel gerechnet.</translation>
     </message>
     <message>
         <source>Rows of views in a quilt, the first at the bottom.</source>
@@ -12305,6 +12256,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>%1 skalieren</translation>
     </message>
     <message>
+        <source>Scale of the lake, in meters of the lake per meter of the hall: high makes lanterns smaller.</source>
+        <extracomment>tables</extracomment>
+        <translation>Maßstab des Sees, in Metern des Sees je Meter der Halle: Hohe Werte machen Laternen kleiner.</translation>
+    </message>
+    <message>
         <source>Scale of the shape, one factor or one per axis; applied before rotation and translation.</source>
         <translation>Maßstab der Form, ein Faktor oder einer je Achse; vor Drehung und Verschiebung angewendet.</translation>
     </message>
@@ -12415,6 +12371,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Seed</source>
         <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Seed of lanterns and ripples: each number places them differently.</source>
+        <extracomment>tables</extracomment>
+        <translation>Startwert der Laternen und der Kräuselung: Jede Zahl verteilt sie anders.</translation>
     </message>
     <message>
         <source>Seed of the noise: each number gives another field, sea and sky.</source>
@@ -12639,6 +12600,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Anteil der Farbe des angrenzenden Objekts an einer dunklen Linie: 0 nimmt die Umrissfarbe, 1 einen dunklen Ton des Objekts.</translation>
     </message>
     <message>
+        <source>Share of the cells that hold a lantern: 0 is an empty lake, 1 fills every cell.</source>
+        <extracomment>tables</extracomment>
+        <translation>Anteil der Zellen mit einer Laterne: 0 ist ein leerer See, 1 füllt jede Zelle.</translation>
+    </message>
+    <message>
         <source>Share of the color that is lit by the lights.</source>
         <translation>Anteil der Farbe, der von den Lichtern beleuchtet wird.</translation>
     </message>
@@ -12693,11 +12659,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Share of the way to the sun over which light is gathered: 0 shows only the mask, 1 gathers all the way.</source>
         <extracomment>tables</extracomment>
         <translation>Anteil des Weges zur Sonne, auf dem Licht gesammelt wird: 0 zeigt nur die Maske, 1 sammelt auf dem ganzen Weg.</translation>
-    </message>
-    <message>
-        <source>Share of these cells that have one: at 0 the lake is empty.</source>
-        <extracomment>tables</extracomment>
-        <translation>Anteil dieser Zellen, die eine haben: Bei 0 ist der See leer.</translation>
     </message>
     <message>
         <source>sharp</source>
@@ -12886,9 +12847,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>&amp;Nebeneinander</translation>
     </message>
     <message>
-        <source>Side of the wooden base.</source>
+        <source>Side length of the wooden base.</source>
         <extracomment>tables</extracomment>
-        <translation>Seite des hölzernen Bodens.</translation>
+        <translation>Seitenlänge des hölzernen Bodens.</translation>
     </message>
     <message>
         <source>Sideways rotation of the cones, by which they lean past the axis.</source>
@@ -13017,9 +12978,9 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Scheiben</translation>
     </message>
     <message>
-        <source>Slope of the small waves that the wind makes: it draws reflections out.</source>
+        <source>Slope of the small waves that the wind makes: 0 is calm, high stretches reflections.</source>
         <extracomment>tables</extracomment>
-        <translation>Steigung der kleinen Wellen, die der Wind macht: Sie zieht Spiegelungen in die Länge.</translation>
+        <translation>Steigung der kleinen Wellen, die der Wind macht: 0 ist ruhig, hohe Werte ziehen Spiegelungen in die Länge.</translation>
     </message>
     <message>
         <source>smooth layers</source>
@@ -13194,6 +13155,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tempo, mit dem sich das Eis dreht, in Umdrehungen pro Sekunde: Negative Werte drehen andersherum.</translation>
     </message>
     <message>
+        <source>Speed at which the wind moves the lanterns, in meters per second.</source>
+        <extracomment>tables</extracomment>
+        <translation>Geschwindigkeit, mit der der Wind die Laternen bewegt, in Metern pro Sekunde.</translation>
+    </message>
+    <message>
         <source>Speed of looking</source>
         <translation>Tempo beim Umschauen</translation>
     </message>
@@ -13211,6 +13177,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Speed of the model's animation: 1 is as in its file, 0 stops it.</source>
         <extracomment>tables</extracomment>
         <translation>Tempo der Animation des Modells: 1 ist wie in der Datei, 0 hält sie an.</translation>
+    </message>
+    <message>
+        <source>Speed of the waves: as in the reference, one rhythm for all; or by gravity, with long waves slow and short ones quick.</source>
+        <extracomment>tables</extracomment>
+        <translation>Tempo der Wellen: wie im Original ein Takt für alle, oder durch Schwerkraft, mit langsamen langen und schnellen kurzen.</translation>
     </message>
     <message>
         <source>Speed of the wheel</source>
@@ -13409,16 +13380,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stufen</translation>
     </message>
     <message>
-        <source>Steps a ray may take in one lantern, or, by cells around it, in all.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schritte, die ein Strahl in einer Laterne machen darf, oder, bei Zellen ringsum, insgesamt.</translation>
-    </message>
-    <message>
-        <source>Steps by which a ray finds the water.</source>
-        <extracomment>tables</extracomment>
-        <translation>Schritte, in denen ein Strahl das Wasser findet.</translation>
-    </message>
-    <message>
         <source>Steps of half and of double that length give the same normals.</source>
         <translation>Schritte von halber und doppelter Länge ergeben dieselben Normalen.</translation>
     </message>
@@ -13545,6 +13506,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke der dunklen Linien an den Rändern naher Objekte: 0 zeichnet keine.</translation>
     </message>
     <message>
+        <source>Strength of the daylight left in the sky: 0 is deep night.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Tageslichts, das noch am Himmel ist: 0 ist tiefe Nacht.</translation>
+    </message>
+    <message>
         <source>Strength of the dithering: at 1 average colors are kept, less leaves calm areas.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke des Ditherings: Bei 1 bleiben mittlere Farben erhalten, weniger lässt ruhige Flächen.</translation>
@@ -13553,6 +13519,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Strength of the draft over the pit: 0 is still air, above 0 the fur keeps moving.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke des Luftzugs über der Grube: 0 ist ruhige Luft, darüber bleibt das Fell in Bewegung.</translation>
+    </message>
+    <message>
+        <source>Strength of the flames' light: 0 gives none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Lichts der Flammen: 0 gibt keines.</translation>
+    </message>
+    <message>
+        <source>Strength of the flickering: 0 burns evenly.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Flackerns: 0 brennt gleichmäßig.</translation>
     </message>
     <message>
         <source>Strength of the hall's ambient light that the dust scatters: 1 is physical, at 0 the dust only darkens.</source>
@@ -13580,9 +13556,19 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Stärke der Lampen im Gewölbe: 0 ist eine dunkle Nacht, 1 genügt zum Lesen.</translation>
     </message>
     <message>
+        <source>Strength of the lanterns' light on the wall and floor beside the frame: 0 gives none.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Laternenlichts auf Wand und Boden neben dem Rahmen: 0 gibt keines.</translation>
+    </message>
+    <message>
         <source>Strength of the light lines on edges that face the camera: 0 draws none.</source>
         <extracomment>tables</extracomment>
         <translation>Stärke der hellen Linien auf Kanten, die zur Kamera zeigen: 0 zeichnet keine.</translation>
+    </message>
+    <message>
+        <source>Strength of the moonlight: 0 is a night without a moon.</source>
+        <extracomment>tables</extracomment>
+        <translation>Stärke des Mondlichts: 0 ist eine Nacht ohne Mond.</translation>
     </message>
     <message>
         <source>Strength of the reference's sun: 0 switches it off.</source>
@@ -14404,11 +14390,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Modell hat keine Animation</translation>
     </message>
     <message>
-        <source>The moment that is shown, or begun with.</source>
-        <extracomment>tables</extracomment>
-        <translation>Der Augenblick, der gezeigt wird oder mit dem begonnen wird.</translation>
-    </message>
-    <message>
         <source>the moon has set</source>
         <translation>der Mond ist untergegangen</translation>
     </message>
@@ -14511,11 +14492,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the picture was cut</source>
         <translation>das Bild wurde geschnitten</translation>
-    </message>
-    <message>
-        <source>The picture, or what it is made of: the water's height, its normals, or the parts of the lanterns by color.</source>
-        <extracomment>tables</extracomment>
-        <translation>Das Bild, oder woraus es gemacht ist: die Höhe des Wassers, seine Normalen, oder die Teile der Laternen nach Farbe.</translation>
     </message>
     <message>
         <source>The picture. W A S D walk, Ctrl and the arrows look around, Enter visits.</source>
@@ -15306,11 +15282,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dicke eines Haars an der Wurzel.</translation>
     </message>
     <message>
-        <source>Thickness of its wall.</source>
-        <extracomment>tables</extracomment>
-        <translation>Dicke der Wand.</translation>
-    </message>
-    <message>
         <source>Thickness of the custom sheet from the top of a lens to the print: too thin or too thick blurs.</source>
         <extracomment>tables</extracomment>
         <translation>Dicke der eigenen Folie vom Linsenscheitel bis zum Druck: Zu dünn oder zu dick wird unscharf.</translation>
@@ -15318,6 +15289,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>Thickness of the edges.</source>
         <translation>Dicke der Kanten.</translation>
+    </message>
+    <message>
+        <source>Thickness of the paper as it is drawn.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dicke des Papiers, wie es gezeichnet wird.</translation>
     </message>
     <message>
         <source>Thickness of the sheet, with round edges.</source>
@@ -15331,6 +15307,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>Thickness of the wall.</source>
         <translation>Dicke der Wand.</translation>
+    </message>
+    <message>
+        <source>Thickness of the wooden base.</source>
+        <extracomment>tables</extracomment>
+        <translation>Dicke des hölzernen Bodens.</translation>
     </message>
     <message>
         <source>Thickness variation</source>
@@ -16182,6 +16163,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Ungleichmäßigkeit des Staubs: 0 ist gleichmäßige Luft, hohe Werte sammeln ihn in Schwaden.</translation>
     </message>
     <message>
+        <source>Unevenness of the paper: 0 is smooth, 1 shows fibers.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ungleichmäßigkeit des Papiers: 0 ist glatt, 1 zeigt Fasern.</translation>
+    </message>
+    <message>
         <source>Uniformity</source>
         <extracomment>tables</extracomment>
         <translation>Gleichmäßigkeit</translation>
@@ -16356,6 +16342,11 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Variation of color between strands: at 0 all have the same color.</source>
         <extracomment>tables</extracomment>
         <translation>Unterschiede in der Farbe der Haare: Bei 0 haben alle dieselbe.</translation>
+    </message>
+    <message>
+        <source>Variation of color between the papers: at 0 all are alike, at 1 they are as varied as at a festival.</source>
+        <extracomment>tables</extracomment>
+        <translation>Unterschiede in der Farbe der Papiere: Bei 0 sind alle gleich, bei 1 bunt wie auf einem Fest.</translation>
     </message>
     <message>
         <source>Variation of thickness between strands: at 0 all have the coat's thickness, at 1 they range from that down to none.</source>
@@ -16586,6 +16577,11 @@ steht in assets/SOURCES.md.</translation>
         <translation>Zeit der Wanduhr um glFinish</translation>
     </message>
     <message>
+        <source>Warmth of the dusk at the horizon: 0 is cool, 1 glows like a sunset.</source>
+        <extracomment>tables</extracomment>
+        <translation>Wärme der Dämmerung am Horizont: 0 ist kühl, 1 glüht wie ein Sonnenuntergang.</translation>
+    </message>
+    <message>
         <source>Warnings</source>
         <translation>Warnungen</translation>
     </message>
@@ -16651,11 +16647,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Gewicht</translation>
     </message>
     <message>
-        <source>What a meter of the air at the water hides.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was ein Meter der Luft am Wasser verbirgt.</translation>
-    </message>
-    <message>
         <source>What a ray costs</source>
         <translation>Was ein Strahl kostet</translation>
     </message>
@@ -16674,11 +16665,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What counts as exact is not checked: {1}</source>
         <translation>Was als exakt gilt, ist nicht geprüft: {1}</translation>
-    </message>
-    <message>
-        <source>What deep water sends back.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was tiefes Wasser zurückwirft.</translation>
     </message>
     <message>
         <source>What differences are multiplied by</source>
@@ -16762,16 +16748,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was der Frame gekostet hat</translation>
     </message>
     <message>
-        <source>What the lantern does that the button sets free.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was die Laterne tut, die der Knopf freilässt.</translation>
-    </message>
-    <message>
-        <source>What the paper does not absorb.</source>
-        <extracomment>tables</extracomment>
-        <translation>Was das Papier nicht schluckt.</translation>
-    </message>
-    <message>
         <source>What the parameters were before or after an edit becomes B.</source>
         <translation>Was die Parameter vor oder nach einer Bearbeitung waren, wird zu B.</translation>
     </message>
@@ -16786,11 +16762,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>what the small world's sun reaches</source>
         <translation>was die Sonne der kleinen Welt erreicht</translation>
-    </message>
-    <message>
-        <source>What they float on: a wave that the water does not have, or the water under their base.</source>
-        <extracomment>tables</extracomment>
-        <translation>Worauf sie schwimmen: auf einer Welle, die das Wasser nicht hat, oder auf dem Wasser unter ihrem Boden.</translation>
     </message>
     <message>
         <source>What to measure</source>
@@ -16826,22 +16797,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wo jeder Frame liegt, in dem JSON, das Aseprite exportiert.</translation>
     </message>
     <message>
-        <source>Where it stands, seen through the frame: negative is to the left.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wo er steht, durch den Rahmen gesehen: Negative Werte liegen links.</translation>
-    </message>
-    <message>
         <source>Where the views come from</source>
         <translation>Woher die Ansichten kommen</translation>
     </message>
     <message>
         <source>Where the views come from: rendered from the picture in the window, read from pictures, or cut from a grid of views.</source>
         <translation>Woher die Ansichten kommen: aus dem Bild des Fensters gerendert, aus Bildern gelesen, oder aus einem Raster von Ansichten geschnitten.</translation>
-    </message>
-    <message>
-        <source>Where the wind blows to, from straight ahead: negative is to the left.</source>
-        <extracomment>tables</extracomment>
-        <translation>Wohin der Wind weht, von geradeaus: Negative Werte liegen links.</translation>
     </message>
     <message>
         <source>whether a server answers there cannot be told ({1}); choose another path.</source>
@@ -16910,6 +16871,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the candies spin, those in the air float, and the whole turns.</source>
         <extracomment>tables</extracomment>
         <translation>Ob sich die Bonbons drehen, die in der Luft schweben und das Ganze sich dreht.</translation>
+    </message>
+    <message>
+        <source>Whether the candles burn.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Kerzen brennen.</translation>
     </message>
     <message>
         <source>Whether the card scrolls from one print to the other and back, like a billboard.</source>
@@ -17006,11 +16972,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob die Ansichten in umgekehrter Reihenfolge gedruckt sind: Die Tiefe kehrt sich um.</translation>
     </message>
     <message>
-        <source>Whether they flicker in step.</source>
-        <extracomment>tables</extracomment>
-        <translation>Ob sie im Gleichtakt flackern.</translation>
-    </message>
-    <message>
         <source>Whether time runs: the field drifts, waves roll, clouds sail.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Zeit läuft: Das Feld treibt, Wellen rollen, Wolken segeln.</translation>
@@ -17019,6 +16980,11 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether time runs: the torus tumbles, cubes bob, water moves; a round takes 4 s.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die Zeit läuft: Der Torus taumelt, Würfel wippen, Wasser bewegt sich; eine Runde dauert 4 s.</translation>
+    </message>
+    <message>
+        <source>Whether time runs: waves roll, flames flicker, lanterns drift.</source>
+        <extracomment>tables</extracomment>
+        <translation>Ob die Zeit läuft: Wellen rollen, Flammen flackern, Laternen treiben.</translation>
     </message>
     <message>
         <source>Whether time runs; it shows only in scenes in which something moves.</source>
@@ -17045,11 +17011,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether walls and exhibits block the sun; without it, the sun shines through everything.</source>
         <extracomment>tables</extracomment>
         <translation>Ob Wände und Exponate die Sonne abhalten; ohne das scheint sie durch alles hindurch.</translation>
-    </message>
-    <message>
-        <source>Which lanterns a step of a ray looks at: those of some cells around it, which cuts what lies beyond, or all that the ray can touch, cell by cell.</source>
-        <extracomment>tables</extracomment>
-        <translation>Welche Laternen ein Schritt eines Strahls ansieht: die einiger Zellen ringsum, was Weiteres abschneidet, oder alle, die der Strahl berühren kann, Zelle für Zelle.</translation>
     </message>
     <message>
         <source>Which one?</source>
@@ -17088,9 +17049,24 @@ steht in assets/SOURCES.md.</translation>
         <translation>Breite</translation>
     </message>
     <message>
+        <source>Width below which a lantern is drawn as a glowing point.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite, unter der eine Laterne als leuchtender Punkt gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>Width below which lanterns are drawn as their average.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite, unter der Laternen als ihr Mittel gezeichnet werden.</translation>
+    </message>
+    <message>
         <source>Width of a cell; never less than a lantern needs.</source>
         <extracomment>tables</extracomment>
         <translation>Breite einer Zelle; nie weniger, als eine Laterne braucht.</translation>
+    </message>
+    <message>
+        <source>Width of the blend between posts and rings; 0 joins them sharply.</source>
+        <extracomment>tables</extracomment>
+        <translation>Breite des Übergangs zwischen Pfosten und Ringen; 0 verbindet sie scharf.</translation>
     </message>
     <message>
         <source>Width of the blend; 0 leaves a sharp edge.</source>
