@@ -153,8 +153,8 @@ int compareSettings(const CLI::App& command, SettingsOptions options)
     for (const auto& [metric, error] : result.errors)
         std::printf("%-8s %.6g\n", std::string(toString(metric)).c_str(), error);
     std::printf("%zu %s; a frame of A takes %.2f ms, one of B %.2f ms.\n", result.rows.size(),
-                result.rows.size() == 1 ? "row differs" : "rows differ", result.sides[0].report.milliseconds,
-                result.sides[1].report.milliseconds);
+                result.rows.size() == 1 ? "parameter differs" : "parameters differ",
+                result.sides[0].report.milliseconds, result.sides[1].report.milliseconds);
     std::printf("The comparison is in %s/index.html\n", options.picture.out.c_str());
     return 0;
 }

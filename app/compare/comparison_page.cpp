@@ -9,7 +9,7 @@ namespace {
 
 constexpr const char* comparisonBody =
     R"page(<div class="sheet"><nav id="modes"><button data-mode="wipe">Wipe</button><button data-mode="beside">Side by side</button><button data-mode="flicker">Flicker</button><button data-mode="flip">FLIP</button><button data-mode="signed">Signed difference</button>
-<label id="gains">times <input id="gain" type="range" min="0" max="6" step="1" aria-label="What differences are multiplied by"> <b id="times"></b></label></nav>
+<label id="gains">times <input id="gain" type="range" min="0" max="6" step="1" aria-label="Gain of the differences"> <b id="times"></b></label></nav>
 <div id="stage" class="wipe"><img id="a" src="pictures/a.png" alt="A"><img id="b" class="over" src="pictures/b.png" alt="B"><img id="d" class="over" alt="Where they differ"><i id="edge"></i></div>
 <p class="dim" id="caption"></p></div>
 )page";
@@ -127,13 +127,13 @@ std::string costTable(const ComparisonResult& result)
 
 std::string rowTable(Subjects subjects, const std::vector<DifferingRow>& rows)
 {
-    if (rows.empty()) return "<div class=\"sheet\"><h2>No row differs</h2></div>\n";
+    if (rows.empty()) return "<div class=\"sheet\"><h2>A and B are identical</h2></div>\n";
     std::string text = "<div class=\"sheet scroll\"><h2>" + std::to_string(rows.size()) +
-                       (rows.size() == 1 ? " row differs" : " rows differ") +
-                       "</h2><table><thead><tr><th>row</th><th>A</th><th>B</th><th></th></tr></thead><tbody>\n";
+                       (rows.size() == 1 ? " parameter differs" : " parameters differ") +
+                       "</h2><table><thead><tr><th>parameter</th><th>A</th><th>B</th><th></th></tr></thead><tbody>\n";
     for (const DifferingRow& row : rows) {
         const auto value = [&](const std::optional<Value>& v) {
-            return v ? escaped(valueWithUnit(row.info, *v)) : std::string("no such row");
+            return v ? escaped(valueWithUnit(row.info, *v)) : std::string("no such parameter");
         };
         const bool idle = !row.actsInA && !row.actsInB;
         text += std::string(idle ? "<tr class=\"idle\">" : "<tr>") + "<td title=\"" +

@@ -209,16 +209,16 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>%1 (on show)</source>
-        <translation>%1 (wird gezeigt)</translation>
+        <source>%1 (current)</source>
+        <translation>%1 (jetzt)</translation>
     </message>
     <message>
         <source>%1 alone is for typing and for walking. Take it with Ctrl or Alt, or take a function key.</source>
         <translation>%1 allein ist zum Tippen und Gehen da. Nehmen Sie es mit Strg oder Alt, oder nehmen Sie eine Funktionstaste.</translation>
     </message>
     <message>
-        <source>%1 B goes on following what is on show; drag the line between the two.</source>
-        <translation>%1 B folgt weiter dem Gezeigten; ziehen Sie an der Linie zwischen beiden.</translation>
+        <source>%1 B follows the current settings; drag the line between the two.</source>
+        <translation>%1 B folgt den jetzigen Einstellungen; ziehen Sie an der Linie zwischen beiden.</translation>
     </message>
     <message>
         <source>%1 belongs to “%2”. Take it from there?</source>
@@ -277,6 +277,10 @@
         <translation>%1 ist noch nicht gemessen.</translation>
     </message>
     <message>
+        <source>%1 is shown as “%2”; you can also type that.</source>
+        <translation>%1 wird als „%2“ gezeigt; auch das lässt sich eingeben.</translation>
+    </message>
+    <message>
         <source>%1 is there already.</source>
         <translation>%1 gibt es bereits.</translation>
     </message>
@@ -324,6 +328,10 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1 über %2.</translation>
     </message>
     <message>
+        <source>%1 parameters differ</source>
+        <translation>%1 Parameter verschieden</translation>
+    </message>
+    <message>
         <source>%1 passes ran, %2 skipped</source>
         <translation>%1 Passes liefen, %2 ausgelassen</translation>
     </message>
@@ -338,14 +346,6 @@ Zeiten kommen, wenn es alle sind.</translation>
     <message>
         <source>%1 pictures saved, the last one to %2.</source>
         <translation>%1 Bilder gespeichert, das letzte als %2.</translation>
-    </message>
-    <message>
-        <source>%1 reads “%2”, and may be typed so.</source>
-        <translation>%1 heißt „%2“ und kann auch so eingegeben werden.</translation>
-    </message>
-    <message>
-        <source>%1 rows differ</source>
-        <translation>%1 Zeilen verschieden</translation>
     </message>
     <message>
         <source>%1 screenshots saved, the last one to %2.</source>
@@ -494,12 +494,12 @@ Zeiten nach: %2.</translation>
         <translation>%1: von %2 bei %3 bis %4 bei %5.</translation>
     </message>
     <message>
-        <source>%1: what does accuracy cost?</source>
-        <translation>%1: Was kostet Genauigkeit?</translation>
+        <source>%1: the current settings, a preset, or settings kept there.</source>
+        <translation>%1: die jetzigen Einstellungen, ein Preset oder dort gemerkte Einstellungen.</translation>
     </message>
     <message>
-        <source>%1: what is on show, a preset, or a look that is kept there.</source>
-        <translation>%1: das Gezeigte, ein Preset, oder ein dort gemerktes Aussehen.</translation>
+        <source>%1: what does accuracy cost?</source>
+        <translation>%1: Was kostet Genauigkeit?</translation>
     </message>
     <message>
         <source>%1: why does it do nothing?</source>
@@ -575,6 +575,10 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Kosten:</translation>
     </message>
     <message>
+        <source>&amp;Delete all bookmarks</source>
+        <translation>Alle Lesezeichen &amp;löschen</translation>
+    </message>
+    <message>
         <source>&amp;Draw anew</source>
         <translation>&amp;Neu zeichnen</translation>
     </message>
@@ -589,10 +593,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>&amp;End the comparison</source>
         <translation>Vergleich b&amp;eenden</translation>
-    </message>
-    <message>
-        <source>&amp;Entrance</source>
-        <translation>&amp;Eingang</translation>
     </message>
     <message>
         <source>&amp;Export preset…</source>
@@ -611,14 +611,6 @@ Zeiten nach: %2.</translation>
         <translation>Wec&amp;hselbild</translation>
     </message>
     <message>
-        <source>&amp;Forget all bookmarks</source>
-        <translation>Alle Lesezeichen &amp;vergessen</translation>
-    </message>
-    <message>
-        <source>&amp;Go on from this</source>
-        <translation>Von hier &amp;weiter</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Hilfe</translation>
     </message>
@@ -627,12 +619,8 @@ Zeiten nach: %2.</translation>
         <translation>Hoher &amp;Kontrast</translation>
     </message>
     <message>
-        <source>&amp;Hold what is on show as B</source>
-        <translation>Gezeigtes als B fes&amp;thalten</translation>
-    </message>
-    <message>
-        <source>&amp;How this works</source>
-        <translation>&amp;So funktioniert das</translation>
+        <source>&amp;Hold the current settings as B</source>
+        <translation>Jetzige Einstellungen als B fes&amp;thalten</translation>
     </message>
     <message>
         <source>&amp;Import preset…</source>
@@ -661,6 +649,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>&amp;Manual</source>
         <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>&amp;More like this</source>
+        <translation>Mehr &amp;wie diese</translation>
     </message>
     <message>
         <source>&amp;Move panel</source>
@@ -695,8 +687,8 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Preset</translation>
     </message>
     <message>
-        <source>&amp;Press its button</source>
-        <translation>Seinen Knopf &amp;drücken</translation>
+        <source>&amp;Press the exhibit's button</source>
+        <translation>Knopf des Exponats &amp;drücken</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -721,6 +713,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>&amp;Seed</source>
         <translation>&amp;Startwert</translation>
+    </message>
+    <message>
+        <source>&amp;Shorter</source>
+        <translation>&amp;Niedriger</translation>
     </message>
     <message>
         <source>&amp;Start its lesson</source>
@@ -753,10 +749,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>&amp;Undo step as B…</source>
         <translation>Be&amp;arbeitungsschritt als B…</translation>
-    </message>
-    <message>
-        <source>&amp;Vary at random</source>
-        <translation>&amp;Zufällig variieren</translation>
     </message>
     <message>
         <source>&amp;View</source>
@@ -1083,12 +1075,12 @@ Zeiten nach: %2.</translation>
         <translation>1 Frame: %1 ms</translation>
     </message>
     <message>
-        <source>1 place had no outward side and was given one</source>
-        <translation>1 Stelle hatte keine Außenseite und bekam eine</translation>
+        <source>1 parameter differs</source>
+        <translation>1 Parameter verschieden</translation>
     </message>
     <message>
-        <source>1 row differs</source>
-        <translation>1 Zeile verschieden</translation>
+        <source>1 place had no outward side and was given one</source>
+        <translation>1 Stelle hatte keine Außenseite und bekam eine</translation>
     </message>
     <message>
         <source>1 to 9</source>
@@ -1367,8 +1359,8 @@ Zeiten nach: %2.</translation>
         <translation>einer --sheet, deren Linsen bekannt sind</translation>
     </message>
     <message>
-        <source>A as it was</source>
-        <translation>A, wie es war</translation>
+        <source>A and B are identical</source>
+        <translation>A und B sind gleich</translation>
     </message>
     <message>
         <source>A bowl: the wall of a hollow sphere, open above a plane.</source>
@@ -1421,14 +1413,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A chart needs at least 40 mm across the lenses and 44 mm along them.</source>
         <translation>Ein Testchart braucht mindestens 40 mm quer zu den Linsen und 44 mm entlang.</translation>
-    </message>
-    <message>
-        <source>A click makes a variation the look on show, as one undo step; so does Enter, and arrows go from one to another.</source>
-        <translation>Ein Klick macht eine Variation zum gezeigten Aussehen, als ein Bearbeitungsschritt; die Eingabetaste tut dasselbe, und Pfeiltasten gehen von einer zur anderen.</translation>
-    </message>
-    <message>
-        <source>A click makes one the look. Rows and groups that are locked in their menus stay as they are.</source>
-        <translation>Ein Klick macht eine zum Aussehen. Zeilen und Gruppen, die in ihren Menüs gesperrt sind, bleiben, wie sie sind.</translation>
     </message>
     <message>
         <source>a combination needs two &quot;shapes&quot;</source>
@@ -1525,10 +1509,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a lamp throws its shadow</source>
         <translation>eine Lampe wirft ihren Schatten</translation>
-    </message>
-    <message>
-        <source>A left of a line, B right of it; drag the line. Without a B, what is on show becomes B.</source>
-        <translation>Links einer Linie A, rechts davon B; die Linie lässt sich ziehen. Ohne B wird das Gezeigte zu B.</translation>
     </message>
     <message>
         <source>A left of the line, at %1 %; right of it %2.</source>
@@ -1669,10 +1649,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A preset, a picture with one inside, a scene of shapes, a model or a panorama.</source>
         <translation>Ein Preset, ein Bild mit eingebettetem Preset, eine Formenszene, ein Modell oder ein Panorama.</translation>
-    </message>
-    <message>
-        <source>A preset, an exhibition, or a picture with one inside becomes B.</source>
-        <translation>Ein Preset, eine Ausstellung oder ein Bild mit eingebettetem Preset wird zu B.</translation>
     </message>
     <message>
         <source>A print of {1} x {2} pixels is too large to be held at once; choose one of up to 67 million pixels.</source>
@@ -1879,6 +1855,10 @@ Zeiten nach: %2.</translation>
         <translation>eine Kachel zeigt nicht den ganzen Himmel</translation>
     </message>
     <message>
+        <source>A to the left of a line, B to the right; drag the line. If there is no B yet, the current settings become B.</source>
+        <translation>Links einer Linie A, rechts davon B; die Linie lässt sich ziehen. Gibt es noch kein B, werden die jetzigen Einstellungen zu B.</translation>
+    </message>
+    <message>
         <source>A torus (ring) around the y axis.</source>
         <translation>Ein Torus (Ring) um die y-Achse.</translation>
     </message>
@@ -1963,8 +1943,8 @@ Zeiten nach: %2.</translation>
         <translation>A, ms</translation>
     </message>
     <message>
-        <source>A, with B kept ready: it is there at once while you hold the key B in the picture.</source>
-        <translation>A, und B steht bereit: Es erscheint sofort, solange Sie im Bild die Taste B halten.</translation>
+        <source>A, with B kept ready: hold the key B in the picture to see it.</source>
+        <translation>A, und B steht bereit: Halten Sie im Bild die Taste B, um es zu sehen.</translation>
     </message>
     <message>
         <source>A: %1 · %2</source>
@@ -1995,6 +1975,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>About the shortcut</source>
         <translation>Über das Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>About this e&amp;xhibit</source>
+        <translation>Über dieses &amp;Exponat</translation>
+    </message>
+    <message>
+        <source>About this exhibit</source>
+        <translation>Über dieses Exponat</translation>
     </message>
     <message>
         <source>About Vitrine</source>
@@ -2126,8 +2114,8 @@ Zeiten nach: %2.</translation>
         <translation>Alle Bilder jeder Richtung sind gleich: Das Objekt hat keine Animation, oder keine, die diese Bilder zeigen. Ein Bild je Richtung genügt.</translation>
     </message>
     <message>
-        <source>All its rows are locked against varying.</source>
-        <translation>Alle seine Zeilen sind gegen Variieren gesperrt.</translation>
+        <source>All its parameters are excluded from randomizing.</source>
+        <translation>Alle ihre Parameter sind vom zufälligen Ändern ausgenommen.</translation>
     </message>
     <message>
         <source>all parameters</source>
@@ -2152,14 +2140,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>All values are the initial ones.</source>
         <translation>Alle Werte sind Ausgangswerte.</translation>
-    </message>
-    <message>
-        <source>Allowed: %1</source>
-        <translation>Erlaubt: %1</translation>
-    </message>
-    <message>
-        <source>Allowed: %1; brought to %2.</source>
-        <translation>Erlaubt: %1; auf %2 gebracht.</translation>
     </message>
     <message>
         <source>alone there are no walls to end the air</source>
@@ -2223,6 +2203,10 @@ Zeiten nach: %2.</translation>
         <source>Amount by which the fur lags behind when the body starts, stops or spins: 0 follows at once.</source>
         <extracomment>tables</extracomment>
         <translation>Wie weit das Fell nachhängt, wenn der Körper anfährt, anhält oder sich dreht: 0 folgt sofort.</translation>
+    </message>
+    <message>
+        <source>Amount by which the variations differ from the current settings: 100 % uses the full range of the sliders.</source>
+        <translation>Wie weit die Variationen von den jetzigen Einstellungen abweichen: 100 % nutzt den ganzen Bereich der Regler.</translation>
     </message>
     <message>
         <source>Amount by which the view follows a visitor who steps aside: 0 is a flat picture, 1 a window.</source>
@@ -2465,10 +2449,6 @@ Zeiten nach: %2.</translation>
         <translation>andere Kamera, anderer Augenblick oder andere Welt als zuvor</translation>
     </message>
     <message>
-        <source>Another one gives nine others; the same one gives the same again.</source>
-        <translation>Ein anderer gibt neun andere; derselbe gibt wieder dieselben.</translation>
-    </message>
-    <message>
         <source>another tile is drawn</source>
         <translation>eine andere Kachel wird gezeichnet</translation>
     </message>
@@ -2495,8 +2475,8 @@ Zeiten nach: %2.</translation>
         <translation>Fläche</translation>
     </message>
     <message>
-        <source>Arrows go from one to another, Enter makes it the look.</source>
-        <translation>Pfeiltasten gehen von einer zur anderen, Eingabe macht sie zum Aussehen.</translation>
+        <source>Arrow keys select a variation, Enter uses it.</source>
+        <translation>Pfeiltasten wählen eine Variation, Eingabe übernimmt sie.</translation>
     </message>
     <message>
         <source>Arrows go from point to point, Enter applies one.</source>
@@ -2678,24 +2658,8 @@ Zeiten nach: %2.</translation>
         <translation>B</translation>
     </message>
     <message>
-        <source>B a&amp;lone</source>
-        <translation>B a&amp;llein</translation>
-    </message>
-    <message>
-        <source>B becomes as what is on show; one undo brings it back.</source>
-        <translation>B wird wie das Gezeigte; ein Schritt rückgängig bringt es zurück.</translation>
-    </message>
-    <message>
-        <source>B becomes what all parameters are now; go on editing A, and compare.</source>
-        <translation>B wird, was alle Parameter jetzt sind; bearbeiten Sie A weiter und vergleichen Sie.</translation>
-    </message>
-    <message>
         <source>B in place of A</source>
         <translation>B anstelle von A</translation>
-    </message>
-    <message>
-        <source>B is shown and can be edited, and what is on show becomes B.</source>
-        <translation>B wird gezeigt und lässt sich bearbeiten, und das Gezeigte wird zu B.</translation>
     </message>
     <message>
         <source>B is: %1. Click for another B, or to copy all.</source>
@@ -2742,10 +2706,6 @@ Zeiten nach: %2.</translation>
         <source>Back print</source>
         <extracomment>tables</extracomment>
         <translation>Hinterer Druck</translation>
-    </message>
-    <message>
-        <source>Back to where the visit begins.</source>
-        <translation>Zurück dorthin, wo der Besuch beginnt.</translation>
     </message>
     <message>
         <source>Back to where you stood before</source>
@@ -2885,10 +2845,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>below</source>
         <translation>von unten</translation>
-    </message>
-    <message>
-        <source>Beside</source>
-        <translation>Daneben</translation>
     </message>
     <message>
         <source>best view</source>
@@ -4188,6 +4144,14 @@ Zeiten nach: %2.</translation>
         <translation>Klicken Sie eine Form im Bild an, oder oben einen Knoten.</translation>
     </message>
     <message>
+        <source>Click a variation to use it. Parameters and groups that are locked in their menus keep their values.</source>
+        <translation>Ein Klick übernimmt eine Variation. Parameter und Gruppen, die in ihren Menüs gesperrt sind, behalten ihre Werte.</translation>
+    </message>
+    <message>
+        <source>Click a variation, or select it with the arrow keys and press Enter, to use it. Can be undone.</source>
+        <translation>Ein Klick übernimmt eine Variation; ebenso Pfeiltasten und Eingabe. Lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
         <source>Click, or any digit</source>
         <translation>Klick, oder eine Ziffer</translation>
     </message>
@@ -4695,6 +4659,14 @@ Zeiten nach: %2.</translation>
         <translation>Kopiert eine Preset-Datei zu Ihren eigenen.</translation>
     </message>
     <message>
+        <source>Copies all settings of A to B. Can be undone.</source>
+        <translation>Kopiert alle Einstellungen von A nach B. Lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Copies all settings of B to A. Can be undone.</source>
+        <translation>Kopiert alle Einstellungen von B nach A. Lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
         <source>Copies of the child around the y axis; the first is the child itself.</source>
         <translation>Kopien des Kindes um die y-Achse; die erste ist das Kind selbst.</translation>
     </message>
@@ -4919,6 +4891,10 @@ Zeiten nach: %2.</translation>
         <translation>Lockenwindungen</translation>
     </message>
     <message>
+        <source>Current settings</source>
+        <translation>Jetzige Einstellungen</translation>
+    </message>
+    <message>
         <source>Curvature</source>
         <extracomment>tables</extracomment>
         <translation>Krümmung</translation>
@@ -5032,6 +5008,10 @@ Zeiten nach: %2.</translation>
         <translation>Die Studie %1 löschen</translation>
     </message>
     <message>
+        <source>Deletes all nine bookmarks.</source>
+        <translation>Löscht alle neun Lesezeichen.</translation>
+    </message>
+    <message>
         <source>Deletes the selected preset; undo brings it back.</source>
         <translation>Löscht das gewählte Preset; rückgängig machen bringt es zurück.</translation>
     </message>
@@ -5139,7 +5119,15 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Difference</source>
-        <translation>Unterschied</translation>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Difference of B and A: gray where both are equal, brighter or darker where B is.</source>
+        <translation>Unterschied von B und A: grau, wo beide gleich sind, heller oder dunkler, wo B es ist.</translation>
+    </message>
+    <message>
+        <source>Difference that an eye sees when flipping between A and B: black is none, white is large.</source>
+        <translation>Unterschied, den ein Auge beim Wechsel zwischen A und B sieht: schwarz keiner, weiß ein großer.</translation>
     </message>
     <message>
         <source>Difference: the first child without the others.</source>
@@ -5149,6 +5137,10 @@ Zeiten nach: %2.</translation>
         <source>differences</source>
         <extracomment>tables</extracomment>
         <translation>Differenzen</translation>
+    </message>
+    <message>
+        <source>Differing parameters</source>
+        <translation>Verschiedene Parameter</translation>
     </message>
     <message>
         <source>Diffuse</source>
@@ -5400,20 +5392,16 @@ Zeiten nach: %2.</translation>
         <translation>Dokument</translation>
     </message>
     <message>
-        <source>Does nothing now: acts when %1. It keeps its value.</source>
-        <translation>Bewirkt jetzt nichts: wirkt, wenn %1. Der Wert bleibt erhalten.</translation>
-    </message>
-    <message>
         <source>Done</source>
         <translation>Fertig</translation>
     </message>
     <message>
-        <source>Done (%1 of %1 samples); only what moves is drawn again, %2 × %3 pixels</source>
-        <translation>Fertig (%1 von %1 Samples); neu gezeichnet wird nur, was sich bewegt, %2 × %3 Pixel</translation>
+        <source>Done (%1 samples)</source>
+        <translation>Fertig (%1 Samples)</translation>
     </message>
     <message>
-        <source>Done (%1 of %2 samples); nothing changes</source>
-        <translation>Fertig (%1 von %2 Samples); nichts ändert sich</translation>
+        <source>Done (%1 samples); redrawing only the moving part (%2 × %3 px)</source>
+        <translation>Fertig (%1 Samples); neu gezeichnet wird nur der bewegte Teil (%2 × %3 px)</translation>
     </message>
     <message>
         <source>Dots down</source>
@@ -5472,13 +5460,13 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Nach unten ziehen schaut nach oben</translation>
     </message>
     <message>
+        <source>Draw new variations</source>
+        <translation>Neue Variationen zeichnen</translation>
+    </message>
+    <message>
         <source>Draw order</source>
         <extracomment>tables</extracomment>
         <translation>Zeichenfolge</translation>
-    </message>
-    <message>
-        <source>Draw the variations anew</source>
-        <translation>Varianten neu zeichnen</translation>
     </message>
     <message>
         <source>Drawing …</source>
@@ -5495,6 +5483,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Draws an object from all sides, as large pixels: a sheet with one palette, normals and depth, for games.</source>
         <translation>Zeichnet ein Objekt von allen Seiten in großen Pixeln: ein Blatt mit einer Palette, Normalen und Tiefe, für Spiele.</translation>
+    </message>
+    <message>
+        <source>Draws nine variations of the current settings.</source>
+        <translation>Zeichnet neun Variationen der jetzigen Einstellungen.</translation>
     </message>
     <message>
         <source>Drift</source>
@@ -5643,10 +5635,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Ausgestrahltes Licht, als Vielfaches der Farbe.</translation>
     </message>
     <message>
-        <source>Empties all nine.</source>
-        <translation>Leert alle neun.</translation>
-    </message>
-    <message>
         <source>encoding a frame</source>
         <translation>das Kodieren eines Frames</translation>
     </message>
@@ -5665,6 +5653,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>ending the video</source>
         <translation>das Beenden des Videos</translation>
+    </message>
+    <message>
+        <source>Ends the comparison and shows A alone.</source>
+        <translation>Beendet den Vergleich und zeigt nur noch A.</translation>
     </message>
     <message>
         <source>Enlargement of the small picture: each texel by a whole number of pixels, or to any size with borders smoothed over one pixel (sharp).</source>
@@ -5839,6 +5831,14 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Überhöhung von Höhen und Steigungen in den Bildern der Höhen und Normalen: 1 ist maßstäblich.</translation>
     </message>
     <message>
+        <source>Exchanges A and B: B is shown and can be edited, and the current settings become B.</source>
+        <translation>Vertauscht A und B: B wird gezeigt und lässt sich bearbeiten, und die jetzigen Einstellungen werden zu B.</translation>
+    </message>
+    <message>
+        <source>Exclude from randomizing</source>
+        <translation>Vom zufälligen Ändern ausnehmen</translation>
+    </message>
+    <message>
         <source>Exclusive or: everything that is in an odd number of children.</source>
         <translation>Exklusives Oder: alles, was in einer ungeraden Zahl von Kindern liegt.</translation>
     </message>
@@ -5876,10 +5876,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Bild e&amp;xportieren…</translation>
     </message>
     <message>
-        <source>Export &amp;table…</source>
-        <translation>&amp;Tabelle exportieren…</translation>
-    </message>
-    <message>
         <source>Export chart</source>
         <translation>Testchart exportieren</translation>
     </message>
@@ -5890,6 +5886,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Export lenticular print</source>
         <translation>Linsendruck exportieren</translation>
+    </message>
+    <message>
+        <source>Export measuremen&amp;ts…</source>
+        <translation>Messwer&amp;te exportieren…</translation>
     </message>
     <message>
         <source>Export picture</source>
@@ -6525,6 +6525,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Gain</translation>
     </message>
     <message>
+        <source>Gain of the differences</source>
+        <translation>Verstärkung der Unterschiede</translation>
+    </message>
+    <message>
         <source>Game Boy</source>
         <extracomment>tables</extracomment>
         <translation>Game Boy</translation>
@@ -6562,14 +6566,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Gives all commands their usual shortcuts.</source>
         <translation>Gibt allen Befehlen ihre üblichen Tastenkürzel.</translation>
-    </message>
-    <message>
-        <source>Gives all parameters in the panel other values within their comfortable ranges, but for files, accuracy and locked rows (see their menus); one undo brings yours back.</source>
-        <translation>Gibt allen Parametern im Bedienfeld andere Werte aus ihrem üblichen Bereich, außer Dateien, Genauigkeit und gesperrten Zeilen (siehe deren Menüs); ein Schritt rückgängig bringt Ihre zurück.</translation>
-    </message>
-    <message>
-        <source>Gives all parameters in the panel their initial values; one undo brings yours back.</source>
-        <translation>Gibt allen Parametern im Bedienfeld ihre Ausgangswerte; ein Schritt rückgängig bringt Ihre zurück.</translation>
     </message>
     <message>
         <source>Gives the command its usual shortcuts.</source>
@@ -6626,10 +6622,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Zu diesem Lesezeichen gleiten</translation>
     </message>
     <message>
-        <source>Glides to the view kept there; where none is yet, keeps the present one.</source>
-        <translation>Gleitet zur dort behaltenen Ansicht; wo es noch keine gibt, wird die jetzige behalten.</translation>
-    </message>
-    <message>
         <source>Gloss along the strands: 0 is wool, high is silk.</source>
         <extracomment>tables</extracomment>
         <translation>Glanz entlang der Haare: 0 ist Wolle, hohe Werte sind Seide.</translation>
@@ -6640,8 +6632,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Glanz-Samples</translation>
     </message>
     <message>
-        <source>Go on from this variation</source>
-        <translation>Von dieser Variante aus weiter</translation>
+        <source>Go to &amp;entrance</source>
+        <translation>Zum &amp;Eingang</translation>
     </message>
     <message>
         <source>Go to bookmark %1</source>
@@ -6654,6 +6646,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Goes to the tab that has these parameters.</source>
         <translation>Wechselt zum Reiter, der diese Parameter hat.</translation>
+    </message>
+    <message>
+        <source>Goes to the view of this bookmark; if it is not set, sets it to the current view.</source>
+        <translation>Gleitet zur Ansicht dieses Lesezeichens; ist es nicht gesetzt, wird es auf die jetzige Ansicht gesetzt.</translation>
     </message>
     <message>
         <source>Going to %1 …</source>
@@ -6702,10 +6698,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Gravity</source>
         <extracomment>tables</extracomment>
         <translation>Schwerkraft</translation>
-    </message>
-    <message>
-        <source>Gray where both are equal, brighter or darker where B is.</source>
-        <translation>Grau, wo beide gleich sind; heller oder dunkler, wo B es ist.</translation>
     </message>
     <message>
         <source>Ground</source>
@@ -7029,6 +7021,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Bedienfelder &amp;ausblenden</translation>
     </message>
     <message>
+        <source>Hides all panels and bars; only the picture is left.</source>
+        <translation>Blendet alle Bedienfelder und Leisten aus; nur das Bild bleibt.</translation>
+    </message>
+    <message>
         <source>Hides everything else.</source>
         <translation>Blendet alles andere aus.</translation>
     </message>
@@ -7207,10 +7203,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How the other studies stand to the first</source>
         <translation>Wie die anderen Studien zur ersten stehen</translation>
-    </message>
-    <message>
-        <source>How this works</source>
-        <translation>So funktioniert das</translation>
     </message>
     <message>
         <source>https://www.aseprite.org/docs/cli/#data (written by Vitrine)</source>
@@ -7914,12 +7906,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Meine behalten</translation>
     </message>
     <message>
-        <source>Keep this view as bookmark %1</source>
-        <translation>Diese Ansicht als Lesezeichen %1 behalten</translation>
-    </message>
-    <message>
-        <source>Keep what is on show here</source>
-        <translation>Das Gezeigte hier merken</translation>
+        <source>Keep the current settings here</source>
+        <translation>Die jetzigen Einstellungen hier merken</translation>
     </message>
     <message>
         <source>keeping its permissions</source>
@@ -7930,16 +7918,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Bewahrt eine Kopie einer Studie von anderswo auf: die study.json von „vitrine study“.</translation>
     </message>
     <message>
-        <source>Keeps where you are, in place of what was kept there.</source>
-        <translation>Merkt sich, wo Sie sind, anstelle des dort Gemerkten.</translation>
-    </message>
-    <message>
         <source>Kept</source>
         <translation>Aufbewahrt</translation>
     </message>
     <message>
         <source>kept</source>
         <translation>beibehalten</translation>
+    </message>
+    <message>
+        <source>Kept settings</source>
+        <translation>Gemerkte Einstellungen</translation>
     </message>
     <message>
         <source>Kept studies</source>
@@ -7978,10 +7966,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Kind of noise: values at the cell corners, gradients there, gradients on a simplex lattice, or the distance to the nearest of scattered points (cellular).</source>
         <extracomment>tables</extracomment>
         <translation>Art des Rauschens: Werte an den Ecken der Zellen, Gradienten dort, Gradienten auf einem Simplex-Gitter oder die Distanz zum nächsten verstreuter Punkte (zellular).</translation>
-    </message>
-    <message>
-        <source>L&amp;ower</source>
-        <translation>&amp;Niedriger</translation>
     </message>
     <message>
         <source>Lacunarity</source>
@@ -8118,10 +8102,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Leave the lesson</source>
         <translation>Lektion verlassen</translation>
-    </message>
-    <message>
-        <source>Leaves nothing but the picture.</source>
-        <translation>Lässt nur das Bild übrig.</translation>
     </message>
     <message>
         <source>Ledger</source>
@@ -8301,10 +8281,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Lektionen (*.md)</translation>
     </message>
     <message>
-        <source>Lets go of B and shows A alone.</source>
-        <translation>Gibt B auf und zeigt nur noch A.</translation>
-    </message>
-    <message>
         <source>Level</source>
         <translation>Pegel</translation>
     </message>
@@ -8441,10 +8417,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Lobes</source>
         <extracomment>tables</extracomment>
         <translation>Keulen</translation>
-    </message>
-    <message>
-        <source>Lock against varying</source>
-        <translation>Gegen Variieren sperren</translation>
     </message>
     <message>
         <source>Lock the group</source>
@@ -8606,10 +8578,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>%1 in %2 umwandeln</translation>
     </message>
     <message>
-        <source>Makes the marked variation the look, and draws the next nine around it.</source>
-        <translation>Macht die markierte Variation zum Aussehen und zeichnet die nächsten neun um sie herum.</translation>
-    </message>
-    <message>
         <source>many</source>
         <translation>viele</translation>
     </message>
@@ -8728,10 +8696,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Measured per inch</source>
         <translation>Gemessen pro Zoll</translation>
-    </message>
-    <message>
-        <source>Measures what the visited exhibit has a table of, such as the pixel art's methods, and saves it as CSV.</source>
-        <translation>Misst, wovon das besuchte Exponat eine Tabelle hat, etwa die Verfahren der Pixel-Art, und speichert es als CSV.</translation>
     </message>
     <message>
         <source>Melting</source>
@@ -8958,6 +8922,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Weitere Körper</translation>
     </message>
     <message>
+        <source>More variations like this one</source>
+        <translation>Mehr Variationen wie diese</translation>
+    </message>
+    <message>
         <source>Morning</source>
         <translation>Morgen</translation>
     </message>
@@ -9035,10 +9003,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Moves: %1. Setting it by hand stops it.</source>
         <translation>Bewegt sich: %1. Von Hand gesetzt, endet die Bewegung.</translation>
-    </message>
-    <message>
-        <source>Moving: drawn at %1 % of full resolution</source>
-        <translation>In Bewegung: mit %1 % der vollen Auflösung gezeichnet</translation>
     </message>
     <message>
         <source>ms</source>
@@ -9298,10 +9262,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Vor Ihnen ist kein roter Knopf.</translation>
     </message>
     <message>
-        <source>no row differs</source>
-        <translation>keine Zeile verschieden</translation>
-    </message>
-    <message>
         <source>No setting that was measured stays within {1}</source>
         <translation>Keine gemessene Einstellung bleibt innerhalb von {1}</translation>
     </message>
@@ -9322,8 +9282,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Es können keine Sprites gezeichnet werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
-        <source>no such row</source>
-        <translation>keine solche Zeile</translation>
+        <source>no such parameter</source>
+        <translation>kein solcher Parameter</translation>
     </message>
     <message>
         <source>no sunbeam wider than 30 cm comes in by the window</source>
@@ -9517,6 +9477,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nicht verlässlich</translation>
     </message>
     <message>
+        <source>Not used now; only used when %1. Its value is kept.</source>
+        <translation>Zurzeit ohne Wirkung; wirkt nur, wenn %1. Der Wert bleibt erhalten.</translation>
+    </message>
+    <message>
         <source>Nothing became B: select a preset in the list first.</source>
         <translation>Nichts wurde zu B: Wählen Sie zuerst ein Preset in der Liste.</translation>
     </message>
@@ -9607,10 +9571,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>nothing was drawn before</source>
         <translation>davor wurde nichts gezeichnet</translation>
-    </message>
-    <message>
-        <source>Nothing was edited in the tree since its file was read.</source>
-        <translation>Im Baum wurde nichts bearbeitet, seit seine Datei gelesen wurde.</translation>
     </message>
     <message>
         <source>Nothing was exported: select a preset in the list first.</source>
@@ -10972,6 +10932,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Den roten Knopf drücken, den Sie ansehen, oder den des besuchten Exponats</translation>
     </message>
     <message>
+        <source>Presses the red button of the exhibit in front of you; E does the same while the picture has the focus.</source>
+        <translation>Drückt den roten Knopf des Exponats vor Ihnen; E tut dasselbe, während das Bild den Fokus hat.</translation>
+    </message>
+    <message>
         <source>Preview</source>
         <translation>Vorschau</translation>
     </message>
@@ -11334,6 +11298,22 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zufällige Verschiebung der Laternen aus der Mitte ihrer Zellen: 0 ist ein regelmäßiges Gitter.</translation>
     </message>
     <message>
+        <source>Randomi&amp;ze parameters</source>
+        <translation>Parameter &amp;zufällig ändern</translation>
+    </message>
+    <message>
+        <source>Randomize parameters, seed %1</source>
+        <translation>Parameter zufällig ändern, Startwert %1</translation>
+    </message>
+    <message>
+        <source>Range: %1</source>
+        <translation>Bereich: %1</translation>
+    </message>
+    <message>
+        <source>Range: %1. The value was set to %2.</source>
+        <translation>Bereich: %1. Der Wert wurde auf %2 gesetzt.</translation>
+    </message>
+    <message>
         <source>raster</source>
         <translation>Raster</translation>
     </message>
@@ -11474,8 +11454,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Referenz von {1}</translation>
     </message>
     <message>
-        <source>Refining: %1 of %2 samples</source>
-        <translation>Verfeinern: %1 von %2 Samples</translation>
+        <source>Refining (%1 of %2 samples)</source>
+        <translation>Verfeinert (%1 von %2 Samples)</translation>
     </message>
     <message>
         <source>Reflectance</source>
@@ -11587,6 +11567,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Neu rendern</translation>
     </message>
     <message>
+        <source>Rendering at %1 %</source>
+        <translation>Rendert mit %1 %</translation>
+    </message>
+    <message>
         <source>Rendering of the work: ours, or that of the scenes that this exhibit follows.</source>
         <extracomment>tables</extracomment>
         <translation>Darstellung des Werks: unsere oder die der Szenen, denen dieses Exponat folgt.</translation>
@@ -11659,6 +11643,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Drehung und Verschiebung der Ansicht zurücksetzen</translation>
     </message>
     <message>
+        <source>Resets all parameters in the panel to their initial values. Can be undone.</source>
+        <translation>Setzt alle Parameter im Bedienfeld auf ihre Ausgangswerte. Lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
         <source>Reshape</source>
         <translation>Umformen</translation>
     </message>
@@ -11704,6 +11692,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Resolution scale</source>
         <extracomment>tables</extracomment>
         <translation>Auflösungsmaßstab</translation>
+    </message>
+    <message>
+        <source>Returns to the entrance of the hall.</source>
+        <translation>Führt zurück zum Eingang der Halle.</translation>
+    </message>
+    <message>
+        <source>Returns to where you stood before; Backspace does the same while the picture has the focus.</source>
+        <translation>Führt dorthin zurück, wo Sie vorher standen; die Rücktaste tut dasselbe, während das Bild den Fokus hat.</translation>
     </message>
     <message>
         <source>Reverse</source>
@@ -12044,10 +12040,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zeilen von Ansichten in einem Quilt, die erste unten.</translation>
     </message>
     <message>
-        <source>Rows that differ</source>
-        <translation>Verschiedene Zeilen</translation>
-    </message>
-    <message>
         <source>Rows: %1</source>
         <translation>Zeilen: %1</translation>
     </message>
@@ -12064,8 +12056,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Führt jeden Schritt aus, auch die, die das Bild nicht braucht. Es bleibt auf das Bit gleich; nur die Kosten ändern sich.</translation>
     </message>
     <message>
+        <source>Runs the measurements of the visited exhibit, such as the methods of the pixel art, and saves them as CSV.</source>
+        <translation>Führt die Messungen des besuchten Exponats aus, etwa die Verfahren der Pixel-Art, und speichert sie als CSV.</translation>
+    </message>
+    <message>
         <source>S&amp;trength</source>
         <translation>S&amp;tärke</translation>
+    </message>
+    <message>
+        <source>Sa&amp;ve scene</source>
+        <translation>Szene &amp;speichern</translation>
     </message>
     <message>
         <source>sample {1} of {2}</source>
@@ -12120,10 +12120,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Speichern</translation>
     </message>
     <message>
-        <source>Save &amp;file</source>
-        <translation>Datei &amp;speichern</translation>
-    </message>
-    <message>
         <source>Save and close</source>
         <translation>Speichern und schließen</translation>
     </message>
@@ -12152,16 +12148,16 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Ausstellung speichern</translation>
     </message>
     <message>
-        <source>Save file &amp;as…</source>
-        <translation>Datei speichern &amp;unter…</translation>
-    </message>
-    <message>
         <source>Save preset &amp;as…</source>
         <translation>Preset speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Save preset of %1 as</source>
         <translation>Preset von %1 speichern unter</translation>
+    </message>
+    <message>
+        <source>Save scene &amp;as…</source>
+        <translation>Szene speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Save settings</source>
@@ -12398,6 +12394,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Startwert der Plätze der Streusel: Jede Zahl verteilt sie anders.</translation>
     </message>
     <message>
+        <source>Seed of the variations: another number gives nine others, the same number the same ones.</source>
+        <translation>Startwert der Variationen: Eine andere Zahl gibt neun andere, dieselbe dieselben.</translation>
+    </message>
+    <message>
         <source>Selected p&amp;reset as B</source>
         <translation>Gewähltes P&amp;reset als B</translation>
     </message>
@@ -12420,6 +12420,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Lesezeichen %1 setzen</translation>
     </message>
     <message>
+        <source>Set bookmark %1 to this view</source>
+        <translation>Lesezeichen %1 auf diese Ansicht setzen</translation>
+    </message>
+    <message>
         <source>set by hand</source>
         <translation>von Hand gesetzt</translation>
     </message>
@@ -12435,6 +12439,30 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Set what the study found</source>
         <translation>Ergebnis der Studie setzen</translation>
+    </message>
+    <message>
+        <source>Sets all parameters in the panel to random values within their slider ranges, except files, accuracy and excluded parameters (see their menus). Can be undone.</source>
+        <translation>Gibt allen Parametern im Bedienfeld zufällige Werte aus dem Bereich ihrer Regler, außer Dateien, Genauigkeit und ausgenommenen Parametern (siehe deren Menüs). Lässt sich rückgängig machen.</translation>
+    </message>
+    <message>
+        <source>Sets B to a preset, an exhibition, or the settings inside a picture.</source>
+        <translation>Setzt B auf ein Preset, eine Ausstellung oder die Einstellungen in einem Bild.</translation>
+    </message>
+    <message>
+        <source>Sets B to the current values of all parameters; edit A further and compare.</source>
+        <translation>Setzt B auf die jetzigen Werte aller Parameter; bearbeiten Sie A weiter und vergleichen Sie.</translation>
+    </message>
+    <message>
+        <source>Sets B to the parameters before or after an edit.</source>
+        <translation>Setzt B auf die Parameter vor oder nach einer Bearbeitung.</translation>
+    </message>
+    <message>
+        <source>Sets B to the preset selected in the list.</source>
+        <translation>Setzt B auf das in der Liste gewählte Preset.</translation>
+    </message>
+    <message>
+        <source>Sets this bookmark to the current view and replaces the old one.</source>
+        <translation>Setzt dieses Lesezeichen auf die jetzige Ansicht und ersetzt die alte.</translation>
     </message>
     <message>
         <source>Sets turn and shift of this view to 0.</source>
@@ -12773,6 +12801,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Alles davon zeigen (0)</translation>
     </message>
     <message>
+        <source>Show B a&amp;lone</source>
+        <translation>Nur B &amp;zeigen</translation>
+    </message>
+    <message>
         <source>Show box</source>
         <extracomment>tables</extracomment>
         <translation>Quader zeigen</translation>
@@ -12803,7 +12835,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Gezeigt als</translation>
     </message>
     <message>
-        <source>Shows B in place of A. Holding the key B in the picture does the same.</source>
+        <source>Shows B instead of A. Holding the key B in the picture does the same.</source>
         <translation>Zeigt B statt A. Die Taste B im Bild zu halten, tut dasselbe.</translation>
     </message>
     <message>
@@ -12831,6 +12863,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Blendet dieses Bedienfeld ein oder aus.</translation>
     </message>
     <message>
+        <source>Shows the differing parameters, and copies them from B to A.</source>
+        <translation>Zeigt die verschiedenen Parameter und kopiert sie von B nach A.</translation>
+    </message>
+    <message>
         <source>Shows the fronts of the ticked studies over each other, and how they differ.</source>
         <translation>Zeigt die Fronten der angehakten Studien übereinander, und worin sie sich unterscheiden.</translation>
     </message>
@@ -12839,12 +12875,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Zeigt die aufbewahrten Studien: zum Wiederansehen, Vergleichen, Umbenennen, Löschen, Öffnen und Speichern.</translation>
     </message>
     <message>
-        <source>Shows them, and copies one from B to A.</source>
-        <translation>Zeigt sie und übernimmt eine von B nach A.</translation>
-    </message>
-    <message>
         <source>Side by &amp;side</source>
         <translation>&amp;Nebeneinander</translation>
+    </message>
+    <message>
+        <source>Side by side</source>
+        <translation>Nebeneinander</translation>
     </message>
     <message>
         <source>Side length of the wooden base.</source>
@@ -12855,10 +12891,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Sideways rotation of the cones, by which they lean past the axis.</source>
         <extracomment>tables</extracomment>
         <translation>Seitliche Drehung der Kegel, mit der sie an der Achse vorbei lehnen.</translation>
-    </message>
-    <message>
-        <source>Signed</source>
-        <translation>Differenz</translation>
     </message>
     <message>
         <source>signed</source>
@@ -13005,6 +13037,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Snap</source>
         <extracomment>tables</extracomment>
         <translation>Einrasten</translation>
+    </message>
+    <message>
+        <source>Snapshot of A</source>
+        <translation>Momentaufnahme von A</translation>
     </message>
     <message>
         <source>so many numbers take too long to be built into a program</source>
@@ -14294,10 +14330,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Tintenverlauf ist {1}; geben Sie 0 oder mehr an</translation>
     </message>
     <message>
-        <source>The kept look</source>
-        <translation>Das gemerkte Aussehen</translation>
-    </message>
-    <message>
         <source>the key &quot;kind&quot; is missing; add it.</source>
         <translation>der Schlüssel &quot;kind&quot; fehlt; ergänzen Sie ihn.</translation>
     </message>
@@ -14546,10 +14578,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie haben jetzt ihre Ausgangswerte.</translation>
     </message>
     <message>
-        <source>The preset that is selected in the list becomes B.</source>
-        <translation>Das in der Liste gewählte Preset wird zu B.</translation>
-    </message>
-    <message>
         <source>The print has {1} x {2} pixels, and its description says {3} x {4}; look at the unscaled, uncut file.</source>
         <translation>Der Druck hat {1} x {2} Pixel, und seine Beschreibung nennt {3} x {4}; sehen Sie die unskalierte, unbeschnittene Datei an.</translation>
     </message>
@@ -14584,10 +14612,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The rasterized mesh</source>
         <translation>Das rasterisierte Netz</translation>
-    </message>
-    <message>
-        <source>The red button of the exhibit that you look at; E does the same while the picture has the focus.</source>
-        <translation>Der rote Knopf des Exponats, das Sie ansehen; E tut dasselbe, während das Bild den Fokus hat.</translation>
     </message>
     <message>
         <source>The reference is exact by the meaning of the parameter.</source>
@@ -14902,8 +14926,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Ansichten sind verschieden groß; jede wird auf den Druck skaliert.</translation>
     </message>
     <message>
-        <source>The visited exhibit has no table of its own; the Study panel measures its parameters.</source>
-        <translation>Das besuchte Exponat hat keine eigene Tabelle; das Feld „Studie“ misst seine Parameter.</translation>
+        <source>The visited exhibit has no table of measurements; the Study panel measures its parameters.</source>
+        <translation>Das besuchte Exponat hat keine Messtabelle; das Bedienfeld „Studie“ misst seine Parameter.</translation>
     </message>
     <message>
         <source>The visited exhibit has no tree.</source>
@@ -14937,10 +14961,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the weight of the rays is 0</source>
         <translation>das Gewicht der Strahlen ist 0</translation>
-    </message>
-    <message>
-        <source>The whole pictures of A and B beside each other.</source>
-        <translation>Die ganzen Bilder von A und B nebeneinander.</translation>
     </message>
     <message>
         <source>the width</source>
@@ -15027,6 +15047,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt keine Zeilen</translation>
     </message>
     <message>
+        <source>There are no unsaved edits in the tree.</source>
+        <translation>Im Baum gibt es keine ungespeicherten Änderungen.</translation>
+    </message>
+    <message>
         <source>there are no views</source>
         <translation>es gibt keine Ansichten</translation>
     </message>
@@ -15085,6 +15109,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>There is no bookmark %1 yet: Bookmarks &gt; Set bookmark %1 makes one of where you are.</source>
         <translation>Ein Lesezeichen %1 gibt es noch nicht: Lesezeichen &gt; Lesezeichen %1 setzen macht eines von dort, wo Sie sind.</translation>
+    </message>
+    <message>
+        <source>There is no earlier position to return to.</source>
+        <translation>Es gibt keine frühere Position.</translation>
     </message>
     <message>
         <source>There is no exhibit &quot;{1} `vitrine list` names them.</source>
@@ -15243,8 +15271,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Diese Studien haben keinen gemeinsamen Zählwert der Arbeit; kein Diagramm kann sie zusammen zeigen.</translation>
     </message>
     <message>
-        <source>These vary an older look, or under other locks. Draw anew varies this one.</source>
-        <translation>Diese variieren ein älteres Aussehen, oder mit anderen Sperren. „Neu zeichnen“ variiert dieses.</translation>
+        <source>These variations are of earlier settings or locks. “Draw anew” uses the current ones.</source>
+        <translation>Diese Variationen gehören zu früheren Einstellungen oder Sperren. „Neu zeichnen“ nimmt die jetzigen.</translation>
     </message>
     <message>
         <source>they fill the gaps between shells seen from the side</source>
@@ -15927,10 +15955,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>bis zur Zellwand</translation>
     </message>
     <message>
-        <source>To where you stood before; Backspace does the same while the picture has the focus.</source>
-        <translation>Dorthin, wo Sie vorher standen; die Rücktaste tut dasselbe, während das Bild den Fokus hat.</translation>
-    </message>
-    <message>
         <source>To {1}</source>
         <translation>Zu {1}</translation>
     </message>
@@ -16306,6 +16330,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Neigung des Blicks nach oben: Negative Werte blicken nach unten.</translation>
     </message>
     <message>
+        <source>Uses the selected variation, and draws nine new ones around it.</source>
+        <translation>Übernimmt die gewählte Variation und zeichnet neun neue um sie herum.</translation>
+    </message>
+    <message>
         <source>Usual sizes</source>
         <translation>Übliche Größen</translation>
     </message>
@@ -16319,7 +16347,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Werte des Pixels</translation>
     </message>
     <message>
-        <source>Variation %1 is on show.</source>
+        <source>Variation %1 is shown.</source>
         <translation>Variation %1 wird gezeigt.</translation>
     </message>
     <message>
@@ -16335,7 +16363,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Variation %1, Startwert %2, noch nicht gezeichnet</translation>
     </message>
     <message>
-        <source>Variation %1, seed %2, on show</source>
+        <source>Variation %1, seed %2, shown</source>
         <translation>Variation %1, Startwert %2, wird gezeigt</translation>
     </message>
     <message>
@@ -16352,14 +16380,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Variation of thickness between strands: at 0 all have the coat's thickness, at 1 they range from that down to none.</source>
         <extracomment>tables</extracomment>
         <translation>Unterschiede in der Dicke der Haare: Bei 0 haben alle die Dicke des Fells, bei 1 jede von da bis nichts.</translation>
-    </message>
-    <message>
-        <source>Varies the look that is on show now.</source>
-        <translation>Variiert das Aussehen, das jetzt gezeigt wird.</translation>
-    </message>
-    <message>
-        <source>Vary at random, seed %1</source>
-        <translation>Zufällig variieren, Startwert %1</translation>
     </message>
     <message>
         <source>Version, libraries, license.</source>
@@ -16667,10 +16687,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was als exakt gilt, ist nicht geprüft: {1}</translation>
     </message>
     <message>
-        <source>What differences are multiplied by</source>
-        <translation>Womit Unterschiede multipliziert werden</translation>
-    </message>
-    <message>
         <source>What does accuracy cost?</source>
         <translation>Was kostet Genauigkeit?</translation>
     </message>
@@ -16708,14 +16724,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>was nah ist, wird noch gesucht</translation>
     </message>
     <message>
-        <source>What is on show</source>
-        <translation>Das Gezeigte</translation>
-    </message>
-    <message>
-        <source>What is on show becomes as B is; one undo brings it back.</source>
-        <translation>Das Gezeigte wird, wie B ist; ein Schritt rückgängig bringt es zurück.</translation>
-    </message>
-    <message>
         <source>What is seen now, as the last picture was exported, under the next free name.</source>
         <translation>Was jetzt zu sehen ist, wie das letzte Bild exportiert wurde, unter dem nächsten freien Namen.</translation>
     </message>
@@ -16746,10 +16754,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What the frame cost</source>
         <translation>Was der Frame gekostet hat</translation>
-    </message>
-    <message>
-        <source>What the parameters were before or after an edit becomes B.</source>
-        <translation>Was die Parameter vor oder nach einer Bearbeitung waren, wird zu B.</translation>
     </message>
     <message>
         <source>what the probe sees has changed</source>
@@ -16783,10 +16787,6 @@ steht in assets/SOURCES.md.</translation>
         <source>When the lamps in the vault are lit: automatically while the sun is lower than eight degrees, always, or never.</source>
         <extracomment>tables</extracomment>
         <translation>Wann die Lampen im Gewölbe brennen: automatisch, solange die Sonne tiefer als acht Grad steht, immer oder nie.</translation>
-    </message>
-    <message>
-        <source>Where an eye that flips between A and B sees a difference: black none, white a large one.</source>
-        <translation>Wo ein Auge, das zwischen A und B wechselt, einen Unterschied sieht: schwarz keinen, weiß einen großen.</translation>
     </message>
     <message>
         <source>Where B comes from</source>
@@ -17033,6 +17033,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>nur ganze Zahlen)</translation>
     </message>
     <message>
+        <source>Whole pictures of A and B, side by side.</source>
+        <translation>Die ganzen Bilder von A und B nebeneinander.</translation>
+    </message>
+    <message>
         <source>Whose parameters</source>
         <translation>Wessen Parameter</translation>
     </message>
@@ -17240,12 +17244,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>schreibt Videos</translation>
     </message>
     <message>
-        <source>Writes what you edited in the tree to the file that the exhibit was read from.</source>
-        <translation>Schreibt, was Sie im Baum geändert haben, in die Datei, aus der das Exponat gelesen wurde.</translation>
+        <source>Writes your edits in the tree to the scene file.</source>
+        <translation>Schreibt Ihre Änderungen im Baum in die Szenendatei.</translation>
     </message>
     <message>
-        <source>Writes what you edited to the file that the exhibit was read from.</source>
-        <translation>Schreibt Ihre Änderungen in die Datei, aus der das Exponat gelesen wurde.</translation>
+        <source>Writes your edits to the scene file.</source>
+        <translation>Schreibt Ihre Änderungen in die Szenendatei.</translation>
     </message>
     <message>
         <source>Writing</source>
@@ -17279,10 +17283,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Yaw</source>
         <extracomment>tables</extracomment>
         <translation>Gieren</translation>
-    </message>
-    <message>
-        <source>You have stood nowhere else yet.</source>
-        <translation>Sie standen noch nirgendwo sonst.</translation>
     </message>
     <message>
         <source>You look at %1, from %2 m away.</source>
@@ -17883,7 +17883,7 @@ steht in assets/SOURCES.md.</translation>
         <translation>× %1</translation>
     </message>
     <message>
-        <source>“%1” is on show already: both sides are the same.</source>
+        <source>“%1” is already shown: both sides are the same.</source>
         <translation>„%1“ wird bereits gezeigt: Beide Seiten sind gleich.</translation>
     </message>
     <message>

@@ -82,7 +82,7 @@ TEST_F(CompareSettings, ShowsBothPicturesTheirDifferencesTheRowsAndTheCosts)
     EXPECT_GT(json["counters"]["evaluations"]["a"].get<double>(), 0);
 
     const std::string page = text("index.html");
-    for (const char* part : {"pictures/a.png", "Side by side", "1 row differs", "sdf_morph/march", "\"gain\":4"})
+    for (const char* part : {"pictures/a.png", "Side by side", "1 parameter differs", "sdf_morph/march", "\"gain\":4"})
         EXPECT_NE(page.find(part), std::string::npos) << part;
     for (const char* network : {"http://", "https://", "@import"}) EXPECT_EQ(page.find(network), std::string::npos);
     EXPECT_TRUE(nothingElseStayed());

@@ -29,20 +29,21 @@ struct ModeWords {
 
 constexpr std::array<ModeWords, 5> modeWords{
     {{CompareMode::wipe, "compare-wipe", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "&Wipe"),
-      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
-                        "A left of a line, B right of it; drag the line. Without a B, what is on show becomes B.")},
+      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "A to the left of a line, B to the right; drag the line. If "
+                                                       "there is no B yet, the current settings become B.")},
      {CompareMode::sideBySide, "compare-side-by-side",
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Side by &side"),
-      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "The whole pictures of A and B beside each other.")},
+      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Whole pictures of A and B, side by side.")},
      {CompareMode::flicker, "compare-flicker", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "&Flicker"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
-                        "A, with B kept ready: it is there at once while you hold the key B in the picture.")},
+                        "A, with B kept ready: hold the key B in the picture to see it.")},
      {CompareMode::flip, "compare-flip", QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "FLI&P"),
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
-                        "Where an eye that flips between A and B sees a difference: black none, white a large one.")},
+                        "Difference that an eye sees when flipping between A and B: black is none, white is large.")},
      {CompareMode::signedDifference, "compare-signed-difference",
       QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Signed &difference"),
-      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions", "Gray where both are equal, brighter or darker where B is.")}}};
+      QT_TRANSLATE_NOOP("vitrine::ui::CompareActions",
+                        "Difference of B and A: gray where both are equal, brighter or darker where B is.")}}};
 
 }  // namespace
 
@@ -54,10 +55,11 @@ CompareActions::CompareActions(CompareDesk& desk) : QObject(&desk), desk_(desk)
     all_ << nullptr;
     addModes();
     all_ << nullptr;
-    swap_ = add(tr("Sw&ap A and B"), {}, tr("B is shown and can be edited, and what is on show becomes B."));
-    takeAll_ = add(tr("Copy all fro&m B"), {}, tr("What is on show becomes as B is; one undo brings it back."));
-    giveAll_ = add(tr("Copy all &to B"), {}, tr("B becomes as what is on show; one undo brings it back."));
-    letGo_ = add(tr("&End the comparison"), {}, tr("Lets go of B and shows A alone."));
+    swap_ = add(tr("Sw&ap A and B"), {},
+                tr("Exchanges A and B: B is shown and can be edited, and the current settings become B."));
+    takeAll_ = add(tr("Copy all fro&m B"), {}, tr("Copies all settings of B to A. Can be undone."));
+    giveAll_ = add(tr("Copy all &to B"), {}, tr("Copies all settings of A to B. Can be undone."));
+    letGo_ = add(tr("&End the comparison"), {}, tr("Ends the comparison and shows A alone."));
     nameAll();
     connect(swap_, &QAction::triggered, this, [this] { desk_.other().swap(); });
     connect(takeAll_, &QAction::triggered, this, [this] { desk_.other().takeAll(); });
@@ -93,11 +95,11 @@ void CompareActions::nameAll()
 
 void CompareActions::addSources()
 {
-    hold_ = add(tr("&Hold what is on show as B"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B),
-                tr("B becomes what all parameters are now; go on editing A, and compare."));
-    preset_ = add(tr("Selected p&reset as B"), {}, tr("The preset that is selected in the list becomes B."));
-    file_ = add(tr("&Open as B…"), {}, tr("A preset, an exhibition, or a picture with one inside becomes B."));
-    step_ = add(tr("&Undo step as B…"), {}, tr("What the parameters were before or after an edit becomes B."));
+    hold_ = add(tr("&Hold the current settings as B"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_B),
+                tr("Sets B to the current values of all parameters; edit A further and compare."));
+    preset_ = add(tr("Selected p&reset as B"), {}, tr("Sets B to the preset selected in the list."));
+    file_ = add(tr("&Open as B…"), {}, tr("Sets B to a preset, an exhibition, or the settings inside a picture."));
+    step_ = add(tr("&Undo step as B…"), {}, tr("Sets B to the parameters before or after an edit."));
     connect(hold_, &QAction::triggered, this, [this] { desk_.holdPresent(); });
     connect(preset_, &QAction::triggered, this, [this] { desk_.holdSelectedPreset(); });
     connect(file_, &QAction::triggered, this, [this] { desk_.chooseFile(); });
@@ -117,9 +119,9 @@ void CompareActions::addOffers()
     const Museum& museum = desk_.workbench().museum();
     for (std::size_t subject = 0; subject < museum.subjects().size(); ++subject)
         for (const OfferedComparison& offered : offeredComparisons(museum.subject(subject))) {
-            QAction* action = add(
-                tr("Compare with: %1").arg(menuText(said(offered.title))), {},
-                tr("%1 B goes on following what is on show; drag the line between the two.").arg(said(offered.help)));
+            QAction* action =
+                add(tr("Compare with: %1").arg(menuText(said(offered.title))), {},
+                    tr("%1 B follows the current settings; drag the line between the two.").arg(said(offered.help)));
             action->setObjectName(
                 QStringLiteral("compare-%1-with-%2")
                     .arg(QString::fromUtf8(museum.subject(subject).name()), QString::fromStdString(offered.name)));
@@ -149,7 +151,8 @@ void CompareActions::addModes()
         connect(action, &QAction::triggered, this,
                 [this, mode = words.mode](bool on) { desk_.setMode(on ? mode : CompareMode::off); });
     }
-    otherAlone_ = add(tr("B a&lone"), {}, tr("Shows B in place of A. Holding the key B in the picture does the same."));
+    otherAlone_ =
+        add(tr("Show B a&lone"), {}, tr("Shows B instead of A. Holding the key B in the picture does the same."));
     otherAlone_->setCheckable(true);
     connect(otherAlone_, &QAction::triggered, this, [this](bool on) { desk_.overlay().setOtherAlone(on); });
 }
@@ -171,7 +174,7 @@ void CompareActions::fillSources()
     const int last = stack.count();
     for (int step = last; step >= std::max(0, last - mostSteps); --step) {
         const QString what = step == 0 ? tr("At the start") : tr("After “%1”").arg(stack.text(step - 1));
-        steps->addAction(menuText(step == stack.index() ? tr("%1 (on show)").arg(what) : what), this,
+        steps->addAction(menuText(step == stack.index() ? tr("%1 (current)").arg(what) : what), this,
                          [this, step, what] { desk_.holdStep(step, what); });
     }
     sources_->addAction(file_);

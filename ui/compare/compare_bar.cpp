@@ -26,9 +26,9 @@ namespace {
 constexpr std::size_t mostRows = 30;  ///< Most parameters in the menu of differences.
 constexpr int widestName = 140;
 constexpr std::array<const char*, 5> modeNames{
-    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Wipe"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Beside"),
+    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Wipe"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Side by side"),
     QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Flicker"), QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "FLIP"),
-    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Signed")};
+    QT_TRANSLATE_NOOP("vitrine::ui::CompareBar", "Difference")};
 
 ValueSlider* sliderOver(std::uint16_t row, const QString& name, QWidget* parent)
 {
@@ -52,8 +52,8 @@ QWidget* withoutMargins(QWidget* parent)
 
 CompareBar::CompareBar(CompareDesk& desk, QWidget* parent)
     : QWidget(parent), desk_(desk), gains_(withoutMargins(this)),
-      gain_(sliderOver(compareRows().gain.row, tr("What differences are multiplied by"), gains_)),
-      times_(new QLabel(gains_)), rows_(new QMenu(this)), differ_(menuButton(rows_)), morphs_(withoutMargins(this)),
+      gain_(sliderOver(compareRows().gain.row, tr("Gain of the differences"), gains_)), times_(new QLabel(gains_)),
+      rows_(new QMenu(this)), differ_(menuButton(rows_)), morphs_(withoutMargins(this)),
       morph_(sliderOver(compareRows().towardsB.row, tr("From A to B"), morphs_)),
       source_(menuButton(&desk.actions().sources()))
 {
@@ -76,7 +76,7 @@ CompareBar::CompareBar(CompareDesk& desk, QWidget* parent)
     buttons_.push_back(button(actions.swap(), QStringLiteral("⇄")));
     line->addWidget(buttons_.back());
     line->addWidget(button(actions.letGo(), QStringLiteral("✕")));
-    rows_->setAccessibleName(tr("Rows that differ"));
+    rows_->setAccessibleName(tr("Differing parameters"));
     connect(rows_, &QMenu::aboutToShow, this, &CompareBar::fillRows);
     setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // The bar must not make a narrow window wider.
     hide();
@@ -146,11 +146,11 @@ void CompareBar::refresh()
     source_->setToolTip(tr("B is: %1. Click for another B, or to copy all.").arg(name));
     source_->setAccessibleName(source_->toolTip());
     const std::size_t rows = desk_.differences().size();
-    differ_->setText(rows == 0   ? tr("no row differs")
-                     : rows == 1 ? tr("1 row differs")
-                                 : tr("%1 rows differ").arg(rows));
+    differ_->setText(rows == 0   ? tr("A and B are identical")
+                     : rows == 1 ? tr("1 parameter differs")
+                                 : tr("%1 parameters differ").arg(rows));
     differ_->setEnabled(rows > 0);
-    differ_->setToolTip(tr("Shows them, and copies one from B to A."));
+    differ_->setToolTip(tr("Shows the differing parameters, and copies them from B to A."));
     differ_->setAccessibleName(differ_->text());
     showWhatFits();
 }

@@ -27,7 +27,7 @@ public:
     void refresh();
     /// While on, the bar stays hidden: used for the bare picture.
     void setBanned(bool);
-    /// Returns the text "3 rows differ".
+    /// Returns the text "3 parameters differ".
     [[nodiscard]] QString differenceText() const;
     [[nodiscard]] ValueSlider& gain() const { return *gain_; }
     [[nodiscard]] ValueSlider& morph() const { return *morph_; }

@@ -124,7 +124,7 @@ void CompareDesk::holdPresent()
 {
     ++holds_;
     // The parameter tables of A have been read already.
-    other_->hold(workbench_.history().sceneState(), tr("A as it was"));
+    other_->hold(workbench_.history().sceneState(), tr("Snapshot of A"));
     if (overlay_->mode() == CompareMode::off) setMode(CompareMode::wipe);
 }
 
@@ -154,7 +154,7 @@ void CompareDesk::compareWith(std::size_t subject, const OfferedComparison& offe
     if (overlay_->mode() == CompareMode::off) setMode(CompareMode::wipe);
     if (differences().empty())
         workbench_.say(MessageStrip::Mood::notice,
-                       tr("“%1” is on show already: both sides are the same.").arg(text(offered.title)));
+                       tr("“%1” is already shown: both sides are the same.").arg(text(offered.title)));
 }
 
 void CompareDesk::chooseFile()
@@ -195,7 +195,7 @@ std::vector<RowDifference> CompareDesk::differences() const
     if (!other_->held()) return all;
     for (const DifferingRow& row : differingRows(workbench_.history().sceneState(), other_->sceneState())) {
         const auto value = [&](const std::optional<Value>& v) {
-            return v ? QString::fromStdString(valueWithUnit(row.info, *v)) : tr("no such row");
+            return v ? QString::fromStdString(valueWithUnit(row.info, *v)) : tr("no such parameter");
         };
         all.push_back({row.subject, row.name,
                        tr("%1: %2: %3 | %4")

@@ -60,7 +60,7 @@ ExploreDock::ExploreDock(Workbench& workbench, PresetShelf& shelf, const Paramet
       grid_(new VariationGrid(*variations_, this)), number_(new QSpinBox(this)),
       strength_(new ValueSlider(exploreRows().rows()[exploreRows().strength.row], this)), percent_(new QLabel(this)),
       state_(new QLabel(this)), anew_(new QPushButton(tr("&Draw anew"), this)),
-      goOn_(new QPushButton(tr("&Go on from this"), this))
+      goOn_(new QPushButton(tr("&More like this"), this))
 {
     auto* all = new QVBoxLayout(this);
     all->setContentsMargins(10, 8, 10, 8);
@@ -80,7 +80,7 @@ QComboBox* ExploreDock::makeChooser(std::size_t corner)
     auto* made = new Chooser([this, corner] { fillChooser(corner); }, this);
     made->setAccessibleName(names[static_cast<int>(corner)]);
     made->setToolTip(
-        tr("%1: what is on show, a preset, or a look that is kept there.").arg(names[static_cast<int>(corner)]));
+        tr("%1: the current settings, a preset, or settings kept there.").arg(names[static_cast<int>(corner)]));
     made->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     made->setMinimumContentsLength(8);
     connect(made, &QComboBox::activated, this, [this, corner](int entry) { choose(corner, entry); });
@@ -114,9 +114,9 @@ void ExploreDock::fillChooser(std::size_t corner)
     const PadCorners::Corner& there = corners_->at(corner);
     const QSignalBlocker quiet(chooser);
     chooser.clear();
-    chooser.addItem(tr("What is on show"), QString(onShowId));
-    if (there.source == PadCorners::Source::kept) chooser.addItem(tr("The kept look"), QString(keptId));
-    chooser.addItem(tr("Keep what is on show here"), QString(keepId));
+    chooser.addItem(tr("Current settings"), QString(onShowId));
+    if (there.source == PadCorners::Source::kept) chooser.addItem(tr("Kept settings"), QString(keptId));
+    chooser.addItem(tr("Keep the current settings here"), QString(keepId));
     chooser.insertSeparator(chooser.count());
     for (const auto& [name, id] : corners_->presets()) chooser.addItem(name, id);
     QString id = there.id;
@@ -146,7 +146,7 @@ void ExploreDock::addVariations(QVBoxLayout& all)
     number->setBuddy(number_);
     number_->setRange(1, mostNumber);
     number_->setAccessibleName(tr("Seed"));
-    number_->setToolTip(tr("Another one gives nine others; the same one gives the same again."));
+    number_->setToolTip(tr("Seed of the variations: another number gives nine others, the same number the same ones."));
     number_->setKeyboardTracking(false);
     auto* strength = new QLabel(tr("S&trength"), this);
     strength->setBuddy(strength_);
@@ -168,8 +168,8 @@ void ExploreDock::addVariations(QVBoxLayout& all)
     state_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     all.addWidget(state_);
     auto* buttons = new QHBoxLayout;
-    anew_->setToolTip(tr("Varies the look that is on show now."));
-    goOn_->setToolTip(tr("Makes the marked variation the look, and draws the next nine around it."));
+    anew_->setToolTip(tr("Draws nine variations of the current settings."));
+    goOn_->setToolTip(tr("Uses the selected variation, and draws nine new ones around it."));
     buttons->addWidget(anew_);
     buttons->addWidget(goOn_);
     buttons->addStretch(1);
@@ -183,8 +183,8 @@ void ExploreDock::addVariations(QVBoxLayout& all)
         variations_->setStrength(share);
         variations_->drawAnew();
     });
-    anew_->setAccessibleName(tr("Draw the variations anew"));
-    goOn_->setAccessibleName(tr("Go on from this variation"));
+    anew_->setAccessibleName(tr("Draw new variations"));
+    goOn_->setAccessibleName(tr("More variations like this one"));
     connect(anew_, &QPushButton::clicked, variations_, &Variations::drawAnew);
     connect(goOn_, &QPushButton::clicked, this, [this] { variations_->goOnFrom(grid_->current()); });
     connect(grid_, &VariationGrid::picked, variations_, &Variations::pick);
@@ -208,11 +208,12 @@ QString ExploreDock::stateOfVariations() const
 {
     if (!variations_->failure().isEmpty()) return variations_->failure();
     if (!variations_->made()) return {};
-    if (variations_->stale()) return tr("These vary an older look, or under other locks. Draw anew varies this one.");
+    if (variations_->stale())
+        return tr("These variations are of earlier settings or locks. “Draw anew” uses the current ones.");
     if (variations_->finished() < Variations::count)
         return tr("Variation %1 of %2 is being drawn.").arg(variations_->finished() + 1).arg(Variations::count);
-    if (const std::optional<int> shown = variations_->onShow()) return tr("Variation %1 is on show.").arg(*shown + 1);
-    return tr("A click makes one the look. Rows and groups that are locked in their menus stay as they are.");
+    if (const std::optional<int> shown = variations_->onShow()) return tr("Variation %1 is shown.").arg(*shown + 1);
+    return tr("Click a variation to use it. Parameters and groups that are locked in their menus keep their values.");
 }
 
 void ExploreDock::follow()

@@ -6,9 +6,9 @@ namespace vitrine::ui {
 
 /// Parameters behind the sliders of the exploration.
 struct ExploreRows final : Parameters {
-    Real strength = real("strength", 0.4, percent, {0, 1},
-                         "How far the variations go from the look that they vary: at 100 % anywhere within the "
-                         "comfortable ranges.");
+    Real strength = real(
+        "strength", 0.4, percent, {0, 1},
+        "Amount by which the variations differ from the current settings: 100 % uses the full range of the sliders.");
 };
 [[nodiscard]] inline const ExploreRows& exploreRows()
 {

@@ -87,8 +87,8 @@ void MorphPad::tellChange()
 QString MorphPad::nameOf(const PadCorners::Corner& corner)
 {
     switch (corner.source) {
-    case PadCorners::Source::onShow: return tr("What is on show");
-    case PadCorners::Source::kept: return tr("The kept look");
+    case PadCorners::Source::onShow: return tr("Current settings");
+    case PadCorners::Source::kept: return tr("Kept settings");
     case PadCorners::Source::preset: break;
     }
     return corner.name;

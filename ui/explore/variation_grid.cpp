@@ -65,9 +65,8 @@ VariationGrid::VariationGrid(const Variations& variations, QWidget* parent)
     : QTableWidget(side, side, parent), variations_(variations)
 {
     setAccessibleName(tr("Nine variations"));
-    setAccessibleDescription(tr("Arrows go from one to another, Enter makes it the look."));
-    setToolTip(tr("A click makes a variation the look on show, as one undo step; so does Enter, and arrows go from one "
-                  "to another."));
+    setAccessibleDescription(tr("Arrow keys select a variation, Enter uses it."));
+    setToolTip(tr("Click a variation, or select it with the arrow keys and press Enter, to use it. Can be undone."));
     setItemDelegate(new CellDelegate(variations, *this));
     for (QHeaderView* header : {horizontalHeader(), verticalHeader()}) {
         header->hide();
@@ -98,7 +97,7 @@ void VariationGrid::refresh()
         if (variations_.made() && variations_.image(i).isNull())
             words = tr("Variation %1, seed %2, not drawn yet").arg(i + 1).arg(seed);
         else if (variations_.onShow() == i)
-            words = tr("Variation %1, seed %2, on show").arg(i + 1).arg(seed);
+            words = tr("Variation %1, seed %2, shown").arg(i + 1).arg(seed);
         QTableWidgetItem* cell = item(i / side, i % side);
         if (cell->data(Qt::AccessibleTextRole).toString() != words) cell->setData(Qt::AccessibleTextRole, words);
     }

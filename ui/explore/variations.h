@@ -30,7 +30,7 @@ public:
     void setSeen(bool);
 
     /// Sets the number n of the set, from 1. Variation i, from 0, has the seed 9 (n - 1) + i + 1. The first nine are
-    /// the first ones of "Vary at random".
+    /// the first ones of "Randomize parameters".
     void setNumber(int number) { number_ = number; }
     [[nodiscard]] int number() const { return number_; }
     /// Sets how far variations differ, 0 to 1 (see `variation`).

@@ -145,7 +145,7 @@ void PageDialog::noteSource(const QUrl& source)
         QFileInfo::exists(pageFolder() + QStringLiteral("/../lessons/") + name + QStringLiteral(".md")));
     lesson_->setToolTip(lesson_->isEnabled() ? QString() : tr("There is no lesson about this."));
     const QString title = browser_->documentTitle();
-    setWindowTitle(title.isEmpty() ? tr("How this works") : title);
+    setWindowTitle(title.isEmpty() ? tr("About this exhibit") : title);
 }
 
 }  // namespace vitrine::ui

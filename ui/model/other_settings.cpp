@@ -77,7 +77,7 @@ void OtherSettings::takeAll()
 
 void OtherSettings::giveAll()
 {
-    record(tr("Copy all to B"), history_.sceneState(), {history_.sceneState(), tr("A as it was"), false});
+    record(tr("Copy all to B"), history_.sceneState(), {history_.sceneState(), tr("Snapshot of A"), false});
 }
 
 void OtherSettings::take(std::size_t exhibit, const std::string& row)

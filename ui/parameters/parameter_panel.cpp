@@ -420,7 +420,7 @@ void ParameterPanel::vary()
 {
     SceneState next = history_.sceneState();
     next.values[exhibit_] = variation(values(), ++seed_, [this](std::size_t row) { return isLocked(row); });
-    history_.change(tr("Vary at random, seed %1").arg(seed_), next);
+    history_.change(tr("Randomize parameters, seed %1").arg(seed_), next);
 }
 
 namespace {
@@ -515,7 +515,7 @@ void ParameterPanel::addLocksTo(QMenu& menu, std::size_t row)
     const std::vector<std::size_t> group = rowsOf(sectionOf_[row]);
     const bool all = allLocked(group);
     menu.addSeparator();
-    menu.addAction(isLocked(row) ? tr("Unlock") : tr("Lock against varying"), this,
+    menu.addAction(isLocked(row) ? tr("Unlock") : tr("Exclude from randomizing"), this,
                    [this, row] { lock({row}, !isLocked(row)); });
     menu.addAction(all ? tr("Unlock the group") : tr("Lock the group"), this,
                    [this, group, all] { lock(group, !all); });

@@ -275,7 +275,7 @@ void ParameterRow::setIdle(const QString& when)
 
 QString ParameterRow::whyIdle() const
 {
-    return idle() ? tr("Does nothing now: acts when %1. It keeps its value.").arg(idleUntil_) : QString();
+    return idle() ? tr("Not used now; only used when %1. Its value is kept.").arg(idleUntil_) : QString();
 }
 
 void ParameterRow::setMotion(const QString& how)

@@ -42,7 +42,7 @@ void SectionHeading::setTogether(int groups)
 void SectionHeading::describe()
 {
     QStringList now;
-    if (locked_) now << tr("All its rows are locked against varying.");
+    if (locked_) now << tr("All its parameters are excluded from randomizing.");
     if (together_ > 0) now << tr("Edited together: a change here changes all %n groups.", nullptr, together_);
     setAccessibleDescription(now.join(QLatin1Char(' ')));
     now << tr("Fold or unfold %1; a right click, or the dots at its end, offers more.").arg(text());

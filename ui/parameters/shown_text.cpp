@@ -148,14 +148,15 @@ QString tooltipText(const ParameterInfo& row)
 {
     QStringList lines{said(label(row)), QString(), said(row.help), QString()};
     if (row.isNumeric()) {
-        lines << tr("Allowed: %1").arg(legalRangeText(row));
+        lines << tr("Range: %1").arg(legalRangeText(row));
         if (row.range.softLow != row.range.low || row.range.softHigh != row.range.high)
             lines.last() +=
                 tr("; the slider spans %1 to %2")
                     .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
     }
     if (row.word)
-        lines << tr("%1 reads “%2”, and may be typed so.").arg(editedText(row, row.word->value), said(row.word->text));
+        lines << tr("%1 is shown as “%2”; you can also type that.")
+                     .arg(editedText(row, row.word->value), said(row.word->text));
     lines << tr("Initial value: %1").arg(shownText(row, row.initial));
     lines << tr("In presets: %1").arg(text(row.name));
     if (row.isNumeric())
@@ -187,7 +188,7 @@ std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, 
     }
     const bool brought = row.isNumeric() && std::get<double>(*legal) != std::get<double>(*meant);
     if (problem && brought)
-        *problem = tr("Allowed: %1; brought to %2.").arg(legalRangeText(row), shownText(row, *legal));
+        *problem = tr("Range: %1. The value was set to %2.").arg(legalRangeText(row), shownText(row, *legal));
     return legal;
 }
 

@@ -107,7 +107,7 @@ QWidget* TreeDock::bar()
     auto* wraps = button(tr("Wrap"), tr("Puts the selected node into an operation."));
     wraps->setMenu(wraps_);
     wraps->setPopupMode(QToolButton::InstantPopup);
-    save_ = button(tr("Save"), tr("Writes what you edited to the file that the exhibit was read from."));
+    save_ = button(tr("Save"), tr("Writes your edits to the scene file."));
     connect(save_, &QToolButton::clicked, this, [this] { file_.save(); });
     layout->addStretch(1);
     auto* group = new QActionGroup(this);

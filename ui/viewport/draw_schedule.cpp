@@ -165,9 +165,9 @@ QString DrawSchedule::reason() const
 {
     const auto tr = [](const char* words) { return QCoreApplication::translate("DrawSchedule", words); };
     if (moving_ || dirty_ || refined_ == 0)
-        return tr("Moving: drawn at %1 % of full resolution").arg(static_cast<int>(drawnScale_ * 100 + 0.5));
-    if (refined_ < samples_) return tr("Refining: %1 of %2 samples").arg(refined_).arg(samples_) + limit();
-    return tr("Done (%1 of %2 samples); nothing changes").arg(refined_).arg(samples_) + limit();
+        return tr("Rendering at %1 %").arg(static_cast<int>(drawnScale_ * 100 + 0.5));
+    if (refined_ < samples_) return tr("Refining (%1 of %2 samples)").arg(refined_).arg(samples_) + limit();
+    return tr("Done (%1 samples)").arg(refined_).arg(samples_) + limit();
 }
 
 }  // namespace vitrine::ui

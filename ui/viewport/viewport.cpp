@@ -422,7 +422,7 @@ void Viewport::cameraChanged()
 QString Viewport::reason() const
 {
     if (region_ && schedule_.still())
-        return tr("Done (%1 of %1 samples); only what moves is drawn again, %2 × %3 pixels")
+        return tr("Done (%1 samples); redrawing only the moving part (%2 × %3 px)")
                    .arg(schedule_.samples())
                    .arg(region_->size.x)
                    .arg(region_->size.y) +

@@ -94,7 +94,7 @@ QMenu* panelMenu(MainWindow& window)
     addSize(MainWindow::tr("&Wider"), Qt::Horizontal, growth);
     addSize(MainWindow::tr("&Narrower"), Qt::Horizontal, -growth);
     addSize(MainWindow::tr("&Taller"), Qt::Vertical, growth);
-    addSize(MainWindow::tr("L&ower"), Qt::Vertical, -growth);
+    addSize(MainWindow::tr("&Shorter"), Qt::Vertical, -growth);
     // The entries need a dock with the focus.
     QObject::connect(menu, &QMenu::aboutToShow, menu, [menu, &window] {
         for (QAction* each : menu->actions()) each->setEnabled(dockWithFocus(window) != nullptr);

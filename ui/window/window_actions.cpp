@@ -235,12 +235,12 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
              [&window] { window.openSpriteDialog(); })
         ->setEnabled(window.museum().find(spriteLookName).has_value());
     enableOnly(
-        make.add(tr("Export &table…"), {},
-                 tr("Measures what the visited exhibit has a table of, such as the pixel art's methods, and "
-                    "saves it as CSV."),
+        make.add(QStringLiteral("export-table"), tr("Export measuremen&ts…"), {},
+                 tr("Runs the measurements of the visited exhibit, such as the methods of the pixel art, and saves "
+                    "them as CSV."),
                  [&window] { TableExport::ask(window, &window); }),
         [&window] { return capability<MeasuresTable>(window.museum().subject(window.chosen())) != nullptr; },
-        tr("The visited exhibit has no table of its own; the Study panel measures its parameters."));
+        tr("The visited exhibit has no table of measurements; the Study panel measures its parameters."));
     make.separator();
     make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)},
              tr("Closes the window; everything comes back next time."), [&window] { window.close(); });
@@ -249,13 +249,12 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
 void WindowActions::addSaving(Maker& make, MainWindow& window)
 {
     enableOnly(
-        make.add(tr("Save &file"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)},
-                 tr("Writes what you edited in the tree to the file that the exhibit was read from."),
+        make.add(QStringLiteral("save-file"), tr("Sa&ve scene"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_S)},
+                 tr("Writes your edits in the tree to the scene file."),
                  [&window] { window.docks().treeFile().save(); }),
-        [&window] { return window.docks().treeFile().edited(); },
-        tr("Nothing was edited in the tree since its file was read."));
+        [&window] { return window.docks().treeFile().edited(); }, tr("There are no unsaved edits in the tree."));
     enableOnly(
-        make.add(tr("Save file &as…"), {}, tr("Writes the tree to another file."),
+        make.add(QStringLiteral("save-file-as"), tr("Save scene &as…"), {}, tr("Writes the tree to another file."),
                  [&window] { window.docks().treeFile().saveAs(); }),
         [&window] { return window.docks().tree().editor().source() != nullptr; },
         tr("The visited exhibit has no tree."));
@@ -276,13 +275,13 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
     make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)},
              tr("Goes to the filter above the parameters."), [&window] { window.findParameter(); });
     make.add(tr("Reset &all parameters"), {},
-             tr("Gives all parameters in the panel their initial values; one undo brings yours back."),
+             tr("Resets all parameters in the panel to their initial values. Can be undone."),
              [&window] { window.resetEverything(); });
-    make.add(
-        tr("&Vary at random"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V)},
-        tr("Gives all parameters in the panel other values within their comfortable ranges, but for files, accuracy "
-           "and locked rows (see their menus); one undo brings yours back."),
-        [&window] { window.panel().vary(); });
+    make.add(QStringLiteral("vary-at-random"), tr("Randomi&ze parameters"),
+             {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V)},
+             tr("Sets all parameters in the panel to random values within their slider ranges, except files, accuracy "
+                "and excluded parameters (see their menus). Can be undone."),
+             [&window] { window.panel().vary(); });
     make.add(tr("&Commands…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P)},
              tr("Finds and runs any command by name."), [&window] { window.openPalette(); });
     make.separator();
@@ -326,7 +325,8 @@ void WindowActions::addViewMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("&View"));
     panels = make.toggle(tr("Hide &panels"), {QKeySequence(Qt::CTRL | Qt::Key_B)},
-                         tr("Leaves nothing but the picture."), [&window](bool hidden) { window.hidePanels(hidden); });
+                         tr("Hides all panels and bars; only the picture is left."),
+                         [&window](bool hidden) { window.hidePanels(hidden); });
     QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::SHIFT | Qt::Key_F11)},
                              tr("Hides or shows everything but the picture."), [this] { panels->toggle(); });
     make.inViewport(bare);
@@ -383,16 +383,17 @@ void WindowActions::addCompareMenu(Maker& make, const CompareActions& actions)
 void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("E&xhibit"));
-    make.add(tr("&Entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)}, tr("Back to where the visit begins."),
-             [&window] { window.visit(hallIndex); });
+    make.add(QStringLiteral("entrance"), tr("Go to &entrance"), {QKeySequence(Qt::CTRL | Qt::Key_Home)},
+             tr("Returns to the entrance of the hall."), [&window] { window.visit(hallIndex); });
     enableOnly(
         make.add(tr("&Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)},
-                 tr("To where you stood before; Backspace does the same while the picture has the focus."),
+                 tr("Returns to where you stood before; Backspace does the same while the picture has the focus."),
                  [&window] { window.viewport().goBack(); }),
-        [&window] { return window.viewport().canGoBack(); }, tr("You have stood nowhere else yet."));
+        [&window] { return window.viewport().canGoBack(); }, tr("There is no earlier position to return to."));
     enableOnly(
-        make.add(tr("&Press its button"), {},
-                 tr("The red button of the exhibit that you look at; E does the same while the picture has the focus."),
+        make.add(QStringLiteral("press-its-button"), tr("&Press the exhibit's button"), {},
+                 tr("Presses the red button of the exhibit in front of you; E does the same while the picture has the "
+                    "focus."),
                  [&window] { window.viewport().press(); }),
         [&window] { return window.viewport().canPress(); }, tr("No red button is in front of you."));
     make.submenu(ownObjectsMenu(window));
@@ -414,11 +415,11 @@ void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
     for (int number = 1; number <= Bookmarks::most; ++number) {
         QAction* go = make.add(
             QStringLiteral("go-to-bookmark-%1").arg(number), {}, {QKeySequence(Qt::CTRL | key(number))},
-            tr("Glides to the view kept there; where none is yet, keeps the present one."),
+            tr("Goes to the view of this bookmark; if it is not set, sets it to the current view."),
             [&bookmarks, number] { bookmarks.name(number).isEmpty() ? bookmarks.set(number) : bookmarks.go(number); });
         const auto name = [go, &bookmarks, number] {
             const QString there = bookmarks.name(number);
-            go->setText(there.isEmpty() ? tr("Keep this view as bookmark %1").arg(number)
+            go->setText(there.isEmpty() ? tr("Set bookmark %1 to this view").arg(number)
                                         : tr("Go to bookmark %1").arg(menuText(there)));
         };
         name();
@@ -429,15 +430,15 @@ void WindowActions::addBookmarkMenu(Maker& make, MainWindow& window)
     for (int number = 1; number <= Bookmarks::most; ++number)
         make.add(QStringLiteral("set-bookmark-%1").arg(number), tr("Set bookmark %1").arg(number),
                  {QKeySequence(Qt::CTRL | Qt::ALT | key(number))},
-                 tr("Keeps where you are, in place of what was kept there."),
+                 tr("Sets this bookmark to the current view and replaces the old one."),
                  [&bookmarks, number] { bookmarks.set(number); });
     make.separator();
     QAction* save = make.add(tr("Save as a &tour…"), {},
                              tr("Writes the bookmarks to a file that `vitrine record` "
                                 "follows."),
                              [&window] { window.saveTour(); });
-    QAction* forget =
-        make.add(tr("&Forget all bookmarks"), {}, tr("Empties all nine."), [&bookmarks] { bookmarks.forgetAll(); });
+    QAction* forget = make.add(QStringLiteral("forget-all-bookmarks"), tr("&Delete all bookmarks"), {},
+                               tr("Deletes all nine bookmarks."), [&bookmarks] { bookmarks.forgetAll(); });
     for (QAction* action : {save, forget})
         enableOnly(
             action, [&bookmarks] { return !bookmarks.tour().bookmarks.empty(); }, tr("There are no bookmarks yet."));
@@ -457,7 +458,7 @@ void WindowActions::addLessonMenu(Maker& make, const LessonDesk& lessons)
 void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("&Help"));
-    make.add(tr("&How this works"), {QKeySequence(Qt::Key_F1)},
+    make.add(QStringLiteral("how-this-works"), tr("About this e&xhibit"), {QKeySequence(Qt::Key_F1)},
              tr("A page about the exhibit that you visit: its technique, figures, formulas, sources."),
              [&window] { window.openPage(window.chosen()); });
     make.add(tr("&Keyboard, mouse and gamepad"), {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_F1)},

@@ -50,7 +50,7 @@ protected:
         QList<QPointer<QAction>> actions;
         for (QAction* each : window_->findChildren<QAction*>()) {
             const QString name = each->text().remove('&');
-            const bool more = name == "About Vitrine" || name == "How this works" || name.startsWith("Keyboard");
+            const bool more = name == "About Vitrine" || name == "About this exhibit" || name.startsWith("Keyboard");
             if (!each->menu() && (more || name.endsWith(QChar(0x2026)))) actions << each;
         }
         QVERIFY(actions.size() >= 8);

@@ -74,7 +74,7 @@ private slots:
         QVERIFY2(isB(0.6), "a control: there is a former B");
         const QSignalSpy failed(&desk().picture(), &OtherPicture::failed);
         gallery_->otherThrown = std::make_exception_ptr(Failure(Blame::check, "out of paint"));
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         QVERIFY(!desk().picture().upToDate());
         QTRY_VERIFY(!desk().picture().failure().isEmpty());
         QVERIFY(isA(0.3));
@@ -85,12 +85,12 @@ private slots:
         dragInPicture(0.2, 0.3);
         settle();
         QCOMPARE(failed.count(), 1);
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         QTRY_COMPARE(failed.count(), 2);  // A new B reports its failure again.
         settle();
         gallery_->otherThrown = nullptr;
         setRoughness(0.2);
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         rest();
         QVERIFY(desk().picture().upToDate() && desk().picture().failure().isEmpty());
         setRoughness(0.8);
@@ -110,7 +110,7 @@ private slots:
         const std::size_t row = gallery_->table().environment.row;
         window_->history().set(1, row, path.toStdString(), newGesture());
         settle();
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         window_->history().set(1, row, std::string(), newGesture());
         rest();
         // Control: without a change of files, nothing is drawn for longer than the interval of checks. On a busy
@@ -123,7 +123,7 @@ private slots:
         QCOMPARE(gallery_->otherRequests().size(), drawn);
         write(8);
         QTRY_VERIFY(gallery_->otherRequests().size() > drawn);
-        QCOMPARE(desk().other().name(), QString("A as it was"));
+        QCOMPARE(desk().other().name(), QString("Snapshot of A"));
     }
 
     void ofBNothingIsDrawnThatNothingShowsAndTheLedgerSaysSo()

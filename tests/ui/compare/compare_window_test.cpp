@@ -101,7 +101,7 @@ private slots:
         QVERIFY(!desk().overlay().otherAlone());
         QTest::keyRelease(&view(), Qt::Key_B);
         setRoughness(0.2);
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         setRoughness(0.8);
         rest();
         QVERIFY(!desk().overlay().otherAlone());
@@ -176,9 +176,9 @@ private slots:
         expect(0.8, 0.2, 1);
         action("Copy all from B")->trigger();
         expect(0.2, 0.2, 1);
-        QCOMPARE(desk().bar().differenceText(), QString("no row differs"));
+        QCOMPARE(desk().bar().differenceText(), QString("A and B are identical"));
         stack.undo();
-        QCOMPARE(desk().bar().differenceText(), QString("1 row differs"));
+        QCOMPARE(desk().bar().differenceText(), QString("1 parameter differs"));
         action("Copy all to B")->trigger();
         expect(0.8, 0.8, 1);
         stack.undo();
@@ -198,7 +198,7 @@ private slots:
         take->trigger();
         menu->close();
         QCOMPARE(roughness(), 0.2);
-        QCOMPARE(desk().bar().differenceText(), QString("1 row differs"));  // The other parameter still differs.
+        QCOMPARE(desk().bar().differenceText(), QString("1 parameter differs"));  // The other parameter still differs.
         stack.undo();
         menu = openMenu();
         entry(*menu, "Copy to B")->trigger();
@@ -273,12 +273,12 @@ private slots:
 
         // The later of two sources becomes B, even if the earlier one takes longer to read.
         desk().holdFile(picture);
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         settle();
         QTest::qWait(50);
-        QCOMPARE(desk().other().name(), QString("A as it was"));
+        QCOMPARE(desk().other().name(), QString("Snapshot of A"));
         setRoughness(0.7);
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         QTRY_COMPARE(otherRoughness(), 0.7);
 
         // An unreadable file changes nothing and is reported.

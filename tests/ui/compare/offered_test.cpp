@@ -66,10 +66,10 @@ private slots:
         QVERIFY(desk().bar().isVisible());
         QCOMPARE(window_->history().stack().count(), steps);
         const QImage both = grabbed();
-        action("B alone")->trigger();
+        action("Show B alone")->trigger();
         rest();
         const QImage b = grabbed();
-        action("B alone")->trigger();
+        action("Show B alone")->trigger();
         action("Flicker")->trigger();  // A alone, in a picture of the same size, because the bar stays.
         rest();
         const QImage a = grabbed();
@@ -101,7 +101,7 @@ private slots:
         setMorph(0.9);
         QCOMPARE(otherMorph(), 0.9);
         QCOMPARE(otherRoughness(), 0.8);
-        QCOMPARE(desk().bar().differenceText(), QString("1 row differs"));
+        QCOMPARE(desk().bar().differenceText(), QString("1 parameter differs"));
         window_->history().stack().undo();
         QCOMPARE(otherMorph(), 0.5);
         setRoughness(0.3);
@@ -118,7 +118,7 @@ private slots:
         setMorph(0.1);
         QCOMPARE(otherMorph(), 0.1);
         // Another B does not follow.
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         setMorph(0.4);
         QCOMPARE(otherMorph(), 0.1);
     }
@@ -129,7 +129,7 @@ private slots:
         setRoughness(0.8);
         offer()->trigger();
         QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("“Chalk & dust” is on show already"));
-        QCOMPARE(desk().bar().differenceText(), QString("no row differs"));
+        QCOMPARE(desk().bar().differenceText(), QString("A and B are identical"));
     }
 
     void itIsInThePaletteAndCanBeSwapped()

@@ -33,7 +33,7 @@ protected:
         window_->choose(1);
         setRoughness(0.2);
         settle();
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         setRoughness(0.8);
         rest();
     }

@@ -158,7 +158,7 @@ private slots:
         QAccessibleInterface* read = QAccessible::queryAccessibleInterface(&pad());
         QVERIFY(read);
         QCOMPARE(read->text(QAccessible::Name), QString("Between four settings"));
-        QVERIFY2(QRegularExpression("^7[45] % What is on show, 2[56] % Rough$")
+        QVERIFY2(QRegularExpression("^7[45] % Current settings, 2[56] % Rough$")
                      .match(read->text(QAccessible::Value))
                      .hasMatch(),
                  qPrintable(read->text(QAccessible::Value)));
@@ -184,7 +184,7 @@ private slots:
     {
         explore();
         choose(3, "Keep");
-        QCOMPARE(dock().chooser(3).currentText(), QString("The kept look"));
+        QCOMPARE(dock().chooser(3).currentText(), QString("Kept settings"));
         QVERIFY(!dock().corners().at(3).picture.isNull());
         setRoughness(0.9);
         drag(0, 1);

@@ -157,7 +157,7 @@ private slots:
         QCOMPARE(stack().count(), steps + 1);
         QVERIFY(nine().onShow() == 4);
         QVERIFY(!nine().stale());
-        QVERIFY(says("Variation 5 is on show."));
+        QVERIFY(says("Variation 5 is shown."));
         QCOMPARE(grid().item(1, 1)->data(Qt::AccessibleTextRole).toString(), QString("Variation 5, seed 5, on show"));
         window_->shelf().saveUnder("Found");
         QCOMPARE(rowsNamed("Found").size(), 1);
@@ -188,7 +188,7 @@ private slots:
         const int steps = stack().count();
         grid().setCurrentCell(0, 2);
         const ParameterValues chosen = nine().values(2), former = nine().values(0);
-        press("Go on from this");
+        press("More like this");
         QVERIFY(values() == chosen);
         QCOMPARE(stack().count(), steps + 1);
         QCOMPARE(nine().number(), 2);

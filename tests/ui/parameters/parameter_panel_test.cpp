@@ -137,7 +137,7 @@ private slots:
 
     void allRowsAreVariedAtOnceButForLockedOnes()
     {
-        choose("roughness", "Lock against varying");
+        choose("roughness", "Exclude from randomizing");
         QCOMPARE(panel_->lockedRows(), QStringList{"sample/roughness"});
         const int count = history_->stack().count();
         const ParameterValues before = values();
@@ -254,10 +254,10 @@ private slots:
         ParameterRow* row = panel_->row("hourOfDay");
         QVERIFY(row->idle());
         QVERIFY(!panel_->row("sunHeight")->idle());
-        QVERIFY2(row->toolTip().startsWith(QStringLiteral("Does nothing now: acts when “Set sun by” is hour.")),
+        QVERIFY2(row->toolTip().startsWith(QStringLiteral("Not used now; only used when “Set sun by” is hour.")),
                  qPrintable(row->toolTip()));
         QCOMPARE(row->accessibleDescription(),
-                 QStringLiteral("Does nothing now: acts when “Set sun by” is hour. It keeps its value."));
+                 QStringLiteral("Not used now; only used when “Set sun by” is hour. Its value is kept."));
         QVERIFY(ink(row) < 0.7 * ink(panel_->row("sunHeight")));
         type("hourOfDay", "9.5");
         QCOMPARE(std::get<double>(panel_->values().row(*idle_.find("hourOfDay"))), 9.5);
@@ -278,7 +278,7 @@ private slots:
         QCOMPARE(label("sunBy"), QStringLiteral("Set sun by"));
         QCOMPARE(label("sunHeight"), QStringLiteral("Height"));
         QVERIFY(panel_->row("sunHeight")->toolTip().contains(QStringLiteral("Sun height")));
-        QVERIFY(panel_->row("sunHeight")->toolTip().contains(QStringLiteral("Allowed: 0 to 1")));
+        QVERIFY(panel_->row("sunHeight")->toolTip().contains(QStringLiteral("Range: 0 to 1")));
     }
 
     void groupsThatStartFoldedAreRememberedWhenOpened()

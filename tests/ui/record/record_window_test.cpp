@@ -86,7 +86,7 @@ private slots:
         stand(-0.5);
         press(Qt::Key_4, Qt::NoModifier);  // There is no bookmark, so the camera stays.
         QCOMPARE(camera().eye.x, -0.5);
-        QVERIFY(action("Keep this view as bookmark 4"));
+        QVERIFY(action("Set bookmark 4 to this view"));
         press(Qt::Key_4, Qt::ControlModifier);  // The camera becomes the bookmark.
         QCOMPARE(window_->bookmarks().name(4).left(1), QStringLiteral("4"));
         stand(0.25);
@@ -103,7 +103,7 @@ private slots:
         QVERIFY(glm::length(glm::normalize(camera().target - camera().eye) - glm::normalize(kept.target - kept.eye)) <
                 1e-9);
         QVERIFY2(window_->viewport().canGoBack(), "Backspace leads back");
-        action("Forget all bookmarks")->trigger();
+        action("Delete all bookmarks")->trigger();
         QVERIFY(window_->bookmarks().tour().bookmarks.empty());
     }
 

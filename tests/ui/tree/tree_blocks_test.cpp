@@ -157,7 +157,7 @@ private slots:
         QTest::keyClick(&viewport, Qt::Key_1);
         QCOMPARE(dock().overlay().handles()[0].line.size(), std::size_t(2));
         // Handles belong to the whole picture of A.
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         action("Side by side")->trigger();
         QTRY_VERIFY(viewport.covered());
         QVERIFY(!dock().overlay().isVisible());

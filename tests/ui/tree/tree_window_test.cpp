@@ -230,8 +230,8 @@ private slots:
             if (button->text() == "Save") save = button;
         // Checks whether there is something to save.
         const auto savable = [&](bool is) {
-            return action("Save file")->isEnabled() == is && save->isEnabled() == is &&
-                   action("Save file as…")->isEnabled();
+            return action("Save scene")->isEnabled() == is && save->isEnabled() == is &&
+                   action("Save scene as…")->isEnabled();
         };
         QVERIFY(save && savable(false));
         const int steps = stack().count();

@@ -134,7 +134,7 @@ private slots:
 
     void sideBySideALineIsDraggedInEitherPicture()
     {
-        action("Hold what is on show as B")->trigger();
+        action("Hold the current settings as B")->trigger();
         action("Side by side")->trigger();
         QTRY_VERIFY(window_->viewport().covered());
         const QSize whole = window_->viewport().size();
@@ -183,7 +183,7 @@ private slots:
     void itIsAskedForInTheMenuAndCanBeCanceled()
     {
         Counted::wait = true;
-        action("Export table…")->trigger();
+        action("Export measurements…")->trigger();
         auto* dialog = window_->findChild<QFileDialog*>();
         QVERIFY(dialog);
         const QString path = home_->filePath("canceled.csv");
@@ -201,8 +201,8 @@ private slots:
     void whoHasNoTableSaysSo()
     {
         window_->visit(1);
-        QVERIFY(!action("Export table…")->isEnabled());
-        QVERIFY(action("Export table…")->toolTip().contains("has no table"));
+        QVERIFY(!action("Export measurements…")->isEnabled());
+        QVERIFY(action("Export measurements…")->toolTip().contains("has no table"));
         QVERIFY(!window_->findChild<QFileDialog*>());
     }
 };

@@ -146,8 +146,9 @@ private slots:
     {
         QFETCH(int, percent);
         setType(percent);
-        for (const char* command : {"Export picture…", "Record…", "Export lenticular print…", "Commands…",
-                                    "Keyboard, mouse and gamepad", "How this works", "About Vitrine", "Preferences…"})
+        for (const char* command :
+             {"Export picture…", "Record…", "Export lenticular print…", "Commands…", "Keyboard, mouse and gamepad",
+              "About this exhibit", "About Vitrine", "Preferences…"})
             lookAtDialogOf(command);
         action("Preferences…")->trigger();
         auto* preferences = window_->findChild<PreferencesDialog*>();

@@ -141,7 +141,7 @@ private slots:
         window_->choose(1);
         const auto morph = [this] { return window_->history().sceneState().values[1][gallery_->table().morph]; };
         const double before = morph();
-        action("Vary at random")->trigger();
+        action("Randomize parameters")->trigger();
         QCOMPARE(roughness(), 0.25);
         QVERIFY(morph() != before);
     }
@@ -282,8 +282,8 @@ private slots:
     void actionsWithNothingToDoAreGrayAndSayWhy()
     {
         window_->choose(1);
-        for (const char* name : {"Save file", "Save file as…", "Export picture again", "Export table…", "Back",
-                                 "Save as a tour…", "Forget all bookmarks", "Rename preset", "Tags of preset…",
+        for (const char* name : {"Save scene", "Save scene as…", "Export picture again", "Export measurements…", "Back",
+                                 "Save as a tour…", "Delete all bookmarks", "Rename preset", "Tags of preset…",
                                  "Duplicate preset", "Delete preset", "Export preset…"}) {
             QVERIFY2(!action(name)->isEnabled(), name);
             QVERIFY2(!action(name)->toolTip().isEmpty(), name);
@@ -294,12 +294,12 @@ private slots:
         QVERIFY(action("Export picture again")->isEnabled());
         QVERIFY(action("Export picture again")->toolTip() != gray);
         action("Set bookmark 1")->trigger();
-        QVERIFY(action("Save as a tour…")->isEnabled() && action("Forget all bookmarks")->isEnabled());
-        action("Forget all bookmarks")->trigger();
-        QVERIFY(!action("Save as a tour…")->isEnabled() && !action("Forget all bookmarks")->isEnabled());
+        QVERIFY(action("Save as a tour…")->isEnabled() && action("Delete all bookmarks")->isEnabled());
+        action("Delete all bookmarks")->trigger();
+        QVERIFY(!action("Save as a tour…")->isEnabled() && !action("Delete all bookmarks")->isEnabled());
         window_->visit(1);
         QVERIFY(action("Back")->isEnabled());
-        QTRY_VERIFY(action("Press its button")->isEnabled());
+        QTRY_VERIFY(action("Press the exhibit's button")->isEnabled());
         action("Back")->trigger();
         QVERIFY(!action("Back")->isEnabled());
         presets()->setCurrentRow(0);
