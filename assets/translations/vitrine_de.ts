@@ -1439,10 +1439,6 @@ Zeiten nach: %2.</translation>
         <translation>ein data:-URI hat vor seinen Daten ein Komma; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>a depth buffer of another kind is asked for</source>
-        <translation>ein Tiefenpuffer anderer Art ist verlangt</translation>
-    </message>
-    <message>
         <source>a direction needs a number that is not 0</source>
         <translation>eine Richtung braucht eine Zahl, die nicht 0 ist</translation>
     </message>
@@ -1535,7 +1531,7 @@ Zeiten nach: %2.</translation>
         <translation>Eine Zeile für das Terminal liegt in der Zwischenablage; sie zeichnet dieses Bild in picture.png.</translation>
     </message>
     <message>
-        <source>a mesh is on show in place of the field</source>
+        <source>a mesh is shown instead of the field</source>
         <translation>anstelle des Felds wird ein Netz gezeigt</translation>
     </message>
     <message>
@@ -1587,8 +1583,8 @@ Zeiten nach: %2.</translation>
         <translation>Eine Seite über das besuchte Exponat: seine Technik, Abbildungen, Formeln, Quellen.</translation>
     </message>
     <message>
-        <source>a panorama is in place of the night sky</source>
-        <translation>ein Panorama steht an der Stelle des Nachthimmels</translation>
+        <source>a panorama replaces the night sky</source>
+        <translation>ein Panorama ersetzt den Nachthimmel</translation>
     </message>
     <message>
         <source>a parameter cannot depend on others; give a number</source>
@@ -1847,14 +1843,6 @@ Zeiten nach: %2.</translation>
         <translation>Ein drittes Blatt mit Tiefe: Nah ist weiß.</translation>
     </message>
     <message>
-        <source>a tile cannot look into its neighbors' passes, so one loop takes their place</source>
-        <translation>eine Kachel kann nicht in die Passes ihrer Nachbarn sehen, daher tritt eine Schleife an ihre Stelle</translation>
-    </message>
-    <message>
-        <source>a tile does not show the whole sky</source>
-        <translation>eine Kachel zeigt nicht den ganzen Himmel</translation>
-    </message>
-    <message>
         <source>A to the left of a line, B to the right; drag the line. If there is no B yet, the current settings become B.</source>
         <translation>Links einer Linie A, rechts davon B; die Linie lässt sich ziehen. Gibt es noch kein B, werden die jetzigen Einstellungen zu B.</translation>
     </message>
@@ -1871,7 +1859,7 @@ Zeiten nach: %2.</translation>
         <translation>der Datei eines Rundgangs, die sagt, wie sich die Kamera bewegt</translation>
     </message>
     <message>
-        <source>a transparent background is asked for</source>
+        <source>a transparent background is requested</source>
         <translation>ein transparenter Hintergrund ist verlangt</translation>
     </message>
     <message>
@@ -1909,10 +1897,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A view is empty; choose another picture.</source>
         <translation>Eine Ansicht ist leer; wählen Sie ein anderes Bild.</translation>
-    </message>
-    <message>
-        <source>a view of numbers is on show in place of the picture</source>
-        <translation>statt des Bildes wird eine Ansicht von Zahlen gezeigt</translation>
     </message>
     <message>
         <source>a viewing zone of {1} degrees; a lens focused on its back reaches {2} degrees with this index</source>
@@ -2142,10 +2126,6 @@ Zeiten nach: %2.</translation>
         <translation>Alle Werte sind Ausgangswerte.</translation>
     </message>
     <message>
-        <source>alone there are no walls to end the air</source>
-        <translation>allein gibt es keine Wände, an denen die Luft endet</translation>
-    </message>
-    <message>
         <source>Along the bookmarks</source>
         <translation>Entlang der Lesezeichen</translation>
     </message>
@@ -2254,10 +2234,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>An ellipsoid around the origin.</source>
         <translation>Ein Ellipsoid um den Ursprung.</translation>
-    </message>
-    <message>
-        <source>an empty picture to start from</source>
-        <translation>ein leeres Bild als Anfang</translation>
     </message>
     <message>
         <source>an environment</source>
@@ -2445,15 +2421,15 @@ Zeiten nach: %2.</translation>
         <translation>Anisotropie</translation>
     </message>
     <message>
-        <source>another camera, moment or world than before</source>
-        <translation>andere Kamera, anderer Augenblick oder andere Welt als zuvor</translation>
+        <source>another kind of depth buffer is selected</source>
+        <translation>eine andere Art von Tiefenpuffer ist gewählt</translation>
     </message>
     <message>
         <source>another tile is drawn</source>
         <translation>eine andere Kachel wird gezeichnet</translation>
     </message>
     <message>
-        <source>another work is on show</source>
+        <source>another work is shown</source>
         <translation>ein anderes Werk wird gezeigt</translation>
     </message>
     <message>
@@ -4136,6 +4112,10 @@ Zeiten nach: %2.</translation>
         <translation>Die Liste jetzt leeren</translation>
     </message>
     <message>
+        <source>clears the picture</source>
+        <translation>leert das Bild am Anfang</translation>
+    </message>
+    <message>
         <source>Click</source>
         <translation>Klick</translation>
     </message>
@@ -5147,6 +5127,10 @@ Zeiten nach: %2.</translation>
         <translation>Diffus</translation>
     </message>
     <message>
+        <source>diffuses the errors to neighbors</source>
+        <translation>verteilt die Fehler auf Nachbarn</translation>
+    </message>
+    <message>
         <source>Direction</source>
         <extracomment>tables</extracomment>
         <translation>Richtung</translation>
@@ -5558,10 +5542,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>jede für sich</translation>
     </message>
     <message>
-        <source>each lantern floats on the water of this moment</source>
-        <translation>jede Laterne schwimmt auf dem Wasser dieses Augenblicks</translation>
-    </message>
-    <message>
         <source>ease</source>
         <translation>Übergang</translation>
     </message>
@@ -5708,6 +5688,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Fehlerdiffusion</translation>
     </message>
     <message>
+        <source>error diffusion is off</source>
+        <translation>Fehlerdiffusion ist aus</translation>
+    </message>
+    <message>
         <source>Error of the pitch of the strips: 0.01 is one percent too wide.</source>
         <extracomment>tables</extracomment>
         <translation>Fehler des Streifenabstands: 0.01 ist ein Prozent zu breit.</translation>
@@ -5725,14 +5709,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Error that is shown hottest, in degrees: low brings out small errors.</source>
         <extracomment>tables</extracomment>
         <translation>Fehler, der am heißesten gezeigt wird, in Grad: Niedrige Werte zeigen kleine Fehler.</translation>
-    </message>
-    <message>
-        <source>errors are handed on</source>
-        <translation>Fehler werden weitergereicht</translation>
-    </message>
-    <message>
-        <source>errors are not diffused</source>
-        <translation>Fehler werden nicht verteilt</translation>
     </message>
     <message>
         <source>Errors of bars 9 tap and vote</source>
@@ -5778,10 +5754,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Evening dust</source>
         <translation>Abendlicher Staub</translation>
-    </message>
-    <message>
-        <source>every frame stands alone</source>
-        <translation>jeder Frame steht für sich</translation>
     </message>
     <message>
         <source>every shape</source>
@@ -6108,6 +6080,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Findet Formen und Operationen nach Namen und danach, was sie tun, etwa „smooth union“.</translation>
     </message>
     <message>
+        <source>finds the parts that the sun of the small world reaches</source>
+        <translation>findet, was die Sonne der kleinen Welt erreicht</translation>
+    </message>
+    <message>
         <source>Fine, 75 lenses an inch</source>
         <translation>Fein, 75 Linsen je Zoll</translation>
     </message>
@@ -6392,6 +6368,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Frames</source>
         <translation>Frames</translation>
+    </message>
+    <message>
+        <source>frames are independent of each other</source>
+        <translation>die Frames hängen nicht voneinander ab</translation>
     </message>
     <message>
         <source>Frames per second</source>
@@ -6988,6 +6968,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Höhen</translation>
     </message>
     <message>
+        <source>heights or normals are shown instead of the picture</source>
+        <translation>statt des Bildes werden Höhen oder Normalen gezeigt</translation>
+    </message>
+    <message>
         <source>held-out view {1}</source>
         <translation>zurückgehaltene Ansicht {1}</translation>
     </message>
@@ -7454,10 +7438,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es hat keine Pixel</translation>
     </message>
     <message>
-        <source>it has no place in the hall</source>
-        <translation>es hat keinen Platz in der Halle</translation>
-    </message>
-    <message>
         <source>it has one of the characters \ $ ~ : or a control character</source>
         <translation>er enthält eines der Zeichen \ $ ~ : oder ein Steuerzeichen</translation>
     </message>
@@ -7496,10 +7476,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>it is a volume</source>
         <translation>es ist ein Volumen</translation>
-    </message>
-    <message>
-        <source>it is alone in the source's light</source>
-        <translation>es steht allein im Licht des Originals</translation>
     </message>
     <message>
         <source>it is an absolute path</source>
@@ -7586,12 +7562,20 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>die Datei ist nicht von glTF-Version 2</translation>
     </message>
     <message>
+        <source>it is not placed in the hall</source>
+        <translation>es steht nicht in der Halle</translation>
+    </message>
+    <message>
         <source>it is not written as settings are</source>
         <translation>sie ist nicht so geschrieben, wie Einstellungen es sind</translation>
     </message>
     <message>
         <source>it is packed in pieces of more than 512 MiB; save it in smaller ones</source>
         <translation>es ist in Stücken von mehr als 512 MiB gepackt; speichern Sie es in kleineren</translation>
+    </message>
+    <message>
+        <source>it is shown alone in the light of the reference</source>
+        <translation>es wird allein im Licht des Originals gezeigt</translation>
     </message>
     <message>
         <source>it is too large</source>
@@ -7772,6 +7756,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Its outline is nearly good, its reflections break at every edge: “Tessellation” says how many there are.</source>
         <translation>Sein Umriss ist fast gut, seine Spiegelungen brechen an jeder Kante: „Tessellierung“ sagt, wie viele es gibt.</translation>
+    </message>
+    <message>
+        <source>its output is not used</source>
+        <translation>seine Ausgabe wird nicht gebraucht</translation>
     </message>
     <message>
         <source>its own</source>
@@ -8375,6 +8363,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>linear light is handed out as it is</source>
         <translation>lineares Licht wird ausgegeben, wie es ist</translation>
+    </message>
+    <message>
+        <source>linear light is requested</source>
+        <translation>lineares Licht ist verlangt</translation>
     </message>
     <message>
         <source>Lines</source>
@@ -9110,10 +9102,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>keine Animation des Modells ist gewählt</translation>
     </message>
     <message>
-        <source>no background is behind the air</source>
-        <translation>hinter der Luft ist kein Hintergrund</translation>
-    </message>
-    <message>
         <source>No beams</source>
         <translation>Keine Strahlen</translation>
     </message>
@@ -9132,6 +9120,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>No count of work tells these settings apart.</source>
         <translation>Keine gezählte Arbeit unterscheidet diese Einstellungen.</translation>
+    </message>
+    <message>
+        <source>no counts are requested</source>
+        <translation>es werden keine Zählwerte verlangt</translation>
     </message>
     <message>
         <source>no exhibit stands here</source>
@@ -9190,16 +9182,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>keine Lasten verschiedener Größe wurden gemessen</translation>
     </message>
     <message>
-        <source>no material sends light of the lights</source>
-        <translation>kein Material sendet Licht der Lichter</translation>
+        <source>no material reflects the lights</source>
+        <translation>kein Material wirft das Licht der Lichter zurück</translation>
     </message>
     <message>
         <source>no mesh was made</source>
         <translation>kein Netz wurde erzeugt</translation>
     </message>
     <message>
-        <source>no motion follows this picture</source>
-        <translation>auf dieses Bild folgt keine Bewegung</translation>
+        <source>no motion follows this frame</source>
+        <translation>auf diesen Frame folgt keine Bewegung</translation>
     </message>
     <message>
         <source>No node has these words.</source>
@@ -9250,10 +9242,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Kein Strahl streift eine Schale über so viele Zellen.</translation>
     </message>
     <message>
-        <source>no ray is followed that the water mirrors</source>
-        <translation>kein Strahl wird verfolgt, den das Wasser spiegelt</translation>
-    </message>
-    <message>
         <source>No ray meets the object so often.</source>
         <translation>Kein Strahl trifft das Objekt so oft.</translation>
     </message>
@@ -9262,12 +9250,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Vor Ihnen ist kein roter Knopf.</translation>
     </message>
     <message>
+        <source>no reflected rays are traced</source>
+        <translation>es werden keine gespiegelten Strahlen verfolgt</translation>
+    </message>
+    <message>
         <source>No setting that was measured stays within {1}</source>
         <translation>Keine gemessene Einstellung bleibt innerhalb von {1}</translation>
     </message>
     <message>
         <source>No shape or operation matches.</source>
         <translation>Keine Form oder Operation passt.</translation>
+    </message>
+    <message>
+        <source>no shown view has shadows</source>
+        <translation>keine gezeigte Ansicht hat Schatten</translation>
     </message>
     <message>
         <source>no sky is in view</source>
@@ -9294,14 +9290,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>durch Fenster oder Oculus fällt kein Sonnenstrahl, der breiter als 30 cm ist</translation>
     </message>
     <message>
-        <source>no technique in use makes them</source>
-        <translation>keine benutzte Technik erzeugt sie</translation>
-    </message>
-    <message>
-        <source>no view on show has shadows</source>
-        <translation>keine gezeigte Ansicht hat Schatten</translation>
-    </message>
-    <message>
         <source>No views can be rendered: there is no graphics context.</source>
         <translation>Es können keine Ansichten gerendert werden: Es gibt keinen Grafikkontext.</translation>
     </message>
@@ -9314,16 +9302,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Keine Ansicht konnte gerendert werden.</translation>
     </message>
     <message>
+        <source>no visible part has fins</source>
+        <translation>kein sichtbarer Teil hat Fins</translation>
+    </message>
+    <message>
         <source>No way past the walls and what stands in the hall was found from the bookmark &quot;{1}&quot; to &quot;{2}&quot;; put another one between them.</source>
         <translation>Vom Lesezeichen „{=1}“ zu „{=2}“ fand sich kein Weg an den Wänden und dem, was in der Halle steht, vorbei; setzen Sie ein weiteres dazwischen.</translation>
     </message>
     <message>
-        <source>no work looks its noise up</source>
-        <translation>kein Werk schlägt sein Rauschen nach</translation>
-    </message>
-    <message>
-        <source>nobody asks for counts</source>
-        <translation>niemand fragt nach Zählwerten</translation>
+        <source>no work uses baked noise</source>
+        <translation>kein Werk verwendet gebackenes Rauschen</translation>
     </message>
     <message>
         <source>node under &quot;nodes&quot;</source>
@@ -9543,10 +9531,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Nothing of {1} is to be seen: it is scaled to a point or a line; export it with a scale other than 0.</source>
         <translation>Von {1} ist nichts zu sehen: Es ist zu einem Punkt oder einer Linie skaliert; exportieren Sie es mit einer Skalierung ungleich 0.</translation>
-    </message>
-    <message>
-        <source>nothing reads what it writes</source>
-        <translation>nichts liest, was er schreibt</translation>
     </message>
     <message>
         <source>nothing so cheap was measured</source>
@@ -9975,10 +9959,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>gezeigt</translation>
     </message>
     <message>
-        <source>on show in place of the field</source>
-        <translation>anstelle des Felds gezeigt</translation>
-    </message>
-    <message>
         <source>Once more, behind it.</source>
         <translation>Noch einmal, dahinter.</translation>
     </message>
@@ -10000,10 +9980,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>one cone</source>
         <extracomment>tables</extracomment>
         <translation>ein Kegel</translation>
-    </message>
-    <message>
-        <source>one exhibit is asked for without what is around it</source>
-        <translation>ein Exponat ist ohne das verlangt, was es umgibt</translation>
     </message>
     <message>
         <source>One for all frames: made of them, or a shipped one.</source>
@@ -10062,12 +10038,24 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nur geänderte</translation>
     </message>
     <message>
+        <source>only depth is shown</source>
+        <translation>gezeigt wird nur die Tiefe</translation>
+    </message>
+    <message>
+        <source>only one exhibit is requested, without its surroundings</source>
+        <translation>nur ein Exponat ist verlangt, ohne seine Umgebung</translation>
+    </message>
+    <message>
         <source>Only one of its {1} parts is read.</source>
         <translation>Nur einer seiner {1} Teile wird gelesen.</translation>
     </message>
     <message>
         <source>Only prints with vertical lenses can be cut into tiles.</source>
         <translation>Nur Drucke mit senkrechten Linsen lassen sich in Kacheln schneiden.</translation>
+    </message>
+    <message>
+        <source>only the beams are shown</source>
+        <translation>nur die Strahlen werden gezeigt</translation>
     </message>
     <message>
         <source>Only the chosen exhibit</source>
@@ -10691,6 +10679,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Places</source>
         <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>places each lantern on the water at this time</source>
+        <translation>setzt jede Laterne auf das Wasser dieses Zeitpunkts</translation>
     </message>
     <message>
         <source>plain</source>
@@ -11350,8 +11342,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Strahlen haben das Wasser in weniger Schritten gefunden.</translation>
     </message>
     <message>
-        <source>rays look the field's noise up in empty space</source>
-        <translation>Strahlen schlagen das Rauschen des Felds im leeren Raum nach</translation>
+        <source>rays use baked noise in empty space</source>
+        <translation>Strahlen verwenden im leeren Raum gebackenes Rauschen</translation>
     </message>
     <message>
         <source>Read: %1 %2</source>
@@ -12835,6 +12827,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Gezeigt als</translation>
     </message>
     <message>
+        <source>shown instead of the field</source>
+        <translation>anstelle des Felds gezeigt</translation>
+    </message>
+    <message>
         <source>Shows B instead of A. Holding the key B in the picture does the same.</source>
         <translation>Zeigt B statt A. Die Taste B im Bild zu halten, tut dasselbe.</translation>
     </message>
@@ -13081,10 +13077,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Some were measured in the hall and some alone, so their times cannot be compared: their work is.</source>
         <translation>Einige wurden in der Halle gemessen und einige allein, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit.</translation>
-    </message>
-    <message>
-        <source>something else stands on the floor</source>
-        <translation>etwas anderes steht auf dem Boden</translation>
     </message>
     <message>
         <source>something else than a socket lies there; it was left alone, choose another path.</source>
@@ -13942,12 +13934,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Der Maßstab der Basis ist {1}; geben Sie 0 oder mehr an, 1 für Tiefe in ihrem wahren Maß.</translation>
     </message>
     <message>
-        <source>the beams are out of view</source>
-        <translation>die Strahlen sind außer Sicht</translation>
+        <source>the beams are added to the picture</source>
+        <translation>die Strahlen werden zum Bild addiert</translation>
     </message>
     <message>
-        <source>the beams lie over the picture</source>
-        <translation>die Strahlen liegen über dem Bild</translation>
+        <source>the beams are out of view</source>
+        <translation>die Strahlen sind außer Sicht</translation>
     </message>
     <message>
         <source>the bleed is {1}; give 0 or more</source>
@@ -13998,7 +13990,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Kamera hat sich zu weit gedreht</translation>
     </message>
     <message>
-        <source>the candles are out</source>
+        <source>the camera, time or world has changed</source>
+        <translation>Kamera, Zeit oder Welt haben sich geändert</translation>
+    </message>
+    <message>
+        <source>the candles do not burn</source>
         <translation>die Kerzen brennen nicht</translation>
     </message>
     <message>
@@ -14066,8 +14062,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Die Uhr steht, weil sich nichts bewegt, was zu sehen ist, und geht weiter, sobald sich etwas bewegt.</translation>
     </message>
     <message>
-        <source>the clouds look their noise up</source>
-        <translation>die Wolken schlagen ihr Rauschen nach</translation>
+        <source>the clouds use baked noise</source>
+        <translation>die Wolken verwenden gebackenes Rauschen</translation>
     </message>
     <message>
         <source>the cone pre-pass is switched off</source>
@@ -14114,8 +14110,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Dichte der Strahlen ist 0</translation>
     </message>
     <message>
-        <source>the depth is stored as it is drawn</source>
-        <translation>die Tiefe wird gespeichert, wie sie gezeichnet wird</translation>
+        <source>the depth is stored when it is drawn</source>
+        <translation>die Tiefe wird beim Zeichnen gespeichert</translation>
     </message>
     <message>
         <source>the description</source>
@@ -14149,7 +14145,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Umgebung liegt hinter dem Exponat</translation>
     </message>
     <message>
-        <source>the evaluations channel is asked for</source>
+        <source>the evaluations channel is requested</source>
         <translation>der Kanal der Auswertungen ist verlangt</translation>
     </message>
     <message>
@@ -14159,6 +14155,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the exhibit is shown alone</source>
         <translation>das Exponat wird allein gezeigt</translation>
+    </message>
+    <message>
+        <source>the exhibit is shown alone, without walls to bound the air</source>
+        <translation>das Exponat wird allein gezeigt, ohne Wände, an denen die Luft endet</translation>
     </message>
     <message>
         <source>The extension {1} is not supported and was ignored.</source>
@@ -14173,7 +14173,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Der Winkel des Auges muss zwischen -85 und 85 Grad liegen.</translation>
     </message>
     <message>
-        <source>the field is on show</source>
+        <source>the field is shown</source>
         <translation>das Feld wird gezeigt</translation>
     </message>
     <message>
@@ -14239,6 +14239,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the floor is out of view</source>
         <translation>der Boden ist außer Sicht</translation>
+    </message>
+    <message>
+        <source>the fog is too thin to show the light of the lanterns</source>
+        <translation>der Nebel ist zu dünn, um das Licht der Laternen zu zeigen</translation>
     </message>
     <message>
         <source>The former A</source>
@@ -14374,12 +14378,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Licht ihrer Quellen passt nicht zu seinen Richtungen</translation>
     </message>
     <message>
-        <source>the light of the source has none</source>
-        <translation>das Licht der Vorlage hat das nicht</translation>
-    </message>
-    <message>
         <source>the light of the sun is black</source>
         <translation>das Licht der Sonne ist schwarz</translation>
+    </message>
+    <message>
+        <source>the lighting of the reference has none</source>
+        <translation>die Beleuchtung des Originals hat keine</translation>
     </message>
     <message>
         <source>the look</source>
@@ -14402,16 +14406,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Maske wird aus den Verdeckern gemacht</translation>
     </message>
     <message>
+        <source>the mask is shown</source>
+        <translation>die Maske wird gezeigt</translation>
+    </message>
+    <message>
         <source>the median is not in this interval; correct it there.</source>
         <translation>der Median liegt nicht in diesem Intervall; korrigieren Sie es dort.</translation>
     </message>
     <message>
         <source>The mesh is not closed or no manifold ({1} edges, {2} vertices, {3} triangles); nothing was written. Give a slightly different --cell.</source>
         <translation>Das Netz ist nicht geschlossen oder keine Mannigfaltigkeit ({1} Kanten, {2} Ecken, {3} Dreiecke); nichts wurde geschrieben. Geben Sie ein etwas anderes --cell an.</translation>
-    </message>
-    <message>
-        <source>the mist is too thin to show that lanterns light it</source>
-        <translation>der Nebel ist zu dünn, um zu zeigen, dass Laternen ihn beleuchten</translation>
     </message>
     <message>
         <source>the model has more than 200,000 triangles, too many for fins; a march fills its silhouette as well</source>
@@ -14442,8 +14446,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der neue Inhalt steht an seinem Platz, aber der Datenträger hat ihn nicht bestätigt ({=1}); speichern Sie noch einmal.</translation>
     </message>
     <message>
-        <source>the next motion begins with the picture at rest</source>
-        <translation>die nächste Bewegung beginnt mit dem Bild in Ruhe</translation>
+        <source>the next motion starts from the idle picture</source>
+        <translation>die nächste Bewegung beginnt mit dem ruhenden Bild</translation>
     </message>
     <message>
         <source>The night sky stays until it can be read.</source>
@@ -14464,6 +14468,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The object itself, ray by ray, beside what stands in its place.</source>
         <translation>Das Objekt selbst, Strahl für Strahl, neben dem, was an seiner Stelle steht.</translation>
+    </message>
+    <message>
+        <source>the objects on the floor have changed</source>
+        <translation>die Objekte auf dem Boden haben sich geändert</translation>
     </message>
     <message>
         <source>The other command loses it.</source>
@@ -14498,8 +14506,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Bild hat {1} Kanäle, und dieses Format fasst {2}; wählen Sie OpenEXR</translation>
     </message>
     <message>
-        <source>the picture is asked for as linear light</source>
-        <translation>das Bild wird als lineares Licht verlangt</translation>
+        <source>the picture is a tile and does not show the whole sky</source>
+        <translation>das Bild ist eine Kachel und zeigt nicht den ganzen Himmel</translation>
+    </message>
+    <message>
+        <source>the picture is a tile, which cannot read the passes of its neighbors; one loop replaces them</source>
+        <translation>das Bild ist eine Kachel und kann nicht in die Passes ihrer Nachbarn sehen; eine Schleife ersetzt sie</translation>
     </message>
     <message>
         <source>the picture is empty</source>
@@ -14696,6 +14708,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the screen shows less than the eye sees</source>
         <translation>der Bildschirm zeigt weniger, als das Auge sieht</translation>
+    </message>
+    <message>
+        <source>the selected technique does not make them</source>
+        <translation>die gewählte Technik erzeugt sie nicht</translation>
     </message>
     <message>
         <source>the shadow method is none</source>
@@ -14898,18 +14914,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das Vertexattribut {=1} wird nicht unterstützt und wurde übergangen.</translation>
     </message>
     <message>
-        <source>the view of the beams alone is on</source>
-        <translation>die Ansicht der Strahlen allein ist eingeschaltet</translation>
-    </message>
-    <message>
-        <source>the view of the mask is on</source>
-        <translation>die Ansicht der Maske ist eingeschaltet</translation>
-    </message>
-    <message>
-        <source>the view on show is the depth alone</source>
-        <translation>gezeigt wird nur die Tiefe</translation>
-    </message>
-    <message>
         <source>the viewing distance is {1} mm; the eye must be farther away than the sheet is thick, {2} mm</source>
         <translation>der Betrachtungsabstand ist {1} mm; das Auge muss weiter weg sein, als die Folie dick ist, {2} mm</translation>
     </message>
@@ -14951,12 +14955,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Wasser</translation>
     </message>
     <message>
-        <source>the water is a mirror: its plane is met in one step</source>
-        <translation>das Wasser ist ein Spiegel: Seine Ebene wird in einem Schritt getroffen</translation>
+        <source>the water is flat and is hit in one step</source>
+        <translation>das Wasser ist glatt und wird in einem Schritt getroffen</translation>
     </message>
     <message>
-        <source>the water sends too little of the moon to show shadows</source>
-        <translation>das Wasser sendet zu wenig vom Mond, um Schatten zu zeigen</translation>
+        <source>the water reflects too little moonlight to show shadows</source>
+        <translation>das Wasser wirft zu wenig Mondlicht zurück, um Schatten zu zeigen</translation>
     </message>
     <message>
         <source>the weight of the rays is 0</source>
@@ -15035,6 +15039,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>es gibt mehr als {1} Ecken</translation>
     </message>
     <message>
+        <source>there are no beams to add to the picture</source>
+        <translation>es gibt keine Strahlen, die zum Bild zu addieren wären</translation>
+    </message>
+    <message>
         <source>There are no bookmarks yet.</source>
         <translation>Es gibt noch keine Lesezeichen.</translation>
     </message>
@@ -15105,6 +15113,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>There is no animation &quot;{1}&quot;; the file has {2}.</source>
         <translation>Eine Animation „{=1}“ gibt es nicht; die Datei hat {=2}.</translation>
+    </message>
+    <message>
+        <source>there is no background behind the air</source>
+        <translation>hinter der Luft ist kein Hintergrund</translation>
     </message>
     <message>
         <source>There is no bookmark %1 yet: Bookmarks &gt; Set bookmark %1 makes one of where you are.</source>
@@ -15225,10 +15237,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>there is not enough memory for fins</source>
         <translation>für Fins reicht der Speicher nicht</translation>
-    </message>
-    <message>
-        <source>there is nothing of the beams to lay over the picture</source>
-        <translation>von den Strahlen gibt es nichts, was über das Bild zu legen wäre</translation>
     </message>
     <message>
         <source>There is nothing of the scene in this part of space; choose another.</source>
@@ -16711,10 +16719,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was gezeichnet wird, und warum</translation>
     </message>
     <message>
-        <source>what is in view has no fins</source>
-        <translation>was zu sehen ist, hat keine Fins</translation>
-    </message>
-    <message>
         <source>what is near</source>
         <extracomment>tables</extracomment>
         <translation>was nah ist</translation>
@@ -16762,10 +16766,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>What the same step takes with the settings B, in a finished frame that is drawn anew: nothing is taken over from the frame before, and nothing is left for the next one.</source>
         <translation>Was derselbe Schritt mit den Einstellungen B braucht, in einem fertigen Frame, der neu gezeichnet wird: Nichts wird aus dem Frame davor übernommen, und nichts bleibt für den nächsten.</translation>
-    </message>
-    <message>
-        <source>what the small world's sun reaches</source>
-        <translation>was die Sonne der kleinen Welt erreicht</translation>
     </message>
     <message>
         <source>What to measure</source>
@@ -17169,8 +17169,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>mit seinem Rand hat er mehr als 2147483647 Pixel auf einer Seite</translation>
     </message>
     <message>
-        <source>with its numbers folded, which rest</source>
-        <translation>mit eingerechneten Zahlen, die ruhen</translation>
+        <source>with its constant numbers compiled in</source>
+        <translation>mit eingerechneten konstanten Zahlen</translation>
     </message>
     <message>
         <source>With one view the print shows the same picture from everywhere.</source>

@@ -37,7 +37,7 @@ void planComposite(const RaysScene& s, const RayImages& made, render::Contributi
 {
     const RayView view = s.values[s.table.view];
     render::Pass pass = s.pass(
-        "composite", view == RayView::picture ? "the beams lie over the picture" : "the view of the beams alone is on",
+        "composite", view == RayView::picture ? "the beams are added to the picture" : "only the beams are shown",
         "crepuscular_rays/composite.frag");
     pass.phase = render::PassPhase::volume;
     pass.bound = std::move(bound);
@@ -148,9 +148,9 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
     const render::ContributionBound haze = effect ? hazeBound(s, plan.view) : render::ContributionBound{};
     const render::ContributionBound air = effect ? beamBound(s, plan.view) : render::ContributionBound{};
     const auto uses = [&s](RayTechnique technique) {
-        return render::required(s.uses(technique), "no technique in use makes them");
+        return render::required(s.uses(technique), "the selected technique does not make them");
     };
-    const render::Factor noMask{maskShown ? 0.0 : 1.0, "the view of the mask is on"};
+    const render::Factor noMask{maskShown ? 0.0 : 1.0, "the mask is shown"};
     const bool raysShown = maskShown ? isDrawn({}, rays, {}, {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan)
                                      : isDrawn({uses(RayTechnique::screen)}, rays, s.sunAhead(),
                                                {"crepuscular_rays/mask", "crepuscular_rays/rays"}, plan);
@@ -176,8 +176,8 @@ void CrepuscularRays::planOverFrame(const PlanContext& context, render::FramePla
         planComposite(s, made, std::move(both), plan);
     else
         plan.skip("crepuscular_rays/composite",
-                  render::whyZero({render::required(asked, "no technique in use makes them"),
-                                   {0, "there is nothing of the beams to lay over the picture"}}));
+                  render::whyZero({render::required(asked, "the selected technique does not make them"),
+                                   {0, "there are no beams to add to the picture"}}));
 }
 
 }  // namespace vitrine

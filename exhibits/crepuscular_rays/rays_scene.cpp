@@ -80,9 +80,9 @@ render::Pass RaysScene::pass(const char* name, std::string reason, std::string f
 
 render::Factor RaysScene::endOfAir() const
 {
-    if (context.onNothing) return {0, "no background is behind the air"};
+    if (context.onNothing) return {0, "there is no background behind the air"};
     return render::required(context.lighting.background != BACKGROUND_STUDIO,
-                            "alone there are no walls to end the air");
+                            "the exhibit is shown alone, without walls to bound the air");
 }
 
 render::Factor RaysScene::anyBeam() const

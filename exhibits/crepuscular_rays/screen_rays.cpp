@@ -27,7 +27,8 @@ std::int64_t pixels(glm::ivec2 size)
 /// Plans a pass with the depth of everything that hides the sky, for the whole picture. Returns its depth image.
 std::string planOccluders(const RaysScene& s, render::FramePlan& plan)
 {
-    const char* reason = s.tile ? "a tile does not show the whole sky" : "the mask is made of the occluders";
+    const char* reason =
+        s.tile ? "the picture is a tile and does not show the whole sky" : "the mask is made of the occluders";
     const std::map<std::string, std::string> images = render::addElsewhere(
         plan, s.context.seenFrom(s.wholeView),
         {.name = "crepuscular_rays/occluders", .reason = reason, .view = s.wholeView, .depthOnly = true});
@@ -40,10 +41,11 @@ void planLoop(const RaysScene& s, const ResourceId& mask, const ResourceId& rays
     // With a path of length 0, one sample is exact: the mask, bit for bit.
     const int samples = !plain && s.block.gathered <= 0 ? 1 : s.values[s.table.samples];
     const bool inPlaceOfPasses = s.tile && !plain && s.values[s.table.method] == RayMethod::threePasses;
-    Pass pass = s.pass("loop",
-                       inPlaceOfPasses ? "a tile cannot look into its neighbors' passes, so one loop takes their place"
-                                       : "the sky shines into the picture",
-                       "crepuscular_rays/loop.frag");
+    Pass pass = s.pass(
+        "loop",
+        inPlaceOfPasses ? "the picture is a tile, which cannot read the passes of its neighbors; one loop replaces them"
+                        : "the sky shines into the picture",
+        "crepuscular_rays/loop.frag");
     pass.phase = render::PassPhase::volume;
     if (plain) pass.shader.defines.emplace_back("PLAIN_SUM");
     pass.colors = {Attachment::cleared(rays)};

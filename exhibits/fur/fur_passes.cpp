@@ -135,7 +135,7 @@ struct Planner {
         plan.add(std::move(made));
         if (fins.draws.empty()) {
             plan.skip("fur/fins", values()[table.silhouette] == FurSilhouette::fins
-                                      ? "what is in view has no fins"
+                                      ? "no visible part has fins"
                                       : "silhouettes are not filled with fins");
         } else {
             fins.shader.defines.emplace_back("FIN");

@@ -45,10 +45,10 @@ int antialiasingSample(const FrameRequest& request)
 
 void planAntialiasing(const FrameRequest& request, const FrameHistory& history, render::FramePlan& plan)
 {
-    if (history.frames <= 1) return plan.skip("antialias", "every frame stands alone");
+    if (history.frames <= 1) return plan.skip("antialias", "frames are independent of each other");
     const bool moves = isAveragedOverFrames(request, history);
     const bool kept = !request.finished && isWhole(request) && request.averageIn == AverageIn::display;
-    if (!moves && !kept) return plan.skip("antialias", "no motion follows this picture");
+    if (!moves && !kept) return plan.skip("antialias", "no motion follows this frame");
     plan.history({.image = {.name = frameHistoryImage, .format = render::Format::rgba16f},
                   .dependencies = {{"a value changed", history.look}},
                   .cutSeconds = std::numeric_limits<double>::infinity()});
@@ -65,7 +65,7 @@ void planAntialiasing(const FrameRequest& request, const FrameHistory& history, 
     if (request.samples == 1 || request.sample + 1 < request.samples) return;
     const int frames = std::min(history.frames, request.samples);
     render::Pass pass = historyPass("antialias/begin", "hall/keep_history.frag", "frame", {static_cast<float>(frames)});
-    pass.reason = "the next motion begins with the picture at rest";
+    pass.reason = "the next motion starts from the idle picture";
     plan.add(std::move(pass));
 }
 

@@ -161,7 +161,7 @@ void planContactShadows(const HallScene& scene, render::FramePlan& plan)
                 .persistent = true});
     Pass pass;
     pass.name = "floor/contact";
-    pass.reason = "something else stands on the floor";
+    pass.reason = "the objects on the floor have changed";
     pass.phase = render::PassPhase::prepare;
     pass.shader = {.vertex = "hall/contact.vert", .fragment = "hall/contact.frag"};
     pass.colors = {Attachment::cleared(contactImage, glm::vec4(1))};

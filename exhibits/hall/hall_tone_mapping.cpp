@@ -45,7 +45,7 @@ void planToneMapping(const SceneLighting& lighting, const FrameRequest& request,
         plan.add(std::move(tone));
         source = target;
     } else {
-        plan.skip("tone", "the picture is asked for as linear light");
+        plan.skip("tone", "linear light is requested");
     }
     if (!averaged) {
         plan.skip("average", "one sample per pixel");

@@ -207,8 +207,8 @@ void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
     else if (!scene.context.alone)
         plan.skip(ground, "it stands in the hall");
     else {
-        render::Pass pass = sdfPass(scene, "ground", "it is alone in the source's light", "lib/fullscreen.vert",
-                                    "ice_cream/ground.frag");
+        render::Pass pass = sdfPass(scene, "ground", "it is shown alone in the light of the reference",
+                                    "lib/fullscreen.vert", "ice_cream/ground.frag");
         drawSurface(pass, {.normal = scene.context.channels.normal});
         scene.context.lighting.bindLighting(pass);
         pass.shader.defines.push_back(shadowDefine(scene));

@@ -171,11 +171,11 @@ struct SdfPlanner {
     void count() const
     {
         if (!scene.context.channels.evaluations) {
-            plan.skip(named("count"), "nobody asks for counts");
+            plan.skip(named("count"), "no counts are requested");
             return;
         }
         // Rays that miss write nothing into the picture, so they are counted in a separate pass.
-        Pass made = marchPass("count", "the evaluations channel is asked for");
+        Pass made = marchPass("count", "the evaluations channel is requested");
         made.phase = render::PassPhase::resolve;
         made.shader.defines.emplace_back("COUNT");
         made.colors = {Attachment::whole(evaluationsImage)};
@@ -187,14 +187,14 @@ struct SdfPlanner {
     [[nodiscard]] bool mesh(const render::Asset<render::Mesh>* found) const
     {
         if (values[table.shownAs] != SdfShown::mesh) {
-            plan.skip(named("mesh"), "the field is on show");
+            plan.skip(named("mesh"), "the field is shown");
             return false;
         }
         if (!found || !found->value) {
             plan.warn(named("mesh"), found ? found->failure : "no mesh was made");
             return false;
         }
-        Pass made = pass("mesh", "on show in place of the field", "kit/sdf/mesh.vert", "kit/sdf/mesh.frag");
+        Pass made = pass("mesh", "shown instead of the field", "kit/sdf/mesh.vert", "kit/sdf/mesh.frag");
         drawSurface(made, {.normal = scene.context.channels.normal});
         scene.context.lighting.bindLighting(made);
         made.draws = {draw(found->value)};
@@ -288,7 +288,7 @@ void planSdf(const SdfScene& scene, const render::Asset<render::Mesh>* mesh, ren
     const SdfPlanner planner{scene, plan};
     if (planner.mesh(mesh)) {
         for (const char* step : {"cone", "march", "count"})
-            plan.skip(planner.named(step), "a mesh is on show in place of the field");
+            plan.skip(planner.named(step), "a mesh is shown instead of the field");
     } else {
         planner.cone();
         planner.march();

@@ -289,11 +289,11 @@ void Lenticular::plan(const PlanContext& context, render::FramePlan& plan) const
     card.depthOnly = render::DepthOnly{.shader = {.vertex = "lenticular/card.vert", .fragment = "kit/depth.frag"}};
     plan.add(std::move(card));
     if (!context.channels.evaluations) {
-        plan.skip("lenticular/count", "nobody asks for counts");
+        plan.skip("lenticular/count", "no counts are requested");
         return;
     }
     count.name = "lenticular/count";
-    count.reason = "the evaluations channel is asked for";
+    count.reason = "the evaluations channel is requested";
     count.phase = render::PassPhase::resolve;
     count.shader.defines.emplace_back("COUNT");
     count.colors = {Attachment::whole(evaluationsImage)};

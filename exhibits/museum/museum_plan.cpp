@@ -377,7 +377,7 @@ void Museum::Frame::planBuilding(render::FramePlan& into) const
     if (alone)
         into.skip("hall/walls", "the exhibit is shown alone");
     else if (request.cutOut)
-        into.skip("hall/walls", "one exhibit is asked for without what is around it");
+        into.skip("hall/walls", "only one exhibit is requested, without its surroundings");
     else
         planWalls(scene, light, request.channels, into);
     if (alone || request.cutOut) clearPicture(into);
@@ -388,7 +388,7 @@ void Museum::Frame::clearPicture(render::FramePlan& into) const
 {
     render::Pass clear;
     clear.name = "clear";
-    clear.reason = "an empty picture to start from";
+    clear.reason = "clears the picture";
     clear.phase = render::PassPhase::prepare;
     clear.shader = meshDepth().shader;
     clear.colors = {render::Attachment::cleared(radianceImage)};
@@ -431,7 +431,7 @@ void Museum::Frame::planExhibits()
             plan.skip(name, whyHiddenOf(present[i].hidden, contexts[i].values));
     }
     for (const auto& [i, exhibit] : museum.exhibits_)
-        if (!alone && !museum.isInHall(i)) plan.skip(std::string(exhibit.name()), "it has no place in the hall");
+        if (!alone && !museum.isInHall(i)) plan.skip(std::string(exhibit.name()), "it is not placed in the hall");
     for (std::size_t i = 0; i < present.size(); ++i) {
         const auto* over = capability<OverFrame>(present[i].exhibit);
         if (!over) continue;
@@ -489,7 +489,7 @@ void Museum::Frame::lightLamps()
 void Museum::Frame::finish(const render::PersistentState& kept)
 {
     if (request.transparent || request.cutOut)
-        plan.skip("sky", "a transparent background is asked for");
+        plan.skip("sky", "a transparent background is requested");
     else
         planSky(scene, light, plan);
     planToneMapping(light, request, history(), plan);

@@ -48,7 +48,7 @@ render::ResourceId planVolume(const char* name, render::Format format, int size,
 render::ResourceId planCloudBake(const NoiseTable& t, const ParameterValues& values, render::FramePlan& plan)
 {
     const int size = values[t.bakeSize];
-    render::Pass pass = exhibitPass("noise/bake", "the clouds look their noise up", values, "", "");
+    render::Pass pass = exhibitPass("noise/bake", "the clouds use baked noise", values, "", "");
     pass.shader.compute = "noise/cloud_bake.comp";
     render::Hash key;
     pass.key = key.addValue(size).addValue(values[t.seed]).addValue(values[t.cloudOctaves]).value();
@@ -62,7 +62,7 @@ std::string kindDefine(const NoiseTable& t, const ParameterValues& values)
 
 render::ResourceId planFieldBake(const NoiseTable& t, const ParameterValues& values, render::FramePlan& plan)
 {
-    render::Pass pass = exhibitPass("noise/bake", "rays look the field's noise up in empty space", values, "", "");
+    render::Pass pass = exhibitPass("noise/bake", "rays use baked noise in empty space", values, "", "");
     pass.shader.compute = "noise/field_bake.comp";
     pass.shader.defines = {kindDefine(t, values)};
     render::Hash key;
@@ -157,7 +157,7 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     const ParameterValues& values = context.values;
     const NoiseWork work = values[t.work];
     for (const NoiseWork other : {NoiseWork::field, NoiseWork::fractal, NoiseWork::sea, NoiseWork::clouds})
-        if (other != work) plan.skip(shaderOf(other).name, "another work is on show");
+        if (other != work) plan.skip(shaderOf(other).name, "another work is shown");
     const bool clouds = work == NoiseWork::clouds;
     const bool field = work == NoiseWork::field || work == NoiseWork::fractal;
     // Parameters without effect keep no volume.
@@ -175,7 +175,7 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
         pass.inputs.push_back(
             {UNIT_EXHIBIT_A, clouds ? planCloudBake(t, values, plan) : planFieldBake(t, values, plan)});
     } else {
-        plan.skip("noise/bake", "no work looks its noise up", render::Work::compute);
+        plan.skip("noise/bake", "no work uses baked noise", render::Work::compute);
     }
     plan.add(std::move(pass));
 }

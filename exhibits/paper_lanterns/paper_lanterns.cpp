@@ -56,8 +56,8 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
     const bool afloat = anyAfloat(t, values);
     const bool panorama = shows && panoramaOf(context.prepared) != nullptr;
     const int bounces = !shows ? 0 : source ? 1 : values[t.bounces];
-    const render::Factor inPicture = render::required(shows, "a view of numbers is on show in place of the picture");
-    const render::Factor ours = render::required(!source, "the light of the source has none");
+    const render::Factor inPicture = render::required(shows, "heights or normals are shown instead of the picture");
+    const render::Factor ours = render::required(!source, "the lighting of the reference has none");
     const render::Factor anyLantern = render::required(afloat || block.released.w >= 0, "no lantern is afloat");
     const render::Factor anyMist{values[t.fog], "the air is clear"};
     const render::Factor anyMoon{values[t.moon], "the strength of the moon is 0"};
@@ -72,22 +72,20 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
             .bounces = bounces,
             .show = static_cast<int>(values[t.show]),
             .lanterns = LakePart({anyLantern}),
-            .waves = LakePart(
-                {render::required(block.tallWaves > 0, "the water is a mirror: its plane is met in one step")}),
+            .waves = LakePart({render::required(block.tallWaves > 0, "the water is flat and is hit in one step")}),
             .mist = LakePart({inPicture, ours, anyMist}),
             .halo = LakePart(
-                {inPicture, ours, anyMist, anyLantern, render::required(values[t.candles], "the candles are out"),
-                 render::required(lightsTheAir(t, values), "the mist is too thin to show that lanterns light it")}),
+                {inPicture, ours, anyMist, anyLantern, render::required(values[t.candles], "the candles do not burn"),
+                 render::required(lightsTheAir(t, values), "the fog is too thin to show the light of the lanterns")}),
             .moon = LakePart({inPicture, anyMoon, risen}),
             .moonOnWater = LakePart({inPicture, ours, anyMoon, risen, anyLantern,
                                      render::required(onWater > leastMoonOnWater,
-                                                      "the water sends too little of the moon to show shadows")}),
+                                                      "the water reflects too little moonlight to show shadows")}),
             .stars = LakePart({inPicture,
                                ours,
-                               render::required(!panorama, "a panorama is in place of the night sky"),
+                               render::required(!panorama, "a panorama replaces the night sky"),
                                {values[t.stars], "the brightness of the stars is 0"}}),
-            .reflection =
-                LakePart({inPicture, render::required(bounces > 0, "no ray is followed that the water mirrors")})};
+            .reflection = LakePart({inPicture, render::required(bounces > 0, "no reflected rays are traced")})};
 }
 
 /// Plans an image of every lantern of the lattice, computed once for all rays and kept while nothing moves.
@@ -101,7 +99,7 @@ render::ResourceId planFloat(const ParameterValues& values, const LakeBlock& blo
                                                   .size = cells,
                                                   .layers = 3,
                                                   .persistent = true});
-    render::Pass pass = exhibitPass(floatPass, "each lantern floats on the water of this moment", values, "", "");
+    render::Pass pass = exhibitPass(floatPass, "places each lantern on the water at this time", values, "", "");
     pass.shader.compute = "paper_lanterns/float.comp";
     pass.work = render::Work::compute;
     pass.phase = render::PassPhase::prepare;

@@ -193,7 +193,7 @@ void Picture::planShadow()
     // Lines of our own style are lighter in the sun.
     const bool lines = values_[table_.highlightStrength] > 0 && values_[table_.edges] == EdgeLook::ours;
     const std::string why = render::whyZero(
-        {render::required(anyView({PixelView::finished}), "no view on show has shadows"),
+        {render::required(anyView({PixelView::finished}), "no shown view has shadows"),
          render::required(values_[table_.shadows], "shadows are off"),
          render::required(lines || std::max({sun.x, sun.y, sun.z}) > 0, "the light of the sun is black")});
     shadowed_ = why.empty();
@@ -206,7 +206,7 @@ void Picture::planShadow()
                  .ownPixels = true});
     render::Pass pass;
     pass.name = "pixel_art/sun";
-    pass.reason = "what the small world's sun reaches";
+    pass.reason = "finds the parts that the sun of the small world reaches";
     pass.phase = render::PassPhase::prepare;
     const bool masked = std::any_of(shot_.parts.begin(), shot_.parts.end(), [](const WorldPart& part) {
         return part.material && part.material->alphaMode != render::AlphaMode::opaque;
@@ -231,7 +231,7 @@ void Picture::planWorld()
     image(pixelDrawnDepthImage, render::Format::depth32f);
     render::Pass pass;
     pass.name = "pixel_art/world";
-    pass.reason = "another camera, moment or world than before";
+    pass.reason = "the camera, time or world has changed";
     pass.phase = render::PassPhase::prepare;
     pass.shader = {.vertex = "pixel_art/world.vert", .fragment = "pixel_art/world.frag", .defines = materialDefines()};
     pass.view = eye_.view;
@@ -292,11 +292,11 @@ void Picture::planDepth()
 {
     depth_ = pixelDrawnDepthImage;
     if (values_[table_.depthBits] == DepthBits::float32 && values_[table_.depthOrder] == DepthOrder::reversed) {
-        plan_.skip("pixel_art/depth", "the depth is stored as it is drawn");
+        plan_.skip("pixel_art/depth", "the depth is stored when it is drawn");
         return;
     }
     depth_ = image(storedDepthImage, render::Format::r32f);
-    render::Pass pass = over("pixel_art/depth", "a depth buffer of another kind is asked for", "pixel_art/depth.frag");
+    render::Pass pass = over("pixel_art/depth", "another kind of depth buffer is selected", "pixel_art/depth.frag");
     pass.colors = {Attachment::whole(storedDepthImage)};
     pass.inputs = {{UNIT_SOURCE, pixelDrawnDepthImage}};
     plan_.add(std::move(pass));
@@ -306,8 +306,7 @@ void Picture::planNormals()
 {
     normals_ = shot_.keepsLit || anyView({PixelView::finished, PixelView::normals, PixelView::error, PixelView::edges});
     if (!normals_) {
-        for (const char* name : {"pixel_art/normals", "pixel_art/smooth"})
-            plan_.skip(name, "the view on show is the depth alone");
+        for (const char* name : {"pixel_art/normals", "pixel_art/smooth"}) plan_.skip(name, "only depth is shown");
         return;
     }
     const bool smooth = values_[table_.smoothing] > 0;
@@ -386,12 +385,12 @@ void Picture::planLook()
     if (diffused)
         planDiffusion();
     else
-        plan_.skip("pixel_art/diffuse", "errors are not diffused", render::Work::compute);
+        plan_.skip("pixel_art/diffuse", "error diffusion is off", render::Work::compute);
 }
 
 void Picture::planDiffusion()
 {
-    render::Pass pass = over("pixel_art/diffuse", "errors are handed on", "");
+    render::Pass pass = over("pixel_art/diffuse", "diffuses the errors to neighbors", "");
     pass.shader.vertex = pass.shader.fragment = {};
     pass.shader.compute = "pixel_art/diffuse.comp";
     pass.work = render::Work::compute;

@@ -81,8 +81,7 @@ struct ScenePass {
     {
         const SceneShadow method = values[t.shadowMethod];
         const auto any = render::required(!shown.scene->lights.empty(), "the scene has no lights");
-        const auto lit =
-            render::required(!source || shown.contents.litInSource, "no material sends light of the lights");
+        const auto lit = render::required(!source || shown.contents.litInSource, "no material reflects the lights");
         const std::string dark = render::whyZero({any, lit});
         if (dark.empty())
             define("LIGHTS");
@@ -325,7 +324,7 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     if (asked.folded) {
         auto better = std::make_shared<render::ShaderKey>(pass.shader);
         better->sources = asked.folded;
-        better->about = "with its numbers folded, which rest";
+        better->about = "with its constant numbers compiled in";
         pass.shader.better = std::move(better);
     }
     plan.add(std::move(pass));

@@ -252,7 +252,7 @@ void FramePlan::drop(const std::vector<std::string>& outputs, const PersistentSt
         if (unchanged[i])
             skip(pass.name, "unchanged since it last ran", pass.work);
         else if (!called[i])
-            skip(pass.name, "nothing reads what it writes", pass.work);
+            skip(pass.name, "its output is not used", pass.work);
         else
             surviving.push_back(std::move(pass));
     }

@@ -238,7 +238,7 @@ TEST(BallInTheDepot, IsShownAloneAndNotInTheHall)
     const render::FramePlan hall = test::planned(museum, sceneState, request);
     EXPECT_EQ(ofBall(hall), 0);
     EXPECT_TRUE(std::any_of(hall.skipped().begin(), hall.skipped().end(), [](const render::CulledPass& pass) {
-        return pass.name == "ball" && pass.reason == "it has no place in the hall";
+        return pass.name == "ball" && pass.reason == "it is not placed in the hall";
     }));
     request.alone = 1;
     request.camera = museum.bestView(1, sceneState.values[1]);

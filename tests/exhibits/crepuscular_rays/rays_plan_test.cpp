@@ -64,11 +64,11 @@ TEST(RaysPlan, RunsWhatTheTechniqueNeedsAndNothingElse)
     EXPECT_TRUE(runs(atTheWindow(RayTechnique::both).plan(), "crepuscular_rays/march"));
     EXPECT_TRUE(runs(atTheWindow(RayTechnique::both).plan(), "crepuscular_rays/polar"));
     EXPECT_EQ(reasonFor(atTheWindow(RayTechnique::screen).plan(), "crepuscular_rays/march"),
-              "no technique in use makes them");
-    expectNothingOfTheScreen(atTheWindow(RayTechnique::volume), "no technique in use makes them");
+              "the selected technique does not make them");
+    expectNothingOfTheScreen(atTheWindow(RayTechnique::volume), "the selected technique does not make them");
     expectNothingAtAll(atTheWindow(RayTechnique::none).plan());
     EXPECT_EQ(reasonFor(atTheWindow(RayTechnique::none).plan(), "crepuscular_rays/composite"),
-              "no technique in use makes them");
+              "the selected technique does not make them");
 }
 
 TEST(RaysPlan, EveryMethodGathersByItsOwnPassesAndCountsItsLooks)
@@ -251,7 +251,7 @@ TEST(RaysPlan, ATileTakesItsMaskFromTheWholePicture)
     EXPECT_TRUE(plan.find("crepuscular_rays/loop"));  // Passes cannot sample the next tile.
     EXPECT_EQ(plan.find("crepuscular_rays/taps/1"), nullptr);
     EXPECT_EQ(plan.find("crepuscular_rays/loop")->reason,
-              "a tile cannot look into its neighbors' passes, so one loop takes their place");
+              "the picture is a tile, which cannot read the passes of its neighbors; one loop replaces them");
 }
 
 TEST(SunInPicture, IsProjectedLikeAPointVeryFarAway)

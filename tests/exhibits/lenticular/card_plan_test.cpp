@@ -52,7 +52,7 @@ TEST(CardPlan, AtRestOnePrintIsBoundAndWhileRollingTwo)
     EXPECT_TRUE(binds(*rest.find("lenticular/card"), UNIT_EXHIBIT_A));
     EXPECT_FALSE(binds(*rest.find("lenticular/card"), UNIT_EXHIBIT_B));
     EXPECT_FALSE(defines(*rest.find("lenticular/card"), "SCROLLING"));
-    EXPECT_EQ(reasonFor(rest, "lenticular/count"), "nobody asks for counts");
+    EXPECT_EQ(reasonFor(rest, "lenticular/count"), "no counts are requested");
 
     scene.request.time = 12 * (0.85 + 0.05);
     const FramePlan rolling = scene.plan();

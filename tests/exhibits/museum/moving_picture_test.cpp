@@ -161,7 +161,7 @@ TEST_F(MovingPictures, AreThoseOfBeforeToTheBitWhenSwitchedOffAndCostNothing)
     EXPECT_EQ(toString(inMotion), toString(atRest));
     EXPECT_FALSE(inMotion.find("antialias"));
     ASSERT_TRUE(inMotion.findSkipped("antialias"));
-    EXPECT_EQ(inMotion.findSkipped("antialias")->reason, "every frame stands alone");
+    EXPECT_EQ(inMotion.findSkipped("antialias")->reason, "frames are independent of each other");
     EXPECT_FALSE(inMotion.images().contains("frame history"));
     const render::Image rests = frame(0, 6);
     EXPECT_EQ(largestDifference(off, rests), 0);

@@ -74,8 +74,8 @@ TEST(MuseumPlan, InViewTheExhibitIsMarchedAndTheRestSaysWhyNot)
     ASSERT_TRUE(plan.find("sdf_morph/march"));
     EXPECT_EQ(plan.find("sdf_morph/march")->reason, "in view");
     EXPECT_TRUE(plan.find("sdf_morph/cone"));
-    EXPECT_EQ(reasonFor(plan, "sdf_morph/count"), "nobody asks for counts");
-    EXPECT_EQ(reasonFor(plan, "sdf_morph/mesh"), "the field is on show");
+    EXPECT_EQ(reasonFor(plan, "sdf_morph/count"), "no counts are requested");
+    EXPECT_EQ(reasonFor(plan, "sdf_morph/mesh"), "the field is shown");
     EXPECT_EQ(reasonFor(plan, "sdf_morph/box"), "the overlay is switched off");
     EXPECT_EQ(reasonFor(plan, "average"), "one sample per pixel");
     EXPECT_EQ(reasonFor(plan, "hall/visitor"), "the free plinth is empty");
@@ -297,8 +297,8 @@ TEST(MuseumPlan, AloneItsShadowIsDrawnOnlyForAMeshToFallOn)
     Scene scene;
     scene.request.alone = scene.sdf;
     scene.see(test::museum().subject(scene.sdf).bestView(scene.object()));
-    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "nothing reads what it writes");
-    EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "nothing reads what it writes");
+    EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "its output is not used");
+    EXPECT_EQ(reasonFor(scene.plan(), "exhibits/shadow"), "its output is not used");
     scene.object().set(test::sdfTable().shownAs, SdfShown::mesh);
     EXPECT_EQ(reasonFor(scene.plan(), "sdf_morph/shadow"), "it ran");
 }
@@ -307,14 +307,14 @@ TEST(MuseumPlan, TransparentLeavesOutTheSky)
 {
     Scene scene;
     scene.request.transparent = true;
-    EXPECT_EQ(reasonFor(scene.plan(), "sky"), "a transparent background is asked for");
+    EXPECT_EQ(reasonFor(scene.plan(), "sky"), "a transparent background is requested");
 }
 
 TEST(MuseumPlan, LinearLightIsNotToneMapped)
 {
     Scene scene;
     scene.request.averageIn = AverageIn::radiance;
-    EXPECT_EQ(reasonFor(scene.plan(), "tone"), "the picture is asked for as linear light");
+    EXPECT_EQ(reasonFor(scene.plan(), "tone"), "linear light is requested");
     EXPECT_EQ(scene.plan().images().at(radianceImage).format, render::Format::rgba32f);
 }
 
@@ -343,7 +343,7 @@ TEST(MuseumPlan, RunEverythingSkipsNothingThatWasPlanned)
     EXPECT_EQ(reasonFor(plan, "sdf_morph/march"), "it ran");
     EXPECT_TRUE(runs(plan, "probe/"));
     for (const render::CulledPass& skipped : plan.skipped()) {
-        EXPECT_NE(skipped.reason, "nothing reads what it writes") << skipped.name;
+        EXPECT_NE(skipped.reason, "its output is not used") << skipped.name;
         EXPECT_NE(skipped.reason, "unchanged since it last ran") << skipped.name;
         EXPECT_NE(skipped.reason, "out of view") << skipped.name;
     }

@@ -172,16 +172,16 @@ const std::map<std::string, Claim>& claims()
     static const std::map<std::string, Claim> all{
         // Reasons of the picture.
         {"the exhibit is shown alone", isAlone},
-        {"a transparent background is asked for", [](const Skipped& s) { return s.picture.frame.transparent; }},
-        {"the picture is asked for as linear light",
+        {"a transparent background is requested", [](const Skipped& s) { return s.picture.frame.transparent; }},
+        {"linear light is requested",
          [](const Skipped& s) { return s.picture.frame.averageIn == AverageIn::radiance; }},
         {"one sample per pixel", [](const Skipped& s) { return s.picture.frame.samples == 1; }},
-        {"every frame stands alone",
+        {"frames are independent of each other",
          [](const Skipped& s) { return s.ofHall("temporalAntialiasing") == 0 || s.ofHall("historyFrames") == 1; }},
-        {"no motion follows this picture", [](const Skipped& s) { return s.picture.frame.movingFrame == 0; }},
+        {"no motion follows this frame", [](const Skipped& s) { return s.picture.frame.movingFrame == 0; }},
         {"nothing moves", [](const Skipped& s) { return s.picture.frame.movingFrame == 0; }},
-        {"nobody asks for counts", [](const Skipped& s) { return !s.picture.frame.channels.evaluations; }},
-        {"nothing reads what it writes", [](const Skipped& s) { return s.plan.find(s.step.name) == nullptr; }},
+        {"no counts are requested", [](const Skipped& s) { return !s.picture.frame.channels.evaluations; }},
+        {"its output is not used", [](const Skipped& s) { return s.plan.find(s.step.name) == nullptr; }},
         // Reasons of the hall.
         {"there is no hall", isAlone},
         {"there is no hall to cast it", isAlone},
@@ -240,8 +240,8 @@ const std::map<std::string, Claim>& claims()
          [](const Skipped& s) { return s.number("material") == 1 && s.number("heatMap") == 0; }},
         {"the shadow method is none", isZero("shadowMethod")},
         {"no bounce is asked for", isZero("bounces")},
-        {"the field is on show", isZero("shownAs")},
-        {"a mesh is on show in place of the field", is("shownAs", 1)},
+        {"the field is shown", isZero("shownAs")},
+        {"a mesh is shown instead of the field", is("shownAs", 1)},
         {"the overlay is switched off", isZero("showBox")},
         // Reasons of the soft serve.
         {"the ambient light is black",
@@ -253,7 +253,7 @@ const std::map<std::string, Claim>& claims()
         {"it stands in the hall", [](const Skipped& s) { return !s.alone(); }},
         // Reasons of the fur.
         {"silhouettes are not filled with fins", isNot("silhouette", 1)},
-        {"what is in view has no fins", is("silhouette", 1)},
+        {"no visible part has fins", is("silhouette", 1)},
         {"set by hand", is("byHand", 1)},
         {"at rest", [](const Skipped& s) { return s.number("byHand") == 0 && s.number("frozenAt") == 0; }},
         {"frozen", [](const Skipped& s) { return s.number("byHand") == 0 && s.number("frozenAt") > 0; }},
@@ -262,14 +262,14 @@ const std::map<std::string, Claim>& claims()
         {"dispersion is switched off", isZero("dispersion")},
         {"no light falls on the card", [](const Skipped& s) { return noLightAtAll(s) && s.number("lamp") == 0; }},
         // Reasons of the sunbeams.
-        {"no technique in use makes them",
+        {"the selected technique does not make them",
          [](const Skipped& s) {
              const bool screen = s.step.name == "crepuscular_rays/mask" || s.step.name == "crepuscular_rays/rays";
              const auto used = static_cast<int>(s.number("technique"));
              return s.step.name == "crepuscular_rays/composite" ? used == 0 : (used & (screen ? 1 : 2)) == 0;
          }},
-        {"the view of the mask is on", is("view", 1)},
-        {"there is nothing of the beams to lay over the picture",
+        {"the mask is shown", is("view", 1)},
+        {"there are no beams to add to the picture",
          [](const Skipped& s) {
              return s.number("technique") != 0 && s.plan.find("crepuscular_rays/march") == nullptr &&
                     s.plan.find("crepuscular_rays/mask") == nullptr;
@@ -289,8 +289,8 @@ const std::map<std::string, Claim>& claims()
          }},
         {"the air is clear",
          [](const Skipped& s) { return s.number(s.step.name[0] == 'c' ? "airDensity" : "fog") == 0; }},
-        {"no background is behind the air", [](const Skipped& s) { return s.picture.frame.transparent; }},
-        {"alone there are no walls to end the air", isAlone},
+        {"there is no background behind the air", [](const Skipped& s) { return s.picture.frame.transparent; }},
+        {"the exhibit is shown alone, without walls to bound the air", isAlone},
         {"the air is out of view", [](const Skipped& s) { return !s.inView(building().room().center()); }},
         {"the dust swallows all light", isBlack("airColor")},
         {"the dust swallows the light of the sun", measuredByPictures},
@@ -302,35 +302,35 @@ const std::map<std::string, Claim>& claims()
         {"the beams are out of view", measuredByPictures},
         // Reasons of the lake.
         {"no lantern is afloat", isZero("crowding")},
-        {"the water is a mirror: its plane is met in one step", isZero("waveHeight")},
-        {"a view of numbers is on show in place of the picture", isNot("show", 0)},
-        {"the light of the source has none", is("look", 1)},
-        {"the candles are out", isZero("candles")},
-        {"the mist is too thin to show that lanterns light it",
+        {"the water is flat and is hit in one step", isZero("waveHeight")},
+        {"heights or normals are shown instead of the picture", isNot("show", 0)},
+        {"the lighting of the reference has none", is("look", 1)},
+        {"the candles do not burn", isZero("candles")},
+        {"the fog is too thin to show the light of the lanterns",
          [](const Skipped& s) { return s.number("fog") > 0 && s.number("fog") <= 0.006; }},
         {"the strength of the moon is 0", isZero("moon")},
         {"the moon has set", moonIsDown},
-        {"the water sends too little of the moon to show shadows",
+        {"the water reflects too little moonlight to show shadows",
          [](const Skipped& s) {
              const double up = std::max(std::sin(s.number("moonElevation")), 0.0);
              return s.brightest("waterColor") * s.number("moon") * up < 0.1;
          }},
-        {"no ray is followed that the water mirrors", isZero("bounces")},
-        {"a panorama is in place of the night sky", [](const Skipped& s) { return !s.namesNoFile("panorama"); }},
+        {"no reflected rays are traced", isZero("bounces")},
+        {"a panorama replaces the night sky", [](const Skipped& s) { return !s.namesNoFile("panorama"); }},
         {"the brightness of the stars is 0", isZero("stars")},
         // Reasons of the noise.
-        {"another work is on show", anotherWork},
-        {"no work looks its noise up", nothingLookedUp},
+        {"another work is shown", anotherWork},
+        {"no work uses baked noise", nothingLookedUp},
         // Reasons of the pixel art.
-        {"no view on show has shadows", [](const Skipped& s) { return !shows(s, 0); }},
+        {"no shown view has shadows", [](const Skipped& s) { return !shows(s, 0); }},
         {"shadows are off", isZero("shadows")},
         {"the light of the sun is black", isBlack("sunLight")},
-        {"the depth is stored as it is drawn",
+        {"the depth is stored when it is drawn",
          [](const Skipped& s) { return s.number("depthBits") == 0 && s.number("depthOrder") == 0; }},
         {"smoothing is 0", isZero("smoothing")},
-        {"the view on show is the depth alone",
+        {"only depth is shown",
          [](const Skipped& s) { return shows(s, 3) && !shows(s, 0) && !shows(s, 1) && !shows(s, 2) && !shows(s, 4); }},
-        {"errors are not diffused",
+        {"error diffusion is off",
          [](const Skipped& s) {
              return s.number("dither") != 3 || (s.number("palette") == 0 && s.namesNoFile("palettePicture"));
          }},
@@ -339,7 +339,7 @@ const std::map<std::string, Claim>& claims()
         {"its half is out of view", measuredByPictures},
         {"shadows are switched off", is("shadowMethod", 1)},
         {"the scene has no lights", measuredByPictures},
-        {"no material sends light of the lights", isNot("look", 1)},
+        {"no material reflects the lights", isNot("look", 1)},
         {"nothing in the scene mirrors", measuredByPictures},
         {"nothing is made of glass", measuredByPictures},
         {"the source has no glass", isNot("look", 1)},

@@ -183,7 +183,7 @@ TEST(Elsewhere, IsLeftOutWhenNothingReadsIt)
     (void)addElsewhere(plan, scene(), {.name = "lake", .view = visitor});
     plan.prune({"radiance"});
     EXPECT_EQ(plan.find("lake/surface"), nullptr);
-    EXPECT_EQ(plan.findSkipped("lake/surface")->reason, "nothing reads what it writes");
+    EXPECT_EQ(plan.findSkipped("lake/surface")->reason, "its output is not used");
 }
 
 }  // namespace

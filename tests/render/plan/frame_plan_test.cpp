@@ -47,8 +47,8 @@ TEST(FramePlan, DropsWhatNothingReadsAndSaysSo)
     plan.add(pass("last", {"a"}, "frame"));
     plan.prune({"frame"});
     EXPECT_EQ(toString(plan), "used > last");
-    EXPECT_EQ(reasonFor(plan, "dead"), "nothing reads what it writes");
-    EXPECT_EQ(reasonFor(plan, "deadToo"), "nothing reads what it writes");
+    EXPECT_EQ(reasonFor(plan, "dead"), "its output is not used");
+    EXPECT_EQ(reasonFor(plan, "deadToo"), "its output is not used");
     EXPECT_EQ(reasonFor(plan, "used"), "it ran");
 }
 
@@ -68,7 +68,7 @@ TEST(FramePlan, LosesInterestInWhatAClearWipesAway)
     plan.add(pass("fresh", {}, "frame", Load::clear));
     plan.prune({"frame"});
     EXPECT_EQ(toString(plan), "fresh");
-    EXPECT_EQ(reasonFor(plan, "wasted"), "nothing reads what it writes");
+    EXPECT_EQ(reasonFor(plan, "wasted"), "its output is not used");
 }
 
 TEST(FramePlan, AClearOfOneLayerOrLevelLeavesTheOthersOfInterest)
@@ -146,7 +146,7 @@ TEST(FramePlan, DropsWhatFedOnlyAnUnchangedPass)
     plan.add(pass("last", {"map"}, "frame"));
     plan.prune({"frame"}, {.passes = {{"map", 7}}});
     EXPECT_EQ(toString(plan), "last");
-    EXPECT_EQ(reasonFor(plan, "feeds"), "nothing reads what it writes");
+    EXPECT_EQ(reasonFor(plan, "feeds"), "its output is not used");
 }
 
 TEST(FramePlan, RunsEverythingWhenAskedTo)
