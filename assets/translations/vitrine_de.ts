@@ -68,11 +68,11 @@
         <translation> · jetzt</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no limit; type a number above 0, such as %2.</source>
+        <source>&quot;%1&quot; is not a limit; type a number above 0, such as %2.</source>
         <translation>„%1“ ist keine Grenze; geben Sie eine Zahl über 0 ein, etwa %2.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is no value for “%2”. %3</source>
+        <source>&quot;%1&quot; is not a value of “%2”. %3</source>
         <translation>„%1“ ist kein Wert für „%2“. %3</translation>
     </message>
     <message>
@@ -213,16 +213,16 @@
         <translation>%1 (jetzt)</translation>
     </message>
     <message>
-        <source>%1 alone is for typing and for walking. Take it with Ctrl or Alt, or take a function key.</source>
-        <translation>%1 allein ist zum Tippen und Gehen da. Nehmen Sie es mit Strg oder Alt, oder nehmen Sie eine Funktionstaste.</translation>
+        <source>%1 alone is used for typing and walking. Add Ctrl or Alt, or use a function key.</source>
+        <translation>%1 allein ist zum Tippen und Gehen da. Nehmen Sie Strg oder Alt dazu, oder eine Funktionstaste.</translation>
+    </message>
+    <message>
+        <source>%1 already exists.</source>
+        <translation>%1 gibt es bereits.</translation>
     </message>
     <message>
         <source>%1 B follows the current settings; drag the line between the two.</source>
         <translation>%1 B folgt den jetzigen Einstellungen; ziehen Sie an der Linie zwischen beiden.</translation>
-    </message>
-    <message>
-        <source>%1 belongs to “%2”. Take it from there?</source>
-        <translation>%1 gehört zu „%2“. Dort wegnehmen?</translation>
     </message>
     <message>
         <source>%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp, .bmp and its own recordings.</source>
@@ -235,14 +235,6 @@
     <message>
         <source>%1 cm</source>
         <translation>%1 cm</translation>
-    </message>
-    <message>
-        <source>%1 comes with the exhibit and cannot be renamed. Duplicate it, and rename the copy.</source>
-        <translation>%1 gehört zum Exponat und kann nicht umbenannt werden. Verdoppeln Sie es, und benennen Sie die Kopie um.</translation>
-    </message>
-    <message>
-        <source>%1 comes with the exhibit. Duplicate it, and tag the copy.</source>
-        <translation>%1 gehört zum Exponat. Duplizieren Sie es, und geben Sie der Kopie Tags.</translation>
     </message>
     <message>
         <source>%1 copy</source>
@@ -265,12 +257,16 @@
         <translation>%1 Frames: %2 bis %3 ms, die Hälfte davon bis %4 ms</translation>
     </message>
     <message>
-        <source>%1 has no table of its own; the Study panel measures its rows.</source>
-        <translation>%1 hat keine eigene Tabelle; das Bedienfeld „Studie“ misst seine Parameter.</translation>
+        <source>%1 has no table of measurements; the Study panel measures its parameters.</source>
+        <translation>%1 hat keine Messtabelle; das Bedienfeld „Studie“ misst seine Parameter.</translation>
     </message>
     <message>
         <source>%1 in all views</source>
         <translation>%1 in allen Ansichten</translation>
+    </message>
+    <message>
+        <source>%1 is already used by “%2”. Reassign it?</source>
+        <translation>%1 gehört bereits zu „%2“. Neu zuweisen?</translation>
     </message>
     <message>
         <source>%1 is not measured yet.</source>
@@ -281,8 +277,12 @@
         <translation>%1 wird als „%2“ gezeigt; auch das lässt sich eingeben.</translation>
     </message>
     <message>
-        <source>%1 is there already.</source>
-        <translation>%1 gibt es bereits.</translation>
+        <source>%1 is supplied with the exhibit and cannot be renamed. Duplicate it, and rename the copy.</source>
+        <translation>%1 gehört zum Exponat und kann nicht umbenannt werden. Duplizieren Sie es, und benennen Sie die Kopie um.</translation>
+    </message>
+    <message>
+        <source>%1 is supplied with the exhibit and cannot be tagged. Duplicate it, and tag the copy.</source>
+        <translation>%1 gehört zum Exponat und kann keine Tags bekommen. Duplizieren Sie es, und geben Sie der Kopie Tags.</translation>
     </message>
     <message>
         <source>%1 LPI, %2, %3°</source>
@@ -372,8 +372,8 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1 Ansichten von %2, kleine zum Anschauen</translation>
     </message>
     <message>
-        <source>%1 was changed by someone else since it was loaded, and was not overwritten. Save under another name, or load it again.</source>
-        <translation>%1 wurde seit dem Laden von anderer Seite geändert und nicht überschrieben. Speichern Sie unter einem anderen Namen, oder laden Sie es erneut.</translation>
+        <source>%1 was changed by another program since it was loaded and was not overwritten. Save under another name, or load it again.</source>
+        <translation>%1 wurde seit dem Laden von einem anderen Programm geändert und nicht überschrieben. Speichern Sie unter einem anderen Namen, oder laden Sie es erneut.</translation>
     </message>
     <message>
         <source>%1 was loaded, with changes:</source>
@@ -502,16 +502,16 @@ Zeiten nach: %2.</translation>
         <translation>%1: Was kostet Genauigkeit?</translation>
     </message>
     <message>
-        <source>%1: why does it do nothing?</source>
-        <translation>%1: Warum bewirkt das nichts?</translation>
+        <source>%1: why does it have no effect?</source>
+        <translation>%1: Warum hat das keine Wirkung?</translation>
     </message>
     <message>
         <source>%1; a part of them is shown here</source>
         <translation>%1; hier ist ein Teil davon zu sehen</translation>
     </message>
     <message>
-        <source>%1; the references are not surer than that</source>
-        <translation>%1; sicherer sind die Referenzen nicht</translation>
+        <source>%1; the references are no more accurate than that</source>
+        <translation>%1; genauer sind die Referenzen nicht</translation>
     </message>
     <message numerus="yes">
         <source>%n at most</source>
@@ -719,7 +719,7 @@ Zeiten nach: %2.</translation>
         <translation>&amp;Niedriger</translation>
     </message>
     <message>
-        <source>&amp;Start its lesson</source>
+        <source>&amp;Start the exhibit's lesson</source>
         <translation>&amp;Lektion dazu starten</translation>
     </message>
     <message>
@@ -807,10 +807,6 @@ Zeiten nach: %2.</translation>
         <translation>, von der Seite</translation>
     </message>
     <message>
-        <source>, in the step before %1</source>
-        <translation>, im Schritt davor %1</translation>
-    </message>
-    <message>
         <source>, its history starts again: {1}</source>
         <translation>, der Verlauf beginnt von vorn: {1}</translation>
     </message>
@@ -837,6 +833,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>, period {1} s</source>
         <translation>, Periode {1} s</translation>
+    </message>
+    <message>
+        <source>, previous step %1</source>
+        <translation>, voriger Schritt %1</translation>
     </message>
     <message>
         <source>, subject {1}</source>
@@ -1331,16 +1331,16 @@ Zeiten nach: %2.</translation>
         <translation>; Auslassen spart %1 ms</translation>
     </message>
     <message>
-        <source>; the hall asks for %1 samples, the preferences allow %2</source>
+        <source>; slider from %1 to %2</source>
+        <translation>; Regler von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>; the hall requests %1 samples, the preferences allow %2</source>
         <translation>; die Halle verlangt %1 Samples, die Einstellungen erlauben %2</translation>
     </message>
     <message>
         <source>; the sheet cannot be: {1}</source>
         <translation>; die Folie kann nicht sein: {1}</translation>
-    </message>
-    <message>
-        <source>; the slider spans %1 to %2</source>
-        <translation>; der Regler reicht von %1 bis %2</translation>
     </message>
     <message>
         <source>; when it was last drawn</source>
@@ -1447,10 +1447,6 @@ Zeiten nach: %2.</translation>
         <translation>Eine Scheibe in der xy-Ebene, unendlich entlang z; zum Strecken (extrude) oder Drehen (revolve).</translation>
     </message>
     <message>
-        <source>A fault in Vitrine itself was caught, and what was to be done was not done. Everything else goes on.</source>
-        <translation>Ein Fehler in Vitrine selbst wurde abgefangen, und was zu tun war, wurde nicht getan. Alles andere läuft weiter.</translation>
-    </message>
-    <message>
         <source>A field, its octaves, a sea and a sky: all of them random numbers.</source>
         <translation>Ein Feld, seine Oktaven, ein Meer und ein Himmel: alles Zufallszahlen.</translation>
     </message>
@@ -1465,10 +1461,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A file of shapes becomes a shader; its numbers become sliders.</source>
         <translation>Eine Datei mit Formen wird ein Shader; ihre Zahlen werden Regler.</translation>
-    </message>
-    <message>
-        <source>A film along bookmarks, round what you look at, or past all exhibits: a video, or frames.</source>
-        <translation>Ein Film entlang von Lesezeichen, um das Betrachtete herum oder an allen Exponaten vorbei: ein Video oder Frames.</translation>
     </message>
     <message>
         <source>a finite number</source>
@@ -1523,14 +1515,6 @@ Zeiten nach: %2.</translation>
         <translation>eine Lektion hat einen Titel; schreiben Sie „## “ für einen Schritt.</translation>
     </message>
     <message>
-        <source>A lesson of your own, as Markdown; the manual says how to write one.</source>
-        <translation>Eine eigene Lektion als Markdown; das Handbuch beschreibt, wie man eine schreibt.</translation>
-    </message>
-    <message>
-        <source>A line for a terminal is on the clipboard; it draws this picture into picture.png.</source>
-        <translation>Eine Zeile für das Terminal liegt in der Zwischenablage; sie zeichnet dieses Bild in picture.png.</translation>
-    </message>
-    <message>
         <source>a mesh is shown instead of the field</source>
         <translation>anstelle des Felds wird ein Netz gezeigt</translation>
     </message>
@@ -1567,20 +1551,12 @@ Zeiten nach: %2.</translation>
         <translation>eine Zahl in Metern, oder ein Ausdruck wie „12 mm“ oder „0.5 + 0.1 * sin(t)“</translation>
     </message>
     <message>
-        <source>A number is, from %1.</source>
-        <translation>Eine Zahl von %1 wäre einer.</translation>
-    </message>
-    <message>
         <source>a number, or an expression such as &quot;0.5 + 0.1 * sin(t)&quot;</source>
         <translation>eine Zahl, oder ein Ausdruck wie „0.5 + 0.1 * sin(t)“</translation>
     </message>
     <message>
         <source>A on the left; on the right %1.</source>
         <translation>Links A; rechts %1.</translation>
-    </message>
-    <message>
-        <source>A page about the exhibit that you visit: its technique, figures, formulas, sources.</source>
-        <translation>Eine Seite über das besuchte Exponat: seine Technik, Abbildungen, Formeln, Quellen.</translation>
     </message>
     <message>
         <source>a panorama replaces the night sky</source>
@@ -1635,12 +1611,12 @@ Zeiten nach: %2.</translation>
         <translation>Ein Punktlicht, das in alle Richtungen scheint.</translation>
     </message>
     <message>
-        <source>A preset has at most {1} tags; these are {2}</source>
-        <translation>Ein Preset hat höchstens {1} Tags; es sind {2}</translation>
+        <source>A preset &quot;%1&quot; already exists; this one was saved as &quot;%2&quot;.</source>
+        <translation>Ein Preset „%1“ gibt es bereits; dieses wurde als „%2“ gespeichert.</translation>
     </message>
     <message>
-        <source>A preset is being read.</source>
-        <translation>Ein Preset wird gelesen.</translation>
+        <source>A preset has at most {1} tags; these are {2}</source>
+        <translation>Ein Preset hat höchstens {1} Tags; es sind {2}</translation>
     </message>
     <message>
         <source>A preset, a picture with one inside, a scene of shapes, a model or a panorama.</source>
@@ -1719,8 +1695,8 @@ Zeiten nach: %2.</translation>
         <translation>Ein zweites Blatt mit Normalen, im Kameraraum, auf das Pixel ausgerichtet.</translation>
     </message>
     <message>
-        <source>A shader did not build; the last good picture stays. Saving the file tries again.</source>
-        <translation>Ein Shader ließ sich nicht bauen; das letzte gute Bild bleibt. Wird die Datei gespeichert, folgt der nächste Versuch.</translation>
+        <source>A shader failed to compile; the last good picture is kept. Save the file to try again.</source>
+        <translation>Ein Shader ließ sich nicht übersetzen; das letzte gute Bild bleibt. Wird die Datei gespeichert, folgt der nächste Versuch.</translation>
     </message>
     <message>
         <source>A shape becomes no operation; wrap it in a {1}.</source>
@@ -1745,6 +1721,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A shell around the child's surface, hollow inside.</source>
         <translation>Eine Wand um die Oberfläche des Kindes, innen hohl.</translation>
+    </message>
+    <message>
+        <source>A shortcut has only one key combination.</source>
+        <translation>Ein Tastenkürzel hat nur eine Tastenkombination.</translation>
     </message>
     <message>
         <source>A solid sphere around the origin.</source>
@@ -1986,8 +1966,8 @@ Zeiten nach: %2.</translation>
         <translation>Absorption des Sonnenlichts auf dem Weg ins Fell: 0 wirft keinen Schatten im Fell, hohe Werte verdunkeln es schnell.</translation>
     </message>
     <message>
-        <source>Accept; bring back the value before</source>
-        <translation>Übernehmen; den vorigen Wert zurückholen</translation>
+        <source>Accept; restore the previous value</source>
+        <translation>Übernehmen; den vorigen Wert wiederherstellen</translation>
     </message>
     <message>
         <source>accessors without data have more than {1} elements; give them a bufferView.</source>
@@ -2106,6 +2086,10 @@ Zeiten nach: %2.</translation>
         <translation>alle Parameter</translation>
     </message>
     <message>
+        <source>All parameters have their initial values.</source>
+        <translation>Alle Parameter haben ihre Ausgangswerte.</translation>
+    </message>
+    <message>
         <source>All parameters together</source>
         <translation>Alle Parameter zusammen</translation>
     </message>
@@ -2120,10 +2104,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>All that can be opened (%1)</source>
         <translation>Alles, was sich öffnen lässt (%1)</translation>
-    </message>
-    <message>
-        <source>All values are the initial ones.</source>
-        <translation>Alle Werte sind Ausgangswerte.</translation>
     </message>
     <message>
         <source>Along the bookmarks</source>
@@ -2260,6 +2240,10 @@ Zeiten nach: %2.</translation>
         <translation>Ein unendlicher Zylinder um die y-Achse.</translation>
     </message>
     <message>
+        <source>An internal error was caught. The command was not executed; everything else continues.</source>
+        <translation>Ein interner Fehler wurde abgefangen. Der Befehl wurde nicht ausgeführt; alles andere läuft weiter.</translation>
+    </message>
+    <message>
         <source>an object</source>
         <translation>ein Objekt</translation>
     </message>
@@ -2312,6 +2296,10 @@ Zeiten nach: %2.</translation>
         <source>Angle by which a surface must turn to make an edge: low draws more lines.</source>
         <extracomment>tables</extracomment>
         <translation>Winkel, um den sich eine Oberfläche wenden muss, damit eine Kante entsteht: Niedrige Werte zeichnen mehr Linien.</translation>
+    </message>
+    <message>
+        <source>Angle by which dragging turns the view, or orbits an exhibit.</source>
+        <translation>Winkel, um den Ziehen den Blick dreht oder um ein Exponat führt.</translation>
     </message>
     <message>
         <source>Angle by which the lattice of each octave is rotated against the one before; 0 shows the lattice.</source>
@@ -2389,6 +2377,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Animate %1</source>
         <translation>%1 animieren</translation>
+    </message>
+    <message>
+        <source>Animated: %1. Setting it by hand stops the animation.</source>
+        <translation>Animiert: %1. Von Hand gesetzt, endet die Animation.</translation>
     </message>
     <message>
         <source>Animate…</source>
@@ -2561,8 +2553,8 @@ Zeiten nach: %2.</translation>
         <translation>Wie im Fenster</translation>
     </message>
     <message>
-        <source>As many as the hall says</source>
-        <translation>So viele, wie die Halle sagt</translation>
+        <source>As set in the hall</source>
+        <translation>Wie in der Halle gesetzt</translation>
     </message>
     <message>
         <source>As the &amp;desktop</source>
@@ -2634,12 +2626,12 @@ Zeiten nach: %2.</translation>
         <translation>B</translation>
     </message>
     <message>
-        <source>B in place of A</source>
-        <translation>B anstelle von A</translation>
-    </message>
-    <message>
         <source>B is: %1. Click for another B, or to copy all.</source>
         <translation>B ist: %1. Klicken Sie für ein anderes B, oder um alles zu kopieren.</translation>
+    </message>
+    <message>
+        <source>B was not set: select a preset in the list first.</source>
+        <translation>B wurde nicht gesetzt: Wählen Sie zuerst ein Preset in der Liste.</translation>
     </message>
     <message>
         <source>B, held</source>
@@ -2670,8 +2662,8 @@ Zeiten nach: %2.</translation>
         <translation>B: kann nicht gezeichnet werden</translation>
     </message>
     <message>
-        <source>B: not drawn, nothing shows it</source>
-        <translation>B: nicht gezeichnet, nichts zeigt es</translation>
+        <source>B: not drawn, because no view shows it</source>
+        <translation>B: nicht gezeichnet, weil keine Ansicht es zeigt</translation>
     </message>
     <message>
         <source>back</source>
@@ -2682,10 +2674,6 @@ Zeiten nach: %2.</translation>
         <source>Back print</source>
         <extracomment>tables</extracomment>
         <translation>Hinterer Druck</translation>
-    </message>
-    <message>
-        <source>Back to where you stood before</source>
-        <translation>Zurück, wo Sie vorher standen</translation>
     </message>
     <message>
         <source>Backspace, Alt+Left</source>
@@ -3022,10 +3010,6 @@ Zeiten nach: %2.</translation>
         <translation>Helligkeit des ganzen Bildes: Jede Blende verdoppelt sie.</translation>
     </message>
     <message>
-        <source>Brings back what was open before the lesson.</source>
-        <translation>Bringt zurück, was vor der Lektion offen war.</translation>
-    </message>
-    <message>
         <source>Broken by the banner</source>
         <translation>Vom Banner gebrochen</translation>
     </message>
@@ -3037,10 +3021,6 @@ Zeiten nach: %2.</translation>
         <source>Build up</source>
         <extracomment>tables</extracomment>
         <translation>Aufbauen</translation>
-    </message>
-    <message>
-        <source>Builds changed shaders again; one that fails keeps its last good picture.</source>
-        <translation>Baut geänderte Shader neu; wo es misslingt, bleibt das letzte gute Bild.</translation>
     </message>
     <message>
         <source>built up to: {1}</source>
@@ -3950,14 +3930,6 @@ Zeiten nach: %2.</translation>
         <translation>%1 aller zusammen ändern</translation>
     </message>
     <message>
-        <source>Change it, as the arrows do</source>
-        <translation>Ihn ändern, wie die Pfeiltasten es tun</translation>
-    </message>
-    <message>
-        <source>Change it; Shift ten times finer, Ctrl ten times coarser</source>
-        <translation>Wert ändern; Umschalt zehnmal feiner, Strg zehnmal gröber</translation>
-    </message>
-    <message>
         <source>Change kind</source>
         <translation>Art ändern</translation>
     </message>
@@ -3974,6 +3946,14 @@ Zeiten nach: %2.</translation>
         <translation>Den Baum ändern</translation>
     </message>
     <message>
+        <source>Change the value, like the arrow keys</source>
+        <translation>Den Wert ändern, wie die Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Change the value; Shift ten times finer, Ctrl ten times coarser</source>
+        <translation>Den Wert ändern; Umschalt zehnmal feiner, Strg zehnmal gröber</translation>
+    </message>
+    <message>
         <source>Change the views so that the sheet's mixing of them shows less; costs contrast.</source>
         <translation>Ändert die Ansichten so, dass man weniger davon sieht, wie die Folie sie mischt; kostet Kontrast.</translation>
     </message>
@@ -3984,6 +3964,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Changed</source>
         <translation>Geändert</translation>
+    </message>
+    <message>
+        <source>Changed parameters:</source>
+        <translation>Geänderte Parameter:</translation>
     </message>
     <message>
         <source>Changed since</source>
@@ -4066,8 +4050,8 @@ Zeiten nach: %2.</translation>
         <translation>Einen Parameter wählen</translation>
     </message>
     <message>
-        <source>Choose a parameter and measure it: its errors are those against its most exact value, its costs are work and time.</source>
-        <translation>Wählen Sie einen Parameter, und messen Sie ihn: Seine Fehler sind die gegenüber seinem genauesten Wert, seine Kosten sind Arbeit und Zeit.</translation>
+        <source>Choose a parameter, then Measure. Errors are against its most exact value; costs are time and counted work.</source>
+        <translation>Wählen Sie einen Parameter, dann „Messen“. Fehler gelten gegenüber seinem genauesten Wert; Kosten sind Zeit und gezählte Arbeit.</translation>
     </message>
     <message>
         <source>Choose a picture with a grid of views, or drop it here.</source>
@@ -4076,6 +4060,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>choose a shorter name</source>
         <translation>wählen Sie einen kürzeren Namen</translation>
+    </message>
+    <message>
+        <source>Choose one of: %1.</source>
+        <translation>Möglich sind: %1.</translation>
     </message>
     <message>
         <source>Choose sheet %1</source>
@@ -4110,6 +4098,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Clear the list now</source>
         <translation>Die Liste jetzt leeren</translation>
+    </message>
+    <message>
+        <source>Clears the list of recent files; the files themselves are kept.</source>
+        <translation>Leert die Liste der zuletzt geöffneten Dateien; die Dateien selbst bleiben.</translation>
     </message>
     <message>
         <source>clears the picture</source>
@@ -4173,8 +4165,8 @@ Zeiten nach: %2.</translation>
         <translation>geschlossene Form</translation>
     </message>
     <message>
-        <source>Closes the window; everything comes back next time.</source>
-        <translation>Schließt das Fenster; beim nächsten Mal kommt alles zurück.</translation>
+        <source>Closes the window. The session is restored at the next start.</source>
+        <translation>Schließt das Fenster. Beim nächsten Start ist die Sitzung wieder da.</translation>
     </message>
     <message>
         <source>closing it failed ({1})</source>
@@ -4454,8 +4446,8 @@ Zeiten nach: %2.</translation>
         <translation>Farben</translation>
     </message>
     <message>
-        <source>Colors of panels and dialogs. As the desktop also takes its wish for more contrast; high contrast is light or dark as the desktop is.</source>
-        <translation>Farben von Bedienfeldern und Dialogen. „Wie der Desktop“ übernimmt auch dessen Wunsch nach mehr Kontrast; hoher Kontrast ist hell oder dunkel, wie der Desktop es ist.</translation>
+        <source>Colors of panels and dialogs. “As the desktop” also follows its contrast setting; high contrast is light or dark like the desktop.</source>
+        <translation>Farben von Bedienfeldern und Dialogen. „Wie der Desktop“ übernimmt auch dessen Kontrast; hoher Kontrast ist hell oder dunkel wie der Desktop.</translation>
     </message>
     <message>
         <source>Colors of the hall</source>
@@ -4490,10 +4482,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Come nearer to the exhibit, or step back</source>
         <translation>Näher an das Exponat heran, oder zurück</translation>
-    </message>
-    <message>
-        <source>Comes with the exhibit: can be duplicated, not changed.</source>
-        <translation>Gehört zum Exponat: lässt sich duplizieren, nicht ändern.</translation>
     </message>
     <message>
         <source>Command</source>
@@ -4563,6 +4551,10 @@ Zeiten nach: %2.</translation>
         <translation>Übersprechen ausgleichen</translation>
     </message>
     <message>
+        <source>Compiles changed shaders again; if one fails, the last good picture is kept.</source>
+        <translation>Übersetzt geänderte Shader neu; misslingt es, bleibt das letzte gute Bild.</translation>
+    </message>
+    <message>
         <source>composition</source>
         <translation>Komposition</translation>
     </message>
@@ -4578,6 +4570,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>compute</source>
         <translation>Compute</translation>
+    </message>
+    <message>
+        <source>Computing the charts …</source>
+        <translation>Die Diagramme werden berechnet …</translation>
     </message>
     <message>
         <source>Cone prepass</source>
@@ -4635,8 +4631,16 @@ Zeiten nach: %2.</translation>
         <translation>das Umwandeln eines Frames</translation>
     </message>
     <message>
-        <source>Copies a preset file to your own.</source>
-        <translation>Kopiert eine Preset-Datei zu Ihren eigenen.</translation>
+        <source>Copied a command line that renders this picture into picture.png.</source>
+        <translation>Eine Befehlszeile wurde kopiert, die dieses Bild in picture.png rendert.</translation>
+    </message>
+    <message>
+        <source>Copies a command line that renders the identical picture in a terminal.</source>
+        <translation>Kopiert eine Befehlszeile, die im Terminal genau dasselbe Bild rendert.</translation>
+    </message>
+    <message>
+        <source>Copies a preset file to your own presets.</source>
+        <translation>Kopiert eine Preset-Datei zu Ihren eigenen Presets.</translation>
     </message>
     <message>
         <source>Copies all settings of A to B. Can be undone.</source>
@@ -4659,7 +4663,11 @@ Zeiten nach: %2.</translation>
         <translation>Kopiert Punkte und Unterschiede als Tabelle (CSV).</translation>
     </message>
     <message>
-        <source>Copies the selected preset to one of your own.</source>
+        <source>Copies the picture to the clipboard.</source>
+        <translation>Kopiert das Bild in die Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Copies the selected preset to a preset of your own.</source>
         <translation>Kopiert das gewählte Preset in ein eigenes.</translation>
     </message>
     <message>
@@ -4992,6 +5000,10 @@ Zeiten nach: %2.</translation>
         <translation>Löscht alle neun Lesezeichen.</translation>
     </message>
     <message>
+        <source>Deletes the node with everything in it.</source>
+        <translation>Löscht den Knoten mit allem, was er enthält.</translation>
+    </message>
+    <message>
         <source>Deletes the selected preset; undo brings it back.</source>
         <translation>Löscht das gewählte Preset; rückgängig machen bringt es zurück.</translation>
     </message>
@@ -5042,10 +5054,6 @@ Zeiten nach: %2.</translation>
         <source>Density of the reference's black fog: light falls to 1/e where this value times the cube of the distance is 1.</source>
         <extracomment>tables</extracomment>
         <translation>Dichte des schwarzen Nebels des Originals: Licht fällt auf 1/e, wo dieser Wert mal die dritte Potenz der Entfernung 1 ist.</translation>
-    </message>
-    <message>
-        <source>Depot: shown alone</source>
-        <translation>Depot: wird allein gezeigt</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -5291,6 +5299,10 @@ Zeiten nach: %2.</translation>
         <translation>Abstand, ab dem Formen keine Umgebungsverdeckung bewirken; das Original kennt keine solche Grenze.</translation>
     </message>
     <message>
+        <source>Distance by which one step of the mouse wheel approaches an exhibit.</source>
+        <translation>Strecke, um die ein Schritt des Mausrads an ein Exponat heranführt.</translation>
+    </message>
+    <message>
         <source>Distance by which the candy floats up and down.</source>
         <extracomment>tables</extracomment>
         <translation>Strecke, um die das Bonbon auf und ab schwebt.</translation>
@@ -5412,8 +5424,8 @@ Zeiten nach: %2.</translation>
         <translation>von oben auf sie</translation>
     </message>
     <message>
-        <source>Drag the handle between the four corners: numbers go evenly or by factors, colors as they look, angles the shorter way; what has nothing between is that of the nearest corner. One drag is one undo step, Esc takes it back. Arrows move it, Shift finer, Ctrl coarser.</source>
-        <translation>Ziehen Sie den Griff zwischen den vier Ecken: Zahlen gehen gleichmäßig oder um Faktoren, Farben nach ihrem Aussehen, Winkel den kürzeren Weg; was kein Dazwischen hat, ist das der nächsten Ecke. Ein Ziehen ist ein Bearbeitungsschritt, Esc nimmt es zurück. Pfeiltasten bewegen ihn, Umschalt feiner, Strg gröber.</translation>
+        <source>Drag the handle to blend the settings of the four corners. Numbers, colors and angles are interpolated; choices are those of the nearest corner. One drag is one undo step; Esc cancels it. Arrow keys move the handle, with Shift finer, with Ctrl coarser.</source>
+        <translation>Ziehen Sie den Griff, um die Einstellungen der vier Ecken zu mischen. Zahlen, Farben und Winkel werden interpoliert; Auswahlen sind die der nächsten Ecke. Ein Ziehen ist ein Bearbeitungsschritt; Esc bricht es ab. Pfeiltasten bewegen den Griff, mit Umschalt feiner, mit Strg gröber.</translation>
     </message>
     <message>
         <source>Drag the label or the number</source>
@@ -5465,10 +5477,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>gezeichnet mit {1}</translation>
     </message>
     <message>
-        <source>Draws an object from all sides, as large pixels: a sheet with one palette, normals and depth, for games.</source>
-        <translation>Zeichnet ein Objekt von allen Seiten in großen Pixeln: ein Blatt mit einer Palette, Normalen und Tiefe, für Spiele.</translation>
-    </message>
-    <message>
         <source>Draws nine variations of the current settings.</source>
         <translation>Zeichnet neun Variationen der jetzigen Einstellungen.</translation>
     </message>
@@ -5498,6 +5506,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Duplicate %1</source>
         <translation>%1 duplizieren</translation>
+    </message>
+    <message>
+        <source>Duplicates the node; the copy follows it.</source>
+        <translation>Dupliziert den Knoten; die Kopie folgt ihm.</translation>
     </message>
     <message>
         <source>Dusk</source>
@@ -5587,6 +5599,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
             <numerusform>Zusammen bearbeitet: Eine Änderung hier ändert %n Gruppe.</numerusform>
             <numerusform>Zusammen bearbeitet: Eine Änderung hier ändert alle %n Gruppen.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Edits the tags of the selected preset, by which it can be found.</source>
+        <translation>Bearbeitet die Tags des gewählten Presets, nach denen es zu finden ist.</translation>
     </message>
     <message>
         <source>effect</source>
@@ -5765,14 +5781,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>alles exakt, {1}</translation>
     </message>
     <message>
-        <source>Everything has its initial value.</source>
-        <translation>Alles hat seinen Ausgangswert.</translation>
-    </message>
-    <message>
-        <source>Everything stays as it was.</source>
-        <translation>Alles bleibt, wie es war.</translation>
-    </message>
-    <message>
         <source>Everything that is set here, as JSON.</source>
         <translation>Alles, was hier eingestellt ist, als JSON.</translation>
     </message>
@@ -5882,6 +5890,18 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Export sprites</source>
         <translation>Sprites exportieren</translation>
+    </message>
+    <message>
+        <source>Exports a print for a lenticular sheet from views of the exhibit or your own pictures, or a calibration chart.</source>
+        <translation>Exportiert einen Druck für eine Linsenfolie aus Ansichten des Exponats oder eigenen Bildern, oder einen Testchart.</translation>
+    </message>
+    <message>
+        <source>Exports a sprite sheet of an object from all sides, with one palette, normals and depth, for games.</source>
+        <translation>Exportiert ein Blatt mit Sprites eines Objekts von allen Seiten, mit einer Palette, Normalen und Tiefe, für Spiele.</translation>
+    </message>
+    <message>
+        <source>Exports the current view with the settings of the last export, under the next free name.</source>
+        <translation>Exportiert die jetzige Ansicht mit den Einstellungen des letzten Exports, unter dem nächsten freien Namen.</translation>
     </message>
     <message>
         <source>Exposure</source>
@@ -6278,10 +6298,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Für den Druck auf die Rückseite der Folie.</translation>
     </message>
     <message>
-        <source>Forgets which files were opened; the files stay.</source>
-        <translation>Vergisst, welche Dateien geöffnet wurden; die Dateien bleiben.</translation>
-    </message>
-    <message>
         <source>Format</source>
         <translation>Format</translation>
     </message>
@@ -6444,10 +6460,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>vom Elternknoten</translation>
     </message>
     <message>
-        <source>From the picture to the next panel, and on to the one before</source>
-        <translation>Vom Bild zum nächsten Bedienfeld, und zu dem davor</translation>
-    </message>
-    <message>
         <source>from the side</source>
         <translation>von der Seite</translation>
     </message>
@@ -6544,30 +6556,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>geben Sie depth, normal oder evaluations an; korrigieren Sie es dort.</translation>
     </message>
     <message>
-        <source>Gives all commands their usual shortcuts.</source>
-        <translation>Gibt allen Befehlen ihre üblichen Tastenkürzel.</translation>
-    </message>
-    <message>
-        <source>Gives the command its usual shortcuts.</source>
-        <translation>Gibt dem Befehl seine üblichen Tastenkürzel.</translation>
-    </message>
-    <message>
-        <source>Gives the focus to the next part of the window: the picture, the panels, the clock.</source>
-        <translation>Gibt den Fokus dem nächsten Teil des Fensters: dem Bild, den Bedienfeldern, der Uhr.</translation>
-    </message>
-    <message>
-        <source>Gives the focus to the part of the window before.</source>
-        <translation>Gibt den Fokus dem Teil des Fensters davor.</translation>
-    </message>
-    <message>
-        <source>Gives the selected preset another name.</source>
-        <translation>Gibt dem gewählten Preset einen anderen Namen.</translation>
-    </message>
-    <message>
-        <source>Gives the selected preset words by which it is found.</source>
-        <translation>Gibt dem gewählten Preset Wörter, nach denen es zu finden ist.</translation>
-    </message>
-    <message>
         <source>Glass</source>
         <translation>Glas</translation>
     </message>
@@ -6620,8 +6608,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Zu Lesezeichen %1</translation>
     </message>
     <message>
-        <source>Goes to the filter above the parameters.</source>
-        <translation>Geht zum Filter über den Parametern.</translation>
+        <source>Goes to the next step of the lesson.</source>
+        <translation>Geht zum nächsten Schritt der Lektion.</translation>
+    </message>
+    <message>
+        <source>Goes to the previous step of the lesson.</source>
+        <translation>Geht zum vorigen Schritt der Lektion.</translation>
     </message>
     <message>
         <source>Goes to the tab that has these parameters.</source>
@@ -7009,16 +7001,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Blendet alle Bedienfelder und Leisten aus; nur das Bild bleibt.</translation>
     </message>
     <message>
-        <source>Hides everything else.</source>
-        <translation>Blendet alles andere aus.</translation>
-    </message>
-    <message>
-        <source>Hides nothing any more.</source>
-        <translation>Blendet nichts mehr aus.</translation>
-    </message>
-    <message>
-        <source>Hides or shows everything but the picture.</source>
-        <translation>Blendet alles außer dem Bild aus oder ein.</translation>
+        <source>Hides or shows all panels and bars.</source>
+        <translation>Blendet alle Bedienfelder und Leisten aus oder ein.</translation>
     </message>
     <message>
         <source>High contrast</source>
@@ -7153,20 +7137,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie weit die Kameras gerenderter Ansichten auseinander stehen: 0 ist flach, 1 maßstabsgetreu für den Betrachtungsabstand, über 1 tiefer als in Wirklichkeit.</translation>
     </message>
     <message>
-        <source>How far dragging turns you, or takes you round an exhibit.</source>
-        <translation>Wie weit Ziehen Sie dreht, oder um ein Exponat herumführt.</translation>
-    </message>
-    <message>
         <source>How far the scene may reach before and behind the print, together, without doubled contours.</source>
         <translation>Wie weit die Szene vor und hinter dem Druck zusammen reichen darf, ohne doppelte Konturen.</translation>
     </message>
     <message>
         <source>How it works</source>
         <translation>So funktioniert es</translation>
-    </message>
-    <message>
-        <source>How many are kept in File &gt; Open recent; 0 keeps none.</source>
-        <translation>Wie viele unter Datei &gt; Zuletzt geöffnet bleiben; 0 behält keine.</translation>
     </message>
     <message>
         <source>How many the palette made of the frames has.</source>
@@ -7179,10 +7155,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How many views to render, or to take from the files, spread evenly.</source>
         <translation>Wie viele Ansichten gerendert oder gleichmäßig aus den Dateien genommen werden.</translation>
-    </message>
-    <message>
-        <source>How much nearer one step of the wheel takes you to an exhibit.</source>
-        <translation>Wie viel näher ein Schritt des Mausrads an ein Exponat heranführt.</translation>
     </message>
     <message>
         <source>How the other studies stand to the first</source>
@@ -7258,6 +7230,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>In reverse order the depth of rendered views is inside out.</source>
         <translation>In umgekehrter Reihenfolge kehrt sich die Tiefe gerenderter Ansichten um.</translation>
+    </message>
+    <message>
+        <source>In storage: shown alone</source>
+        <translation>Im Depot: wird allein gezeigt</translation>
     </message>
     <message>
         <source>In the museum</source>
@@ -7350,12 +7326,12 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Vorgesehener Winkel</translation>
     </message>
     <message>
-        <source>Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to calibrate it.</source>
-        <translation>Verschachtelt Ansichten des Gezeigten oder eigene Bilder für eine Linsenfolie; auch Testcharts, um sie zu kalibrieren.</translation>
-    </message>
-    <message>
         <source>Interlacing</source>
         <translation>Verschachtelung</translation>
+    </message>
+    <message>
+        <source>Internal error: %1. The command was not executed; everything else continues.</source>
+        <translation>Interner Fehler: %1. Der Befehl wurde nicht ausgeführt; alles andere läuft weiter.</translation>
     </message>
     <message>
         <source>Interpolation of the rotation from root to tip: the matrix mix shortens strands, nlerp turns unevenly, slerp is exact.</source>
@@ -7422,6 +7398,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es will sich zum {1}-fachen seiner Größe entpacken, mehr, als das Format packen kann</translation>
     </message>
     <message>
+        <source>it contains unknown preferences</source>
+        <translation>sie enthält unbekannte Einstellungen</translation>
+    </message>
+    <message>
         <source>It has &quot;{1}&quot;, which its child would lose; take that out first.</source>
         <translation>Sie hat „{=1}“, was ihr Kind verlieren würde; nehmen Sie das zuerst heraus.</translation>
     </message>
@@ -7456,10 +7436,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>it has {1}, more than the {2} allowed</source>
         <translation>es hat {1}, mehr als die erlaubten {2}</translation>
-    </message>
-    <message>
-        <source>it holds what no preference is</source>
-        <translation>sie enthält, was keine Einstellung ist</translation>
     </message>
     <message>
         <source>it is a deep picture; flatten it first</source>
@@ -7558,16 +7534,16 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>es ist kein Bild in {1}</translation>
     </message>
     <message>
+        <source>it is not in the format of preferences</source>
+        <translation>sie hat nicht das Format der Einstellungen</translation>
+    </message>
+    <message>
         <source>it is not of glTF version 2</source>
         <translation>die Datei ist nicht von glTF-Version 2</translation>
     </message>
     <message>
         <source>it is not placed in the hall</source>
         <translation>es steht nicht in der Halle</translation>
-    </message>
-    <message>
-        <source>it is not written as settings are</source>
-        <translation>sie ist nicht so geschrieben, wie Einstellungen es sind</translation>
     </message>
     <message>
         <source>it is packed in pieces of more than 512 MiB; save it in smaller ones</source>
@@ -7744,10 +7720,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>its numbers have not rested for a while</source>
         <translation>ihre Zahlen haben eine Weile nicht geruht</translation>
-    </message>
-    <message>
-        <source>Its only child takes its place.</source>
-        <translation>Ihr einziges Kind nimmt ihren Platz ein.</translation>
     </message>
     <message>
         <source>Its operation would be left without what it works on; delete or unwrap that one.</source>
@@ -8000,6 +7972,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Sprache</translation>
     </message>
     <message>
+        <source>Language of the window, from its next start. Files and the numbers in them do not change.</source>
+        <translation>Sprache des Fensters, ab dem nächsten Start. Dateien und die Zahlen darin ändern sich nicht.</translation>
+    </message>
+    <message>
         <source>Lanterns</source>
         <extracomment>tables</extracomment>
         <translation>Laternen</translation>
@@ -8040,6 +8016,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Largest number of reflections along a ray: 0 shows none. A scene may limit it further.</source>
         <extracomment>tables</extracomment>
         <translation>Höchstzahl der Spiegelungen entlang eines Strahls: 0 zeigt keine. Eine Szene kann sie weiter begrenzen.</translation>
+    </message>
+    <message>
+        <source>Largest number of samples per pixel in the window when nothing moves: few finish sooner and leave rougher edges. Exports, recordings and prints have their own.</source>
+        <translation>Höchstzahl der Samples pro Pixel im Fenster, wenn sich nichts bewegt: Wenige sind eher fertig und lassen Kanten rauer. Exporte, Aufnahmen und Drucke haben eigene Zahlen.</translation>
     </message>
     <message>
         <source>Largest number of steps in which a ray finds the water.</source>
@@ -8090,6 +8070,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Leave the lesson</source>
         <translation>Lektion verlassen</translation>
+    </message>
+    <message>
+        <source>Leaves the lesson and restores your settings.</source>
+        <translation>Verlässt die Lektion und stellt Ihre Einstellungen wieder her.</translation>
     </message>
     <message>
         <source>Ledger</source>
@@ -8797,8 +8781,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Millisekunden eines Bildes, nach einer Uhr, der nicht zu trauen ist</translation>
     </message>
     <message>
-        <source>Milliseconds that a skipped step took when it last ran. “Run everything” measures them all.</source>
-        <translation>Millisekunden, die ein ausgelassener Schritt brauchte, als er zuletzt lief. „Alles ausführen“ misst sie alle.</translation>
+        <source>Milliseconds of the same pass with settings B, in a complete frame that reuses nothing from the previous one.</source>
+        <translation>Millisekunden desselben Passes mit den Einstellungen B, in einem vollständigen Frame, der nichts vom vorigen übernimmt.</translation>
+    </message>
+    <message>
+        <source>Milliseconds that a skipped pass took when it last ran. “Run everything” measures all of them.</source>
+        <translation>Millisekunden, die ein ausgelassener Pass brauchte, als er zuletzt lief. „Alles ausführen“ misst sie alle.</translation>
     </message>
     <message>
         <source>Minor radius</source>
@@ -8957,6 +8945,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bewegung der Laternen: auf einer eigenen Welle wie im Original oder auf dem Wasser unter ihrem Boden.</translation>
     </message>
     <message>
+        <source>Motion of the window. Reduced: the camera jumps instead of gliding, panels do not slide, messages do not fade, and the exhibits' clock is paused until you start it (Space in the picture) or press an exhibit's button. Walking and dragging are not affected.</source>
+        <translation>Bewegung im Fenster. Reduziert: Die Kamera springt, statt zu gleiten, Bedienfelder gleiten nicht, Meldungen blenden nicht aus, und die Uhr der Exponate steht, bis Sie sie starten (Leertaste im Bild) oder den Knopf eines Exponats drücken. Gehen und Ziehen bleiben, wie sie sind.</translation>
+    </message>
+    <message>
         <source>Move</source>
         <translation>Verschieben</translation>
     </message>
@@ -8977,6 +8969,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Weiterbewegen</translation>
     </message>
     <message>
+        <source>Move the focus to the next or the previous panel</source>
+        <translation>Den Fokus ins nächste oder vorige Bedienfeld setzen</translation>
+    </message>
+    <message>
         <source>Move the node: up, down, out of its parent, into the one above</source>
         <translation>Den Knoten verschieben: auf, ab, aus seinem Elternknoten, in den darüber</translation>
     </message>
@@ -8989,12 +8985,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Rückt die Kameras zusammen, bis der Druck die ganze Szene fasst.</translation>
     </message>
     <message>
-        <source>Moves the strips under the lenses, in lenses; a phase chart tells.</source>
-        <translation>Verschiebt die Streifen unter den Linsen, in Linsen; ein Phasen-Testchart zeigt es.</translation>
+        <source>Moves the focus to the filter above the parameters.</source>
+        <translation>Setzt den Fokus in den Filter über den Parametern.</translation>
     </message>
     <message>
-        <source>Moves: %1. Setting it by hand stops it.</source>
-        <translation>Bewegt sich: %1. Von Hand gesetzt, endet die Bewegung.</translation>
+        <source>Moves the focus to the next part of the window: picture, panels, clock.</source>
+        <translation>Setzt den Fokus in den nächsten Teil des Fensters: Bild, Bedienfelder, Uhr.</translation>
+    </message>
+    <message>
+        <source>Moves the focus to the previous part of the window.</source>
+        <translation>Setzt den Fokus in den vorigen Teil des Fensters.</translation>
+    </message>
+    <message>
+        <source>Moves the strips under the lenses, in lenses; a phase chart tells.</source>
+        <translation>Verschiebt die Streifen unter den Linsen, in Linsen; ein Phasen-Testchart zeigt es.</translation>
     </message>
     <message>
         <source>ms</source>
@@ -9061,11 +9065,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Neues Tastenkürzel</translation>
     </message>
     <message>
-        <source>New shortcut for “%1”; usually %2.</source>
+        <source>New shortcut for “%1”; its default is %2.</source>
         <translation>Neues Tastenkürzel für „%1“; üblich ist %2.</translation>
     </message>
     <message>
-        <source>New shortcut for “%1”; usually it has none.</source>
+        <source>New shortcut for “%1”; its default is none.</source>
         <translation>Neues Tastenkürzel für „%1“; üblich ist keines.</translation>
     </message>
     <message>
@@ -9116,6 +9120,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>no cloth or stand is in view</source>
         <translation>kein Tuch oder Ständer ist im Blick</translation>
+    </message>
+    <message>
+        <source>No command matches.</source>
+        <translation>Kein Befehl passt.</translation>
     </message>
     <message>
         <source>No count of work tells these settings apart.</source>
@@ -9194,8 +9202,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>auf diesen Frame folgt keine Bewegung</translation>
     </message>
     <message>
-        <source>No node has these words.</source>
-        <translation>Kein Knoten enthält diese Wörter.</translation>
+        <source>No node matches.</source>
+        <translation>Kein Knoten passt.</translation>
     </message>
     <message>
         <source>No OpenGL was found; OpenGL 4.5 is needed: install a graphics driver, or Mesa's software one (libgl1-mesa-dri).</source>
@@ -9210,8 +9218,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Es kann kein Bild gemacht werden: Es gibt keinen Grafikkontext.</translation>
     </message>
     <message>
-        <source>No picture was exported yet: “Export picture…” comes first.</source>
-        <translation>Es wurde noch kein Bild exportiert: zuerst kommt „Bild exportieren…“.</translation>
+        <source>No picture was exported yet; use “Export picture…” first.</source>
+        <translation>Es wurde noch kein Bild exportiert; zuerst „Bild exportieren…“ verwenden.</translation>
     </message>
     <message>
         <source>No pixel differs.</source>
@@ -9230,12 +9238,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Kein Punkt der Szene liegt innen, soweit diese Zellen es zeigen: Flächen brauchen eine Dicke, und was dünner als eine Zelle ist, ein kleineres --cell.</translation>
     </message>
     <message>
-        <source>No preset has these words and tags.</source>
-        <translation>Kein Preset hat diese Wörter und Tags.</translation>
-    </message>
-    <message>
         <source>No preset is selected in the list.</source>
         <translation>In der Liste ist keine Voreinstellung gewählt.</translation>
+    </message>
+    <message>
+        <source>No preset matches these words and tags.</source>
+        <translation>Kein Preset passt zu diesen Wörtern und Tags.</translation>
     </message>
     <message>
         <source>No ray grazes a shell along so many cells.</source>
@@ -9244,10 +9252,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>No ray meets the object so often.</source>
         <translation>Kein Strahl trifft das Objekt so oft.</translation>
-    </message>
-    <message>
-        <source>No red button is in front of you.</source>
-        <translation>Vor Ihnen ist kein roter Knopf.</translation>
     </message>
     <message>
         <source>no reflected rays are traced</source>
@@ -9437,10 +9441,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Nicht alle Dateien sagen, auf welchem Rechner sie gemessen wurden, daher lassen sich ihre Zeiten nicht vergleichen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
     <message>
-        <source>Not all of it is known here; it was kept as %1:</source>
-        <translation>Nicht alles davon ist hier bekannt; er wurde als %1 aufbewahrt:</translation>
-    </message>
-    <message>
         <source>Not all settings were timed: their work is compared, which counts the same anywhere.</source>
         <translation>Nicht bei allen Einstellungen wurde die Zeit gemessen: Verglichen wird ihre Arbeit, die überall gleich zählt.</translation>
     </message>
@@ -9457,8 +9457,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nicht in der Liste</translation>
     </message>
     <message>
-        <source>Not saved: %1. Without saving, your changes stay in this session and come back with it.</source>
-        <translation>Nicht gespeichert: %1. Ohne Speichern bleiben Ihre Änderungen in dieser Sitzung und kommen mit ihr zurück.</translation>
+        <source>Not saved: %1. Unsaved changes are kept in the session and restored at the next start.</source>
+        <translation>Nicht gespeichert: %1. Ungespeicherte Änderungen bleiben in der Sitzung und sind beim nächsten Start wieder da.</translation>
     </message>
     <message>
         <source>not trusted</source>
@@ -9467,10 +9467,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Not used now; only used when %1. Its value is kept.</source>
         <translation>Zurzeit ohne Wirkung; wirkt nur, wenn %1. Der Wert bleibt erhalten.</translation>
-    </message>
-    <message>
-        <source>Nothing became B: select a preset in the list first.</source>
-        <translation>Nichts wurde zu B: Wählen Sie zuerst ein Preset in der Liste.</translation>
     </message>
     <message>
         <source>Nothing can be drawn: there is no graphics context.</source>
@@ -9493,8 +9489,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nichts in der Szene spiegelt</translation>
     </message>
     <message>
-        <source>Nothing is called so.</source>
-        <translation>Nichts heißt so.</translation>
+        <source>Nothing is changed.</source>
+        <translation>Nichts wird geändert.</translation>
     </message>
     <message>
         <source>Nothing is drawn yet.</source>
@@ -9549,10 +9545,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Noch nichts zu drucken</translation>
     </message>
     <message>
-        <source>Nothing to visit is in the middle of the picture.</source>
-        <translation>In der Bildmitte ist nichts zu besuchen.</translation>
-    </message>
-    <message>
         <source>nothing was drawn before</source>
         <translation>davor wurde nichts gezeichnet</translation>
     </message>
@@ -9591,6 +9583,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Number of copies.</source>
         <translation>Zahl der Kopien.</translation>
+    </message>
+    <message>
+        <source>Number of files listed in File &gt; Open recent; 0 lists none.</source>
+        <translation>Zahl der Dateien unter Datei &gt; Zuletzt geöffnet; 0 behält keine.</translation>
     </message>
     <message>
         <source>Number of frames averaged while the picture moves: few flicker, many blur fine details.</source>
@@ -9857,10 +9853,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Eines Frames, in Pixeln.</translation>
     </message>
     <message>
-        <source>Of all words in the window, as a share of the desktop's.</source>
-        <translation>Aller Wörter im Fenster, als Anteil der des Desktops.</translation>
-    </message>
-    <message>
         <source>Of curvature, at the lens top.</source>
         <translation>Der Krümmung, am Linsenscheitel.</translation>
     </message>
@@ -9885,10 +9877,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Der Linsen: 0 aufrecht für Tiefe, 90 quer für Wechselbilder, dazwischen schräg.</translation>
     </message>
     <message>
-        <source>Of the picture's own, while something moves: the higher, the sharper, and the fewer pictures a second on a slow machine.</source>
-        <translation>Der des Bildes, während sich etwas bewegt: Je höher, desto schärfer, und desto weniger Bilder pro Sekunde auf einem langsamen Rechner.</translation>
-    </message>
-    <message>
         <source>Of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.</source>
         <translation>Des Kunststoffs: 1.49 Acryl, 1.57 PET, 1.59 Polystyrol.</translation>
     </message>
@@ -9903,10 +9891,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Of the videos only .webp and .apng can be transparent; choose one of them, or frames of PNG.</source>
         <translation>Von den Videos können nur .webp und .apng transparent sein; wählen Sie eines davon, oder Frames als PNG.</translation>
-    </message>
-    <message>
-        <source>Of the window, from its next start. Files and the numbers in them stay as they are.</source>
-        <translation>Des Fensters, ab dem nächsten Start. Dateien und die Zahlen darin bleiben, wie sie sind.</translation>
     </message>
     <message>
         <source>Of TIFF: none is what every print shop reads. PNG is always compressed.</source>
@@ -9943,10 +9927,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>ein</translation>
     </message>
     <message>
-        <source>On and off are.</source>
-        <translation>„on“ und „off“ wären welche.</translation>
-    </message>
-    <message>
         <source>On its way round the camera runs into a wall or what stands in the hall; turn by a smaller angle.</source>
         <translation>Auf ihrem Weg ringsum stößt die Kamera an eine Wand oder etwas, das in der Halle steht; drehen Sie um einen kleineren Winkel.</translation>
     </message>
@@ -9957,10 +9937,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>on show</source>
         <translation>gezeigt</translation>
-    </message>
-    <message>
-        <source>Once more, behind it.</source>
-        <translation>Noch einmal, dahinter.</translation>
     </message>
     <message>
         <source>one</source>
@@ -10139,6 +10115,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Öffnet %1.</translation>
     </message>
     <message>
+        <source>Opens a lesson of your own (Markdown); the manual explains the format.</source>
+        <translation>Öffnet eine eigene Lektion (Markdown); das Handbuch erklärt das Format.</translation>
+    </message>
+    <message>
+        <source>Opens the page about the visited exhibit: its technique, figures, formulas, sources.</source>
+        <translation>Öffnet die Seite über das besuchte Exponat: Technik, Abbildungen, Formeln, Quellen.</translation>
+    </message>
+    <message>
         <source>Open…</source>
         <translation>Öffnen…</translation>
     </message>
@@ -10193,10 +10177,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>orthographic</source>
         <extracomment>tables</extracomment>
         <translation>orthografisch</translation>
-    </message>
-    <message>
-        <source>Other than initial:</source>
-        <translation>Anders als am Ausgang:</translation>
     </message>
     <message>
         <source>Our own is shown in its place until it can be read.</source>
@@ -10385,6 +10365,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Teile des Modells sind durchscheinend</translation>
     </message>
     <message>
+        <source>Parts of the session are unknown to this version; it was kept as %1:</source>
+        <translation>Nicht alles in der Sitzung ist dieser Version bekannt; sie wurde als %1 aufbewahrt:</translation>
+    </message>
+    <message>
         <source>Passes</source>
         <translation>Passes</translation>
     </message>
@@ -10490,10 +10474,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>peak signal to noise ratio, dB</source>
         <translation>Spitzen-Signal-Rausch-Verhältnis, dB</translation>
-    </message>
-    <message>
-        <source>Per pixel of a picture in the window, once nothing moves: fewer are finished sooner and leave edges rougher. Exports, films and prints have numbers of their own.</source>
-        <translation>Pro Pixel eines Bildes im Fenster, sobald sich nichts bewegt: Wenige sind eher fertig und lassen Kanten rauer. Exporte, Filme und Drucke haben eigene Zahlen.</translation>
     </message>
     <message>
         <source>Percent of the view's height; negative numbers shift it up.</source>
@@ -10912,8 +10892,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Den Knopf von %1 drücken</translation>
     </message>
     <message>
-        <source>Press the keys that the command shall have.</source>
-        <translation>Drücken Sie die Tasten, die der Befehl haben soll.</translation>
+        <source>Press the new shortcut of the command.</source>
+        <translation>Drücken Sie das neue Tastenkürzel des Befehls.</translation>
     </message>
     <message>
         <source>Press the red button</source>
@@ -11012,18 +10992,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>%1 in die Halle stellen</translation>
     </message>
     <message>
-        <source>Puts a line on the clipboard that draws the same picture from a terminal, to the bit.</source>
-        <translation>Legt eine Zeile in die Zwischenablage, die im Terminal dasselbe Bild zeichnet, auf das Bit genau.</translation>
-    </message>
-    <message>
-        <source>Puts the selected node into an operation.</source>
-        <translation>Setzt den gewählten Knoten in eine Operation.</translation>
-    </message>
-    <message>
-        <source>Puts what the picture shows on the clipboard.</source>
-        <translation>Legt das gezeigte Bild in die Zwischenablage.</translation>
-    </message>
-    <message>
         <source>Quadratic</source>
         <translation>Quadratisch</translation>
     </message>
@@ -11036,6 +11004,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Quantity by which the scene is colored: the steps, evaluations or shape evaluations that it cost, or its normals.</source>
         <extracomment>tables</extracomment>
         <translation>Größe, nach der die Szene gefärbt wird: die Schritte, Auswertungen oder Formauswertungen, die sie gekostet hat, oder ihre Normalen.</translation>
+    </message>
+    <message>
+        <source>Quantity on the lower axis of the chart: time, or counted work, which is the same on every machine.</source>
+        <translation>Größe auf der unteren Achse des Diagramms: Zeit oder gezählte Arbeit, die auf jedem Rechner gleich ist.</translation>
     </message>
     <message>
         <source>quarter</source>
@@ -11358,6 +11330,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Liest %1%2 … %3 s</translation>
     </message>
     <message>
+        <source>Reading a preset …</source>
+        <translation>Ein Preset wird gelesen …</translation>
+    </message>
+    <message>
         <source>reading it</source>
         <translation>das Lesen</translation>
     </message>
@@ -11402,10 +11378,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Liest, %1 %</translation>
     </message>
     <message>
-        <source>README.md did not come with this copy of the program.</source>
-        <translation>README.md lag dieser Kopie des Programms nicht bei.</translation>
-    </message>
-    <message>
         <source>reads and writes pictures</source>
         <translation>liest und schreibt Bilder</translation>
     </message>
@@ -11430,12 +11402,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Aufnahme von {1}</translation>
     </message>
     <message>
-        <source>Reduced</source>
-        <translation>Reduziert</translation>
+        <source>Records a video or frames: along bookmarks, around the current target, or as a tour of all exhibits.</source>
+        <translation>Nimmt ein Video oder Frames auf: entlang von Lesezeichen, um das Betrachtete herum oder als Rundgang zu allen Exponaten.</translation>
     </message>
     <message>
-        <source>Reduced: the camera cuts to where it would glide, panels do not slide, messages do not fade, and the exhibits' clock stands still until you start it (Space in the picture) or press an exhibit's button. What you do yourself, as walking and dragging, moves as ever.</source>
-        <translation>Reduziert: Die Kamera springt, wohin sie gleiten würde, Bedienfelder gleiten nicht, Meldungen blenden nicht aus, und die Uhr der Exponate steht, bis Sie sie starten (Leertaste im Bild) oder den Knopf eines Exponats drücken. Was Sie selbst tun, wie Gehen und Ziehen, bewegt sich wie immer.</translation>
+        <source>Reduced</source>
+        <translation>Reduziert</translation>
     </message>
     <message>
         <source>Reference</source>
@@ -11535,6 +11507,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>%1 aus der Halle entfernen</translation>
     </message>
     <message>
+        <source>Removes all shortcuts of the command.</source>
+        <translation>Entfernt alle Tastenkürzel des Befehls.</translation>
+    </message>
+    <message>
+        <source>Removes the object from the hall; its file is kept.</source>
+        <translation>Entfernt das Objekt aus der Halle; seine Datei bleibt.</translation>
+    </message>
+    <message>
         <source>Rename	F2</source>
         <translation>Umbenennen	F2</translation>
     </message>
@@ -11549,6 +11529,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Rename, tags, duplicate, delete, import, export</source>
         <translation>Umbenennen, Tags, duplizieren, löschen, importieren, exportieren</translation>
+    </message>
+    <message>
+        <source>Renames the selected preset.</source>
+        <translation>Benennt das gewählte Preset um.</translation>
     </message>
     <message>
         <source>Rename…</source>
@@ -11600,6 +11584,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Replace the file?</source>
         <translation>Die Datei ersetzen?</translation>
+    </message>
+    <message>
+        <source>Replaces the operation by its only child.</source>
+        <translation>Ersetzt die Operation durch ihr einziges Kind.</translation>
     </message>
     <message>
         <source>Representation of the object: the distance field, ray-marched, or a mesh of it, rasterized.</source>
@@ -11661,6 +11649,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Auflösung des gezeichneten Bildes gegenüber dem Fenster, je Seite: Unter 1 ist es schneller und unschärfer.</translation>
     </message>
     <message>
+        <source>Resolution of the picture while something moves: high is sharper, with fewer frames per second on a slow machine.</source>
+        <translation>Auflösung des Bildes, während sich etwas bewegt: Hohe Werte sind schärfer, mit weniger Bildern pro Sekunde auf einem langsamen Rechner.</translation>
+    </message>
+    <message>
         <source>Resolution of the reflection probe, in texels per side of a face: low blurs polished surfaces.</source>
         <extracomment>tables</extracomment>
         <translation>Auflösung der Reflexionssonde, in Texeln je Seite einer Fläche: Niedrige Werte machen polierte Oberflächen unscharf.</translation>
@@ -11686,6 +11678,18 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Auflösungsmaßstab</translation>
     </message>
     <message>
+        <source>Restores the default shortcuts of all commands.</source>
+        <translation>Stellt die üblichen Tastenkürzel aller Befehle wieder her.</translation>
+    </message>
+    <message>
+        <source>Restores the default shortcuts of the command.</source>
+        <translation>Stellt die üblichen Tastenkürzel des Befehls wieder her.</translation>
+    </message>
+    <message>
+        <source>Return to where you stood before</source>
+        <translation>Zurück dorthin, wo Sie vorher standen</translation>
+    </message>
+    <message>
         <source>Returns to the entrance of the hall.</source>
         <translation>Führt zurück zum Eingang der Halle.</translation>
     </message>
@@ -11702,6 +11706,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>reversed</source>
         <extracomment>tables</extracomment>
         <translation>umgekehrt</translation>
+    </message>
+    <message>
+        <source>Reverses the direction in which dragging up or down turns the view.</source>
+        <translation>Kehrt um, wohin Ziehen nach oben oder unten den Blick dreht.</translation>
     </message>
     <message>
         <source>Rib stretch</source>
@@ -12044,8 +12052,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Durchlauf {1} von {2}</translation>
     </message>
     <message>
-        <source>Runs every step, also those that the picture does not need. It stays the same to the bit; only the cost changes.</source>
-        <translation>Führt jeden Schritt aus, auch die, die das Bild nicht braucht. Es bleibt auf das Bit gleich; nur die Kosten ändern sich.</translation>
+        <source>Runs every pass, including those that the picture does not need. The picture stays identical; only the cost changes.</source>
+        <translation>Führt jeden Pass aus, auch die, die das Bild nicht braucht. Das Bild bleibt auf das Bit gleich; nur die Kosten ändern sich.</translation>
     </message>
     <message>
         <source>Runs the measurements of the visited exhibit, such as the methods of the pixel art, and saves them as CSV.</source>
@@ -12212,6 +12220,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Speichert die Zahlen darunter als eigene Folie.</translation>
     </message>
     <message>
+        <source>Saves the picture as PNG in your pictures folder.</source>
+        <translation>Speichert das Bild als PNG in Ihrem Bilderordner.</translation>
+    </message>
+    <message>
         <source>Saves the picture at any size, as PNG, JPEG, EXR or TIFF.</source>
         <translation>Speichert das Bild in beliebiger Größe, als PNG, JPEG, EXR oder TIFF.</translation>
     </message>
@@ -12222,10 +12234,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Saves the values that the panel shows under a new name.</source>
         <translation>Speichert die Werte, die das Bedienfeld zeigt, unter einem neuen Namen.</translation>
-    </message>
-    <message>
-        <source>Saves what the picture shows as PNG, in your pictures folder.</source>
-        <translation>Speichert das gezeigte Bild als PNG in Ihrem Bilderordner.</translation>
     </message>
     <message>
         <source>Saves what was measured as a table (CSV) or JSON, or the chart as PNG or SVG.</source>
@@ -12761,10 +12769,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Tastenkürzel</translation>
     </message>
     <message>
-        <source>Shortcuts are one stroke long here.</source>
-        <translation>Tastenkürzel sind hier nur einen Anschlag lang.</translation>
-    </message>
-    <message>
         <source>Shoulders</source>
         <translation>Schultertasten</translation>
     </message>
@@ -12795,6 +12799,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Show B a&amp;lone</source>
         <translation>Nur B &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Show B instead of A</source>
+        <translation>B statt A zeigen</translation>
     </message>
     <message>
         <source>Show box</source>
@@ -12831,6 +12839,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>anstelle des Felds gezeigt</translation>
     </message>
     <message>
+        <source>Shows all nodes again.</source>
+        <translation>Zeigt wieder alle Knoten.</translation>
+    </message>
+    <message>
         <source>Shows B instead of A. Holding the key B in the picture does the same.</source>
         <translation>Zeigt B statt A. Die Taste B im Bild zu halten, tut dasselbe.</translation>
     </message>
@@ -12853,6 +12865,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shows only presets whose name or tags contain these words, or which are “yours”. Enter loads the first, Esc clears.</source>
         <translation>Zeigt nur Presets, deren Name oder Tags diese Wörter enthalten, oder die „eigene“ sind. Eingabe lädt das erste, Esc leert das Feld.</translation>
+    </message>
+    <message>
+        <source>Shows only this node and hides all others.</source>
+        <translation>Zeigt nur diesen Knoten und blendet alle anderen aus.</translation>
     </message>
     <message>
         <source>Shows or hides this panel.</source>
@@ -13071,8 +13087,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>einige seiner Kanäle sind in geringerer Auflösung gespeichert, was nicht gelesen wird; speichern Sie alle in der vollen</translation>
     </message>
     <message>
-        <source>Some preferences in %1 are not valid and are the initial ones now: %2. Edit &gt; Preferences sets them anew.</source>
-        <translation>Einige Programmeinstellungen in %1 sind ungültig und haben jetzt ihre Ausgangswerte: %2. Bearbeiten &gt; Einstellungen setzt sie neu.</translation>
+        <source>Some preferences in %1 are invalid and were reset to their defaults: %2. You can set them in Edit &gt; Preferences.</source>
+        <translation>Einige Programmeinstellungen in %1 sind ungültig und wurden auf ihre Ausgangswerte zurückgesetzt: %2. Sie lassen sich unter Bearbeiten &gt; Einstellungen setzen.</translation>
     </message>
     <message>
         <source>Some were measured in the hall and some alone, so their times cannot be compared: their work is.</source>
@@ -13360,6 +13376,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>starting the filters</source>
         <translation>das Starten der Filter</translation>
+    </message>
+    <message>
+        <source>Starts the step-by-step lesson about the visited exhibit.</source>
+        <translation>Startet die Lektion, die Schritt für Schritt durch das besuchte Exponat führt.</translation>
     </message>
     <message>
         <source>Stay open</source>
@@ -13776,6 +13796,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Supersamples</translation>
     </message>
     <message>
+        <source>Supplied with the exhibit: it can be duplicated, but not changed.</source>
+        <translation>Gehört zum Exponat: lässt sich duplizieren, aber nicht ändern.</translation>
+    </message>
+    <message>
         <source>Sw&amp;ap A and B</source>
         <translation>A &amp;und B vertauschen</translation>
     </message>
@@ -13830,18 +13854,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Take variation %1 of nine %2</source>
         <translation>Variation %1 von neun übernehmen %2</translation>
-    </message>
-    <message>
-        <source>Takes all shortcuts from the command.</source>
-        <translation>Nimmt dem Befehl alle Tastenkürzel.</translation>
-    </message>
-    <message>
-        <source>Takes it out of the hall; the file stays.</source>
-        <translation>Nimmt es aus der Halle; die Datei bleibt.</translation>
-    </message>
-    <message>
-        <source>Takes it out of the tree, with all that is in it.</source>
-        <translation>Nimmt ihn aus dem Baum, mit allem, was er enthält.</translation>
     </message>
     <message>
         <source>Tall</source>
@@ -13900,6 +13912,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>tetrahedron</source>
         <extracomment>tables</extracomment>
         <translation>Tetraeder</translation>
+    </message>
+    <message>
+        <source>Text size of the window, relative to the desktop's.</source>
+        <translation>Textgröße des Fensters, gegenüber der des Desktops.</translation>
     </message>
     <message>
         <source>texture fetches</source>
@@ -14014,10 +14030,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Kanäle des Bildes haben keine Namen</translation>
     </message>
     <message>
-        <source>The charts are being made.</source>
-        <translation>Die Diagramme werden erstellt.</translation>
-    </message>
-    <message>
         <source>The check mark shows or hides it. Drag it, or press Ctrl and the arrows, to reorder; F2 renames.</source>
         <translation>Das Häkchen blendet ein oder aus. Ziehen, oder Strg mit den Pfeiltasten, ordnet um; F2 benennt um.</translation>
     </message>
@@ -14058,8 +14070,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>die Uhr ist gesprungen</translation>
     </message>
     <message>
-        <source>The clock stands, since nothing that is shown moves, and goes on with what does.</source>
-        <translation>Die Uhr steht, weil sich nichts bewegt, was zu sehen ist, und geht weiter, sobald sich etwas bewegt.</translation>
+        <source>The clock waits because nothing shown is moving; it continues when something moves.</source>
+        <translation>Die Uhr wartet, weil sich nichts Gezeigtes bewegt; sie läuft weiter, sobald sich etwas bewegt.</translation>
     </message>
     <message>
         <source>the clouds use baked noise</source>
@@ -14310,8 +14322,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>der Henkel, aus der Nähe</translation>
     </message>
     <message>
-        <source>The heat map goes from 0 to %1 (%2).</source>
-        <translation>Die Heatmap geht von 0 bis %1 (%2).</translation>
+        <source>The heat map ranges from 0 to %1 (%2).</source>
+        <translation>Die Heatmap reicht von 0 bis %1 (%2).</translation>
     </message>
     <message>
         <source>the height</source>
@@ -14354,20 +14366,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Lampen sind ausgeschaltet</translation>
     </message>
     <message>
+        <source>The language of the window will be %1 after the next start.</source>
+        <translation>Die Sprache des Fensters ist ab dem nächsten Start %1.</translation>
+    </message>
+    <message>
         <source>the largest radius is more than 1000 times the smallest; bring them nearer</source>
         <translation>der größte Radius ist mehr als das 1000-fache des kleinsten; bringen Sie sie näher zusammen</translation>
     </message>
     <message>
         <source>the layer &quot;{1}&quot;</source>
         <translation>die Ebene „{1}“</translation>
-    </message>
-    <message>
-        <source>The lesson's next step.</source>
-        <translation>Der nächste Schritt der Lektion.</translation>
-    </message>
-    <message>
-        <source>The lesson's step before this one.</source>
-        <translation>Der vorige Schritt der Lektion.</translation>
     </message>
     <message>
         <source>the light in the air does not fit its points</source>
@@ -14474,10 +14482,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Objekte auf dem Boden haben sich geändert</translation>
     </message>
     <message>
-        <source>The other command loses it.</source>
-        <translation>Der andere Befehl verliert es.</translation>
-    </message>
-    <message>
         <source>The other's cost at this error</source>
         <translation>Kosten der anderen bei diesem Fehler</translation>
     </message>
@@ -14578,16 +14582,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das polare Gitter hat höchstens 4096 Zellen je Seite: vier für jede von 1024 Proben.</translation>
     </message>
     <message>
-        <source>The preferences could not be written to %1. They hold until the program ends.</source>
-        <translation>Die Programmeinstellungen konnten nicht in %1 geschrieben werden. Sie gelten, bis das Programm endet.</translation>
+        <source>The preferences could not be saved to %1. They are kept until the program ends.</source>
+        <translation>Die Programmeinstellungen konnten nicht in %1 gespeichert werden. Sie gelten, bis das Programm endet.</translation>
     </message>
     <message>
-        <source>The preferences in %1 could not be read: %2. They are the initial ones now, and the file was kept as %3.</source>
-        <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie haben jetzt ihre Ausgangswerte, und die Datei wurde als %3 aufbewahrt.</translation>
+        <source>The preferences in %1 could not be read: %2. They were reset to their defaults.</source>
+        <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie wurden auf ihre Ausgangswerte zurückgesetzt.</translation>
     </message>
     <message>
-        <source>The preferences in %1 could not be read: %2. They are the initial ones now.</source>
-        <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie haben jetzt ihre Ausgangswerte.</translation>
+        <source>The preferences in %1 could not be read: %2. They were reset to their defaults; the file was kept as %3.</source>
+        <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie wurden auf ihre Ausgangswerte zurückgesetzt; die Datei wurde als %3 aufbewahrt.</translation>
     </message>
     <message>
         <source>The print has {1} x {2} pixels, and its description says {3} x {4}; look at the unscaled, uncut file.</source>
@@ -14744,6 +14748,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The sheet: .png. Further sheets and the description take its name.</source>
         <translation>Das Blatt: .png. Weitere Blätter und die Beschreibung richten sich nach seinem Namen.</translation>
+    </message>
+    <message>
+        <source>The shortcut is removed from the other command.</source>
+        <translation>Das Tastenkürzel wird dem anderen Befehl genommen.</translation>
     </message>
     <message>
         <source>the size of the picture changed</source>
@@ -14975,10 +14983,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das Fenster öffnet sich, und andere kommen zuerst</translation>
     </message>
     <message>
-        <source>The window speaks %1 from the next start.</source>
-        <translation>Das Fenster spricht ab dem nächsten Start %1.</translation>
-    </message>
-    <message>
         <source>the written file cannot be opened ({1})</source>
         <translation>die geschriebene Datei lässt sich nicht öffnen ({=1})</translation>
     </message>
@@ -15095,10 +15099,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>unter dieser Überschrift steht bereits ein Block; legen Sie beide zusammen.</translation>
     </message>
     <message>
-        <source>There is a preset &quot;%1&quot; already; this one was saved as &quot;%2&quot;.</source>
-        <translation>Ein Preset „%1“ gibt es bereits; dieses wurde als „%2“ gespeichert.</translation>
-    </message>
-    <message>
         <source>There is neither a file nor a preset of {1} named {2}; give a preset file.</source>
         <translation>Es gibt weder eine Datei noch ein Preset von {=1} namens {=2}; geben Sie eine Preset-Datei an.</translation>
     </message>
@@ -15131,6 +15131,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Kein Exponat heißt &quot;{1} `vitrine list` nennt alle.</translation>
     </message>
     <message>
+        <source>There is no exhibit in the middle of the picture.</source>
+        <translation>In der Bildmitte ist kein Exponat.</translation>
+    </message>
+    <message>
         <source>there is no exhibit of that name; `vitrine list` names them.</source>
         <translation>ein Exponat dieses Namens gibt es nicht; `vitrine list` nennt sie.</translation>
     </message>
@@ -15159,8 +15163,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Eine Knotenart „{=1}“ gibt es nicht.</translation>
     </message>
     <message>
-        <source>There is no lesson about this.</source>
-        <translation>Dazu gibt es keine Lektion.</translation>
+        <source>There is no lesson about this exhibit.</source>
+        <translation>Zu diesem Exponat gibt es keine Lektion.</translation>
     </message>
     <message>
         <source>there is no light to reflect</source>
@@ -15169,6 +15173,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>There is no node {1} any more; choose another one.</source>
         <translation>Einen Knoten {=1} gibt es nicht mehr; wählen Sie einen anderen.</translation>
+    </message>
+    <message>
+        <source>There is no parameter “%1” now, so its numbers are shown, but cannot be applied.</source>
+        <translation>Einen Parameter „%1“ gibt es jetzt nicht, daher werden seine Zahlen gezeigt, lassen sich aber nicht anwenden.</translation>
     </message>
     <message>
         <source>there is no parameter; it is no study that Vitrine wrote.</source>
@@ -15187,12 +15195,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Es gibt keinen Quilt; wählen Sie ein Bild mit einem Raster von Ansichten.</translation>
     </message>
     <message>
-        <source>there is no row &quot;{1}&quot;; `vitrine list --manual {2}` names those of {3}.</source>
-        <translation>eine Zeile „{=1}“ gibt es nicht; `vitrine list --manual {=2}` nennt die von {=3}.</translation>
+        <source>There is no red button in front of you.</source>
+        <translation>Vor Ihnen ist kein roter Knopf.</translation>
     </message>
     <message>
-        <source>There is no row “%1” now, so its numbers are shown, but cannot be applied.</source>
-        <translation>Eine Zeile „%1“ gibt es jetzt nicht, daher werden ihre Zahlen gezeigt, lassen sich aber nicht anwenden.</translation>
+        <source>there is no row &quot;{1}&quot;; `vitrine list --manual {2}` names those of {3}.</source>
+        <translation>eine Zeile „{=1}“ gibt es nicht; `vitrine list --manual {=2}` nennt die von {=3}.</translation>
     </message>
     <message>
         <source>There is no sheet &quot;{1}&quot;; choose one of the list.</source>
@@ -15261,10 +15269,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>these are too many; take some away.</source>
         <translation>das sind zu viele; entfernen Sie einige.</translation>
-    </message>
-    <message>
-        <source>These are: %1.</source>
-        <translation>Möglich sind: %1.</translation>
     </message>
     <message>
         <source>these must rise and stay below the accessor's count</source>
@@ -15414,6 +15418,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>This cannot be done.</source>
         <translation>Das geht nicht.</translation>
+    </message>
+    <message>
+        <source>This copy of the program has no manual (README.md).</source>
+        <translation>Diesem Exemplar des Programms liegt kein Handbuch (README.md) bei.</translation>
     </message>
     <message>
         <source>this data: URI is not base 64; export the file again.</source>
@@ -15780,8 +15788,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>diese Szene hat keine Formen; geben Sie ihr einige unter „primitives“</translation>
     </message>
     <message>
-        <source>This setting was not applied: its value of “%1” is none that the row takes now.</source>
-        <translation>Diese Einstellung wurde nicht angewendet: Ihren Wert von „%1“ nimmt die Zeile jetzt nicht an.</translation>
+        <source>This setting was not applied: the parameter no longer accepts its value of “%1”.</source>
+        <translation>Diese Einstellung wurde nicht angewendet: Der Parameter nimmt ihren Wert von „%1“ nicht mehr an.</translation>
     </message>
     <message>
         <source>This sheet is made for flips, and its lenses stand upright: each eye sees another picture. For a flip, lay them across (direction 90°).</source>
@@ -15830,10 +15838,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>this was written by a newer Vitrine; open it there.</source>
         <translation>das wurde von einem neueren Vitrine geschrieben; öffnen Sie es dort.</translation>
-    </message>
-    <message>
-        <source>Three numbers are: x, y, z.</source>
-        <translation>Drei Zahlen wären einer: x, y, z.</translation>
     </message>
     <message>
         <source>three passes</source>
@@ -16134,10 +16138,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Gedreht</translation>
     </message>
     <message>
-        <source>Turns the other way round when you drag up or down.</source>
-        <translation>Dreht andersherum, wenn Sie nach oben oder unten ziehen.</translation>
-    </message>
-    <message>
         <source>Twist</source>
         <extracomment>tables</extracomment>
         <translation>Verdrillung</translation>
@@ -16165,8 +16165,20 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Wechselbild aus zwei Bildern</translation>
     </message>
     <message>
+        <source>Type a number; range: %1.</source>
+        <translation>Geben Sie eine Zahl ein; Bereich: %1.</translation>
+    </message>
+    <message>
         <source>type of shape</source>
         <translation>Art von Form</translation>
+    </message>
+    <message>
+        <source>Type on or off.</source>
+        <translation>Geben Sie on oder off ein.</translation>
+    </message>
+    <message>
+        <source>Type three numbers: x, y, z.</source>
+        <translation>Geben Sie drei Zahlen ein: x, y, z.</translation>
     </message>
     <message>
         <source>Type: 1/3, 2*pi, 30deg</source>
@@ -16462,20 +16474,20 @@ oder aus einem Bild mit einem Raster von Ansichten geschnitten werden. Ein Ordne
         <translation>%1 besuchen</translation>
     </message>
     <message>
-        <source>Visit an exhibit first: lessons are about one of them.</source>
-        <translation>Besuchen Sie zuerst ein Exponat: Jede Lektion handelt von einem.</translation>
-    </message>
-    <message>
         <source>Visit an exhibit first: the hall has nothing around it that could be left out.</source>
         <translation>Besuchen Sie zuerst ein Exponat: Um die Halle herum ist nichts, was wegbleiben könnte.</translation>
+    </message>
+    <message>
+        <source>Visit an exhibit first; each lesson is about one exhibit.</source>
+        <translation>Besuchen Sie zuerst ein Exponat; jede Lektion handelt von einem.</translation>
     </message>
     <message>
         <source>Visit an exhibit, press a button</source>
         <translation>Ein Exponat besuchen, einen Knopf drücken</translation>
     </message>
     <message>
-        <source>Visit the exhibit before, or the next one</source>
-        <translation>Das Exponat davor besuchen, oder das nächste</translation>
+        <source>Visit the previous or the next exhibit</source>
+        <translation>Das vorige oder das nächste Exponat besuchen</translation>
     </message>
     <message>
         <source>Visit what is in the middle of the picture, or press its button</source>
@@ -16515,10 +16527,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Vitrine crashed or was stopped; your last state was restored.</source>
         <translation>Vitrine ist abgestürzt oder wurde beendet; Ihr letzter Stand wurde wiederhergestellt.</translation>
-    </message>
-    <message>
-        <source>Vitrine has a fault: %1. What you asked for was not done; everything else goes on.</source>
-        <translation>Vitrine hat einen Fehler: %1. Das Verlangte wurde nicht ausgeführt; alles andere läuft weiter.</translation>
     </message>
     <message>
         <source>Vitrine scene</source>
@@ -16590,10 +16598,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Walk; the right trigger, or pressing the stick, runs</source>
         <translation>Gehen; der rechte Trigger, oder ein Druck auf den Stick, läuft</translation>
-    </message>
-    <message>
-        <source>Walks you through the exhibit that you visit, step by step.</source>
-        <translation>Führt Schritt für Schritt durch das Exponat, das Sie besuchen.</translation>
     </message>
     <message>
         <source>Wall thickness</source>
@@ -16728,10 +16732,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>was nah ist, wird noch gesucht</translation>
     </message>
     <message>
-        <source>What is seen now, as the last picture was exported, under the next free name.</source>
-        <translation>Was jetzt zu sehen ist, wie das letzte Bild exportiert wurde, unter dem nächsten freien Namen.</translation>
-    </message>
-    <message>
         <source>What is shown</source>
         <translation>Was gezeigt wird</translation>
     </message>
@@ -16748,10 +16748,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was die Szene umgibt, ist schwarz, bis es gelesen werden kann.</translation>
     </message>
     <message>
-        <source>What the chart has on its lower axis: time, or work that was counted, which is the same on every machine.</source>
-        <translation>Was das Diagramm auf der unteren Achse hat: Zeit oder gezählte Arbeit, die auf jedem Rechner gleich ist.</translation>
-    </message>
-    <message>
         <source>What the description tells; 0: as long as the animation.</source>
         <translation>Was die Beschreibung nennt; 0: so lang wie die Animation.</translation>
     </message>
@@ -16762,10 +16758,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>what the probe sees has changed</source>
         <translation>was die Sonde sieht, hat sich geändert</translation>
-    </message>
-    <message>
-        <source>What the same step takes with the settings B, in a finished frame that is drawn anew: nothing is taken over from the frame before, and nothing is left for the next one.</source>
-        <translation>Was derselbe Schritt mit den Einstellungen B braucht, in einem fertigen Frame, der neu gezeichnet wird: Nichts wird aus dem Frame davor übernommen, und nichts bleibt für den nächsten.</translation>
     </message>
     <message>
         <source>What to measure</source>
@@ -17045,8 +17037,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>Warum</translation>
     </message>
     <message>
-        <source>Why does it do nothing?</source>
-        <translation>Warum bewirkt das nichts?</translation>
+        <source>Why does it have no effect?</source>
+        <translation>Warum hat das keine Wirkung?</translation>
     </message>
     <message>
         <source>Width</source>
@@ -17222,6 +17214,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Wrap in</source>
         <translation>Einpacken in</translation>
+    </message>
+    <message>
+        <source>Wraps the selected node in an operation.</source>
+        <translation>Packt den gewählten Knoten in eine Operation.</translation>
     </message>
     <message>
         <source>write &quot;milliseconds&quot;, &quot;row:NAME&quot; or &quot;counter:NAME&quot; here.</source>

@@ -202,7 +202,7 @@ void ChartsDock::draw()
 void ChartsDock::sayWhyEmpty()
 {
     const bool some = capability<HasCharts>(museum_.subject(exhibit_)) != nullptr;
-    say(some ? tr("The charts are being made.") : tr("This exhibit has no charts."));
+    say(some ? tr("Computing the charts …") : tr("This exhibit has no charts."));
 }
 
 void ChartsDock::say(const QString& words)

@@ -76,7 +76,7 @@ void CompareDesk::tellLedger()
     if (!other_->held())
         emit ledgerChanged(nullptr, {});
     else if (!picture_->wanted())
-        emit ledgerChanged(nullptr, tr("B: not drawn, nothing shows it"));
+        emit ledgerChanged(nullptr, tr("B: not drawn, because no view shows it"));
     else if (!picture_->failure().isEmpty())
         emit ledgerChanged(nullptr, tr("B: cannot be drawn"));
     else if (picture_->image().isNull())
@@ -133,7 +133,7 @@ void CompareDesk::holdSelectedPreset()
     if (const QString id = shelf_.selected(); !id.isEmpty())
         holdFile(id);
     else
-        workbench_.say(MessageStrip::Mood::notice, tr("Nothing became B: select a preset in the list first."));
+        workbench_.say(MessageStrip::Mood::notice, tr("B was not set: select a preset in the list first."));
 }
 
 void CompareDesk::holdFile(const QString& path)

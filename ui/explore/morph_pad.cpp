@@ -59,10 +59,9 @@ MorphPad::MorphPad(const PadCorners& corners, QWidget* parent) : QWidget(parent)
     setAttribute(Qt::WA_Hover);
     setCursor(Qt::CrossCursor);
     setAccessibleName(tr("Between four settings"));
-    setToolTip(
-        tr("Drag the handle between the four corners: numbers go evenly or by factors, colors as they look, "
-           "angles the shorter way; what has nothing between is that of the nearest corner. One drag is one undo "
-           "step, Esc takes it back. Arrows move it, Shift finer, Ctrl coarser."));
+    setToolTip(tr("Drag the handle to blend the settings of the four corners. Numbers, colors and angles are "
+                  "interpolated; choices are those of the nearest corner. One drag is one undo step; Esc cancels it. "
+                  "Arrow keys move the handle, with Shift finer, with Ctrl coarser."));
     tellChange();
     connect(&corners, &PadCorners::changed, this, &MorphPad::tellChange);
 }
@@ -96,7 +95,7 @@ QString MorphPad::nameOf(const PadCorners::Corner& corner)
 
 QString MorphPad::valueText() const
 {
-    if (!corners_.ready()) return tr("A preset is being read.");
+    if (!corners_.ready()) return tr("Reading a preset …");
     const auto weights = PadCorners::weightsAt(place_);
     QStringList parts;
     for (std::size_t i = 0; i < PadCorners::count; ++i)

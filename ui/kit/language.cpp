@@ -198,7 +198,8 @@ QMenu* languageMenu(QWidget* parent, const std::function<void(const QString& mes
         QAction* action = menu->addAction(words, menu, [code, chosen] {
             keepLanguage(code);
             if (chosen && languageOfWindow() != spokenLanguage())
-                chosen(QMenu::tr("The window speaks %1 from the next start.").arg(nameOfLanguage(languageOfWindow())));
+                chosen(QMenu::tr("The language of the window will be %1 after the next start.")
+                           .arg(nameOfLanguage(languageOfWindow())));
         });
         action->setCheckable(true);
         action->setData(code);

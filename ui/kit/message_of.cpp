@@ -17,7 +17,7 @@ QString messageOf(const std::exception& thrown)
     if (dynamic_cast<const std::bad_alloc*>(&thrown))
         return tr("There was not enough memory for this, and nothing was changed. Choose a smaller size, or close "
                   "another program.");
-    return tr("Vitrine has a fault: %1. What you asked for was not done; everything else goes on.").arg(words);
+    return tr("Internal error: %1. The command was not executed; everything else continues.").arg(words);
 }
 
 }  // namespace vitrine::ui

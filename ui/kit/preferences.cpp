@@ -54,11 +54,11 @@ QString damage(const QString& path)
     // All valid values are texts and numbers. These markers would have Qt make objects of bytes that are not trusted.
     const QByteArray bytes = file.read(largestFile + 1);
     for (const char* maker : {"@Variant(", "@DateTime("})
-        if (bytes.contains(maker)) return Preferences::tr("it holds what no preference is");
+        if (bytes.contains(maker)) return Preferences::tr("it contains unknown preferences");
     if (bytes.contains('\0')) return Preferences::tr("it is no text");
     const QSettings settings(iniPath(path), QSettings::IniFormat);
     (void)settings.allKeys();
-    return settings.status() == QSettings::FormatError ? Preferences::tr("it is not written as settings are")
+    return settings.status() == QSettings::FormatError ? Preferences::tr("it is not in the format of preferences")
                                                        : QString();
 }
 
@@ -150,10 +150,10 @@ void Preferences::read()
         QFile::remove(aside);
         complaint_ =
             QFile::rename(path, aside)
-                ? tr("The preferences in %1 could not be read: %2. They are the initial ones now, and the file "
-                     "was kept as %3.")
+                ? tr("The preferences in %1 could not be read: %2. They were reset to their defaults; the file was "
+                     "kept as %3.")
                       .arg(path, why, aside)
-                : tr("The preferences in %1 could not be read: %2. They are the initial ones now.").arg(path, why);
+                : tr("The preferences in %1 could not be read: %2. They were reset to their defaults.").arg(path, why);
         return;
     }
     QStringList wrong;
@@ -163,8 +163,8 @@ void Preferences::read()
     constexpr int mostNamed = 5;
     const QString names = wrong.mid(0, mostNamed).join(QStringLiteral(", ")) +
                           (wrong.size() > mostNamed ? QStringLiteral(", …") : QString());
-    complaint_ = tr("Some preferences in %1 are not valid and are the initial ones now: %2. Edit > Preferences sets "
-                    "them anew.")
+    complaint_ = tr("Some preferences in %1 are invalid and were reset to their defaults: %2. You can set them in Edit "
+                    "> Preferences.")
                      .arg(path, names);
 }
 
@@ -222,7 +222,7 @@ void Preferences::write(const PreferenceValues& before)
     wrong_.clear();
     failure_ = settings.status() == QSettings::NoError
                    ? QString()
-                   : tr("The preferences could not be written to %1. They hold until the program ends.").arg(path);
+                   : tr("The preferences could not be saved to %1. They are kept until the program ends.").arg(path);
 }
 
 }  // namespace vitrine::ui

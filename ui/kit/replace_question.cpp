@@ -40,7 +40,7 @@ void askBeforeReplacing(QWidget* parent, const QString& path, std::function<void
     }
     const QString next = nextFreePath(path);
     auto* question = new QMessageBox(QMessageBox::Question, QMessageBox::tr("Replace the file?"),
-                                     QMessageBox::tr("%1 is there already.").arg(QFileInfo(*old).fileName()),
+                                     QMessageBox::tr("%1 already exists.").arg(QFileInfo(*old).fileName()),
                                      QMessageBox::Cancel, parent);
     question->setTextFormat(Qt::PlainText);
     question->setAttribute(Qt::WA_DeleteOnClose);

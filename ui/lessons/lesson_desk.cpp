@@ -85,23 +85,24 @@ QAction* LessonDesk::add(const QString& id, const QString& text, const QList<QKe
 void LessonDesk::addActions()
 {
     connect(add(QStringLiteral("start"), tr("&Start the lesson"), {QKeySequence(Qt::CTRL | Qt::Key_L)},
-                tr("Walks you through the exhibit that you visit, step by step.")),
+                tr("Starts the step-by-step lesson about the visited exhibit.")),
             &QAction::triggered, this, [this] {
                 if (window_.chosen() != hallIndex) return start(window_.chosen());
-                window_.say(MessageStrip::Mood::notice, tr("Visit an exhibit first: lessons are about one of them."));
+                window_.say(MessageStrip::Mood::notice,
+                            tr("Visit an exhibit first; each lesson is about one exhibit."));
             });
     connect(add(QStringLiteral("open"), tr("&Open lesson…"), {},
-                tr("A lesson of your own, as Markdown; the manual says how to write one.")),
+                tr("Opens a lesson of your own (Markdown); the manual explains the format.")),
             &QAction::triggered, this, &LessonDesk::askForFile);
     actions_ << nullptr;
     back_ = add(QStringLiteral("back"), tr("Step &back"), {QKeySequence(Qt::CTRL | Qt::Key_PageUp)},
-                tr("The lesson's step before this one."));
+                tr("Goes to the previous step of the lesson."));
     connect(back_, &QAction::triggered, this, &LessonDesk::back);
     next_ = add(QStringLiteral("next"), tr("&Next step"), {QKeySequence(Qt::CTRL | Qt::Key_PageDown)},
-                tr("The lesson's next step."));
+                tr("Goes to the next step of the lesson."));
     connect(next_, &QAction::triggered, this, &LessonDesk::next);
     leave_ = add(QStringLiteral("leave"), tr("&Leave the lesson"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_L)},
-                 tr("Brings back what was open before the lesson."));
+                 tr("Leaves the lesson and restores your settings."));
     connect(leave_, &QAction::triggered, this, &LessonDesk::leave);
     actions_ << nullptr;
     for (const auto& [i, exhibit] : window_.museum().exhibits()) {
@@ -280,7 +281,7 @@ QString LessonDesk::numberText() const
     const LessonNumber* before = asked(place_.page - 1);
     const auto then = numbers_.find(place_.page - 1);
     if (before && before->of == number->of && before->name == number->name && then != numbers_.end())
-        line += tr(", in the step before %1").arg(then->second.text);
+        line += tr(", previous step %1").arg(then->second.text);
     return line;
 }
 

@@ -104,7 +104,7 @@ PageDialog::PageDialog(QWidget* window, FindParameters find)
     back_->setEnabled(false);
     connect(back_, &QPushButton::clicked, browser_, &QTextBrowser::backward);
     connect(browser_, &QTextBrowser::backwardAvailable, back_, &QPushButton::setEnabled);
-    lesson_ = buttons->addButton(tr("&Start its lesson"), QDialogButtonBox::ActionRole);
+    lesson_ = buttons->addButton(tr("&Start the exhibit's lesson"), QDialogButtonBox::ActionRole);
     lesson_->setAutoDefault(false);
     connect(lesson_, &QPushButton::clicked, this, [this] { emit lessonAsked(nameOfPage(browser_->source())); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
@@ -143,7 +143,7 @@ void PageDialog::noteSource(const QUrl& source)
     const QString name = nameOfPage(source);  // The browser's own source() is still the page before.
     lesson_->setEnabled(
         QFileInfo::exists(pageFolder() + QStringLiteral("/../lessons/") + name + QStringLiteral(".md")));
-    lesson_->setToolTip(lesson_->isEnabled() ? QString() : tr("There is no lesson about this."));
+    lesson_->setToolTip(lesson_->isEnabled() ? QString() : tr("There is no lesson about this exhibit."));
     const QString title = browser_->documentTitle();
     setWindowTitle(title.isEmpty() ? tr("About this exhibit") : title);
 }

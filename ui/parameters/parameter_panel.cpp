@@ -345,7 +345,7 @@ void ParameterPanel::applyFilter()
     int shown = 0;
     for (ParameterSection* section : sections_) shown += section->filter(filter_->text(), onlyChanged_->isChecked());
     nothing_->setVisible(shown == 0 && table_);
-    nothing_->setText(filter_->text().isEmpty() ? tr("All values are the initial ones.")
+    nothing_->setText(filter_->text().isEmpty() ? tr("All parameters have their initial values.")
                                                 : tr("No parameter matches \"%1\".").arg(filter_->text()));
 }
 

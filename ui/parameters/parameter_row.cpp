@@ -229,8 +229,8 @@ ParameterRow::ParameterRow(const ValueRef& value, QWidget* parent)
     naming->setSpacing(betweenParts);
     naming->addWidget(label_, 1);
     why_ = new IdleMark(this);
-    why_->setAccessibleName(tr("%1: why does it do nothing?").arg(name));
-    why_->setToolTip(tr("Why does it do nothing?"));
+    why_->setAccessibleName(tr("%1: why does it have no effect?").arg(name));
+    why_->setToolTip(tr("Why does it have no effect?"));
     why_->hide();
     connect(why_, &QAbstractButton::clicked, this,
             [this] { emit wayAsked(why_->mapToGlobal(QPoint(0, why_->height()))); });
@@ -290,7 +290,7 @@ void ParameterRow::describe()
 {
     QStringList now;
     if (idle()) now << whyIdle();
-    if (!motion_.isEmpty()) now << tr("Moves: %1. Setting it by hand stops it.").arg(motion_);
+    if (!motion_.isEmpty()) now << tr("Animated: %1. Setting it by hand stops the animation.").arg(motion_);
     setAccessibleDescription(now.join(QLatin1Char(' ')));
     now << tooltipText(info());
     setToolTip(now.join(QStringLiteral("\n\n")));

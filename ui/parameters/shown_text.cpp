@@ -94,15 +94,15 @@ QString whatItTakes(const ParameterInfo& row)
 {
     switch (row.kind) {
     case Kind::real:
-    case Kind::count: return tr("A number is, from %1.").arg(legalRangeText(row));
-    case Kind::toggle: return tr("On and off are.");
+    case Kind::count: return tr("Type a number; range: %1.").arg(legalRangeText(row));
+    case Kind::toggle: return tr("Type on or off.");
     case Kind::choice: {
         QStringList names;
         for (const std::string_view name : row.choices) names << said(name);
-        return tr("These are: %1.").arg(names.join(QStringLiteral(", ")));
+        return tr("Choose one of: %1.").arg(names.join(QStringLiteral(", ")));
     }
     case Kind::color: return tr("#f80, #ff8800, orange and 1, 0.25, 0 (linear red, green, blue) are.");
-    case Kind::direction: return tr("Three numbers are: x, y, z.");
+    case Kind::direction: return tr("Type three numbers: x, y, z.");
     case Kind::file:
     case Kind::text: return {};
     }
@@ -151,7 +151,7 @@ QString tooltipText(const ParameterInfo& row)
         lines << tr("Range: %1").arg(legalRangeText(row));
         if (row.range.softLow != row.range.low || row.range.softHigh != row.range.high)
             lines.last() +=
-                tr("; the slider spans %1 to %2")
+                tr("; slider from %1 to %2")
                     .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
     }
     if (row.word)
@@ -182,8 +182,9 @@ std::optional<Value> typedValue(const ParameterInfo& row, const QString& typed, 
     const std::optional<Value> legal = meant ? nearestLegal(row, *meant) : std::nullopt;
     if (!legal) {
         if (problem)
-            *problem =
-                tr("\"%1\" is no value for “%2”. %3").arg(typed.left(80), said(label(row)), whatItTakes(row)).trimmed();
+            *problem = tr("\"%1\" is not a value of “%2”. %3")
+                           .arg(typed.left(80), said(label(row)), whatItTakes(row))
+                           .trimmed();
         return std::nullopt;
     }
     const bool brought = row.isNumeric() && std::get<double>(*legal) != std::get<double>(*meant);

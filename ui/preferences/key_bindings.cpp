@@ -112,9 +112,9 @@ QString KeyBindings::refusal(const QKeySequence& keys)
     const bool plain = !(key.keyboardModifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
     const bool function = (key.key() >= Qt::Key_F1 && key.key() <= Qt::Key_F35) || key.key() == Qt::Key_Pause;
     if (plain && !function)
-        return tr("%1 alone is for typing and for walking. Take it with Ctrl or Alt, or take a function key.")
+        return tr("%1 alone is used for typing and walking. Add Ctrl or Alt, or use a function key.")
             .arg(keys.toString(QKeySequence::NativeText));
-    if (keys.count() > 1) return tr("Shortcuts are one stroke long here.");
+    if (keys.count() > 1) return tr("A shortcut has only one key combination.");
     return {};
 }
 

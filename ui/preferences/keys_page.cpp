@@ -68,15 +68,15 @@ void KeysPage::build()
     name_->setWordWrap(true);
     name_->setBuddy(edit_);
     edit_->setAccessibleName(tr("New shortcut"));
-    edit_->setToolTip(tr("Press the keys that the command shall have."));
-    none_->setToolTip(tr("Takes all shortcuts from the command."));
-    reset_->setToolTip(tr("Gives the command its usual shortcuts."));
-    resetAll_->setToolTip(tr("Gives all commands their usual shortcuts."));
+    edit_->setToolTip(tr("Press the new shortcut of the command."));
+    none_->setToolTip(tr("Removes all shortcuts of the command."));
+    reset_->setToolTip(tr("Restores the default shortcuts of the command."));
+    resetAll_->setToolTip(tr("Restores the default shortcuts of all commands."));
     message_->setTextFormat(Qt::PlainText);
     message_->setWordWrap(true);
     message_->setAccessibleName(tr("About the shortcut"));
-    take_->setToolTip(tr("The other command loses it."));
-    leave_->setToolTip(tr("Everything stays as it was."));
+    take_->setToolTip(tr("The shortcut is removed from the other command."));
+    leave_->setToolTip(tr("Nothing is changed."));
     auto* editing = new QHBoxLayout;
     editing->setSpacing(8);
     editing->addWidget(edit_, 1);
@@ -148,8 +148,9 @@ void KeysPage::showChosen()
     edit_->clear();
     if (!action) return name_->clear();
     const QString usual = KeyBindings::textOf(keys_.usual(*action));
-    name_->setText(usual.isEmpty() ? tr("New shortcut for “%1”; usually it has none.").arg(KeyBindings::nameOf(*action))
-                                   : tr("New shortcut for “%1”; usually %2.").arg(KeyBindings::nameOf(*action), usual));
+    name_->setText(usual.isEmpty()
+                       ? tr("New shortcut for “%1”; its default is none.").arg(KeyBindings::nameOf(*action))
+                       : tr("New shortcut for “%1”; its default is %2.").arg(KeyBindings::nameOf(*action), usual));
     if (!action->shortcuts().isEmpty()) edit_->setKeySequence(action->shortcut());
     none_->setEnabled(!action->shortcuts().isEmpty());
     reset_->setEnabled(keys_.differs(*action));
@@ -176,9 +177,9 @@ void KeysPage::give(const KeyBindings::Keys& keys)
         KeyBindings::Keys theirs;
         for (const QKeySequence& key : keys)
             if (other->shortcuts().contains(key)) theirs << key;
-        return say(
-            tr("%1 belongs to “%2”. Take it from there?").arg(KeyBindings::textOf(theirs), KeyBindings::nameOf(*other)),
-            true);
+        return say(tr("%1 is already used by “%2”. Reassign it?")
+                       .arg(KeyBindings::textOf(theirs), KeyBindings::nameOf(*other)),
+                   true);
     }
     keys_.set(*action, keys);
 }

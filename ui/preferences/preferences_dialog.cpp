@@ -68,19 +68,19 @@ void PreferencesDialog::addWindowPage()
     QGridLayout& lines = *page(tr("Window"));
     addChoice(
         lines, tr("Theme"),
-        tr("Colors of panels and dialogs. As the desktop also takes its wish for more contrast; high contrast is light "
-           "or dark as the desktop is."),
+        tr("Colors of panels and dialogs. “As the desktop” also follows its contrast setting; high contrast is light "
+           "or dark like the desktop."),
         {{0, tr("As the desktop")}, {1, tr("Light", "theme")}, {2, tr("Dark")}, {3, tr("High contrast")}},
         [](const PreferenceValues& values) { return static_cast<int>(values.theme); },
         [](PreferenceValues& values, int choice) { values.theme = static_cast<ThemeChoice>(choice); });
     addLanguage(lines);
-    addNumber(lines, tr("Size of type"), tr("Of all words in the window, as a share of the desktop's."), tr(" %"), 10,
+    addNumber(lines, tr("Size of type"), tr("Text size of the window, relative to the desktop's."), tr(" %"), 10,
               PreferenceValues::typeSizes, &PreferenceValues::typeSize);
     addChoice(
         lines, tr("Motion"),
-        tr("Reduced: the camera cuts to where it would glide, panels do not slide, messages do not fade, and the "
-           "exhibits' clock stands still until you start it (Space in the picture) or press an exhibit's button. What "
-           "you do yourself, as walking and dragging, moves as ever."),
+        tr("Motion of the window. Reduced: the camera jumps instead of gliding, panels do not slide, messages do not "
+           "fade, and the exhibits' clock is paused until you start it (Space in the picture) or press an exhibit's "
+           "button. Walking and dragging are not affected."),
         {{0, tr("As the desktop")}, {1, tr("Reduced")}, {2, tr("Full")}},
         [](const PreferenceValues& values) { return static_cast<int>(values.motion); },
         [](PreferenceValues& values, int choice) { values.motion = static_cast<MotionChoice>(choice); });
@@ -93,12 +93,12 @@ void PreferencesDialog::addPicturePage()
         return std::pair([member](const PreferenceValues& values) { return values.*member; },
                          [member](PreferenceValues& values, int value) { values.*member = value; });
     };
-    Choices samples{{PreferenceValues::sampleLimits.initial, tr("As many as the hall says")}};
+    Choices samples{{PreferenceValues::sampleLimits.initial, tr("As set in the hall")}};
     for (const int most : {64, 32, 16, 8, 4, 2, 1}) samples.emplace_back(most, tr("%n at most", nullptr, most));
     const auto [samplesOf, setSamples] = number(&PreferenceValues::mostSamples);
     addChoice(lines, tr("Samples at rest"),
-              tr("Per pixel of a picture in the window, once nothing moves: fewer are finished sooner and leave edges "
-                 "rougher. Exports, films and prints have numbers of their own."),
+              tr("Largest number of samples per pixel in the window when nothing moves: few finish sooner and leave "
+                 "rougher edges. Exports, recordings and prints have their own."),
               samples, samplesOf, setSamples);
     Choices scales;
     for (const double scale : DrawSchedule::scales) {
@@ -106,26 +106,27 @@ void PreferencesDialog::addPicturePage()
         scales.insert(scales.begin(), {percent, tr("%1 % at least").arg(percent)});
     }
     const auto [scaleOf, setScale] = number(&PreferenceValues::leastScale);
-    addChoice(
-        lines, tr("Resolution in motion"),
-        tr("Of the picture's own, while something moves: the higher, the sharper, and the fewer pictures a second "
-           "on a slow machine."),
-        scales, scaleOf, setScale);
-    addNumber(lines, tr("Speed of looking"), tr("How far dragging turns you, or takes you round an exhibit."), tr(" %"),
-              5, PreferenceValues::lookSpeeds, &PreferenceValues::lookSpeed);
-    addSwitch(lines, tr("Dragging down looks up"), tr("Turns the other way round when you drag up or down."),
+    addChoice(lines, tr("Resolution in motion"),
+              tr("Resolution of the picture while something moves: high is sharper, with fewer frames per second on a "
+                 "slow machine."),
+              scales, scaleOf, setScale);
+    addNumber(lines, tr("Speed of looking"), tr("Angle by which dragging turns the view, or orbits an exhibit."),
+              tr(" %"), 5, PreferenceValues::lookSpeeds, &PreferenceValues::lookSpeed);
+    addSwitch(lines, tr("Dragging down looks up"),
+              tr("Reverses the direction in which dragging up or down turns the view."),
               &PreferenceValues::invertedLook);
-    addNumber(lines, tr("Speed of the wheel"), tr("How much nearer one step of the wheel takes you to an exhibit."),
-              tr(" %"), 5, PreferenceValues::wheelSpeeds, &PreferenceValues::wheelSpeed);
+    addNumber(lines, tr("Speed of the wheel"),
+              tr("Distance by which one step of the mouse wheel approaches an exhibit."), tr(" %"), 5,
+              PreferenceValues::wheelSpeeds, &PreferenceValues::wheelSpeed);
 }
 
 void PreferencesDialog::addFilesPage()
 {
     QGridLayout& lines = *page(tr("Files"));
-    addNumber(lines, tr("Recent files"), tr("How many are kept in File > Open recent; 0 keeps none."), {}, 1,
+    addNumber(lines, tr("Recent files"), tr("Number of files listed in File > Open recent; 0 lists none."), {}, 1,
               PreferenceValues::recentCounts, &PreferenceValues::recentFiles);
     auto* forget = new QPushButton(tr("Clear the list now"), this);
-    forget->setToolTip(tr("Forgets which files were opened; the files stay."));
+    forget->setToolTip(tr("Clears the list of recent files; the files themselves are kept."));
     forget->setAutoDefault(false);
     connect(forget, &QPushButton::clicked, this, &PreferencesDialog::forgetRecentAsked);
     lines.addWidget(forget, lines.rowCount(), 1, Qt::AlignLeft);
@@ -229,7 +230,7 @@ void PreferencesDialog::addLanguage(QGridLayout& lines)
     connect(box, &QComboBox::activated, this, [box, keep](int index) { keep(box->itemData(index).toString()); });
     addLine(
         lines, tr("Language"),
-        tr("Of the window, from its next start. Files and the numbers in them stay as they are."), *box,
+        tr("Language of the window, from its next start. Files and the numbers in them do not change."), *box,
         [box](const PreferenceValues&) { box->setCurrentIndex(std::max(box->findData(savedLanguage()), 0)); },
         [](const PreferenceValues&) { return !savedLanguage().isEmpty(); }, [keep](PreferenceValues&) { keep({}); });
 }

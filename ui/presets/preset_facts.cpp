@@ -36,7 +36,7 @@ PresetFacts presetFacts(const PresetStore& store, const std::filesystem::path& p
         const Preset& preset = stored.preset;
         if (!preset.name.empty()) facts.name = presetName(preset.name, stored.shipped);
         facts.origin = stored.shipped
-                           ? PresetPreview::tr("Comes with the exhibit: can be duplicated, not changed.")
+                           ? PresetPreview::tr("Supplied with the exhibit: it can be duplicated, but not changed.")
                            : PresetPreview::tr("Yours, saved on %1.")
                                  .arg(QLocale().toString(QFileInfo(file).lastModified(), QLocale::ShortFormat));
         facts.tags = presetTags(preset.tags, stored.shipped);

@@ -201,7 +201,7 @@ void PresetList::showNothing(bool on)
     if (!on) {
         delete std::exchange(nothing_, nullptr);
     } else if (!nothing_) {
-        nothing_ = new QLabel(tr("No preset has these words and tags."), this);
+        nothing_ = new QLabel(tr("No preset matches these words and tags."), this);
         nothing_->setAlignment(Qt::AlignCenter);
         layout_->insertWidget(layout_->indexOf(list_), nothing_);
     }

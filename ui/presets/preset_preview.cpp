@@ -71,9 +71,10 @@ void PresetPreview::show(const PresetFacts& facts)
     QStringList lines{facts.problem, facts.origin};
     if (!facts.tags.isEmpty()) lines << tr("Tags: %1").arg(facts.tags.join(QStringLiteral(", ")));
     lines.removeAll(QString());
-    if (facts.differences.isEmpty() && facts.problem.isEmpty()) lines << tr("Everything has its initial value.");
+    if (facts.differences.isEmpty() && facts.problem.isEmpty())
+        lines << tr("All parameters have their initial values.");
     if (!facts.differences.isEmpty()) {
-        lines << QString() << tr("Other than initial:");
+        lines << QString() << tr("Changed parameters:");
         lines << facts.differences.mid(0, mostDifferences);
         if (const auto more = facts.differences.size() - mostDifferences; more > 0)
             lines << tr("and %n more", nullptr, static_cast<int>(more));

@@ -175,7 +175,7 @@ void PresetShelf::save()
         next.preset.values = now.values;
         next.preset.camera = now.camera;
         if (store_.save(next) == SaveOutcome::changedOnDisk) {
-            window_.say(MessageStrip::Mood::problem, tr("%1 was changed by someone else since it was loaded, and was "
+            window_.say(MessageStrip::Mood::problem, tr("%1 was changed by another program since it was loaded and was "
                                                         "not overwritten. Save under another name, or load it again.")
                                                          .arg(idOf(next.path)));
             return;
@@ -213,7 +213,7 @@ void PresetShelf::saveUnder(const QString& name)
         if (unique != name.trimmed())
             window_.say(
                 MessageStrip::Mood::notice,
-                tr("There is a preset \"%1\" already; this one was saved as \"%2\".").arg(name.trimmed(), unique));
+                tr("A preset \"%1\" already exists; this one was saved as \"%2\".").arg(name.trimmed(), unique));
     });
     refresh();
 }
@@ -247,7 +247,7 @@ void PresetShelf::rename()
     trySafely([&] {
         const StoredPreset stored = store_.load(pathOf(id), exhibitName(), table());
         window_.say(MessageStrip::Mood::notice,
-                    tr("%1 comes with the exhibit and cannot be renamed. Duplicate it, and rename the copy.")
+                    tr("%1 is supplied with the exhibit and cannot be renamed. Duplicate it, and rename the copy.")
                         .arg(presetName(stored.preset.name, stored.shipped)));
     });
 }
@@ -271,8 +271,9 @@ void PresetShelf::editTags()
     trySafely([&] {
         const StoredPreset stored = store_.load(pathOf(id), exhibitName(), table());
         if (stored.shipped) {
-            window_.say(MessageStrip::Mood::notice, tr("%1 comes with the exhibit. Duplicate it, and tag the copy.")
-                                                        .arg(presetName(stored.preset.name, stored.shipped)));
+            window_.say(MessageStrip::Mood::notice,
+                        tr("%1 is supplied with the exhibit and cannot be tagged. Duplicate it, and tag the copy.")
+                            .arg(presetName(stored.preset.name, stored.shipped)));
             return;
         }
         QStringList tags;

@@ -57,7 +57,7 @@ QStringList differenceTexts(const StudyComparison& comparison, const StudyDiffer
         else
             cost = ComparisonDialog::tr("%1 (%2 times)").arg(number(*d.costAtError), times);
     }
-    if (d.uncertain) cost = ComparisonDialog::tr("%1; the references are not surer than that").arg(cost);
+    if (d.uncertain) cost = ComparisonDialog::tr("%1; the references are no more accurate than that").arg(cost);
     return {QString::fromStdString(comparison.curves[d.study].label),
             QString::fromStdString(d.text),
             number(d.cost),

@@ -233,7 +233,7 @@ void StudyDock::find(bool byError)
     const QLineEdit* field = byError ? error_ : milliseconds_;
     const std::optional<double> limit = evaluate(field->text().trimmed().toStdString(), Unit::none);
     if (!limit || !(*limit > 0)) {
-        shown_->say(tr("\"%1\" is no limit; type a number above 0, such as %2.")
+        shown_->say(tr("\"%1\" is not a limit; type a number above 0, such as %2.")
                         .arg(field->text(), byError ? QStringLiteral("0.02") : QStringLiteral("10")));
         return;
     }
@@ -346,8 +346,8 @@ void StudyDock::showIdle()
     for (QToolButton* button : {copy_, save_}) button->setEnabled(!shown_->empty());
     suggestTime();
     if (shown_->empty())
-        shown_->say(tr("Choose a parameter and measure it: its errors are those against its most exact value, its "
-                       "costs are work and time."));
+        shown_->say(tr("Choose a parameter, then Measure. Errors are against its most exact value; costs are time and "
+                       "counted work."));
 }
 
 void StudyDock::suggestTime()

@@ -55,8 +55,8 @@ StudyView::StudyView(const Museum& museum, History& history, QWidget* parent)
     cost_->setObjectName(QStringLiteral("cost"));
     view_->setObjectName(QStringLiteral("view"));
     cost_->setAccessibleName(tr("Costs of the chart"));
-    cost_->setToolTip(tr("What the chart has on its lower axis: time, or work that was counted, which is the same on "
-                         "every machine."));
+    cost_->setToolTip(
+        tr("Quantity on the lower axis of the chart: time, or counted work, which is the same on every machine."));
     cost_->addItem(tr("Milliseconds"));
     cost_->addItem(tr("Counted work"));
     view_->setAccessibleName(tr("View"));
@@ -301,7 +301,7 @@ QString StudyView::whyNotApplied() const
         return tr("There is no exhibit “%1” here, so its numbers are shown, but cannot be applied.")
             .arg(QString::fromStdString(keptRows_.missingExhibit));
     if (!keptRows_.missingRow.empty())
-        return tr("There is no row “%1” now, so its numbers are shown, but cannot be applied.")
+        return tr("There is no parameter “%1” now, so its numbers are shown, but cannot be applied.")
             .arg(QString::fromStdString(keptRows_.missingRow));
     return {};
 }
@@ -408,8 +408,9 @@ void StudyView::showPictures(render::Image picture, render::Image reference, ren
         std::any_of(shown_.errors.pixels.begin(), shown_.errors.pixels.end(), [](float error) { return error > 0; });
     if (!differ) shown_.errors = {};  // A black heat map shows nothing, so it is left out.
     shown_.full = differ ? render::fullScale(metric, shown_.errors) : 1;
-    shownScale_ = differ ? tr("The heat map goes from 0 to %1 (%2).").arg(shortNumber(shown_.full), said(title(metric)))
-                         : noPixelDiffers();
+    shownScale_ = differ
+                      ? tr("The heat map ranges from 0 to %1 (%2).").arg(shortNumber(shown_.full), said(title(metric)))
+                      : noPixelDiffers();
     pictures_->show(screenImage(shown_.picture), screenImage(shown_.reference),
                     differ ? screenImage(render::heatMap(shown_.errors, shown_.full)) : QImage(),
                     differ ? shortNumber(shown_.full) : QString());
@@ -475,7 +476,7 @@ void StudyView::applyKept(std::size_t point)
     const std::optional<std::vector<Value>> values = valuesOf(*kept_, point, keptRows_, next, wrong);
     if (!values) {
         emit refused(
-            tr("This setting was not applied: its value of “%1” is none that the row takes now.").arg(said(wrong)));
+            tr("This setting was not applied: the parameter no longer accepts its value of “%1”.").arg(said(wrong)));
         return;
     }
     for (std::size_t i = 0; i < values->size(); ++i)

@@ -30,8 +30,9 @@ void TableExport::ask(Workbench& window, QWidget* parent)
     const Subject& subject = window.museum().subject(window.chosen());
     const auto* source = capability<MeasuresTable>(subject);
     if (!source) {
-        window.say(MessageStrip::Mood::notice,
-                   tr("%1 has no table of its own; the Study panel measures its rows.").arg(said(subject.title())));
+        window.say(
+            MessageStrip::Mood::notice,
+            tr("%1 has no table of measurements; the Study panel measures its parameters.").arg(said(subject.title())));
         return;
     }
     auto* dialog =

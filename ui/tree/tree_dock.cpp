@@ -72,12 +72,12 @@ QAction* TreeDock::add(What what, const QString& text, const QString& tip, const
 
 void TreeDock::addActions()
 {
-    add(What::duplicate, tr("Duplicate"), tr("Once more, behind it."), QKeySequence(Qt::CTRL | Qt::Key_D));
-    add(What::remove, tr("Delete"), tr("Takes it out of the tree, with all that is in it."),
-        QKeySequence(Qt::Key_Delete));
-    add(What::unwrap, tr("Unwrap"), tr("Its only child takes its place."));
-    add(What::solo, tr("Solo"), tr("Hides everything else."));
-    add(What::showAll, tr("Show all"), tr("Hides nothing any more."));
+    add(What::duplicate, tr("Duplicate"), tr("Duplicates the node; the copy follows it."),
+        QKeySequence(Qt::CTRL | Qt::Key_D));
+    add(What::remove, tr("Delete"), tr("Deletes the node with everything in it."), QKeySequence(Qt::Key_Delete));
+    add(What::unwrap, tr("Unwrap"), tr("Replaces the operation by its only child."));
+    add(What::solo, tr("Solo"), tr("Shows only this node and hides all others."));
+    add(What::showAll, tr("Show all"), tr("Shows all nodes again."));
     auto* rename = new QAction(tr("Rename\tF2"), this);
     connect(rename, &QAction::triggered, this, [this] {
         if (view_->currentItem()) view_->editItem(view_->currentItem(), 0);
@@ -104,7 +104,7 @@ QWidget* TreeDock::bar()
     auto* adds = button(tr("Add"), tr("Adds a shape or an operation to the selected one, or beside it."));
     adds->setMenu(adds_);
     adds->setPopupMode(QToolButton::InstantPopup);
-    auto* wraps = button(tr("Wrap"), tr("Puts the selected node into an operation."));
+    auto* wraps = button(tr("Wrap"), tr("Wraps the selected node in an operation."));
     wraps->setMenu(wraps_);
     wraps->setPopupMode(QToolButton::InstantPopup);
     save_ = button(tr("Save"), tr("Writes your edits to the scene file."));
@@ -159,7 +159,7 @@ void TreeDock::showNothing(bool on)
     if (!on) {
         delete std::exchange(nothing_, nullptr);
     } else if (!nothing_) {
-        nothing_ = new QLabel(tr("No node has these words."), this);
+        nothing_ = new QLabel(tr("No node matches."), this);
         nothing_->setAlignment(Qt::AlignCenter);
         layout_->insertWidget(layout_->count() - 1, nothing_);
     }

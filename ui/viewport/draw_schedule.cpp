@@ -156,7 +156,7 @@ void DrawSchedule::adapt(const DrawOrder& order, double seconds)
 QString DrawSchedule::limit() const
 {
     if (!limited()) return {};
-    return QCoreApplication::translate("DrawSchedule", "; the hall asks for %1 samples, the preferences allow %2")
+    return QCoreApplication::translate("DrawSchedule", "; the hall requests %1 samples, the preferences allow %2")
         .arg(wantedSamples_)
         .arg(samples_);
 }

@@ -15,7 +15,7 @@ QString shaderProblemsText(const std::vector<render::gl::ShaderProblem>& problem
                      .arg(QString::fromStdString(problem.message).trimmed());
     if (!lines.isEmpty())
         lines.prepend(QCoreApplication::translate(
-            "Viewport", "A shader did not build; the last good picture stays. Saving the file tries again."));
+            "Viewport", "A shader failed to compile; the last good picture is kept. Save the file to try again."));
     return lines.join(QLatin1Char('\n'));
 }
 

@@ -663,7 +663,7 @@ void Viewport::act()
     else if (orbits || pointedAt(QPointF(rect().center())))
         click(QPointF(rect().center()));
     else
-        showHint(tr("Nothing to visit is in the middle of the picture."));
+        showHint(tr("There is no exhibit in the middle of the picture."));
 }
 
 render::View Viewport::view() const

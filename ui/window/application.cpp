@@ -13,8 +13,7 @@ bool Application::notify(QObject* receiver, QEvent* event)
     } catch (const std::exception& thrown) {
         tell(messageOf(thrown));
     } catch (...) {
-        tell(
-            tr("A fault in Vitrine itself was caught, and what was to be done was not done. Everything else goes on."));
+        tell(tr("An internal error was caught. The command was not executed; everything else continues."));
     }
     return true;
 }

@@ -69,9 +69,10 @@ void ClockBar::showState()
 {
     const bool waits = viewport_.clockWaits();
     button_->setText(pause_.isChecked() ? tr("Play") : waits ? tr("Waits") : tr("Pause"));
-    button_->setToolTip(waits ? tr("The clock stands, since nothing that is shown moves, and goes on with what does.") +
-                                    QLatin1Char('\n') + tipWithKey(pause_)
-                              : tipWithKey(pause_));
+    button_->setToolTip(
+        waits ? tr("The clock waits because nothing shown is moving; it continues when something moves.") +
+                    QLatin1Char('\n') + tipWithKey(pause_)
+              : tipWithKey(pause_));
 }
 
 void ClockBar::showTime()

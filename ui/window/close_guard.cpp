@@ -51,7 +51,7 @@ void CloseGuard::askToSave(const QStringList& names)
         question_->raise();
         return;
     }
-    const QString words = tr("Not saved: %1. Without saving, your changes stay in this session and come back with it.")
+    const QString words = tr("Not saved: %1. Unsaved changes are kept in the session and restored at the next start.")
                               .arg(names.join(QStringLiteral(", ")));
     question_ = new QMessageBox(QMessageBox::Question, tr("Close the window?"), words, QMessageBox::Cancel, &window_);
     question_->setTextFormat(Qt::PlainText);

@@ -72,7 +72,7 @@ void CommandPalette::fill()
         item->setToolTip(action->toolTip());
     }
     if (list_->count() == 0) {
-        auto* nothing = new QListWidgetItem(tr("Nothing is called so."), list_);
+        auto* nothing = new QListWidgetItem(tr("No command matches."), list_);
         nothing->setFlags(Qt::NoItemFlags);
         return;
     }
@@ -127,10 +127,10 @@ void addPad(QTreeWidget& tree)
             ShortcutSheet::tr("Visit what is in the middle of the picture, or press its button"));
     addLine(tree, QStringLiteral("B"), ShortcutSheet::tr("Leave the exhibit and walk on"));
     addLine(tree, QStringLiteral("X"), ShortcutSheet::tr("Press the red button"));
-    addLine(tree, QStringLiteral("Y"), ShortcutSheet::tr("Back to where you stood before"));
+    addLine(tree, QStringLiteral("Y"), ShortcutSheet::tr("Return to where you stood before"));
     addLine(tree, ShortcutSheet::tr("Cross up, down"), ShortcutSheet::tr("Choose a parameter"));
-    addLine(tree, ShortcutSheet::tr("Cross left, right"), ShortcutSheet::tr("Change it, as the arrows do"));
-    addLine(tree, ShortcutSheet::tr("Shoulders"), ShortcutSheet::tr("Visit the exhibit before, or the next one"));
+    addLine(tree, ShortcutSheet::tr("Cross left, right"), ShortcutSheet::tr("Change the value, like the arrow keys"));
+    addLine(tree, ShortcutSheet::tr("Shoulders"), ShortcutSheet::tr("Visit the previous or the next exhibit"));
     addLine(tree, ShortcutSheet::tr("Start"), ShortcutSheet::tr("Stop and start the exhibits' clock"));
     addLine(tree, ShortcutSheet::tr("In dialogs and menus"), ShortcutSheet::tr("The cross moves, A presses, B closes"));
 }
@@ -148,24 +148,24 @@ void addUsual(QTreeWidget& tree)
     addLine(tree, QStringLiteral("E"),
             ShortcutSheet::tr("Press the red button you look at, or that of the exhibit you visit"));
     addLine(tree, QStringLiteral("Esc"), ShortcutSheet::tr("Leave the exhibit and walk on"));
-    addLine(tree, ShortcutSheet::tr("Backspace, Alt+Left"), ShortcutSheet::tr("Back to where you stood before"));
+    addLine(tree, ShortcutSheet::tr("Backspace, Alt+Left"), ShortcutSheet::tr("Return to where you stood before"));
     addLine(tree, ShortcutSheet::tr("1 to 9"), ShortcutSheet::tr("Glide to that bookmark"));
     addLine(tree, ShortcutSheet::tr("F6, Shift+F6"),
-            ShortcutSheet::tr("From the picture to the next panel, and on to the one before"));
+            ShortcutSheet::tr("Move the focus to the next or the previous panel"));
     addHeading(tree, ShortcutSheet::tr("In the tree"));
     addLine(tree, ShortcutSheet::tr("Ctrl and arrows"),
             ShortcutSheet::tr("Move the node: up, down, out of its parent, into the one above"));
     addPad(tree);
     addHeading(tree, ShortcutSheet::tr("While two settings are compared"));
-    addLine(tree, ShortcutSheet::tr("B, held"), ShortcutSheet::tr("B in place of A"));
+    addLine(tree, ShortcutSheet::tr("B, held"), ShortcutSheet::tr("Show B instead of A"));
     addLine(tree, ShortcutSheet::tr("Drag the line; comma, period"), ShortcutSheet::tr("Move the wipe"));
     addHeading(tree, ShortcutSheet::tr("In number fields"));
     addLine(tree, ShortcutSheet::tr("Drag the label or the number"),
-            ShortcutSheet::tr("Change it; Shift ten times finer, Ctrl ten times coarser"));
+            ShortcutSheet::tr("Change the value; Shift ten times finer, Ctrl ten times coarser"));
     addLine(tree, ShortcutSheet::tr("Click, or any digit"), ShortcutSheet::tr("Type: 1/3, 2*pi, 30deg"));
     addLine(tree, ShortcutSheet::tr("Up, Down, wheel"),
             ShortcutSheet::tr("One step; the wheel only in the field with the focus"));
-    addLine(tree, ShortcutSheet::tr("Enter, Esc"), ShortcutSheet::tr("Accept; bring back the value before"));
+    addLine(tree, ShortcutSheet::tr("Enter, Esc"), ShortcutSheet::tr("Accept; restore the previous value"));
 }
 
 }  // namespace

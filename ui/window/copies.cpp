@@ -37,7 +37,7 @@ void copyCommandLine(Workbench& window)
 {
     QGuiApplication::clipboard()->setText(commandLineOf(window));
     window.say(MessageStrip::Mood::notice,
-               QObject::tr("A line for a terminal is on the clipboard; it draws this picture into picture.png."));
+               QObject::tr("Copied a command line that renders this picture into picture.png."));
 }
 
 }  // namespace vitrine::ui

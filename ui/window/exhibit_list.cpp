@@ -54,7 +54,7 @@ void ExhibitList::fill(const Museum& museum)
         item->setText(said(subject.title()));
         item->setData(exhibitRole, static_cast<qulonglong>(*entry.subject));
         item->setData(TileDelegate::secondLine, numbered               ? tr("Place %1").arg(entry.place)
-                                                : entry.place == depot ? tr("Depot: shown alone")
+                                                : entry.place == depot ? tr("In storage: shown alone")
                                                                        : QString());
         item->setToolTip(said(subject.summary()));
     }

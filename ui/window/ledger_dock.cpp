@@ -24,8 +24,8 @@ LedgerDock::LedgerDock(std::function<QString()> reason, QWidget* parent)
         // A longer sentence must not move the picture above.
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     }
-    everything_->setToolTip(tr("Runs every step, also those that the picture does not need. It stays the same to the "
-                               "bit; only the cost changes."));
+    everything_->setToolTip(tr("Runs every pass, including those that the picture does not need. The picture stays "
+                               "identical; only the cost changes."));
     auto* top = new QHBoxLayout;
     top->setContentsMargins(8, 4, 8, 4);
     top->setSpacing(24);

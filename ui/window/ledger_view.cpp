@@ -26,10 +26,9 @@ LedgerView::LedgerView(QWidget* parent) : QTreeWidget(parent)
     setAccessibleName(tr("Ledger"));
     setHeaderLabels({tr("Step"), tr("Work"), tr("ms"), tr("Saved"), tr("Why"), tr("B, ms")});
     headerItem()->setToolTip(
-        saved, tr("Milliseconds that a skipped step took when it last ran. “Run everything” measures them all."));
-    headerItem()->setToolTip(other,
-                             tr("What the same step takes with the settings B, in a finished frame that is drawn anew: "
-                                "nothing is taken over from the frame before, and nothing is left for the next one."));
+        saved, tr("Milliseconds that a skipped pass took when it last ran. “Run everything” measures all of them."));
+    headerItem()->setToolTip(other, tr("Milliseconds of the same pass with settings B, in a complete frame that reuses "
+                                       "nothing from the previous one."));
     setRootIsDecorated(false);
     setUniformRowHeights(true);
     setFrameShape(QFrame::NoFrame);

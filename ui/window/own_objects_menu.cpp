@@ -40,7 +40,7 @@ void addObject(QMenu& menu, MainWindow& window, const ParameterInfo& info, const
         QObject::connect(visit, &QAction::triggered, &window,
                          [&window, object = *here] { window.viewport().visit(object); });
     QAction* remove = menu.addAction(QMenu::tr("Remove %1").arg(name));
-    remove->setToolTip(QMenu::tr("Takes it out of the hall; the file stays."));
+    remove->setToolTip(QMenu::tr("Removes the object from the hall; its file is kept."));
     QObject::connect(remove, &QAction::triggered, &window, [&window, info, path] {
         removeGroup(window.history(), info, QMenu::tr("Remove %1 from the hall").arg(QFileInfo(path).fileName()));
     });

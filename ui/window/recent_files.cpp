@@ -67,8 +67,8 @@ QMenu* recentMenu(QWidget* parent, FileOpener& opener)
         }
         menu->addSeparator();
         QAction* clear = menu->addAction(QCoreApplication::translate("MainWindow", "&Clear the list"));
-        clear->setToolTip(
-            QCoreApplication::translate("MainWindow", "Forgets which files were opened; the files stay."));
+        clear->setToolTip(QCoreApplication::translate(
+            "MainWindow", "Clears the list of recent files; the files themselves are kept."));
         QObject::connect(clear, &QAction::triggered, menu, [] { keepRecentFiles(0); });
     });
     return menu;

@@ -176,7 +176,8 @@ bool SessionKeeper::restoreCrash()
             QString message = tr("Vitrine crashed or was stopped; your last state was restored.");
             if (!notes->empty()) {
                 const QString kept = QString::fromStdString(journal_.putAside(session).string());
-                (message += ' ') += tr("Not all of it is known here; it was kept as %1:").arg(kept);
+                (message += ' ') +=
+                    tr("Parts of the session are unknown to this version; it was kept as %1:").arg(kept);
                 (message += QStringLiteral("\n    ")) += changesText(*notes);
                 writeJournal();
             } else if (writeJournal()) {
@@ -213,9 +214,10 @@ bool SessionKeeper::restore()
     if (notes && notes->empty()) return true;
     const QString kept = putSessionAside();
     if (notes)
-        window_.say(MessageStrip::Mood::notice, tr("Your last session was restored.") + QLatin1Char(' ') +
-                                                    tr("Not all of it is known here; it was kept as %1:").arg(kept) +
-                                                    QStringLiteral("\n    ") + changesText(*notes));
+        window_.say(MessageStrip::Mood::notice,
+                    tr("Your last session was restored.") + QLatin1Char(' ') +
+                        tr("Parts of the session are unknown to this version; it was kept as %1:").arg(kept) +
+                        QStringLiteral("\n    ") + changesText(*notes));
     else if (!kept.isEmpty())
         window_.say(MessageStrip::Mood::problem,
                     tr("Your last session could not be restored and was kept as %1.").arg(kept));

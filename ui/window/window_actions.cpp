@@ -205,33 +205,31 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
              tr("Saves everything in one file: all exhibits, the hall and where you stand."),
              [&window] { window.shelf().saveExhibition(); });
     make.separator();
-    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)},
-             tr("Saves what the picture shows as PNG, in your pictures folder."),
+    make.add(tr("Screen&shot"), {QKeySequence(Qt::Key_F12)}, tr("Saves the picture as PNG in your pictures folder."),
              [&window] { saveScreenshot(window, window); });
     make.add(tr("&Copy picture"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C)},
-             tr("Puts what the picture shows on the clipboard."), [&window] { copyPicture(window); });
+             tr("Copies the picture to the clipboard."), [&window] { copyPicture(window); });
     make.add(tr("Copy as command &line"), {},
-             tr("Puts a line on the clipboard that draws the same picture from a terminal, to the bit."),
+             tr("Copies a command line that renders the identical picture in a terminal."),
              [&window] { copyCommandLine(window); });
     make.add(tr("Export &picture…"), {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_E)},
              tr("Saves the picture at any size, as PNG, JPEG, EXR or TIFF."),
              [&window] { window.openScreenshotDialog(); });
     enableOnly(
         make.add(tr("Export picture a&gain"), {QKeySequence(Qt::CTRL | Qt::ALT | Qt::Key_E)},
-                 tr("What is seen now, as the last picture was exported, under the next free name."),
+                 tr("Exports the current view with the settings of the last export, under the next free name."),
                  [&window] { window.again().run(); }),
         [&window] { return window.again().possible(); },
-        tr("No picture was exported yet: “Export picture…” comes first."));
+        tr("No picture was exported yet; use “Export picture…” first."));
     make.add(tr("Recor&d…"), {QKeySequence(Qt::SHIFT | Qt::Key_F12)},
-             tr("A film along bookmarks, round what you look at, or past all exhibits: a video, or frames."),
+             tr("Records a video or frames: along bookmarks, around the current target, or as a tour of all exhibits."),
              [&window] { window.openRecordDialog(); });
     make.add(tr("Export le&nticular print…"), {QKeySequence(Qt::CTRL | Qt::Key_P)},
-             tr("Interlaces views of what is shown, or pictures of your own, for a sheet of lenses; also charts to "
-                "calibrate it."),
+             tr("Exports a print for a lenticular sheet from views of the exhibit or your own pictures, or a "
+                "calibration chart."),
              [&window] { window.openPrintDialog(); });
     make.add(tr("Export spr&ites…"), {},
-             tr("Draws an object from all sides, as large pixels: a sheet with one palette, normals and depth, for "
-                "games."),
+             tr("Exports a sprite sheet of an object from all sides, with one palette, normals and depth, for games."),
              [&window] { window.openSpriteDialog(); })
         ->setEnabled(window.museum().find(spriteLookName).has_value());
     enableOnly(
@@ -243,7 +241,7 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
         tr("The visited exhibit has no table of measurements; the Study panel measures its parameters."));
     make.separator();
     make.add(tr("&Quit"), {QKeySequence(Qt::CTRL | Qt::Key_Q)},
-             tr("Closes the window; everything comes back next time."), [&window] { window.close(); });
+             tr("Closes the window. The session is restored at the next start."), [&window] { window.close(); });
 }
 
 void WindowActions::addSaving(Maker& make, MainWindow& window)
@@ -273,7 +271,7 @@ void WindowActions::addEditMenu(Maker& make, MainWindow& window)
     make.take(redo);
     make.separator();
     make.add(tr("&Find a parameter"), {QKeySequence(Qt::CTRL | Qt::Key_F)},
-             tr("Goes to the filter above the parameters."), [&window] { window.findParameter(); });
+             tr("Moves the focus to the filter above the parameters."), [&window] { window.findParameter(); });
     make.add(tr("Reset &all parameters"), {},
              tr("Resets all parameters in the panel to their initial values. Can be undone."),
              [&window] { window.resetEverything(); });
@@ -301,17 +299,18 @@ void WindowActions::addPresetMenu(Maker& make, PresetShelf& shelf)
                  tr("Saves the values that the panel shows under a new name."), [&shelf] { shelf.saveAs(); });
     make.separator();
     const qsizetype first = presetMenu.size();
-    presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)},
-                           tr("Gives the selected preset another name."), [&shelf] { shelf.rename(); });
-    presetMenu << make.add(tr("&Tags of preset…"), {}, tr("Gives the selected preset words by which it is found."),
+    presetMenu << make.add(tr("&Rename preset"), {QKeySequence(Qt::Key_F2)}, tr("Renames the selected preset."),
+                           [&shelf] { shelf.rename(); });
+    presetMenu << make.add(tr("&Tags of preset…"), {},
+                           tr("Edits the tags of the selected preset, by which it can be found."),
                            [&shelf] { shelf.editTags(); });
-    presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to one of your own."),
+    presetMenu << make.add(tr("&Duplicate preset"), {}, tr("Copies the selected preset to a preset of your own."),
                            [&shelf] { shelf.duplicate(); });
     presetMenu << make.add(tr("De&lete preset"), {}, tr("Deletes the selected preset; undo brings it back."),
                            [&shelf] { shelf.remove(); });
     make.separator();
-    QAction* importing =
-        make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own."), [&shelf] { shelf.importFile(); });
+    QAction* importing = make.add(tr("&Import preset…"), {}, tr("Copies a preset file to your own presets."),
+                                  [&shelf] { shelf.importFile(); });
     presetMenu << importing;
     presetMenu << make.add(tr("&Export preset…"), {}, tr("Writes the selected preset to a file."),
                            [&shelf] { shelf.exportFile(); });
@@ -328,7 +327,7 @@ void WindowActions::addViewMenu(Maker& make, MainWindow& window)
                          tr("Hides all panels and bars; only the picture is left."),
                          [&window](bool hidden) { window.hidePanels(hidden); });
     QAction* bare = make.add(tr("&Bare picture"), {QKeySequence(Qt::SHIFT | Qt::Key_F11)},
-                             tr("Hides or shows everything but the picture."), [this] { panels->toggle(); });
+                             tr("Hides or shows all panels and bars."), [this] { panels->toggle(); });
     make.inViewport(bare);
     make.separator();
     for (QDockWidget* dock : window.docks().all()) {
@@ -340,10 +339,10 @@ void WindowActions::addViewMenu(Maker& make, MainWindow& window)
     }
     make.separator();
     make.add(tr("&Next panel"), {QKeySequence(Qt::Key_F6)},
-             tr("Gives the focus to the next part of the window: the picture, the panels, the clock."),
+             tr("Moves the focus to the next part of the window: picture, panels, clock."),
              [&window] { focusNextArea(window, 1); });
     make.add(tr("Pre&vious panel"), {QKeySequence(Qt::SHIFT | Qt::Key_F6)},
-             tr("Gives the focus to the part of the window before."), [&window] { focusNextArea(window, -1); });
+             tr("Moves the focus to the previous part of the window."), [&window] { focusNextArea(window, -1); });
     make.submenu(panelMenu(window));
     make.separator();
     addScreenAndClock(make, window);
@@ -363,7 +362,7 @@ void WindowActions::addScreenAndClock(Maker& make, MainWindow& window)
     make.inViewport(pause);
 #ifndef NDEBUG  // Release builds have embedded shaders.
     make.add(tr("&Reload shaders"), {QKeySequence(Qt::Key_F5), QKeySequence(Qt::CTRL | Qt::Key_R)},
-             tr("Builds changed shaders again; one that fails keeps its last good picture."),
+             tr("Compiles changed shaders again; if one fails, the last good picture is kept."),
              [&window] { window.viewport().reloadShaders(); });
 #endif
 }
@@ -395,7 +394,7 @@ void WindowActions::addExhibitMenu(Maker& make, MainWindow& window)
                  tr("Presses the red button of the exhibit in front of you; E does the same while the picture has the "
                     "focus."),
                  [&window] { window.viewport().press(); }),
-        [&window] { return window.viewport().canPress(); }, tr("No red button is in front of you."));
+        [&window] { return window.viewport().canPress(); }, tr("There is no red button in front of you."));
     make.submenu(ownObjectsMenu(window));
     make.separator();
     for (const auto& [i, exhibit] : window.museum().exhibits()) {
@@ -459,13 +458,13 @@ void WindowActions::addHelpMenu(Maker& make, MainWindow& window)
 {
     make.menu(tr("&Help"));
     make.add(QStringLiteral("how-this-works"), tr("About this e&xhibit"), {QKeySequence(Qt::Key_F1)},
-             tr("A page about the exhibit that you visit: its technique, figures, formulas, sources."),
+             tr("Opens the page about the visited exhibit: its technique, figures, formulas, sources."),
              [&window] { window.openPage(window.chosen()); });
     make.add(tr("&Keyboard, mouse and gamepad"), {QKeySequence(Qt::Key_Question), QKeySequence(Qt::SHIFT | Qt::Key_F1)},
              tr("All shortcuts on one page."), [&window] { window.openShortcutSheet(); });
     const QString manual = QString::fromStdString(render::manualFile().string());
     QAction* read = make.add(tr("&Manual"), {},
-                             manual.isEmpty() ? tr("README.md did not come with this copy of the program.")
+                             manual.isEmpty() ? tr("This copy of the program has no manual (README.md).")
                                               : tr("Opens %1.").arg(manual),
                              [manual] { QDesktopServices::openUrl(QUrl::fromLocalFile(manual)); });
     read->setEnabled(!manual.isEmpty());

@@ -157,7 +157,7 @@ private slots:
         const auto read = [this] {
             int count = 0;
             for (const QLabel* label : window_->findChildren<QLabel*>())
-                count += label->text() == "No preset has these words and tags.";
+                count += label->text() == "No preset matches these words and tags.";
             return count;
         };
         window_->choose(1);

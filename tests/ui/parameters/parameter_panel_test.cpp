@@ -313,7 +313,7 @@ private slots:
         const ParameterValues kept = values();
         QApplication::clipboard()->setText("a poem");
         choose("roughness", "Paste");
-        QVERIFY2(QToolTip::text().contains(QStringLiteral("\"a poem\" is no value for “Roughness”")),
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("\"a poem\" is not a value of “Roughness”")),
                  qPrintable(QToolTip::text()));
         choose("roughness", "Paste all");
         QVERIFY2(QToolTip::text().contains(QStringLiteral("the clipboard")), qPrintable(QToolTip::text()));

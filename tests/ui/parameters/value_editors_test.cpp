@@ -322,7 +322,7 @@ private slots:
         enter("reddish");
         QVERIFY(values()[table_.base].value == glm::dvec3(1, 0, 0));
         QCOMPARE(code->text(), QStringLiteral("reddish"));  // The text stays for correction.
-        QVERIFY(QToolTip::text().contains(QStringLiteral("\"reddish\" is no value for “Base color”")));
+        QVERIFY(QToolTip::text().contains(QStringLiteral("\"reddish\" is not a value of “Base color”")));
         QCOMPARE(code->palette().color(QPalette::Text), theme().error);
         enter("#00ff00");
         QCOMPARE(code->palette().color(QPalette::Text), theme().text);

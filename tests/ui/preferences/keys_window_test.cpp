@@ -99,7 +99,7 @@ private slots:
         press();
         bool said = false;
         for (const QLabel* label : window_->findChild<PreferencesDialog*>()->findChildren<QLabel*>())
-            said = said || label->text() == "Ctrl+W belongs to “Wipe”. Take it from there?";
+            said = said || label->text() == "Ctrl+W is already used by “Wipe”. Reassign it?";
         QVERIFY(said);
         QTest::mouseClick(button("Leave it"), Qt::LeftButton);
         QCOMPARE(action("Wipe")->shortcut(), QKeySequence("Ctrl+W"));

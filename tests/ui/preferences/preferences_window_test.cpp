@@ -156,7 +156,7 @@ private slots:
         QVERIFY(!gallery_->requests().empty());
         for (const FrameRequest& request : gallery_->requests()) QVERIFY(request.samples <= 2);
         const QString reason = window_->viewport().reason();
-        QVERIFY2(reason.startsWith("Done (2 samples)") && reason.contains("the hall asks for 8") &&
+        QVERIFY2(reason.startsWith("Done (2 samples)") && reason.contains("the hall requests 8") &&
                      reason.contains("allow 2"),
                  qPrintable(reason));
         action("Ledger")->trigger();
@@ -166,7 +166,7 @@ private slots:
         QVERIFY2(commandLineOf(*window_).contains("--samples 2 "), qPrintable(commandLineOf(*window_)));
         // The hall's parameter stays unchanged.
         QCOMPARE(pictureQuality(window_->history().sceneState().hall()).supersamples, 8);
-        choose("Samples at rest", "As many as the hall says");
+        choose("Samples at rest", "As set in the hall");
         QTRY_VERIFY(window_->viewport().schedule().still() && window_->viewport().schedule().samples() == 8);
         QVERIFY(!window_->viewport().reason().contains("preferences"));
     }

@@ -99,9 +99,9 @@ private slots:
         presets()->setFocus();
         QTest::keyClick(presets(), Qt::Key_F2);
         QVERIFY(!presets()->findChild<QLineEdit*>());
-        QCOMPARE(
-            window_->findChild<MessageStrip*>()->texts(),
-            QStringList{name + " comes with the exhibit and cannot be renamed. Duplicate it, and rename the copy."});
+        QCOMPARE(window_->findChild<MessageStrip*>()->texts(),
+                 QStringList{
+                     name + " is supplied with the exhibit and cannot be renamed. Duplicate it, and rename the copy."});
         // Control: the visitor's own preset is renamed in its line.
         window_->shelf().saveUnder("Mine");
         select("Mine");

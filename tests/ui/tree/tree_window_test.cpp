@@ -130,7 +130,7 @@ private slots:
 
         const auto label = [this] {
             for (const QLabel* each : dock().findChildren<QLabel*>())
-                if (each->text() == "No node has these words.") return each;
+                if (each->text() == "No node matches.") return each;
             return static_cast<const QLabel*>(nullptr);
         };
         QVERIFY(!label());
