@@ -84,6 +84,10 @@
         <translation>„up“ zeigt entlang der Blickrichtung; geben Sie eine andere Richtung an</translation>
     </message>
     <message>
+        <source>&quot;{1}&quot; appears twice; remove one of them.</source>
+        <translation>„{=1}“ steht zweimal da; entfernen Sie eines davon.</translation>
+    </message>
+    <message>
         <source>&quot;{1}&quot; contains itself by way of this; take one of the two out</source>
         <translation>„{=1}“ enthält sich hierdurch selbst; nehmen Sie eines von beiden heraus</translation>
     </message>
@@ -100,20 +104,8 @@
         <translation>„{=1}“ fehlt; exportieren Sie die Datei neu.</translation>
     </message>
     <message>
-        <source>&quot;{1}&quot; is no choice here; choose one of {2}.</source>
-        <translation>„{=1}“ steht hier nicht zur Wahl; wählen Sie eines von {=2}.</translation>
-    </message>
-    <message>
-        <source>&quot;{1}&quot; is no ease; give one of {2}</source>
-        <translation>&quot;{=1}&quot; ist kein Verlauf; geben Sie einen an von {=2}</translation>
-    </message>
-    <message>
         <source>&quot;{1}&quot; is no format of Vitrine; choose a preset.</source>
         <translation>„{=1}“ ist kein Format von Vitrine; wählen Sie ein Preset.</translation>
-    </message>
-    <message>
-        <source>&quot;{1}&quot; is no kind of motion; give one of {2}</source>
-        <translation>&quot;{=1}&quot; ist keine Art von Bewegung; geben Sie eine an von {=2}</translation>
     </message>
     <message>
         <source>&quot;{1}&quot; is no metric; correct it there.</source>
@@ -132,20 +124,16 @@
         <translation>„{=1}“ ist kein Rundgang; wählen Sie eine andere Datei.</translation>
     </message>
     <message>
-        <source>&quot;{1}&quot; is no value for it.</source>
-        <translation>&quot;{=1}&quot; ist kein Wert dafür.</translation>
+        <source>&quot;{1}&quot; is not a valid value.</source>
+        <translation>&quot;{=1}&quot; ist kein gültiger Wert.</translation>
     </message>
     <message>
-        <source>&quot;{1}&quot; is no {2}; choose one of {3}.</source>
-        <translation>&quot;{=1}&quot; ist nichts für „{2}“; wählen Sie eines von {=3}.</translation>
+        <source>&quot;{1}&quot; is not an option of the motion {2}.</source>
+        <translation>&quot;{=1}&quot; ist keine Option der Bewegung {=2}.</translation>
     </message>
     <message>
         <source>&quot;{1}&quot; is not known and was left out.</source>
         <translation>„{=1}“ ist nicht bekannt und wurde weggelassen.</translation>
-    </message>
-    <message>
-        <source>&quot;{1}&quot; is nothing that {2} goes by.</source>
-        <translation>&quot;{=1}&quot; ist nichts, wonach {=2} sich richtet.</translation>
     </message>
     <message>
         <source>&quot;{1}&quot; is one of the sheets that come with the program; choose another name.</source>
@@ -162,10 +150,6 @@
     <message>
         <source>&quot;{1}&quot; must be there and be a number; correct it there, or move the file away, and a new list is begun.</source>
         <translation>„{=1}“ muss da sein und eine Zahl sein; korrigieren Sie es dort, oder legen Sie die Datei beiseite, und eine neue Liste wird begonnen.</translation>
-    </message>
-    <message>
-        <source>&quot;{1}&quot; stands twice; take one away.</source>
-        <translation>„{=1}“ steht zweimal da; entfernen Sie eines.</translation>
     </message>
     <message>
         <source>&quot;{1}&quot; was not taken: {2}</source>
@@ -1451,8 +1435,8 @@ Zeiten nach: %2.</translation>
         <translation>Ein Feld, seine Oktaven, ein Meer und ein Himmel: alles Zufallszahlen.</translation>
     </message>
     <message>
-        <source>A file cannot move: every value would have to be read.</source>
-        <translation>Eine Datei kann sich nicht bewegen: Jeder Wert müsste gelesen werden.</translation>
+        <source>A file cannot be animated, because each value would have to be read.</source>
+        <translation>Eine Datei lässt sich nicht animieren, weil jeder Wert gelesen werden müsste.</translation>
     </message>
     <message>
         <source>a file name</source>
@@ -1667,10 +1651,6 @@ Zeiten nach: %2.</translation>
         <translation>Ein regelmäßiges Oktaeder mit den Ecken auf den Achsen.</translation>
     </message>
     <message>
-        <source>A row of accuracy cannot move: it says what a picture costs, and sizes what it is made of.</source>
-        <translation>Eine Zeile für Genauigkeit kann sich nicht bewegen: Sie sagt, was ein Bild kostet, und bemisst, woraus es gemacht wird.</translation>
-    </message>
-    <message>
         <source>a scene in which nothing moves</source>
         <translation>einer Szene, in der sich nichts bewegt</translation>
     </message>
@@ -1699,12 +1679,12 @@ Zeiten nach: %2.</translation>
         <translation>Ein Shader ließ sich nicht übersetzen; das letzte gute Bild bleibt. Wird die Datei gespeichert, folgt der nächste Versuch.</translation>
     </message>
     <message>
-        <source>A shape becomes no operation; wrap it in a {1}.</source>
-        <translation>Eine Form wird keine Operation; packen Sie sie in „{1}“ ein.</translation>
-    </message>
-    <message>
         <source>A shape between the first child and the second.</source>
         <translation>Eine Form zwischen dem ersten und dem zweiten Kind.</translation>
+    </message>
+    <message>
+        <source>A shape cannot become an operation; wrap it in a {1} instead.</source>
+        <translation>Eine Form kann keine Operation werden; packen Sie sie in „{1}“ ein.</translation>
     </message>
     <message>
         <source>A shape holds no other node; delete the operation, or take it away from around its child.</source>
@@ -2190,6 +2170,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Amplitude of the first octave: 0 displaces nothing.</source>
         <translation>Amplitude der ersten Oktave: 0 verschiebt nichts.</translation>
+    </message>
+    <message>
+        <source>An accuracy parameter cannot be animated, because it sets the cost of the picture.</source>
+        <translation>Ein Genauigkeitsparameter lässt sich nicht animieren, weil er die Kosten des Bildes bestimmt.</translation>
     </message>
     <message>
         <source>An arc of a torus in the xy plane, centered at +y, with round ends.</source>
@@ -6548,8 +6532,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Geisterbilder</translation>
     </message>
     <message>
-        <source>give a kind and two values, such as {1}:0.1:0.9, and what else it goes by.</source>
-        <translation>geben Sie eine Art und zwei Werte an, etwa {=1}:0.1:0.9, und wonach sie sich sonst richtet.</translation>
+        <source>give a kind and two values, such as {1}:0.1:0.9, then its options.</source>
+        <translation>geben Sie eine Art und zwei Werte an, etwa {=1}:0.1:0.9, danach ihre Optionen.</translation>
     </message>
     <message>
         <source>give depth, normal or evaluations; correct it there.</source>
@@ -15175,6 +15159,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Einen Knoten {=1} gibt es nicht mehr; wählen Sie einen anderen.</translation>
     </message>
     <message>
+        <source>there is no parameter &quot;{1}&quot;; `vitrine list --manual {2}` names those of {3}.</source>
+        <translation>einen Parameter „{=1}“ gibt es nicht; `vitrine list --manual {=2}` nennt die von {=3}.</translation>
+    </message>
+    <message>
         <source>There is no parameter “%1” now, so its numbers are shown, but cannot be applied.</source>
         <translation>Einen Parameter „%1“ gibt es jetzt nicht, daher werden seine Zahlen gezeigt, lassen sich aber nicht anwenden.</translation>
     </message>
@@ -15197,10 +15185,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>There is no red button in front of you.</source>
         <translation>Vor Ihnen ist kein roter Knopf.</translation>
-    </message>
-    <message>
-        <source>there is no row &quot;{1}&quot;; `vitrine list --manual {2}` names those of {3}.</source>
-        <translation>eine Zeile „{=1}“ gibt es nicht; `vitrine list --manual {=2}` nennt die von {=3}.</translation>
     </message>
     <message>
         <source>There is no sheet &quot;{1}&quot;; choose one of the list.</source>
@@ -15472,10 +15456,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das ist glTF {=1}, und gelesen wird Version 2; exportieren Sie es als glTF 2.0.</translation>
     </message>
     <message>
-        <source>this is no lesson; write &quot;vitrine-lesson&quot;.</source>
-        <translation>das ist keine Lektion; schreiben Sie „vitrine-lesson“.</translation>
-    </message>
-    <message>
         <source>this is no list of lens sheets of version 1; move it away, and a new one is begun.</source>
         <translation>das ist keine Liste von Linsenfolien der Version 1; legen Sie sie beiseite, und eine neue wird begonnen.</translation>
     </message>
@@ -15500,6 +15480,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>das ist keine endliche Zahl</translation>
     </message>
     <message>
+        <source>this is not a lesson; write &quot;vitrine-lesson&quot;.</source>
+        <translation>das ist keine Lektion; schreiben Sie „vitrine-lesson“.</translation>
+    </message>
+    <message>
         <source>this is not valid JSON</source>
         <translation>das ist kein gültiges JSON</translation>
     </message>
@@ -15516,16 +15500,16 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier steht {1}; geben Sie {2} an</translation>
     </message>
     <message>
+        <source>this key appears twice; remove one of the two</source>
+        <translation>dieser Schlüssel steht zweimal da; entfernen Sie einen der beiden</translation>
+    </message>
+    <message>
         <source>this key is longer than {1}</source>
         <translation>dieser Schlüssel ist länger als {1}</translation>
     </message>
     <message>
-        <source>this key means nothing here; take it out, or write one of {1}.</source>
-        <translation>dieser Schlüssel bedeutet hier nichts; entfernen Sie ihn, oder schreiben Sie einen von {=1}.</translation>
-    </message>
-    <message>
-        <source>this key stands twice; remove one of the two</source>
-        <translation>dieser Schlüssel steht zweimal da; entfernen Sie einen der beiden</translation>
+        <source>this key is not known here; remove it, or write one of {1}.</source>
+        <translation>dieser Schlüssel ist hier nicht bekannt; entfernen Sie ihn, oder schreiben Sie einen von {=1}.</translation>
     </message>
     <message>
         <source>This kind of video keeps one color for two by two pixels and needs even sizes, and not {1}; give {2}x{3}, or choose .gif, .webp or .apng.</source>
@@ -15800,8 +15784,8 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>dieser Schritt hat kein Preset; schreiben Sie ```json, {&quot;values&quot;: {}} und ``` unter seinen Text.</translation>
     </message>
     <message>
-        <source>this step says nothing; write a sentence below its heading.</source>
-        <translation>dieser Schritt sagt nichts; schreiben Sie einen Satz unter seine Überschrift.</translation>
+        <source>this step has no text; write a sentence below its heading.</source>
+        <translation>dieser Schritt hat keinen Text; schreiben Sie einen Satz unter seine Überschrift.</translation>
     </message>
     <message>
         <source>this string contains the character U+0000; remove it</source>
@@ -16225,8 +16209,28 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Vereinigungen</translation>
     </message>
     <message>
+        <source>unknown choice &quot;{1}&quot;; choose one of {2}.</source>
+        <translation>Unbekannte Auswahl „{=1}“; wählen Sie eine von {=2}.</translation>
+    </message>
+    <message>
+        <source>unknown ease &quot;{1}&quot;; give one of {2}</source>
+        <translation>unbekannter Verlauf &quot;{=1}&quot;; geben Sie einen an von {=2}</translation>
+    </message>
+    <message>
         <source>unknown error</source>
         <translation>unbekannter Fehler</translation>
+    </message>
+    <message>
+        <source>unknown kind of motion &quot;{1}&quot;; give one of {2}</source>
+        <translation>unbekannte Art von Bewegung &quot;{=1}&quot;; geben Sie eine an von {=2}</translation>
+    </message>
+    <message>
+        <source>unknown {1} &quot;{2}&quot;; choose one of {3}.</source>
+        <translation>unbekannt ({1}): &quot;{=2}&quot;; wählen Sie eines von {=3}.</translation>
+    </message>
+    <message>
+        <source>unknown {1}: {2}</source>
+        <translation>unbekannt ({1}): {=2}</translation>
     </message>
     <message>
         <source>Unlock</source>
@@ -17503,10 +17507,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} fehlt; erzeugen Sie alle Teile neu.</translation>
     </message>
     <message>
-        <source>{1} is no {2}</source>
-        <translation>{1} ist kein {2}</translation>
-    </message>
-    <message>
         <source>{1} is not known here; it is kept</source>
         <translation>{=1} ist hier nicht bekannt; es bleibt erhalten</translation>
     </message>
@@ -17719,8 +17719,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1}: Das ist ein Preset von „{=2}“, das es in diesem Museum nicht gibt.</translation>
     </message>
     <message>
-        <source>{1}: its rows that move ask for no pictures</source>
-        <translation>{1}: Seine bewegten Zeilen verlangen keine Bilder</translation>
+        <source>{1}: its animated parameters do not trigger new frames</source>
+        <translation>{1}: Die animierten Parameter lösen keine neuen Frames aus</translation>
     </message>
     <message>
         <source>{1}: nothing was merged, because part {2} was drawn by {3} and part {4} by {5}; make all on machines of one kind.</source>
@@ -17831,8 +17831,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1}; der alte Inhalt ist unberührt; geben Sie Platz frei, oder wählen Sie einen anderen Datenträger</translation>
     </message>
     <message>
-        <source>{1}= is given twice; take one of them out.</source>
-        <translation>{=1}= steht zweimal da; nehmen Sie eines davon heraus.</translation>
+        <source>{1}= is given twice; remove one of them.</source>
+        <translation>{=1}= steht zweimal da; entfernen Sie eines davon.</translation>
     </message>
     <message>
         <source>{1}={2}: give a number from {3} to {4}</source>

@@ -123,7 +123,7 @@ std::string noSuchRow(std::string_view name, std::string_view exhibit)
 {
     const bool ofHall = name.starts_with("hall.");
     const std::string subject(ofHall ? "hall" : exhibit);
-    return "there is no row \"" + std::string(ofHall ? name.substr(5) : name) + "\"; `vitrine list --manual " +
+    return "there is no parameter \"" + std::string(ofHall ? name.substr(5) : name) + "\"; `vitrine list --manual " +
            subject + "` names those of " + subject + ".";
 }
 
@@ -144,7 +144,7 @@ public:
         const JsonDocument document = object(part, {"format", "version", "exhibit"});
         const Json& root = document.root();
         if (root.value("format", Json()) != "vitrine-lesson")
-            throw document.failure("format", "this is no lesson; write \"vitrine-lesson\".");
+            throw document.failure("format", "this is not a lesson; write \"vitrine-lesson\".");
         const Json version = root.value("version", Json());
         if (!version.is_number_integer() || version < 1)
             throw document.failure("version", "this must be " + std::to_string(lessonVersion) + "; correct it there.");
@@ -189,7 +189,7 @@ private:
             if (std::find(known.begin(), known.end(), key) != known.end()) continue;
             std::string names;
             for (const std::string_view each : known) (names += names.empty() ? "" : ", ") += each;
-            throw document.failure(key, "this key means nothing here; take it out, or write one of " + names + ".");
+            throw document.failure(key, "this key is not known here; remove it, or write one of " + names + ".");
         }
         return document;
     }
@@ -198,7 +198,7 @@ private:
     {
         const std::string text(trimmed(part.text));
         if (needed && text.empty())
-            throw failureAt(file_, part.line, "this step says nothing; write a sentence below its heading.");
+            throw failureAt(file_, part.line, "this step has no text; write a sentence below its heading.");
         if (text.size() > mostLessonLetters)
             throw failureAt(file_, part.line,
                             "the text below this heading has " + std::to_string(text.size()) +

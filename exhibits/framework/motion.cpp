@@ -107,9 +107,9 @@ std::string_view nameOf(const std::array<std::string_view, Count>& names, std::s
 
 std::string_view whyUnmoved(const ParameterInfo& row)
 {
-    if (row.isWritten()) return "A file cannot move: every value would have to be read.";
+    if (row.isWritten()) return "A file cannot be animated, because each value would have to be read.";
     if (row.qualityReference)
-        return "A row of accuracy cannot move: it says what a picture costs, and sizes what it is made of.";
+        return "An accuracy parameter cannot be animated, because it sets the cost of the picture.";
     return {};
 }
 

@@ -69,7 +69,7 @@ std::size_t namedAt(const Json& json, const JsonPlace& place, const std::array<s
     const auto& name = json.get_ref<const std::string&>();
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-        throw place.failure("\"" + name + "\" is no " + what + "; choose one of " + listOf(names) + ".");
+        throw place.failure("unknown " + std::string(what) + " \"" + name + "\"; choose one of " + listOf(names) + ".");
     return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -183,28 +183,28 @@ Motion typedMotion(const ParameterInfo& row, const std::string& option, const st
     const std::vector<std::string> parts = betweenColons(text);
     const auto kind = std::find(motionKinds.begin(), motionKinds.end(), parts.front());
     if (kind == motionKinds.end())
-        throw wrong("\"" + parts.front() + "\" is no kind of motion; give one of " + listOf(motionKinds) + '.');
+        throw wrong("unknown kind of motion \"" + parts.front() + "\"; give one of " + listOf(motionKinds) + '.');
     if (parts.size() < 3)
-        throw wrong("give a kind and two values, such as " + parts.front() + ":0.1:0.9, and what else it goes by.");
+        throw wrong("give a kind and two values, such as " + parts.front() + ":0.1:0.9, then its options.");
     Motion motion;
     motion.kind = static_cast<MotionKind>(kind - motionKinds.begin());
     for (const auto& [part, end] : {std::pair(1, &motion.from), std::pair(2, &motion.to)}) {
         const std::string& typed = parts[static_cast<std::size_t>(part)];
         const std::optional<Value> value = parse(typed);
         const std::optional<Value> legal = value ? nearestLegal(row, *value) : std::nullopt;
-        if (!legal) throw wrong("\"" + typed + "\" is no value for it.");
+        if (!legal) throw wrong("\"" + typed + "\" is not a valid value.");
         *end = *legal;
     }
     std::set<std::string> given;
     for (std::size_t i = 3; i < parts.size(); ++i) {
         const std::size_t equals = parts[i].find('=');
         const std::string name = parts[i].substr(0, equals);
-        if (!given.insert(name).second) throw wrong(name + "= is given twice; take one of them out.");
+        if (!given.insert(name).second) throw wrong(name + "= is given twice; remove one of them.");
         const std::string typed = equals == std::string::npos ? std::string() : parts[i].substr(equals + 1);
         if (name == "ease" && isEased(motion.kind)) {
             const auto ease = std::find(easeNames.begin(), easeNames.end(), typed);
             if (ease == easeNames.end())
-                throw wrong("\"" + typed + "\" is no ease; give one of " + listOf(easeNames) + '.');
+                throw wrong("unknown ease \"" + typed + "\"; give one of " + listOf(easeNames) + '.');
             motion.ease = static_cast<Ease>(ease - easeNames.begin());
             continue;
         }
@@ -217,7 +217,7 @@ Motion typedMotion(const ParameterInfo& row, const std::string& option, const st
         const auto number = std::find_if(numbersOfMotion.begin(), numbersOfMotion.end(),
                                          [&](const NumberOfMotion& n) { return name == n.name; });
         if (number == numbersOfMotion.end() || !number->usedBy(motion.kind))
-            throw wrong("\"" + name + "\" is nothing that " + parts.front() + " goes by.");
+            throw wrong("\"" + name + "\" is not an option of the motion " + parts.front() + ".");
         const std::optional<double> x = render::parseNumber(typed);
         if (!x || !(*x >= number->low && *x <= number->high) || (number->whole && *x != std::round(*x)))
             throw wrong(name + "=" + typed + ": give a " + (number->whole ? "whole " : "") + "number from " +

@@ -51,7 +51,7 @@ PresetTags tagsIn(const JsonDocument& document, const Json& root)
         std::string tag = written[i].get<std::string>();
         if (const std::string why = whyNoTag(tag); !why.empty())
             throw document.failure(path, why + "; correct it there.");
-        if (stands(tags, tag)) throw document.failure(path, "\"" + tag + "\" stands twice; take one away.");
+        if (stands(tags, tag)) throw document.failure(path, "\"" + tag + "\" appears twice; remove one of them.");
         tags.push_back(std::move(tag));
     }
     return tags;

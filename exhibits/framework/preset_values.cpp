@@ -73,7 +73,7 @@ Value readValue(const ParameterInfo& row, const Json& json, const JsonPlace& pla
         const auto& name = json.get_ref<const std::string&>();
         const auto found = std::find(row.choices.begin(), row.choices.end(), name);
         if (found == row.choices.end())
-            throw place.failure("\"" + name + "\" is no choice here; choose one of " + joined(row.choices) + ".");
+            throw place.failure("unknown choice \"" + name + "\"; choose one of " + joined(row.choices) + ".");
         return static_cast<double>(found - row.choices.begin());
     }
     case Kind::color:

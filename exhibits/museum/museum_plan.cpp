@@ -37,7 +37,7 @@ std::string whyNoShadow(const HallScene& scene, const render::Box& box, const re
 /// Returns the reason for the frame report.
 std::string whyHiddenOf(const std::string& hidden, const ParameterValues& values)
 {
-    return values.motions().empty() ? hidden : hidden + ": its rows that move ask for no pictures";
+    return values.motions().empty() ? hidden : hidden + ": its animated parameters do not trigger new frames";
 }
 
 /// Returns a view that covers all samples and tiles of the picture, with a small margin.

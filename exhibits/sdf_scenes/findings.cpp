@@ -43,7 +43,7 @@ std::string listed(const std::vector<std::string>& words)
 
 std::string unknownWord(std::string_view word, const std::string& of, const std::vector<std::string>& known)
 {
-    std::string sentence = shownWord(word) + " is no " + of;
+    std::string sentence = "unknown " + of + ": " + shownWord(word);
     const std::string nearest = nearestWord(word.substr(0, 40), known);
     if (!nearest.empty()) return sentence + "; did you mean \"" + nearest + "\"? Known are " + listed(known);
     return sentence + (known.empty() ? "; there are none here" : "; take one of " + listed(known));

@@ -346,7 +346,7 @@ EditedScene SceneEdit::ofKind(std::string_view node, const NodeKind& kind) const
     const NodeKind& old = kindOf(changed);
     const std::vector<std::uint32_t> children = childrenOf(changed);
     if (old.form == Form::shape && kind.form != Form::shape)
-        refuse("A shape becomes no operation; wrap it in a " + std::string(kind.name) + ".");
+        refuse("A shape cannot become an operation; wrap it in a " + std::string(kind.name) + " instead.");
     if (old.form != Form::shape && kind.form == Form::shape)
         refuse("A shape holds no other node; delete the operation, or take it away from around its child.");
     if (kind.form == Form::pair && children.size() != 2)

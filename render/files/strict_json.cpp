@@ -219,7 +219,7 @@ bool JsonReader::key(string_t& x)
     if (std::any_of(x.begin(), x.end(), isControl)) return refuse("a key contains a control character; remove it");
     JsonLevel& level = levels_.back();
     level.key = x;
-    if (!level.keys.insert(std::move(x)).second) return refuse("this key stands twice; remove one of the two");
+    if (!level.keys.insert(std::move(x)).second) return refuse("this key appears twice; remove one of the two");
     if (recorder_) recorder_->key();
     comparePath();
     return true;

@@ -30,7 +30,7 @@ TEST(LessonCommand, SaysWhatIsGoodAndWhatIsNot)
 
     const Ended wrong = test::vitrine({"lesson", "check", good, bad});
     EXPECT_EQ(wrong.code, 1);
-    EXPECT_NE(wrong.err.find(bad + ", line 8, values.morhp: there is no row \"morhp\""), std::string::npos)
+    EXPECT_NE(wrong.err.find(bad + ", line 8, values.morhp: there is no parameter \"morhp\""), std::string::npos)
         << wrong.err;
 
     const Ended changed = test::vitrine({"lesson", "check", far});

@@ -279,7 +279,7 @@ TEST(RenderCommand, AMotionThatIsNoneSaysWhatToGive)
     EXPECT_NE(said("morph=waltz:0:1").find("give one of ease, sine"), std::string::npos);
     EXPECT_NE(said("morph=sine:0").find("give a kind and two values"), std::string::npos);
     EXPECT_NE(said("morph=sine:0:1:period=never").find("give a number from"), std::string::npos);
-    EXPECT_NE(said("stepLimit=sine:1:9").find("accuracy cannot move"), std::string::npos);
+    EXPECT_NE(said("stepLimit=sine:1:9").find("accuracy parameter cannot be animated"), std::string::npos);
     EXPECT_NE(said("nothing=sine:0:1").find("has no parameter of that name"), std::string::npos);
 }
 

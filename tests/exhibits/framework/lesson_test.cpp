@@ -73,7 +73,7 @@ TEST(Lesson, NamesNumbersToRead)
     EXPECT_EQ(read("row:gap").of, LessonNumber::Of::row);
     EXPECT_EQ(read("row:hall.exposure").name, "hall.exposure");
     EXPECT_EQ(read("counter:marchSteps").name, "marchSteps");
-    EXPECT_FAILURE(lessonOf(oneStep(R"({"read": "row:gpa"})")), "line 13, read: there is no row \"gpa\"");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"read": "row:gpa"})")), "line 13, read: there is no parameter \"gpa\"");
     EXPECT_FAILURE(lessonOf(oneStep(R"({"read": 3})")), "line 13, read: write \"milliseconds\"");
     EXPECT_FAILURE(lessonOf(oneStep(R"({"read": "counter:a b"})")), "line 13, read: write");
 }
@@ -86,7 +86,7 @@ TEST(Lesson, SaysRowsByTheirLabels)
               "Set <b>" + label(test::everyKind.rows()[test::everyKind.gap.row]) + "</b> and <b>Exposure</b>.");
     EXPECT_EQ(withLabels("[row:", "everything", lessonTables(), "<", ">"), "[row:");
     EXPECT_FAILURE(lessonOf(oneStep("{}", "Set [row:gpa].")), "a.md, line 9: in the text below this heading there "
-                                                              "is no row \"gpa\"; `vitrine list --manual "
+                                                              "is no parameter \"gpa\"; `vitrine list --manual "
                                                               "everything`");
     EXPECT_FAILURE(lessonOf(oneStep("{}", "Set [row:hall.gpa].")), "`vitrine list --manual hall`");
     EXPECT_FAILURE(lessonOf(oneStep("{}", "Set [row:gap")), "line 9");
@@ -95,17 +95,17 @@ TEST(Lesson, SaysRowsByTheirLabels)
 TEST(Lesson, RefusalsNameFileLineKeyAndWhatToDo)
 {
     EXPECT_FAILURE(lessonOf(oneStep(R"({"values": {"gpa": 1}})")),
-                   "a.md, line 13, values.gpa: there is no row \"gpa\"; `vitrine list --manual everything`");
-    EXPECT_FAILURE(lessonOf(oneStep(R"({"hall": {"exposre": 1}})")), "line 13, hall.exposre: there is no row");
+                   "a.md, line 13, values.gpa: there is no parameter \"gpa\"; `vitrine list --manual everything`");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"hall": {"exposre": 1}})")), "line 13, hall.exposre: there is no parameter");
     EXPECT_FAILURE(lessonOf(oneStep("{\"values\":\n{\"gap\": \"long\"}}")), "a.md, line 14, values.gap: this must "
                                                                             "be a number");
     EXPECT_FAILURE(lessonOf(oneStep("{\"values\":\n{\"gap\": 1,}}")), "line 14");
-    EXPECT_FAILURE(lessonOf(oneStep(R"({"valeus": {}})")), "line 13, valeus: this key means nothing here");
+    EXPECT_FAILURE(lessonOf(oneStep(R"({"valeus": {}})")), "line 13, valeus: this key is not known here");
     EXPECT_FAILURE(lessonOf(oneStep(R"({"values": 3})")), "line 13, values: this must be an object");
     EXPECT_FAILURE(lessonOf(oneStep("[]")), "line 9: its block must be an object");
     EXPECT_FAILURE(lessonOf(oneStep(R"({"camera": "nice"})")), "line 13, camera: this must be \"best\"");
     EXPECT_FAILURE(lessonOf(oneStep(R"({"camera": {"eye": 3}})")), "line 13, camera.eye");
-    EXPECT_FAILURE(lessonOf(oneStep("{}", "")), "line 9: this step says nothing");
+    EXPECT_FAILURE(lessonOf(oneStep("{}", "")), "line 9: this step has no text");
     EXPECT_FAILURE(lessonOf(oneStep("{}", std::string(mostLessonLetters + 1, 'x'))), "line 9: the text below");
     EXPECT_FAILURE(lessonOf(oneStep("{}") + "```json\n{}\n```"),
                    "line 15: there is a block under this heading already");
@@ -131,7 +131,7 @@ TEST(Lesson, RefusesOtherFormatsVersionsAndExhibits)
     EXPECT_EQ(lessonOf(headed(R"({"format": "vitrine-lesson", "version": 1, "exhibit": "everything"})")).steps.size(),
               1U);
     EXPECT_FAILURE(lessonOf(headed(R"({"format": "vitrine-preset", "version": 1, "exhibit": "everything"})")),
-                   "a.md, line 3, format: this is no lesson");
+                   "a.md, line 3, format: this is not a lesson");
     EXPECT_FAILURE(lessonOf(headed(R"({"format": "vitrine-lesson", "version": 2, "exhibit": "everything"})")),
                    "line 3, version: this lesson is of a newer Vitrine; update");
     for (const char* version : {"0", "\"1\"", "1.5", "null"})

@@ -267,7 +267,7 @@ TEST(Motions, AFileThatIsWrongSaysWhichKeyAndWhatToDo)
     for (const char* part : {"a.json", "motions.radius.kind", "waltz", "choose one of ease, sine"})
         EXPECT_FAILURE(readFile(fileWithMotion("{\"kind\": \"waltz\"}")), part);
     EXPECT_FAILURE(readFile(fileWithMotion("{\"from\": 1}")), "\"kind\" is missing");
-    for (const char* part : {"samples", "accuracy cannot move"})
+    for (const char* part : {"samples", "accuracy parameter cannot be animated"})
         EXPECT_FAILURE(readFile(fileWithMotion("{\"kind\": \"sine\"}", "samples")), part);
     const Preset odd =
         readFile(fileWithMotion("{\"kind\": \"sine\", \"from\": 1e9, \"to\": 2, \"period\": 0, \"x\": 1}"));

@@ -126,7 +126,7 @@ TEST(Preset, NamesFileLineAndKeyOfWhatIsWrong)
     EXPECT_FAILURE(read(fileWith("\"morph\": null")), "values.morph: this must be a number, not null");
     EXPECT_FAILURE(read(fileWith("\"morph\": true")), "values.morph: this must be a number");
     EXPECT_FAILURE(read(fileWith("\"way\": \"sideways\"")),
-                   "\"sideways\" is no choice here; choose one of plain, Fancy, both");
+                   "unknown choice \"sideways\"; choose one of plain, Fancy, both");
     EXPECT_FAILURE(read(fileWith("\"way\": 1")), "values.way: this must be the name of a choice");
     EXPECT_FAILURE(read(fileWith("\"tint\": [1, 2]")), "values.tint: this must be an array of three numbers");
     EXPECT_FAILURE(read(fileWith("\"tint\": [1, 2, \"3\"]")), "values.tint");
@@ -136,7 +136,7 @@ TEST(Preset, NamesFileLineAndKeyOfWhatIsWrong)
                    "line 7, column 14, values.morph: the number 1e999 is too large");
     EXPECT_FAILURE(read(fileWith("\"morph\": NaN")), "line 7");
     EXPECT_FAILURE(read(fileWith("\"morph\": 0,\n\"morph\": 1")),
-                   "line 8, column 7, values.morph: this key stands twice");
+                   "line 8, column 7, values.morph: this key appears twice");
     EXPECT_FAILURE(read(fileWith("", ",\n\"camera\": {\"eye\": [1, 2]}")),
                    "line 9, camera.eye: this must be an array of three numbers");
     EXPECT_FAILURE(read(fileWith("", ",\n\"camera\": 3")), "line 9, camera: this must be an object");

@@ -149,11 +149,11 @@ TEST(SceneFiles, WhatIsWrongInThemIsSaidWhereItStands)
          "test.json:3:28: primitives.spheres[0]: this is -1 m; give 0.0001 m to 10000 m"},
         {R"("primitives": {"spheres": [{"center": [0,0], "radius": 1}]}})", "this must be an array of 3 numbers"},
         {R"("primitives": {"spheres": [{"center": [0,0,0], "radus": 1}]}})", "a sphere needs a \"radius\""},
-        {R"("primitives": {"sphere": []}})", "\"sphere\" is no list of primitives; did you mean \"spheres\"?"},
+        {R"("primitives": {"sphere": []}})", "unknown list of primitives: \"sphere\"; did you mean \"spheres\"?"},
         {R"("primitives": {"spheres": [{"center": [0,0,0], "radius": 1, "material": "red"}]}})",
-         "\"red\" is no material"},
+         "unknown material: \"red\""},
         {R"("unions": [{"shapes": []}]})", "a combination needs two \"shapes\""},
-        {R"("unions": [{"shapes": [{"type": "ball"}, 3]}]})", "\"ball\" is no type of shape"},
+        {R"("unions": [{"shapes": [{"type": "ball"}, 3]}]})", "unknown type of shape: \"ball\""},
         {R"("primitives": {}})", "this scene has no shapes"},
         {R"("primitives": []})", "this must be an object"}};
     for (const auto& [rest, sentence] : bad) {

@@ -32,14 +32,14 @@ TEST(SceneReader, SaysWhereWhatAndWhatToDo)
               "test.json:3:28: root.radius: this must be a number in meters, or an expression such as \"12 mm\" or "
               "\"0.5 + 0.1 * sin(t)\".");
     EXPECT_EQ(about(R"({"kind": "sphere", "raduis": 1})"),
-              "test.json:3:28: root.raduis: \"raduis\" is no key of a sphere; did you mean \"radius\"? Known are "
+              "test.json:3:28: root.raduis: unknown key of a sphere: \"raduis\"; did you mean \"radius\"? Known are "
               "radius, kind, "
               "name, about, material, hidden, translate, rotate and scale.");
     EXPECT_EQ(about("{\"kind\": \"union\",\n  \"children\": [{\"kind\": \"sphere\"},\n    {\"kind\": \"spere\"}]}")
                   .substr(0, 87),
-              "test.json:5:6: root.children[1].kind: \"spere\" is no kind of node; did you mean \"sphere\"");
+              "test.json:5:6: root.children[1].kind: unknown kind of node: \"spere\"; did you mean \"sphere\"");
     EXPECT_EQ(about(R"({"kind": "sphere", "material": "gold"})", R"("materials": {"old gold": {"model": "pbr"}},)"),
-              "test.json:3:28: root.material: \"gold\" is no material; take one of old gold.");
+              "test.json:3:28: root.material: unknown material: \"gold\"; take one of old gold.");
 }
 
 TEST(SceneReader, RefusesWhatMakesNoShape)
@@ -81,8 +81,8 @@ TEST(SceneReader, RefusesExpressionsThatGiveNoNumber)
         {"sqrt(0 - 1)", "this expression gives no number"},
         {"30 deg", "this expression gives no number"},
         {"gap * gap", "this expression gives no number"},
-        {"gapp", "\"gapp\" is no parameter of the scene; did you mean \"gap\"?"},
-        {"radius", "\"radius\" is no parameter of the scene"},
+        {"gapp", "unknown parameter of the scene: \"gapp\"; did you mean \"gap\"?"},
+        {"radius", "unknown parameter of the scene: \"radius\""},
         {"gap - 0.1", "this is 0 m; give 0.0001 m to 10000 m"},
         {"", "this expression gives no number"}};
     for (const auto& [expression, sentence] : bad) {
@@ -136,7 +136,7 @@ TEST(SceneReader, TakesTextThatIsNoSceneForWhatItIs)
     EXPECT_EQ(first("{\"format\": \"vitrine-scene\",\n  \"version\": 1,,}").substr(0, 43),
               "test.json:2:16: version: this is not valid ");
     EXPECT_EQ(first("{\"format\": 1,\n \"format\": 2}"),
-              "test.json:2:9: format: this key stands twice; remove one of the two.");
+              "test.json:2:9: format: this key appears twice; remove one of the two.");
     EXPECT_EQ(first("[]"), "test.json:1:1: a scene must be an object: { ... }.");
     EXPECT_EQ(first("{}").substr(0, 47), "test.json:1:1: this is no scene; one begins wit");
     EXPECT_EQ(first(R"({"format": "vitrine-scene", "version": 2, "root": {"kind": "sphere"}})"),
@@ -162,9 +162,9 @@ TEST(SceneReader, CutsCyclesOfInstances)
         R"("nodes": {"a": {"kind": "union", "children": [{"kind": "sphere"}, {"kind": "instance", "of": "b"}]},
         "b": {"kind": "round", "child": {"kind": "instance", "of": "a"}}},)";
     EXPECT_NE(about(R"({"kind": "instance", "of": "a"})", head).find("contains itself"), std::string::npos);
-    EXPECT_NE(
-        about(R"({"kind": "instance", "of": "c"})", head).find("\"c\" is no node under \"nodes\"; did you mean \"a\"?"),
-        std::string::npos)
+    EXPECT_NE(about(R"({"kind": "instance", "of": "c"})", head)
+                  .find("unknown node under \"nodes\": \"c\"; did you mean \"a\"?"),
+              std::string::npos)
         << about(R"({"kind": "instance", "of": "c"})", head);
 }
 

@@ -34,7 +34,7 @@ TEST(StrictJson, ReadsWhatTheGrammarAllows)
 TEST(StrictJson, RefusesAKeyThatStandsTwiceAndNamesLineAndPath)
 {
     EXPECT_FAILURE(parseJson("{\n  \"values\": {\n    \"a\": 1,\n    \"a\": 2\n  }\n}", "x.json"),
-                   "x.json, line 4, column 7, values.a: this key stands twice");
+                   "x.json, line 4, column 7, values.a: this key appears twice");
 }
 
 TEST(StrictJson, RefusesNumbersBeyondDouble)

@@ -229,7 +229,7 @@ private slots:
         QVERIFY(!desk().lesson());
         QCOMPARE(window_->history().stack().count(), 0);
         const QString said = window_->findChild<MessageStrip*>()->texts().join(QLatin1Char('\n'));
-        QVERIFY2(said.contains("bad.md, line 11, values.roughnes: there is no row"), qPrintable(said));
+        QVERIFY2(said.contains("bad.md, line 11, values.roughnes: there is no parameter"), qPrintable(said));
     }
 
     void aWindowThatClosesInALessonKeepsWhatWasOpenBefore()
@@ -326,7 +326,7 @@ private slots:
             QVERIFY2(page.contains(said(label(row))) && page.contains(said(row.help)), row.name.data());
         const auto lesson = [dialog] {
             for (QPushButton* each : dialog->findChildren<QPushButton*>())
-                if (each->text() == "&Start its lesson") return each;
+                if (each->text() == "&Start the exhibit's lesson") return each;
             return static_cast<QPushButton*>(nullptr);
         };
         QVERIFY(lesson() && lesson()->isEnabled());
