@@ -2109,7 +2109,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Altitude</source>
         <extracomment>tables</extracomment>
-        <translation>Höhe über Grund</translation>
+        <translation>Höhe</translation>
     </message>
     <message>
         <source>Ambient</source>
@@ -2445,11 +2445,11 @@ Zeiten nach: %2.</translation>
     <message>
         <source>as gravity makes them</source>
         <extracomment>tables</extracomment>
-        <translation>wie die Schwerkraft sie macht</translation>
+        <translation>nach der Schwerkraft</translation>
     </message>
     <message>
         <source>As in the reference video</source>
-        <translation>Wie im Video der Vorlage</translation>
+        <translation>Wie im Video des Originals</translation>
     </message>
     <message>
         <source>As in the source</source>
@@ -2462,75 +2462,75 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>As in the source: ambient occlusion</source>
-        <translation>Wie in der Vorlage: Umgebungsverdeckung</translation>
+        <translation>Wie im Original: Umgebungsverdeckung</translation>
     </message>
     <message>
         <source>As in the source: boxes</source>
-        <translation>Wie in der Vorlage: Quader</translation>
+        <translation>Wie im Original: Quader</translation>
     </message>
     <message>
         <source>As in the source: clouds</source>
-        <translation>Wie in der Vorlage: Wolken</translation>
+        <translation>Wie im Original: Wolken</translation>
     </message>
     <message>
         <source>As in the source: environment mapping 1</source>
-        <translation>Wie in der Vorlage: Umgebungsspiegelung 1</translation>
+        <translation>Wie im Original: Umgebungsspiegelung 1</translation>
     </message>
     <message>
         <source>As in the source: environment mapping 2</source>
-        <translation>Wie in der Vorlage: Umgebungsspiegelung 2</translation>
+        <translation>Wie im Original: Umgebungsspiegelung 2</translation>
     </message>
     <message>
         <source>As in the source: field</source>
-        <translation>Wie in der Vorlage: Feld</translation>
+        <translation>Wie im Original: Feld</translation>
     </message>
     <message>
         <source>As in the source: fractal noise</source>
-        <translation>Wie in der Vorlage: fraktales Rauschen</translation>
+        <translation>Wie im Original: fraktales Rauschen</translation>
     </message>
     <message>
         <source>As in the source: fractal sum</source>
-        <translation>Wie in der Vorlage: fraktale Summe</translation>
+        <translation>Wie im Original: fraktale Summe</translation>
     </message>
     <message>
         <source>As in the source: intersections</source>
-        <translation>Wie in der Vorlage: Schnittmengen</translation>
+        <translation>Wie im Original: Schnittmengen</translation>
     </message>
     <message>
         <source>As in the source: noise</source>
-        <translation>Wie in der Vorlage: Rauschen</translation>
+        <translation>Wie im Original: Rauschen</translation>
     </message>
     <message>
         <source>As in the source: primitives</source>
-        <translation>Wie in der Vorlage: Grundformen</translation>
+        <translation>Wie im Original: Grundformen</translation>
     </message>
     <message>
         <source>As in the source: sea</source>
-        <translation>Wie in der Vorlage: Meer</translation>
+        <translation>Wie im Original: Meer</translation>
     </message>
     <message>
         <source>As in the source: shading</source>
-        <translation>Wie in der Vorlage: Schattierung</translation>
+        <translation>Wie im Original: Schattierung</translation>
     </message>
     <message>
         <source>As in the source: spheres, cylinders, capsules</source>
-        <translation>Wie in der Vorlage: Kugeln, Zylinder, Kapseln</translation>
+        <translation>Wie im Original: Kugeln, Zylinder, Kapseln</translation>
     </message>
     <message>
         <source>As in the source: subtractions</source>
-        <translation>Wie in der Vorlage: Differenzen</translation>
+        <translation>Wie im Original: Differenzen</translation>
     </message>
     <message>
         <source>As in the source: tori</source>
-        <translation>Wie in der Vorlage: Tori</translation>
+        <translation>Wie im Original: Tori</translation>
     </message>
     <message>
         <source>As in the source: unions</source>
-        <translation>Wie in der Vorlage: Vereinigungen</translation>
+        <translation>Wie im Original: Vereinigungen</translation>
     </message>
     <message>
         <source>As in the source: waves</source>
-        <translation>Wie in der Vorlage: Wellen</translation>
+        <translation>Wie im Original: Wellen</translation>
     </message>
     <message>
         <source>As in the window</source>
@@ -2555,12 +2555,12 @@ Zeiten nach: %2.</translation>
     <message>
         <source>as the look has it</source>
         <extracomment>tables</extracomment>
-        <translation>wie das Aussehen es hat</translation>
+        <translation>wie die Darstellung</translation>
     </message>
     <message>
         <source>as the scene says</source>
         <extracomment>tables</extracomment>
-        <translation>wie die Szene sagt</translation>
+        <translation>wie in der Szene</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -2671,7 +2671,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Bake size</source>
         <extracomment>tables</extracomment>
-        <translation>Backgröße</translation>
+        <translation>Auflösung des Volumens</translation>
     </message>
     <message>
         <source>baked</source>
@@ -2902,7 +2902,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Bounce light</source>
         <extracomment>tables</extracomment>
-        <translation>Gegenlicht von unten</translation>
+        <translation>Licht von unten</translation>
     </message>
     <message>
         <source>Bounce period</source>
@@ -3169,7 +3169,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy1 corner</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 1: Ecke</translation>
+        <translation>Bonbon 1: Rundung</translation>
     </message>
     <message>
         <source>Candy1 half x</source>
@@ -3224,7 +3224,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy10 corner</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 10: Ecke</translation>
+        <translation>Bonbon 10: Rundung</translation>
     </message>
     <message>
         <source>Candy10 half x</source>
@@ -3279,7 +3279,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy2 corner</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 2: Ecke</translation>
+        <translation>Bonbon 2: Rundung</translation>
     </message>
     <message>
         <source>Candy2 half x</source>
@@ -3334,7 +3334,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy3 corner</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 3: Ecke</translation>
+        <translation>Bonbon 3: Rundung</translation>
     </message>
     <message>
         <source>Candy3 half x</source>
@@ -3389,7 +3389,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy4 corner</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 4: Ecke</translation>
+        <translation>Bonbon 4: Rundung</translation>
     </message>
     <message>
         <source>Candy4 half x</source>
@@ -3444,7 +3444,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy5 corner</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 5: Ecke</translation>
+        <translation>Bonbon 5: Rundung</translation>
     </message>
     <message>
         <source>Candy5 half x</source>
@@ -3499,7 +3499,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy6 corner</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 6: Ecke</translation>
+        <translation>Bonbon 6: Rundung</translation>
     </message>
     <message>
         <source>Candy6 half x</source>
@@ -3554,7 +3554,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy7 corner</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 7: Ecke</translation>
+        <translation>Bonbon 7: Rundung</translation>
     </message>
     <message>
         <source>Candy7 half x</source>
@@ -3609,7 +3609,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy8 corner</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 8: Ecke</translation>
+        <translation>Bonbon 8: Rundung</translation>
     </message>
     <message>
         <source>Candy8 half x</source>
@@ -3664,7 +3664,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Candy9 corner</source>
         <extracomment>tables</extracomment>
-        <translation>Bonbon 9: Ecke</translation>
+        <translation>Bonbon 9: Rundung</translation>
     </message>
     <message>
         <source>Candy9 half x</source>
@@ -4741,7 +4741,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Corner</source>
         <extracomment>tables</extracomment>
-        <translation>Ecke</translation>
+        <translation>Rundung</translation>
     </message>
     <message>
         <source>cost</source>
@@ -4834,7 +4834,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Crowding</source>
         <extracomment>tables</extracomment>
-        <translation>Dichtegefälle</translation>
+        <translation>Belegung</translation>
     </message>
     <message>
         <source>CSV (*.csv)</source>
@@ -5712,7 +5712,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Errors of bars 9 tap and vote</source>
-        <translation>Fehler der Balken: 9 Proben und Abstimmung</translation>
+        <translation>Fehler der Stäbe: 9 Nachbarn und Abstimmung</translation>
     </message>
     <message>
         <source>Errors over cost of several studies</source>
@@ -5903,7 +5903,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Eye distance</source>
         <extracomment>tables</extracomment>
-        <translation>Augenentfernung</translation>
+        <translation>Augenabstand</translation>
     </message>
     <message>
         <source>Eye height</source>
@@ -6129,7 +6129,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Fix void</source>
         <extracomment>tables</extracomment>
-        <translation>Leere mildern</translation>
+        <translation>Leere korrigieren</translation>
     </message>
     <message>
         <source>fixed</source>
@@ -6347,7 +6347,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Frame blend</source>
         <extracomment>tables</extracomment>
-        <translation>Frame-Mischung</translation>
+        <translation>Übergang des Gestells</translation>
     </message>
     <message>
         <source>frame history</source>
@@ -8376,7 +8376,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Lobes</source>
         <extracomment>tables</extracomment>
-        <translation>Keulen</translation>
+        <translation>Wülste</translation>
     </message>
     <message>
         <source>Lock the group</source>
@@ -8393,7 +8393,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Look</source>
         <extracomment>tables</extracomment>
-        <translation>Aussehen</translation>
+        <translation>Darstellung</translation>
     </message>
     <message>
         <source>Look around with the pointer locked</source>
@@ -8415,7 +8415,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Low ring</source>
         <extracomment>tables</extracomment>
-        <translation>Unterer Ring</translation>
+        <translation>Höhe des unteren Rings</translation>
     </message>
     <message>
         <source>Low sun</source>
@@ -8434,7 +8434,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Lower corner</source>
         <extracomment>tables</extracomment>
-        <translation>Untere Schicht: Ecke</translation>
+        <translation>Untere Schicht: Rundung</translation>
     </message>
     <message>
         <source>lower cream</source>
@@ -8458,7 +8458,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Lower lobes</source>
         <extracomment>tables</extracomment>
-        <translation>Untere Schicht: Keulen</translation>
+        <translation>Untere Schicht: Wülste</translation>
     </message>
     <message>
         <source>Lower offset x</source>
@@ -8544,7 +8544,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>March</source>
         <extracomment>tables</extracomment>
-        <translation>Raymarching</translation>
+        <translation>Schrittverfahren</translation>
     </message>
     <message>
         <source>march</source>
@@ -8846,7 +8846,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Moment</source>
         <extracomment>tables</extracomment>
-        <translation>Augenblick</translation>
+        <translation>Zeitpunkt</translation>
     </message>
     <message>
         <source>Moon</source>
@@ -9223,7 +9223,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <source>No preset is selected in the list.</source>
-        <translation>In der Liste ist keine Voreinstellung gewählt.</translation>
+        <translation>In der Liste ist kein Preset gewählt.</translation>
     </message>
     <message>
         <source>No preset matches these words and tags.</source>
@@ -9231,7 +9231,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <source>No ray grazes a shell along so many cells.</source>
-        <translation>Kein Strahl streift eine Schale über so viele Zellen.</translation>
+        <translation>Kein Strahl streift eine Shell über so viele Zellen.</translation>
     </message>
     <message>
         <source>No ray meets the object so often.</source>
@@ -10589,7 +10589,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Pitch error</source>
         <extracomment>tables</extracomment>
-        <translation>Pitch-Fehler</translation>
+        <translation>Fehler des Streifenabstands</translation>
     </message>
     <message>
         <source>Pitch finds the LPI that printer and sheet agree on; phase where the strips lie; views how many can be told apart; rotation whether the sheet is straight.</source>
@@ -11708,7 +11708,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Ride</source>
         <extracomment>tables</extracomment>
-        <translation>Mitreiten</translation>
+        <translation>Schwimmbewegung</translation>
     </message>
     <message>
         <source>ridged</source>
@@ -11838,7 +11838,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Ripple count</source>
         <extracomment>tables</extracomment>
-        <translation>Wellenzahl</translation>
+        <translation>Zahl der Kräuselwellen</translation>
     </message>
     <message>
         <source>Ripples</source>
@@ -12491,7 +12491,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shade light</source>
         <extracomment>tables</extracomment>
-        <translation>Schattenlicht</translation>
+        <translation>Himmelslicht</translation>
     </message>
     <message>
         <source>Shading</source>
@@ -13003,7 +13003,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Slices</source>
         <extracomment>tables</extracomment>
-        <translation>Scheiben</translation>
+        <translation>Linsenzahl</translation>
     </message>
     <message>
         <source>Slope of the small waves that the wind makes: 0 is calm, high stretches reflections.</source>
@@ -13088,7 +13088,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     </message>
     <message>
         <source>source</source>
-        <translation>Vorlage</translation>
+        <translation>Original</translation>
     </message>
     <message>
         <source>Source ambient</source>
@@ -13409,7 +13409,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>steps</source>
         <extracomment>tables</extracomment>
-        <translation>Stufen</translation>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>Steps of half and of double that length give the same normals.</source>
@@ -13497,7 +13497,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Streak</source>
         <extracomment>tables</extracomment>
-        <translation>Haarglanz</translation>
+        <translation>Strahlenlänge</translation>
     </message>
     <message>
         <source>Strength</source>
@@ -13755,7 +13755,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Sun width</source>
         <extracomment>tables</extracomment>
-        <translation>Sonnenbreite</translation>
+        <translation>Sonnendurchmesser</translation>
     </message>
     <message>
         <source>sun's disk</source>
@@ -13842,7 +13842,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Tall</source>
         <extracomment>tables</extracomment>
-        <translation>Höhe</translation>
+        <translation>Bildausschnitt</translation>
     </message>
     <message>
         <source>Target</source>
@@ -14563,7 +14563,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>The polar grid has at most 4096 cells a side: four for each of 1024 samples.</source>
-        <translation>Das polare Gitter hat höchstens 4096 Zellen je Seite: vier für jede von 1024 Proben.</translation>
+        <translation>Das Polargitter hat höchstens 4096 Zellen je Seite: vier für jedes von 1024 Samples.</translation>
     </message>
     <message>
         <source>The preferences could not be saved to %1. They are kept until the program ends.</source>
@@ -15978,7 +15978,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>Toss</source>
         <extracomment>tables</extracomment>
-        <translation>Wurf</translation>
+        <translation>Startwert des Sprungs</translation>
     </message>
     <message>
         <source>Tours (*.json)</source>
@@ -16119,7 +16119,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>Turned</source>
         <extracomment>tables</extracomment>
-        <translation>Gedreht</translation>
+        <translation>Zufallsdrehung</translation>
     </message>
     <message>
         <source>Twist</source>
@@ -16273,7 +16273,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>Upper corner</source>
         <extracomment>tables</extracomment>
-        <translation>Obere Schicht: Ecke</translation>
+        <translation>Obere Schicht: Rundung</translation>
     </message>
     <message>
         <source>upper cream</source>
@@ -16302,7 +16302,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>Upper lobes</source>
         <extracomment>tables</extracomment>
-        <translation>Obere Schicht: Keulen</translation>
+        <translation>Obere Schicht: Wülste</translation>
     </message>
     <message>
         <source>Upper offset x</source>
@@ -16376,7 +16376,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>Variation %1 of %2 is being drawn.</source>
-        <translation>Variante %1 von %2 wird gezeichnet.</translation>
+        <translation>Variation %1 von %2 wird gezeichnet.</translation>
     </message>
     <message>
         <source>Variation %1, seed %2</source>
@@ -16649,7 +16649,7 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Wave speed</source>
         <extracomment>tables</extracomment>
-        <translation>Wellentempo</translation>
+        <translation>Wellengeschwindigkeit</translation>
     </message>
     <message>
         <source>Waves</source>
@@ -17129,7 +17129,7 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Wind speed</source>
         <extracomment>tables</extracomment>
-        <translation>Windtempo</translation>
+        <translation>Windgeschwindigkeit</translation>
     </message>
     <message>
         <source>Wind speed ten meters above the water, in meters per second: high makes longer and higher waves.</source>
