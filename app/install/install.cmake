@@ -32,17 +32,14 @@ install(FILES ${vitrine_generated}/_vitrine DESTINATION share/zsh/vendor-complet
 
 install(FILES ${vitrine_generated}/copyright ${vitrine_generated}/changelog.gz DESTINATION share/doc/vitrine)
 
-# The manual, with all that it links to.
-set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/README.md)
-install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION share/doc/vitrine)
-file(READ ${PROJECT_SOURCE_DIR}/README.md vitrine_manual)
-string(REGEX MATCHALL "\\([a-z]+/[^): ]+\\)" vitrine_links "${vitrine_manual}")
-list(REMOVE_DUPLICATES vitrine_links)
-foreach(link ${vitrine_links})
-    string(REGEX REPLACE "[()]" "" link ${link})
-    get_filename_component(folder ${link} DIRECTORY)
-    if(EXISTS ${PROJECT_SOURCE_DIR}/${link})
-        install(FILES ${PROJECT_SOURCE_DIR}/${link} DESTINATION share/doc/vitrine/${folder})
+# The manual: README.md, the documents that it links to, and their pictures.
+include(${vitrine_install}/manual.cmake)
+vitrine_manual_files(vitrine_manual ${PROJECT_SOURCE_DIR})
+foreach(file ${vitrine_manual})
+    get_filename_component(folder ${file} DIRECTORY)
+    install(FILES ${PROJECT_SOURCE_DIR}/${file} DESTINATION share/doc/vitrine/${folder})
+    if(file MATCHES "\\.md$")
+        set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${file})
     endif()
 endforeach()
 install(FILES ${vitrine_install}/lintian_overrides DESTINATION share/lintian/overrides RENAME vitrine)

@@ -31,9 +31,15 @@ for file in bin/vitrine lib/vitrine/modules/libvitrine_oiio.so lib/vitrine/modul
 done
 if find "$root/usr" -name '*.py' -o -name '*.sh' -o -name '*.h' -o -name '*.a' | grep -v /share/doc/; then fail "these serve only who builds it"; fi
 
-# The manual has all that it links to, and the font its license, whose words stand in the copyright, too.
-for link in $(grep -o '](\([^):#]*\))' "$share/doc/vitrine/README.md" | sed 's/^](//; s/)$//'); do
-    [ -s "$share/doc/vitrine/$link" ] || fail "the manual links to $link, which was not installed"
+# The manual has all that it links to, but for what contributors read in the source tree; and the font its license, whose
+# words stand in the copyright, too.
+for document in README.md ui/README.md app/README.md app/serve/README.md exhibits/README.md exhibits/printing/README.md \
+    exhibits/study/README.md render/README.md; do
+    folder=$share/doc/vitrine/$(dirname "$document")
+    for link in $(sed '/^```/,/^```/d' "$share/doc/vitrine/$document" | grep -o '](\([^):#]*[):#]\)' | sed 's/^](//; s/.$//'); do
+        case $link in '' | http* | *.github/*) continue ;; esac
+        [ -e "$folder/$link" ] || fail "the manual's $document links to $link, which was not installed"
+    done
 done
 for file in "$share/vitrine/fonts/OFL.txt" "$share/doc/vitrine/copyright"; do
     for words in 'Georg A. Duffner' 'SIL OPEN FONT LICENSE Version 1.1' 'Neither the Font Software nor any of its individual' 'THE FONT SOFTWARE IS PROVIDED'; do
