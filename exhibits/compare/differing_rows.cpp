@@ -55,7 +55,7 @@ std::string valueWithUnit(const ParameterInfo& row, const Value& value)
 {
     const std::string text = formatValue(row, value);
     if (row.isWritten()) return text.empty() ? "none" : text;
-    const bool isWord = row.word && std::holds_alternative<double>(value) && std::get<double>(value) == row.word->value;
+    const bool isWord = std::holds_alternative<double>(value) && row.wordFor(std::get<double>(value));
     if (!row.isNumeric() || isWord) return text;
     const std::string unit(info(row.unit).symbol);
     return unit.empty() ? text : unit == "°" ? text + unit : text + ' ' + unit;

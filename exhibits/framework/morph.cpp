@@ -67,16 +67,20 @@ double turned(const WeightedParts<double>& parts, double low)
 
 bool isWord(const ParameterInfo& row, double value)
 {
-    return row.word && row.word->value == value;
+    return row.wordFor(value) != nullptr;
+}
+
+const Weighted<double>& heaviest(const WeightedParts<double>& parts)
+{
+    return *std::max_element(parts.begin(), parts.end(),
+                             [](const auto& a, const auto& b) { return a.weight < b.weight; });
 }
 
 /// Removes values that stand for words and normalizes the other weights to the sum 1. Returns nothing if a word has the
 /// largest weight.
 WeightedParts<double> withoutWords(const ParameterInfo& row, const WeightedParts<double>& parts)
 {
-    const auto most =
-        std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; });
-    if (isWord(row, most->value)) return {};
+    if (isWord(row, heaviest(parts).value)) return {};
     WeightedParts<double> rest;
     double whole = 0;
     for (const Weighted<double>& part : parts)
@@ -92,8 +96,9 @@ double morphedNumber(const ParameterInfo& row, WeightedParts<double> parts)
 {
     const auto word = [&](const Weighted<double>& part) { return isWord(row, part.value); };
     if (std::any_of(parts.begin(), parts.end(), word)) {
+        const double most = heaviest(parts).value;
         parts = withoutWords(row, parts);
-        if (parts.empty()) return row.word->value;
+        if (parts.empty()) return most;
     }
     if (parts.size() == 1) return parts[0].value;
     if (isTurn(row)) return turned(parts, row.range.low);

@@ -13,6 +13,7 @@ namespace {
 
 double clampNumber(const ParameterInfo& row, double x)
 {
+    if (row.wordFor(x)) return x;
     const double inside = std::clamp(x, row.range.low, row.range.high);
     return row.kind == Kind::real ? inside : std::round(inside);
 }
@@ -96,6 +97,23 @@ std::string labelInGroup(const ParameterInfo& row)
         from = to + 1;
     }
     return text;
+}
+
+std::vector<std::string> linesOf(std::string_view value)
+{
+    std::vector<std::string> lines;
+    while (!value.empty()) {
+        const std::size_t end = std::min(value.find('\n'), value.size());
+        if (end > 0) lines.emplace_back(value.substr(0, end));
+        value.remove_prefix(std::min(end + 1, value.size()));
+    }
+    return lines;
+}
+
+const Word* ParameterInfo::wordFor(double value) const
+{
+    const auto found = std::find_if(words.begin(), words.end(), [&](const Word& word) { return word.value == value; });
+    return found == words.end() ? nullptr : &*found;
 }
 
 std::optional<Value> nearestLegal(const ParameterInfo& row, const Value& value)
@@ -202,7 +220,9 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
          {&row.name, &row.group, &row.help, &row.called, &row.endings, &row.shipped, &row.documentOf})
         *text = owned(*text);
     for (std::string_view& choice : row.choices) choice = owned(choice);
-    if (row.word) row.word->text = owned(row.word->text);
+    for (Word& word : row.words) word.text = owned(word.text);
+    for (std::string_view* text : {&row.given.option, &row.given.tuple}) *text = owned(*text);
+    for (Implication& implied : row.given.implies) implied.parameter = owned(implied.parameter);
     if (row.actsWhen) own(*row.actsWhen);
     row.groupFolded = groupFolded_;
 
@@ -211,7 +231,9 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
     assert(row.range.low <= row.range.softLow && row.range.softHigh <= row.range.high);
     assert(row.range.scale == Scale::linear || row.range.softLow > 0);
     assert(nearestLegal(row, row.initial).has_value());
-    assert(!row.word || row.isNumeric());
+    assert(row.words.empty() || row.isNumeric());
+    assert(!row.several || row.isWritten());
+    assert(row.given.tuple.empty() || row.isNumeric());
     rows_.push_back(std::move(row));
     return static_cast<std::uint16_t>(rows_.size() - 1);
 }

@@ -62,6 +62,27 @@ struct Word {
     bool operator==(const Word&) const = default;
 };
 
+/// Value that another parameter takes when a parameter is given: a file of views sets where the views come from.
+struct Implication {
+    std::string_view parameter;
+    double value = 0;
+
+    bool operator==(const Implication&) const = default;
+};
+
+/// Traits of a parameter of a job: how it is given on the command line, by the service and in a settings document.
+struct GivenAs {
+    std::string_view option;   ///< Name on the command line, without dashes; empty: the parameter's name, "frame-rate".
+    Unit unit = Unit::none;    ///< Unit of a plain number on the command line; none: SI.
+    std::string_view tuple;    ///< Neighbors with the same tuple are one option and one JSON array; empty: none.
+    char separator = 0;        ///< Character between the values of a tuple on the command line: "64x48".
+    bool mustBeGiven = false;  ///< Refused where neither the command line nor the settings document gives it.
+    bool positional = false;   ///< A word of its own on the command line, without an option.
+    std::vector<Implication> implies = {};
+
+    bool operator==(const GivenAs&) const = default;
+};
+
 /// One row of a parameter table.
 ///
 /// Everything the program says about a parameter is said here: the slider and its tooltip, the key in
@@ -80,7 +101,7 @@ struct ParameterInfo {
     bool exactByMeaning = false;  ///< Nothing is approximated there; else that it is exact has to be checked.
     std::optional<Condition> actsWhen = {};  ///< When it changes anything that can be seen; nothing: always.
     std::string_view called = {};            ///< Its label where `name` does not read as one.
-    std::optional<Word> word = {};           ///< For a real or a count.
+    std::vector<Word> words = {};            ///< For a real or a count; values may lie outside of `range`.
     bool groupFolded = false;                ///< Whether the panel shows its group folded at first.
     std::string_view endings = {};           ///< For Kind::file: what a dialog offers, "glb gltf"; empty: everything.
     bool givesRows = false;                  ///< For Kind::file and text: what it names or is gives further rows.
@@ -88,12 +109,16 @@ struct ParameterInfo {
     std::string_view array = {};             ///< The array of groups that it belongs to: "coats"; empty: none.
     std::size_t element = 0;                 ///< Which group of that array, from 0.
     std::string_view elementRow = {};        ///< Its name within each of these groups: "length" of "ballLength".
-    std::string_view documentOf = {};        ///< For Kind::text: the file row whose file it stands in for, where given.
+    std::string_view documentOf = {};        ///< For Kind::text: the file row that it stands in for or belongs to.
+    bool several = false;                    ///< For Kind::file and text: each line is a value of its own.
+    GivenAs given = {};
 
     /// Whether its values are numbers, with others between them: a real or a count.
     [[nodiscard]] bool isNumeric() const { return kind == Kind::real || kind == Kind::count; }
     /// Whether its values are strings: it is nothing for shaders and sweeps.
     [[nodiscard]] bool isWritten() const { return kind == Kind::file || kind == Kind::text; }
+    /// The word for this value; null: none.
+    [[nodiscard]] const Word* wordFor(double value) const;
     bool operator==(const ParameterInfo&) const = default;
 };
 
@@ -122,6 +147,7 @@ struct DirectionValue {
 using Color = Parameter<ColorValue>;
 using Direction = Parameter<DirectionValue>;
 using File = Parameter<std::string>;
+using Text = Parameter<std::string>;
 template <typename Enum> using Choice = Parameter<Enum>;
 
 class ParameterValues;
@@ -204,8 +230,41 @@ protected:
         std::string_view text;
     };
     [[nodiscard]] static Called called(std::string_view text) { return {text}; }
-    /// `value` is shown and typed as this word.
+    /// `value` is shown and typed as this word. It may lie outside of the parameter's range, even be infinite. Several
+    /// may be given.
     [[nodiscard]] static Word reads(double value, std::string_view word) { return {value, word}; }
+    struct Option {
+        std::string_view name;
+        Unit unit;
+    };
+    /// Name on the command line, without dashes, and the unit of a plain number there.
+    [[nodiscard]] static Option option(std::string_view name, Unit unit = none) { return {name, unit}; }
+    /// Unit of a plain number on the command line.
+    [[nodiscard]] static Option typedIn(Unit unit) { return {{}, unit}; }
+    struct Tuple {
+        std::string_view name;
+        char separator;
+    };
+    /// Makes neighbors one option of the command line, "--size 64x48", and one array of a settings document.
+    [[nodiscard]] static Tuple tuple(std::string_view name, char separator) { return {name, separator}; }
+    struct Several {};
+    /// Of a file or text: each line is a value of its own. A path with a line break is refused.
+    [[nodiscard]] static Several several() { return {}; }
+    struct MustBeGiven {};
+    [[nodiscard]] static MustBeGiven mustBeGiven() { return {}; }
+    struct Positional {};
+    /// A word of its own on the command line, in the order of the table.
+    [[nodiscard]] static Positional positional() { return {}; }
+    struct OfFile {
+        std::string_view file;
+    };
+    /// Of a text that names something in the file: another file resets it (`ParameterValues::chooseFile`).
+    [[nodiscard]] OfFile ofFile(File file) const { return {nameOf(file)}; }
+    /// Giving the parameter sets that one as well, unless that one is given, too.
+    template <typename T> [[nodiscard]] Implication implies(Parameter<T> parameter, T value) const
+    {
+        return {nameOf(parameter), static_cast<double>(value)};
+    }
     /// When the row acts: `when(...) && when(...)`, `when(...) || when(...)`.
     [[nodiscard]] Condition when(Toggle row, bool on = true) const
     {
@@ -305,6 +364,11 @@ protected:
     {
         return {append({name, group_, help, Kind::file, Unit::none, {0, 0}, std::string()}, traits...)};
     }
+    /// A text that is typed: a name, or with `several` a list of them.
+    template <typename... Traits> Text text(std::string_view name, std::string_view help, const Traits&... traits)
+    {
+        return {append({name, group_, help, Kind::text, Unit::none, {0, 0}, std::string()}, traits...)};
+    }
     /// The content of the file that `of` names, changed and not written to it yet; empty: as it is in the file. It
     /// gives rows as the file does. Who chooses another file empties it (`ParameterValues::chooseFile`).
     File document(std::string_view name, File of, std::string_view help)
@@ -349,7 +413,22 @@ private:
     static void say(ParameterInfo& row, const GivesRows&) { row.givesRows = true; }
     static void say(ParameterInfo& row, const Shipped& shipped) { row.shipped = shipped.folder; }
     static void say(ParameterInfo& row, const Called& called) { row.called = called.text; }
-    static void say(ParameterInfo& row, const Word& word) { row.word = word; }
+    static void say(ParameterInfo& row, const Word& word) { row.words.push_back(word); }
+    static void say(ParameterInfo& row, const Option& option)
+    {
+        row.given.option = option.name;
+        row.given.unit = option.unit;
+    }
+    static void say(ParameterInfo& row, const Tuple& tuple)
+    {
+        row.given.tuple = tuple.name;
+        row.given.separator = tuple.separator;
+    }
+    static void say(ParameterInfo& row, const OfFile& of) { row.documentOf = of.file; }
+    static void say(ParameterInfo& row, const Several&) { row.several = true; }
+    static void say(ParameterInfo& row, const MustBeGiven&) { row.given.mustBeGiven = true; }
+    static void say(ParameterInfo& row, const Positional&) { row.given.positional = true; }
+    static void say(ParameterInfo& row, const Implication& implied) { row.given.implies.push_back(implied); }
     static void say(ParameterInfo& row, const std::optional<Condition>& condition) { row.actsWhen = condition; }
     template <typename... Traits> std::uint16_t append(ParameterInfo row, const Traits&... traits)
     {

@@ -60,11 +60,30 @@ std::string joined(const std::vector<std::string_view>& names)
     return text;
 }
 
+/// The texts of an array, a line each.
+std::string linesAt(const Json& json, const JsonPlace& place)
+{
+    if (!json.is_array()) wrongType(place, "an array of texts", json);
+    std::string lines;
+    for (const Json& each : json) {
+        if (!each.is_string()) wrongType(place, "an array of texts", each);
+        const auto& text = each.get_ref<const std::string&>();
+        if (text.empty() || text.find('\n') != std::string::npos)
+            throw place.failure("a text here has one line that is not empty; correct it there.");
+        lines += (lines.empty() ? "" : "\n") + text;
+    }
+    return lines;
+}
+
 Value readValue(const ParameterInfo& row, const Json& json, const JsonPlace& place)
 {
     switch (row.kind) {
     case Kind::real:
-    case Kind::count: return numberAt(json, place);
+    case Kind::count:
+        if (json.is_string())
+            for (const Word& word : row.words)
+                if (json.get_ref<const std::string&>() == word.text) return word.value;
+        return numberAt(json, place);
     case Kind::toggle:
         if (!json.is_boolean()) wrongType(place, "true or false", json);
         return json.get<bool>() ? 1.0 : 0.0;
@@ -80,6 +99,7 @@ Value readValue(const ParameterInfo& row, const Json& json, const JsonPlace& pla
     case Kind::direction: return threeAt(json, place);
     case Kind::file:
     case Kind::text:
+        if (row.several) return linesAt(json, place);
         if (!json.is_string()) wrongType(place, row.kind == Kind::file ? "a file name" : "text", json);
         return json.get<std::string>();
     }
@@ -133,9 +153,16 @@ JsonPlace JsonPlace::inside(std::string_view key) const
 
 Json jsonFromValue(const ParameterInfo& row, const Value& value)
 {
-    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    if (const auto* text = std::get_if<std::string>(&value)) {
+        if (!row.several) return *text;
+        Json lines = Json::array();
+        for (const std::string& line : linesOf(*text)) lines.push_back(line);
+        return lines;
+    }
     if (const auto* v = std::get_if<glm::dvec3>(&value)) return three(*v);
     const double x = std::get<double>(value);
+    if (x < row.range.low || x > row.range.high)
+        if (const Word* word = row.wordFor(x)) return std::string(word->text);
     switch (row.kind) {
     case Kind::toggle: return x != 0;
     case Kind::choice: return std::string(row.choices[static_cast<std::size_t>(x)]);

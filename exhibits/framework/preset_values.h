@@ -21,8 +21,9 @@ struct JsonPlace {
     [[nodiscard]] JsonPlace inside(std::string_view key) const;
 };
 
-/// How a row's value is written: numbers in SI (whole ones for counts), true and false, the name of a choice,
-/// three numbers for colors (linear) and directions, text for files.
+/// How a row's value is written: numbers in SI (whole ones for counts) or, outside of the range, their word, true and
+/// false, the name of a choice, three numbers for colors (linear) and directions, text for files, an array of texts
+/// where there may be several.
 [[nodiscard]] render::Json jsonFromValue(const ParameterInfo&, const Value&);
 
 /// The legal value nearest to the one written. What had to be changed is added to `notes`:

@@ -42,6 +42,10 @@ Value randomValue(const ParameterInfo& row, RandomNumbers& random, RandomReach r
     switch (row.kind) {
     case Kind::real:
     case Kind::count: {
+        // Only words that no number of the range stands for: other parameters keep their random numbers.
+        const auto beyond = [&](const Word& word) { return word.value < row.range.low || word.value > row.range.high; };
+        if (std::any_of(row.words.begin(), row.words.end(), beyond) && random.chance(0.2))
+            return row.words[static_cast<std::size_t>(random.index(static_cast<int>(row.words.size())))].value;
         const bool wild = random.chance(0.5);
         const double low = wild ? row.range.low : row.range.softLow;
         double high = wild ? row.range.high : row.range.softHigh;
@@ -103,7 +107,11 @@ Value anotherValue(const ParameterInfo& row, const Value& from, double t, const 
 bool isSwitched(const ParameterInfo& row, const Value& a, const Value& b)
 {
     if (row.kind == Kind::toggle || row.kind == Kind::choice) return true;
-    return row.word && (a == Value(row.word->value) || b == Value(row.word->value));
+    const auto isWord = [&row](const Value& value) {
+        const auto* x = std::get_if<double>(&value);
+        return x && row.wordFor(*x);
+    };
+    return isWord(a) || isWord(b);
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ struct RandomReach {
 };
 
 /// A legal value for a row: half of the time from its comfortable range, else from all that is legal, and its ends
-/// more often than chance would. A file keeps its initial value.
+/// more often than chance would. One in five has a word for a number outside of the range, where there is one. A file
+/// keeps its initial value.
 [[nodiscard]] Value randomValue(const ParameterInfo&, RandomNumbers&, RandomReach = {});
 
 /// Returns random legal values for a share of the rows (0 to 1); the others keep their initial value.

@@ -146,7 +146,8 @@ std::optional<Value> parseValue(const ParameterInfo& row, std::string_view text)
         return std::nullopt;
     }
     default: {
-        if (row.word && lower(text) == lower(row.word->text)) return row.word->value;
+        for (const Word& word : row.words)
+            if (lower(text) == lower(word.text)) return word.value;
         if (row.unit == Unit::hour && text.find(':') != std::string_view::npos)
             return parseClock(text) ? std::optional<Value>(*parseClock(text)) : std::nullopt;
         if (const std::optional<double> x = evaluate(text, row.unit)) return *x;
@@ -162,6 +163,8 @@ std::string formatValue(const ParameterInfo& row, const Value& value)
     const double x = std::get<double>(value);
     if (row.kind == Kind::toggle) return x != 0 ? "on" : "off";
     if (row.kind == Kind::choice) return std::string(row.choices[static_cast<std::size_t>(x)]);
+    if (x < row.range.low || x > row.range.high)
+        if (const Word* word = row.wordFor(x)) return std::string(word->text);
     return formatNumber(x, row.unit);
 }
 

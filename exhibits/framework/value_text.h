@@ -21,7 +21,8 @@ namespace vitrine {
 [[nodiscard]] std::optional<Value> parseValue(const ParameterInfo&, std::string_view text);
 
 /// The shortest text that `parseValue` reads back as the same bits: numbers in the shown unit without its
-/// symbol ("30" for 30°), colors "r,g,b" in linear light, directions "x,y,z".
+/// symbol ("30" for 30°), the word of a number outside of the range ("inf"), colors "r,g,b" in linear light, directions
+/// "x,y,z".
 [[nodiscard]] std::string formatValue(const ParameterInfo&, const Value&);
 
 }  // namespace vitrine

@@ -118,8 +118,8 @@ QString three(const glm::dvec3& v)
 
 QString shownText(const ParameterInfo& row, const Value& value)
 {
-    if (const auto* x = std::get_if<double>(&value); x && row.word && *x == row.word->value)
-        return said(row.word->text);
+    if (const auto* x = std::get_if<double>(&value))
+        if (const Word* word = row.wordFor(*x)) return said(word->text);
     switch (row.kind) {
     case Kind::real:
         if (row.unit == Unit::hour) return clockText(std::get<double>(value));
@@ -133,7 +133,11 @@ QString shownText(const ParameterInfo& row, const Value& value)
         const std::string& path = std::get<std::string>(value);
         return path.empty() ? tr("none") : text(path);
     }
-    case Kind::text: return std::get<std::string>(value).empty() ? tr("none") : tr("a text");
+    case Kind::text: {
+        const std::string& written = std::get<std::string>(value);
+        if (written.empty()) return tr("none");
+        return row.givesRows ? tr("a text") : text(written);
+    }
     }
     return {};
 }
@@ -154,9 +158,12 @@ QString tooltipText(const ParameterInfo& row)
                 tr("; slider from %1 to %2")
                     .arg(number(row.range.softLow, row.unit), withUnit(number(row.range.softHigh, row.unit), row.unit));
     }
-    if (row.word)
-        lines << tr("%1 is shown as “%2”; you can also type that.")
-                     .arg(editedText(row, row.word->value), said(row.word->text));
+    for (const Word& word : row.words) {
+        const bool beyond = word.value < row.range.low || word.value > row.range.high;
+        lines << (beyond ? tr("You can also type “%1”.").arg(said(word.text))
+                         : tr("%1 is shown as “%2”; you can also type that.")
+                               .arg(editedText(row, word.value), said(word.text)));
+    }
     lines << tr("Initial value: %1").arg(shownText(row, row.initial));
     lines << tr("In presets: %1").arg(text(row.name));
     if (row.isNumeric())

@@ -37,8 +37,14 @@ SliderScale::SliderScale(const ParameterInfo& row)
     if (!whole_ && span > 0) step_ = roundStep(span / 50);
 }
 
+double SliderScale::finite(double value) const
+{
+    return std::isfinite(value) ? value : value > 0 ? range_.softHigh : range_.softLow;
+}
+
 double SliderScale::position(double value) const
 {
+    value = finite(value);
     if (!(range_.softHigh > range_.softLow)) return 0;
     if (!logarithmic_) return (value - range_.softLow) / (range_.softHigh - range_.softLow);
     if (value <= 0) return 0;
@@ -57,6 +63,7 @@ double SliderScale::value(double position, Gain gain) const
 
 double SliderScale::stepped(double value, double steps, Gain gain) const
 {
+    value = finite(value);
     if (whole_) return legal(value + steps * std::max(1.0, factor(gain)));
     if (logarithmic_ && value > 0) return rounded(value * std::pow(10.0, steps * factor(gain) / 20), gain);
     const double step = step_ * factor(gain);

@@ -24,6 +24,8 @@ public:
     [[nodiscard]] double stepped(double value, double steps, Gain = Gain::normal) const;
 
 private:
+    /// The end of the slider for an infinite value, which a word stands for.
+    [[nodiscard]] double finite(double value) const;
     [[nodiscard]] double legal(double value) const;
     [[nodiscard]] double rounded(double value, Gain) const;
 

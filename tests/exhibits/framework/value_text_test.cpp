@@ -108,7 +108,7 @@ TEST(ValueText, ReadsTimesOfDayAndWordsForNumbers)
     EXPECT_EQ(parseValue(clock, "16 h"), Value(16.0));
     for (const char* wrong : {"17:60", "25:00", ":30", "17:", "17:30:15:1", "-1:30", "1.5:30", "17 : 30", "auto"})
         EXPECT_EQ(parseValue(clock, wrong), std::nullopt) << wrong;
-    clock.word = Word{0, "auto"};
+    clock.words = {Word{0, "auto"}};
     EXPECT_EQ(parseValue(clock, "Auto"), Value(0.0));
     EXPECT_EQ(parseValue(row("angle"), "17:30"), std::nullopt);
 }

@@ -87,7 +87,7 @@ std::set<std::string> textsOf(const Parameters& table)
     for (const ParameterInfo& row : table.rows()) {
         texts.insert({label(row), labelInGroup(row), std::string(row.group), std::string(row.help)});
         for (const std::string_view choice : row.choices) texts.emplace(choice);
-        if (row.word) texts.emplace(row.word->text);
+        for (const Word& word : row.words) texts.emplace(word.text);
     }
     texts.erase("");
     return texts;
