@@ -32,11 +32,7 @@ void addCompareStudiesCommand(CLI::App&, Action& chosen);
 /// `run` runs a command line, given without the program's name, and returns its exit code.
 void addMergeCommand(CLI::App&, Action& chosen, const std::function<int(const std::vector<std::string>&)>& run);
 void addPrintCommand(CLI::App&, Action& chosen);
-void addProofCommand(CLI::App&, Action& chosen);
 void addServeCommand(CLI::App&, Action& chosen);
 void addSceneCommand(CLI::App&, Action& chosen);
-void addSpriteCommand(CLI::App&, Action& chosen);
-/// Adds the command `mesh` to the command `scene`.
-void addSceneMeshCommand(CLI::App&, Action& chosen);
 
 }  // namespace vitrine::app

@@ -6,6 +6,8 @@
 #include "exhibits/exhibits.h"
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall_table.h"
+#include "exhibits/jobs.h"
+#include "exhibits/jobs/kit/job_document.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
 
@@ -70,6 +72,20 @@ int list(bool asJson, const std::vector<std::string>& sets)
     return 0;
 }
 
+int listJobs(bool asJson)
+{
+    Json schemas = Json::array();
+    for (const auto& job : jobs::allJobs()) {
+        if (asJson)
+            schemas.push_back(jobs::schemaOf(*job));
+        else
+            std::printf("%-16s %s (%zu parameters)\n", std::string(job->name()).c_str(),
+                        std::string(job->summary()).c_str(), job->parameters().rows().size());
+    }
+    if (asJson) std::fputs(render::writeJson(schemas).c_str(), stdout);
+    return 0;
+}
+
 }  // namespace
 
 void addListCommand(CLI::App& parser, Action& chosen)
@@ -86,8 +102,12 @@ void addListCommand(CLI::App& parser, Action& chosen)
         ->allow_extra_args(true);
     auto name = std::make_shared<std::string>();
     command->add_option("--manual", *name, "Parameter table of one exhibit, as Markdown");
-    command->callback([&chosen, asJson, sets, name, command] {
-        chosen = [asJson, sets, name, command] {
+    auto ofJobs = std::make_shared<bool>(false);
+    command->add_flag("--jobs", *ofJobs, "The jobs instead; with --json, a JSON Schema of each one's parameters");
+    command->callback([&chosen, asJson, sets, name, ofJobs, command] {
+        chosen = [asJson, sets, name, ofJobs, command] {
+            for (const char* option : {"--manual", "--set"}) refuseOn(*command, option, *ofJobs, "the list of --jobs");
+            if (*ofJobs) return listJobs(*asJson);
             for (const char* option : {"--json", "--set"})
                 refuseOn(*command, option, !name->empty(), "the table of --manual");
             return name->empty() ? list(*asJson, *sets) : manual(*name);

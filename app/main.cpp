@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/jobs/job_command.h"
 #include "app/number_option.h"
 #include "app/queue/shard.h"
 #include "app/say.h"
@@ -77,10 +78,9 @@ int parseAndRun(int argc, char** argv)
     vitrine::app::addStudyCommand(parser, chosen);
     vitrine::app::addCompareStudiesCommand(parser, chosen);
     vitrine::app::addPrintCommand(parser, chosen);
-    vitrine::app::addProofCommand(parser, chosen);
+    vitrine::app::addJobCommands(parser, chosen);
     vitrine::app::addMergeCommand(parser, chosen, runWords);
     vitrine::app::addSceneCommand(parser, chosen);
-    vitrine::app::addSpriteCommand(parser, chosen);
     vitrine::app::addServeCommand(parser, chosen);
     vitrine::app::addDoctorCommand(parser, chosen);
     takeLanguageEverywhere(parser, language);

@@ -85,7 +85,6 @@ void addSceneCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand("scene", "Work with scene files of shapes");
     command->require_subcommand(1);
     addCheck(*command, chosen);
-    addSceneMeshCommand(*command, chosen);
 }
 
 }  // namespace vitrine::app

@@ -17,7 +17,7 @@ const CLI::App& typedCommand(const CLI::App& parser)
     return *command;
 }
 
-/// Returns the command's full name: "vitrine scene mesh".
+/// Returns the command's full name: "vitrine scene check".
 std::string commandName(const CLI::App& command)
 {
     const CLI::App* above = command.get_parent();

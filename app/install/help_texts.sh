@@ -13,7 +13,7 @@ commands_of() {
     "$program" "$@" --help | awk '/^Subcommands:/ { on = 1; next } /^[^ ]/ { on = 0 } on && /^  [a-z]/ { print $1 }'
 }
 
-# Every command that takes options, one a line: "render", "scene mesh", ...
+# Every command that takes options, one a line: "render", "scene check", ...
 all_commands() {
     for command in $(commands_of); do
         below=$(commands_of "$command")

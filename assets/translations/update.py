@@ -135,7 +135,7 @@ def table_texts(texts, known):
             if where == 'tables':
                 texts.add(key[0], 'tables', key[1])
     # Tables that the list does not show, and the numbers of the shapes.
-    row = re.compile(r'\b(?:real|count|toggle|choice|color|direction|file)\(\s*"(\w+)"')
+    row = re.compile(r'\b(?:real|count|toggle|choice|color|direction|file|text)\(\s*"(\w+)"')
     for name, source in cpp_files('exhibits'):
         if name.endswith('_table.h') or name.endswith('_rows.h'):
             for text in row.findall(source):

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = 3.14159265358979323846;
 constexpr int places = 64;  ///< Number of places on the print, at which its pixels lie differently under the lens.
-constexpr int apertureParts = 128;
+constexpr int partsOfAperture = 128;
 
 double fraction(double x)
 {
@@ -63,7 +63,7 @@ ViewMatrix viewMixing(const PrintLayout& layout)
     ViewMatrix mixing = zeros(s.views);
     std::vector<Tap> taps;
     for (int i = 0; i < s.views; ++i) {
-        const Aperture seen = aperture(s.sheet, angleOfView(layout, i), 0, apertureParts);
+        const Aperture seen = aperture(s.sheet, angleOfView(layout, i), 0, partsOfAperture);
         double sum = 0;
         for (int place = 0; place < places; ++place) {
             const double x = spread(0, place) * static_cast<double>(layout.width());

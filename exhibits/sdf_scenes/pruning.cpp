@@ -14,7 +14,7 @@ namespace vitrine::scenes {
 namespace {
 
 /// Largest slope of a field (asserted by tests), and the relative rounding error of coordinates.
-constexpr double steepest = 1 + 2e-6, rounding = 1e-12;
+constexpr double steepest = 1 + 2e-6, coordinateRounding = 1e-12;
 
 }  // namespace
 
@@ -201,7 +201,7 @@ void Pruner::prune(std::span<const Step> steps, const glm::dvec3& center, double
         return;
     }
     kept_.clear();
-    const double reach = radius * steepest + rounding * (1 + glm::length(center));
+    const double reach = radius * steepest + coordinateRounding * (1 + glm::length(center));
     for (std::size_t i = 0; i < steps.size();) {
         const Step& step = steps[i];
         const ProgramNode& node = program_.nodes()[step.node];

@@ -1,3 +1,5 @@
+#include "exhibits/jobs.h"
+#include "exhibits/jobs/kit/job_options.h"
 #include "render/files/strict_json.h"
 #include "tests/app/child_process.h"
 #include "tests/support/german_locale.h"
@@ -27,6 +29,29 @@ TEST(List, NamesTheHallAndTheExhibits)
     EXPECT_EQ(ended.err, "");
     EXPECT_EQ(ended.out.rfind("hall ", 0), 0U) << ended.out;
     EXPECT_NE(ended.out.find("\nsdf_morph "), std::string::npos) << ended.out;
+}
+
+TEST(List, OfJobsHasASchemaOfEachAndTheirHelpEveryOption)
+{
+    const Ended listed = test::vitrine({"list", "--jobs"}), ended = test::vitrine({"list", "--jobs", "--json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    const Json schemas = render::parseJson(ended.out, "list").root();
+    ASSERT_EQ(schemas.size(), jobs::allJobs().size());
+    for (std::size_t i = 0; i < schemas.size(); ++i) {
+        const jobs::Job& job = *jobs::allJobs()[i];
+        EXPECT_EQ(schemas[i]["title"], std::string(job.name()));
+        EXPECT_NE(listed.out.find(std::string(job.summary())), std::string::npos) << listed.out;
+        const Ended help = test::vitrine({std::string(job.name()), "--help"});
+        ASSERT_EQ(help.code, 0) << help.err;
+        for (const jobs::JobOption& option : jobs::optionsOf(job.parameters())) {
+            const bool shown = help.out.find("  " + option.name) != std::string::npos;
+            const bool shownOff = option.isFlag && help.out.find("  " + jobs::withoutFlag(option)) != std::string::npos;
+            EXPECT_TRUE(shown || shownOff) << job.name() << ' ' << option.name;
+            const std::string type = jobs::typeText(job.parameters(), option);
+            EXPECT_NE(help.out.find(type), std::string::npos) << job.name() << ' ' << option.name;
+        }
+    }
+    EXPECT_EQ(test::vitrine({"list", "--jobs", "--manual", "fur"}).code, 2);
 }
 
 TEST(List, AsJsonHasExactlyTheFieldsThatArePromised)

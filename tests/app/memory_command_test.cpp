@@ -25,7 +25,7 @@ TEST(MemoryAtItsEnd, IsSaidInOneSentenceWhereverItEnds)
     const std::string out = folder / "ball.stl";
     test::writeBytes(folder / "ball.json",
                      R"({"format": "vitrine-scene", "version": 1, "root": {"kind": "sphere", "radius": 0.2}})");
-    const std::vector<std::string> words{"scene", "mesh", folder / "ball.json", "--cell", "5cm", "--out", out};
+    const std::vector<std::string> words{"mesh", folder / "ball.json", "--cell", "5cm", "--out", out};
     const Ended good = test::vitrine(words);
     ASSERT_EQ(good.code, 0) << good.err;
     test::writeBytes(out, "old");

@@ -85,7 +85,7 @@ TEST(SameBytes, OfRecordingsWhateverTheClock)
 
 TEST(SameBytes, OfSpritesAndMeshesWhateverTheClock)
 {
-    expectSameBytes({"sprite", "pixel_art", "--directions", "2", "--size", "16x16", "--out"}, "hero.png");
+    expectSameBytes({"sprite", "--directions", "2", "--size", "16x16", "--out"}, "hero.png");
 }
 
 TEST(SameBytes, OfAPrintInPartsAndInOnePieceWhateverTheClock)

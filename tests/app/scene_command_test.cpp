@@ -1,4 +1,4 @@
-// `vitrine scene check` and `vitrine scene mesh`: findings, written files, and the files left after errors.
+// `vitrine scene check` and `vitrine mesh`: findings, written files, and the files left after errors.
 
 #include "render/files/strict_json.h"
 #include "render/scene/gltf.h"
@@ -182,10 +182,10 @@ TEST(SceneMeshCommand, WritesClosedBodiesInThreeFormats)
     const double truth = 4.0 / 3 * std::numbers::pi * 0.125;
     for (const char* end : {"glb", "stl", "ply"}) {
         const Ended ended =
-            test::vitrine({"scene", "mesh", ball, "--cell", "20mm", "--out", folder / ("a." + std::string(end))});
+            test::vitrine({"mesh", ball, "--cell", "20mm", "--out", folder / ("a." + std::string(end))});
         ASSERT_EQ(ended.code, 0) << ended.err;
-        EXPECT_NE(ended.out.find("closed, a manifold; 0.523 m"), std::string::npos) << ended.out;
-        EXPECT_NE(ended.err.find("at most"), std::string::npos) << ended.err;
+        EXPECT_NE(ended.out.find("volume 0.523 m"), std::string::npos) << ended.out;
+        EXPECT_NE(ended.out.find("memory at most"), std::string::npos) << ended.out;
     }
     EXPECT_NEAR(volumeOf(readGlb(folder / "a.glb")), truth, 0.002 * truth);
     EXPECT_NEAR(volumeOf(readStl(folder / "a.stl")), truth * 1e9, 0.002 * truth * 1e9);
@@ -199,7 +199,7 @@ TEST(SceneMeshCommand, TakesParametersWithUnitsAndSaysWhatIsNone)
     const TemporaryFolder folder;
     const std::string ball = ballIn(folder);
     const auto meshing = [&](const Words& more) {
-        Words words{"scene", "mesh", ball, "--cell", "0.02", "--out", folder / "a.stl"};
+        Words words{"mesh", ball, "--cell", "0.02", "--out", folder / "a.stl"};
         words.insert(words.end(), more.begin(), more.end());
         return test::vitrine(words);
     };
@@ -210,8 +210,8 @@ TEST(SceneMeshCommand, TakesParametersWithUnitsAndSaysWhatIsNone)
     EXPECT_EQ(meshing({"--set", "r=2"}).code, 2);
     test::expectOneSentence(meshing({"--set", "r=2"}), {"0.1 to 1 m"});
     test::expectOneSentence(meshing({"--set", "s=2"}), {"--set s", "it has r"});
-    test::expectOneSentence(test::vitrine({"scene", "mesh", ball, "--cell", "soup", "--out", folder / "b.stl"}),
-                            {"--cell", "5mm"});
+    test::expectOneSentence(test::vitrine({"mesh", ball, "--cell", "soup", "--out", folder / "b.stl"}),
+                            {"--cell", "a number from"});
     EXPECT_EQ(meshing({"--low", "0,0,0"}).code, 2);
     ASSERT_EQ(meshing({"--low=-1,-1,-1", "--high=1,0,1"}).code, 0);
     EXPECT_NEAR(volumeOf(readStl(folder / "a.stl")), 2.0 / 3 * std::numbers::pi * 0.125e9, 0.002e9);
@@ -223,8 +223,8 @@ TEST(SceneMeshCommand, TakesTheTimeOfWhatMoves)
     test::writeBytes(folder / "moving.json", sceneText(R"({"kind": "box", "size": ["1 + sin(t) * 0.5", 1, 1]
 })"));
     for (const auto& [time, volume] : {std::pair("0", 1.0), std::pair("1.5707963", 1.5)}) {
-        const Ended ended = test::vitrine(
-            {"scene", "mesh", folder / "moving.json", "--cell", "5cm", "--time", time, "--out", folder / "a.stl"});
+        const Ended ended =
+            test::vitrine({"mesh", folder / "moving.json", "--cell", "5cm", "--time", time, "--out", folder / "a.stl"});
         ASSERT_EQ(ended.code, 0) << ended.err;
         EXPECT_NEAR(volumeOf(readStl(folder / "a.stl")), volume * 1e9, 1e7);
     }
@@ -236,7 +236,7 @@ TEST(SceneMeshCommand, WhatCannotBeMeshedIsSaidAndLeavesTheOldFile)
     const std::string out = folder / "a.glb";
     test::writeBytes(out, "old");
     const auto refused = [&](const Words& words, int code, const Words& parts) {
-        Words all{"scene", "mesh"};
+        Words all{"mesh"};
         all.insert(all.end(), words.begin(), words.end());
         const Ended ended = test::vitrine(all);
         EXPECT_EQ(ended.code, code) << ended.err;
@@ -256,13 +256,14 @@ TEST(SceneMeshCommand, WhatCannotBeMeshedIsSaidAndLeavesTheOldFile)
     refused({folder / "sheet.json", "--out", out}, 1, {"thickness"});
 }
 
-/// Starts the program with its standard error in a file. `before` is called in the child process first.
+/// Starts the program with its standard error in a file, and its output in one that ends in ".out". `before` is called
+/// in the child process first.
 template <typename Before> pid_t started(const Words& words, const std::string& err, const Before& before)
 {
     const pid_t child = ::fork();
     if (child != 0) return child;
     before();
-    ::dup2(::open("/dev/null", O_WRONLY), 1);
+    ::dup2(::open((err + ".out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), 1);
     ::dup2(::open(err.c_str(), O_WRONLY | O_CREAT, 0600), 2);
     std::vector<char*> pointers{const_cast<char*>(VITRINE_PROGRAM)};
     for (const std::string& word : words) pointers.push_back(const_cast<char*>(word.c_str()));
@@ -276,7 +277,7 @@ TEST(SceneMeshCommand, AFullDiskLeavesTheOldFile)
     const TemporaryFolder folder, other;
     const std::string ball = ballIn(other);
     test::writeBytes(folder / "a.glb", "old");
-    const pid_t child = started({"scene", "mesh", ball, "--cell", "2cm", "--out", folder / "a.glb"}, other / "err", [] {
+    const pid_t child = started({"mesh", ball, "--cell", "2cm", "--out", folder / "a.glb"}, other / "err", [] {
         const rlimit limit{100'000, 100'000};  // A file with these cells is larger.
         ::setrlimit(RLIMIT_FSIZE, &limit);
     });
@@ -292,8 +293,8 @@ TEST(SceneMeshCommand, StoppedByCtrlCLeavesTheOldFile)
 {
     const TemporaryFolder folder, other;
     test::writeBytes(folder / "a.glb", "old");
-    const pid_t child = started({"scene", "mesh", scenes + "waves.json", "--cell", "5mm", "--low=-6,-6,-6",
-                                 "--high=6,6,6", "--memory-mb", "1e6", "--out", folder / "a.glb"},
+    const pid_t child = started({"mesh", scenes + "waves.json", "--cell", "5mm", "--low=-6,-6,-6", "--high=6,6,6",
+                                 "--memory-mb", "1e6", "--out", folder / "a.glb"},
                                 other / "err", [] {});
     // Its first progress line comes after a second, when minutes of work are left.
     for (int i = 0; i < 6000 && (!std::filesystem::exists(other / "err") || test::bytesOf(other / "err").empty()); ++i)
@@ -313,12 +314,12 @@ TEST(SceneMeshCommand, TakesNoMoreMemoryThanItSaid)
     const auto peak = [&](const std::string& cell, double& said) {
         rusage usage{};
         int status = 0;
-        const pid_t child = started({"scene", "mesh", ballIn(folder), "--cell", cell, "--out", folder / "a.ply"},
-                                    folder / "err", [] {});
+        const pid_t child =
+            started({"mesh", ballIn(folder), "--cell", cell, "--out", folder / "a.ply"}, folder / "err", [] {});
         ::wait4(child, &status, 0, &usage);
         EXPECT_EQ(WEXITSTATUS(status), 0) << test::bytesOf(folder / "err");
-        const std::string err = test::bytesOf(folder / "err");
-        said = std::stod(err.substr(err.find("at most ") + 8));
+        const std::string out = test::bytesOf(folder / "err.out");
+        said = std::stod(out.substr(out.find("at most ") + 8));
         std::filesystem::remove(folder / "err");
         return 1024e-6 * static_cast<double>(usage.ru_maxrss);
     };

@@ -60,8 +60,8 @@ TEST(SpriteCommand, WritesASheetItsMapsAndItsDescription)
 {
     const TemporaryFolder folder;
     const std::string out = folder / "pillar.png";
-    const Ended ended = test::vitrine({"sprite", "pixel_art", "--directions", "3", "--frames", "2", "--size", "31x40",
-                                       "--colors", "6", "--out", out});
+    const Ended ended = test::vitrine(
+        {"sprite", "--directions", "3", "--frames", "2", "--size", "31x40", "--colors", "6", "--out", out});
     ASSERT_EQ(ended.code, 0) << ended.err;
     const render::Image sheet = render::readImage(out);
     ASSERT_EQ(sheet.width, 62);
@@ -101,7 +101,7 @@ TEST(SpriteCommand, PlaysTheAnimationOfAFileWithoutNormals)
     const std::string out = folder / "lifted.png";
     const Ended ended =
         test::vitrine({"sprite", liftedIn(folder), "--directions", "1", "--frames", "4", "--size", "48x48", "--set",
-                       "azimuth=0", "--trim", "--no-maps", "--palette", "Game Boy", "--out", out});
+                       "azimuth=0", "--trim", "--no-normals", "--no-depth", "--palette", "Game Boy", "--out", out});
     ASSERT_EQ(ended.code, 0) << ended.err;
     EXPECT_EQ(test::withoutProgress(ended.err), "");
     const render::Image sheet = render::readImage(out);
@@ -112,7 +112,8 @@ TEST(SpriteCommand, PlaysTheAnimationOfAFileWithoutNormals)
         EXPECT_GT(frame["frame"]["h"].get<int>(), last);
         last = frame["frame"]["h"].get<int>();
     }
-    EXPECT_EQ(folder.files().size(), 3U);
+    EXPECT_EQ(folder.files(),
+              (std::vector<std::string>{"lifted.glb", "lifted.json", "lifted.png", "lifted.png.vitrine-job.json"}));
 }
 
 TEST(SpriteCommand, SaysWhatItCannotDo)

@@ -61,7 +61,7 @@ TEST(StopCommand, EveryCommandEndsWith130AndLeavesNothingHalfMade)
         {"render", "fur", "--alone", "--size", "2000x2000", "--samples", "64", "--out", "OUT.png"},
         {"tour", "--size", "1000x1000", "--samples", "64", "--out", "OUT"},
         {"compare", given / "a.png", given / "a.png", "--metric", "flip", "--heatmap", "OUT.png"},
-        {"sprite", "pixel_art", "--directions", "64", "--size", "256x256", "--out", "OUT.png"},
+        {"sprite", "--directions", "64", "--frames", "1", "--size", "256x256", "--out", "OUT.png"},
         {"study", "sdf_morph", "stepLimit", "--alone", "--size", "400x400", "--runs", "50", "--out", "OUT"},
         {"record", "sdf_morph", "--alone", "--size", "400x400", "--seconds", "600", "--out", "OUT.webm"},
         {"print", "--exhibit", "sdf_morph", "--alone", "--count", "64", "--view-size", "800x800", "--lpi", "40",

@@ -24,7 +24,7 @@ TEST(Usage, HelpNeedsNeitherDisplayNorOpenGl)
     EXPECT_EQ(help.code, 0);
     EXPECT_EQ(help.err, "");
     for (const char* command : {"list", "render", "record", "study", "compare-studies", "compare", "compare-settings",
-                                "preset", "scene", "sprite", "serve", "doctor"})
+                                "preset", "scene", "sprite", "mesh", "proof", "serve", "doctor"})
         EXPECT_NE(help.out.find(command), std::string::npos) << command;
     EXPECT_NE(help.out.find("Exit codes"), std::string::npos);
     const Ended render = test::vitrine({"render", "--help"}, noGl);
@@ -158,6 +158,7 @@ std::vector<std::string> commandsIn(const std::string& help)
 struct NumberOption {
     std::vector<std::string> command;
     std::string name;
+    std::string words;  ///< That it takes besides numbers: "|inf|auto".
 };
 
 /// Returns all options of all commands that take a number, from their help texts.
@@ -175,9 +176,9 @@ std::vector<NumberOption> numberOptions()
         }
         for (const char* unchecked : {" FLOAT", " INT", " UINT"})
             EXPECT_EQ(help.find(unchecked), std::string::npos) << "a number that is not checked: " << words.front();
-        const std::regex option("\n  (--[a-z-]+) (NUMBER|-?[0-9][^ ]*\\.\\.)");
+        const std::regex option("\n  (--[a-z-]+) (?:NUMBER|-?[0-9][^ ]*?\\.\\.)[^ |=]*((?:\\|[a-z]+)*)");
         for (std::sregex_iterator at(help.begin(), help.end(), option), end; at != end; ++at)
-            found.push_back({commands[i], (*at)[1]});
+            found.push_back({commands[i], (*at)[1], (*at)[2]});
     }
     return found;
 }
@@ -191,6 +192,7 @@ TEST(UsageOfNumbers, EveryOptionRefusesWhatIsNone)
     std::size_t turn = 0;
     for (const NumberOption& option : options) {
         std::vector<std::string> typed = always;
+        while ((option.words + '|').find('|' + inTurn[turn % inTurn.size()] + '|') != std::string::npos) ++turn;
         typed.push_back(inTurn[turn++ % inTurn.size()]);
         for (const std::string& number : typed) {
             std::vector<std::string> words = option.command;
@@ -277,7 +279,7 @@ TEST(UsageOfNumbers, TooLargeForAFileIsRefusedBeforeAnythingIsReadOrDrawn)
     expectRefused("x.tif", {"--width-mm", "99999", "--height-mm", "9999", "--tile-mm", "30"}, 5, "it needs 18412");
     const Ended sprite = test::vitrine({"sprite", "none.glb", "--size", "20000x20", "--out", folder / "s.png"});
     EXPECT_EQ(sprite.code, 2);
-    expectOneSentence(sprite, {"--size 20000x20: a frame has at most 16384 pixels on a side."});
+    expectOneSentence(sprite, {"--size 20000x20 \"20000\": give a whole number from 1 to 16384."});
 }
 
 TEST(Usage, WhatWasMistypedIsNamedWithItsCommandAndWhatIsNear)
@@ -304,7 +306,7 @@ TEST(Usage, WhatWasMistypedIsNamedWithItsCommandAndWhatIsNear)
          "There is no exhibit \"sdf_morfh\"; did you mean sdf_morph?"},
         {{"list", "--set", "sdf_morph.morf=1"}, "did you mean morph?"},
         {{"list", "--set", "sdfmorph.morph=1"}, "did you mean sdf_morph?"},
-        {{"sprite", "pixel_art", "--out", "x.png", "--palette", "isel"}, "--palette isel: give one of own, "},
+        {{"sprite", "--out", "x.png", "--palette", "isel"}, "--palette isel: give one of own, "},
         {{"--language", "xx", "list"}, "--language \"xx\": give one of en, de."},
         {{"record", "fur", "--out", "x.mp4", "--pace", "slow"}, "--pace \"slow\": give one of constant, eased."},
         {{"open", "/nowhere/a.json"}, "Cannot open /nowhere/a.json: there is no such file"},

@@ -18,7 +18,8 @@ const std::map<std::string, std::vector<std::string>> allowed{
     {"app", {"app/", "ui/", "exhibits/", "render/", "shaders/lib/"}},
     {"ui",
      {"ui/", "exhibits/framework/", "exhibits/museum/", "exhibits/study/", "exhibits/compare/", "exhibits/printing/",
-      "exhibits/recording/", "exhibits/sprites/", "exhibits/exhibits.h", "render/", "shaders/lib/"}},
+      "exhibits/recording/", "exhibits/jobs/kit/", "exhibits/jobs.h", "exhibits/exhibits.h", "render/",
+      "shaders/lib/"}},
     {"exhibits", {"exhibits/", "render/", "shaders/"}},
     {"render", {"render/", "shaders/lib/"}},
 };
@@ -64,6 +65,9 @@ std::string complaint(const Include& include)
     if (isOurs(target)) {
         bool good = false;
         for (const std::string& start : allowed.at(folder)) good = good || startsWith(target, start);
+        // A job's own types are known to its preview alone.
+        if (startsWith(include.file, "ui/jobs/") && include.file.find("_preview.") != std::string::npos)
+            good = good || startsWith(target, "exhibits/jobs/");
         if (!good) return folder + " may not include it";
         if (folder == "exhibits" && startsWith(target, "render/gl/")) return "exhibits never sees GL";
         if (folder == "render" && startsWith(target, "render/gl/") && !startsWith(include.file, "render/gl/"))
@@ -98,7 +102,11 @@ TEST(LayersControl, ForbiddenIncludesAreSeen)
     EXPECT_NE(complaint({"exhibits/hall/a.h", 1, "QString"}), "");
     EXPECT_NE(complaint({"exhibits/framework/a.h", 1, "QImage"}), "");
     EXPECT_NE(complaint({"ui/a.cpp", 1, "exhibits/sdf_morph/sdf_morph.h"}), "");
-    EXPECT_NE(complaint({"ui/sprites/a.cpp", 1, "exhibits/pixel_art/palette.h"}), "");
+    EXPECT_NE(complaint({"ui/jobs/a_preview.cpp", 1, "exhibits/pixel_art/palette.h"}), "");
+    EXPECT_NE(complaint({"ui/jobs/job_dialog.cpp", 1, "exhibits/jobs/sprite/sprite_job.h"}), "");
+    EXPECT_NE(complaint({"ui/window/a_preview.cpp", 1, "exhibits/jobs/sprite/sprite_job.h"}), "");
+    EXPECT_EQ(complaint({"ui/jobs/sprite_preview.cpp", 1, "exhibits/jobs/sprite/sprite_job.h"}), "");
+    EXPECT_EQ(complaint({"ui/window/a.cpp", 1, "exhibits/jobs/kit/job.h"}), "");
     EXPECT_NE(complaint({"ui/a.cpp", 1, "epoxy/gl.h"}), "");
     EXPECT_NE(complaint({"render/plan/a.h", 1, "render/gl/renderer.h"}), "");
     EXPECT_NE(complaint({"render/image/a.cpp", 1, "QImage"}), "");
@@ -117,7 +125,6 @@ const std::map<std::string, std::vector<std::string>> roomsOfExhibits{
     {"study", {"framework", "museum"}},
     {"compare", {"framework", "museum", "study"}},
     {"recording", {"framework", "museum"}},
-    {"sprites", {"framework", "kit", "pixel_art"}},  // The pixel-art exhibit does not depend on sprites.
     {"stability", {"framework", "kit", "museum"}},
 };
 const std::vector<std::string> roomsForExhibits{"framework", "kit", "printing"};
@@ -137,12 +144,12 @@ const std::map<std::string, std::vector<std::string>> roomsOfUi{
     {"gamepad", {"kit", "model", "viewport"}},
     {"lessons", {"kit", "model", "viewport", "parameters"}},
     {"print", {"kit", "model", "viewport", "parameters", "presets"}},
-    {"sprites", {"kit", "model", "viewport", "parameters"}},
+    {"jobs", {"kit", "model", "viewport", "parameters"}},
     {"record", {"kit", "model", "viewport"}},
     {"preferences", {"kit", "model", "viewport", "parameters"}},
     {"window",
      {"kit", "model", "viewport", "parameters", "presets", "charts", "compare", "explore", "tree", "lessons", "study",
-      "print", "sprites", "record", "preferences", "gamepad"}},
+      "print", "jobs", "record", "preferences", "gamepad"}},
 };
 
 /// Returns the folder below the first one; empty if there is none.
@@ -163,11 +170,28 @@ std::string uiRoomComplaint(const Include& include)
     return std::find(good.begin(), good.end(), to) == good.end() ? from + " may not include " + to : "";
 }
 
+/// The same for a file of exhibits/jobs/: a job may include every room but another job, and the kit no job.
+std::string jobComplaint(const Include& include)
+{
+    const std::string jobs = "exhibits/jobs/";
+    const auto jobOf = [&](const std::string& path) { return roomOf(path.substr(path.find('/') + 1)); };
+    const std::string from = jobOf(include.file);
+    if (include.target == "exhibits/jobs.h" || include.target == "exhibits/exhibits.h") return "a job knows no list";
+    if (startsWith(include.target, jobs)) {
+        const std::string to = jobOf(include.target);
+        return to == from || to == "kit" ? "" : from + " may not include " + to;
+    }
+    const std::string room = roomOf(include.target);
+    if (from == "kit" && room != "framework" && room != "museum") return "the kit may not include " + room;
+    return {};
+}
+
 /// Returns why a file of exhibits/ must not include one of exhibits/ or shaders/; empty if it may.
 std::string roomComplaint(const Include& include)
 {
     const std::string from = roomOf(include.file), to = roomOf(include.target);
-    if (from.empty() || from == to) return {};  // The list of exhibits includes all exhibits.
+    if (from == "jobs") return jobComplaint(include);
+    if (from.empty() || from == to) return {};  // The lists of exhibits and of jobs include all of them.
     if (startsWith(include.target, "shaders/lib/")) return {};
     const auto room = roomsOfExhibits.find(from);
     const std::vector<std::string>& good = room == roomsOfExhibits.end() ? roomsForExhibits : room->second;
@@ -216,7 +240,14 @@ TEST(LayersControl, ForbiddenRoomsAreSeen)
     EXPECT_NE(roomComplaint({"exhibits/fur/a.h", 1, "exhibits/hall/hall.h"}), "");
     EXPECT_NE(roomComplaint({"exhibits/hall/a.h", 1, "exhibits/museum/museum.h"}), "");
     EXPECT_NE(roomComplaint({"exhibits/framework/a.h", 1, "exhibits/exhibits.h"}), "");
-    EXPECT_NE(roomComplaint({"exhibits/pixel_art/a.h", 1, "exhibits/sprites/sprite_sheet.h"}), "");
+    EXPECT_NE(roomComplaint({"exhibits/pixel_art/a.h", 1, "exhibits/jobs/sprite/sprite_sheet.h"}), "");
+    EXPECT_NE(roomComplaint({"exhibits/jobs/mesh/a.h", 1, "exhibits/jobs/sprite/sprite_sheet.h"}), "");
+    EXPECT_NE(roomComplaint({"exhibits/jobs/kit/a.h", 1, "exhibits/jobs/sprite/sprite_sheet.h"}), "");
+    EXPECT_NE(roomComplaint({"exhibits/jobs/kit/a.h", 1, "exhibits/printing/sheet.h"}), "");
+    EXPECT_NE(roomComplaint({"exhibits/jobs/mesh/a.h", 1, "exhibits/jobs.h"}), "");
+    EXPECT_EQ(roomComplaint({"exhibits/jobs/mesh/a.h", 1, "exhibits/sdf_scenes/scene.h"}), "");
+    EXPECT_EQ(roomComplaint({"exhibits/jobs/mesh/a.h", 1, "exhibits/jobs/kit/job.h"}), "");
+    EXPECT_EQ(roomComplaint({"exhibits/jobs.cpp", 1, "exhibits/jobs/mesh/mesh_job.h"}), "");
     EXPECT_NE(roomComplaint({"exhibits/fur/a.h", 1, "shaders/lenticular/card_block.glsl"}), "");
     EXPECT_NE(roomComplaint({"exhibits/framework/a.h", 1, "shaders/kit/surface_object_block.glsl"}), "");
     EXPECT_EQ(roomComplaint({"exhibits/lenticular/a.h", 1, "exhibits/printing/sheet.h"}), "");

@@ -36,6 +36,8 @@ public:
     void showProgress(double part, double secondsLeft);
     /// Shows a text beside the buttons, such as the end of the export.
     void showStatus(const QString& words, double part = 0);
+    /// Adds a button on the left.
+    QPushButton* addButton(const QString& text, const QString& help);
 
 signals:
     void pathChanged();
@@ -45,8 +47,6 @@ signals:
     void stopAsked();
 
 protected:
-    /// Adds a button on the left.
-    QPushButton* addButton(const QString& text, const QString& help);
     [[nodiscard]] QPushButton& goButton() { return *go_; }
 
 private:

@@ -297,6 +297,15 @@ ParameterRow* ParameterPanel::row(std::string_view name) const
     return i ? rows_[*i] : nullptr;
 }
 
+void ParameterPanel::setOffers(const std::map<std::string, std::vector<std::string>, std::less<>>& offers)
+{
+    for (const auto& [name, texts] : offers) {
+        QStringList list;
+        for (const std::string& text : texts) list << QString::fromStdString(text);
+        if (ParameterRow* named = row(name)) named->setOffers(list);
+    }
+}
+
 void ParameterPanel::setWanted(const std::function<bool(const ParameterInfo&)>& wanted)
 {
     bool changed = false;

@@ -43,6 +43,8 @@ public:
     [[nodiscard]] std::size_t exhibit() const { return exhibit_; }
     [[nodiscard]] const ParameterValues& values() const { return history_.sceneState().values[exhibit_]; }
     [[nodiscard]] ParameterRow* row(std::string_view name) const;
+    /// Values that text parameters may be chosen from, by the parameter's name.
+    void setOffers(const std::map<std::string, std::vector<std::string>, std::less<>>&);
     /// Shows only rows that are wanted; an empty function wants all.
     void setWanted(const std::function<bool(const ParameterInfo&)>&);
     /// The focus goes to the next row that is shown (1), or the one before (-1); from elsewhere, to the first.

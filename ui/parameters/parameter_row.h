@@ -86,6 +86,8 @@ public:
 
     [[nodiscard]] const ParameterInfo& info() const { return editor_->row(); }
     void showValue(const Value&);
+    /// Sets the values that a text parameter offers.
+    void setOffers(const QStringList& offers) { editor_->setOffers(offers); }
     /// Sets the initial value.
     void reset();
     [[nodiscard]] bool differs() const { return differs_; }

@@ -92,6 +92,43 @@ void TextMark::showValue(const Value& value)
     words_->setText(std::get<std::string>(value).empty() ? tr("none") : tr("not in the file yet"));
 }
 
+TextEditor::TextEditor(const ValueRef& value, QWidget* parent) : ValueEditor(value, parent), box_(new QComboBox(this))
+{
+    box_->setAccessibleName(nameOf(row()));
+    box_->setFocusPolicy(Qt::StrongFocus);
+    box_->setEditable(true);
+    box_->setInsertPolicy(QComboBox::NoInsert);
+    box_->lineEdit()->setAccessibleName(nameOf(row()));
+    box_->lineEdit()->setPlaceholderText(tr("none"));
+    box_->lineEdit()->setContextMenuPolicy(Qt::NoContextMenu);
+    growHeight(*box_, 22);
+    box_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    rowLayout(this)->addWidget(box_, 1);
+    const auto take = [this] {
+        if (box_->currentText() != shown_) edit(box_->currentText().toStdString(), newGesture());
+    };
+    connect(box_->lineEdit(), &QLineEdit::editingFinished, this, take);
+    connect(box_, &QComboBox::activated, this, take);
+}
+
+void TextEditor::showValue(const Value& value)
+{
+    const QSignalBlocker quiet(box_);
+    shown_ = QString::fromStdString(std::get<std::string>(value));
+    box_->setCurrentIndex(box_->findText(shown_));
+    box_->setEditText(shown_);
+}
+
+void TextEditor::setOffers(const QStringList& offers)
+{
+    const QSignalBlocker quiet(box_);
+    box_->clear();
+    box_->addItems(offers);
+    box_->setCurrentIndex(box_->findText(shown_));
+    box_->setEditText(shown_);
+    box_->lineEdit()->setPlaceholderText(offers.isEmpty() ? tr("none") : offers.front());
+}
+
 FileEditor::FileEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), path_(new QLineEdit(this)), browse_(new QToolButton(this))
 {

@@ -46,6 +46,20 @@ private:
     QLabel* words_;
 };
 
+/// A text that is typed, or chosen from a list where some are offered.
+class TextEditor final : public ValueEditor {
+    Q_OBJECT
+
+public:
+    TextEditor(const ValueRef&, QWidget* parent);
+    void showValue(const Value&) override;
+    void setOffers(const QStringList&) override;
+
+private:
+    QComboBox* box_;
+    QString shown_;
+};
+
 /// A path: typed, chosen, or dropped on the row.
 class FileEditor final : public ValueEditor {
     Q_OBJECT

@@ -23,7 +23,9 @@ ValueEditor* makeEditor(const ValueRef& value, QWidget* parent)
     case Kind::color: return new ColorEditor(value, parent);
     case Kind::direction: return new DirectionEditor(value, parent);
     case Kind::file: return new FileEditor(value, parent);
-    case Kind::text: return new TextMark(value, parent);
+    case Kind::text:
+        if (value.info().givesRows) return new TextMark(value, parent);
+        return new TextEditor(value, parent);
     }
     return nullptr;
 }

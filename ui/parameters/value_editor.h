@@ -2,6 +2,7 @@
 
 #include "ui/model/value_ref.h"
 
+#include <QStringList>
 #include <QWidget>
 
 namespace vitrine::ui {
@@ -21,6 +22,8 @@ public:
     virtual void labelMoved(double, Qt::KeyboardModifiers) {}
     virtual void labelReleased() {}
     [[nodiscard]] virtual bool dragsByLabel() const { return false; }
+    /// Values that a text may be chosen from; the first one is meant where it is empty. Others ignore it.
+    virtual void setOffers(const QStringList&) {}
 
 protected:
     /// Sets the value after a change by the visitor. Edits of one gesture are one undo step.

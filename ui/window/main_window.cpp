@@ -7,6 +7,7 @@
 #include "ui/compare/compare_desk.h"
 #include "ui/explore/explore_dock.h"
 #include "ui/gamepad/gamepad_control.h"
+#include "ui/jobs/job_dialog.h"
 #include "ui/kit/context_key.h"
 #include "ui/kit/focus_ring.h"
 #include "ui/kit/idle_undo.h"
@@ -26,7 +27,6 @@
 #include "ui/print/shown_views.h"
 #include "ui/record/bookmarks.h"
 #include "ui/record/record_dialog.h"
-#include "ui/sprites/sprite_dialog.h"
 #include "ui/study/study_dock.h"
 #include "ui/study/table_export.h"
 #include "ui/tree/tree_file.h"
@@ -180,7 +180,7 @@ MainWindow::~MainWindow()
     // Pictures in the making end while the viewport, its render thread and the message strip are still there.
     qDeleteAll(findChildren<PreferencesDialog*>());
     qDeleteAll(findChildren<PrintDialog*>());
-    qDeleteAll(findChildren<SpriteDialog*>());
+    qDeleteAll(findChildren<JobDialog*>());
     qDeleteAll(findChildren<RecordDialog*>());
     qDeleteAll(findChildren<TableExport*>());
     qDeleteAll(findChildren<PictureExport*>());
@@ -426,13 +426,16 @@ void MainWindow::openPrintDialog(const QString& print)
     if (!print.isEmpty()) dialog->open({print});
 }
 
-void MainWindow::openSpriteDialog()
+void MainWindow::openJobDialog(const jobs::Job& job)
 {
-    const std::optional<std::size_t> look = museum_.find(spriteLookName);
-    if (!look) return;  // Its action is not enabled then.
-    auto* dialog = findChild<SpriteDialog*>();
+    const std::optional<std::size_t> subject = museum_.find(job.needs().subject);
+    if (!subject) return;  // Its action is not enabled then.
+    JobDialog* dialog = nullptr;
+    for (JobDialog* open : findChildren<JobDialog*>())
+        if (&open->job() == &job) dialog = open;
     if (!dialog)
-        dialog = new SpriteDialog(history_.sceneState().values[*look], renderers_, viewport_->renderThread(), this);
+        dialog = new JobDialog(job, {&museum_, history_.sceneState(), *subject, {}}, renderers_,
+                               viewport_->renderThread(), this);
     dialog->show();
     dialog->raise();
     dialog->activateWindow();

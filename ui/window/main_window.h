@@ -9,6 +9,10 @@
 
 #include <memory>
 
+namespace vitrine::jobs {
+class Job;
+}
+
 namespace vitrine::ui {
 
 class Bookmarks;
@@ -75,7 +79,7 @@ public:
     void setFullScreen(bool);
     void openScreenshotDialog();
     void openPrintDialog(const QString& print = {});
-    void openSpriteDialog();
+    void openJobDialog(const jobs::Job&);
     void openRecordDialog();
     /// Asks for a file, and writes the bookmarks to it.
     void saveTour();

@@ -2,8 +2,8 @@
 
 #include "exhibits/framework/capabilities.h"
 #include "exhibits/framework/measured_table.h"
+#include "exhibits/jobs.h"
 #include "exhibits/museum/museum.h"
-#include "exhibits/sprites/sprite_shots.h"
 #include "render/files/manual.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_desk.h"
@@ -230,8 +230,8 @@ void WindowActions::addFileMenu(Maker& make, MainWindow& window)
              [&window] { window.openPrintDialog(); });
     make.add(tr("Export spr&ites…"), {},
              tr("Exports a sprite sheet of an object from all sides, with one palette, normals and depth, for games."),
-             [&window] { window.openSpriteDialog(); })
-        ->setEnabled(window.museum().find(spriteLookName).has_value());
+             [&window] { window.openJobDialog(*jobs::findJob("sprite")); })
+        ->setEnabled(window.museum().find(jobs::findJob("sprite")->needs().subject).has_value());
     enableOnly(
         make.add(QStringLiteral("export-table"), tr("Export measuremen&ts…"), {},
                  tr("Runs the measurements of the visited exhibit, such as the methods of the pixel art, and saves "

@@ -1,7 +1,7 @@
 // A glTF object drawn in the hall and as a sprite: both show the colors of its materials.
 
+#include "exhibits/jobs/sprite/sprite_shots.h"
 #include "exhibits/pixel_art/pixel_art_table.h"
-#include "exhibits/sprites/sprite_shots.h"
 #include "render/image/image_io.h"
 #include "tests/render/scene/gltf_builder.h"
 #include "tests/support/gallery.h"

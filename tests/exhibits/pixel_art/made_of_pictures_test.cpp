@@ -1,8 +1,8 @@
 // Results made from many small pictures: frames of sprites, and the table of methods.
 
+#include "exhibits/jobs/sprite/sprite_shots.h"
 #include "exhibits/pixel_art/method_table.h"
 #include "exhibits/pixel_art/pixel_passes.h"
-#include "exhibits/sprites/sprite_shots.h"
 #include "tests/support/gallery.h"
 
 #include <gtest/gtest.h>

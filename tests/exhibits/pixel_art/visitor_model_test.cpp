@@ -1,9 +1,9 @@
 // A visitor's glTF model on the screen: its animation by the exhibit's clock, and transparency.
 
+#include "exhibits/jobs/sprite/sprite_shots.h"
 #include "exhibits/pixel_art/pixel_art.h"
 #include "exhibits/pixel_art/pixel_passes.h"
 #include "exhibits/pixel_art/visitor_model.h"
-#include "exhibits/sprites/sprite_shots.h"
 #include "tests/exhibits/pixel_art/moved_model.h"
 #include "tests/support/failures.h"
 #include "tests/support/gallery.h"

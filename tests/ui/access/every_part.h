@@ -2,11 +2,12 @@
 
 #include "tests/ui/open_window.h"
 
+#include "exhibits/jobs.h"
 #include "exhibits/pixel_art/pixel_art.h"
 #include "exhibits/sdf_scenes/sdf_scenes.h"
+#include "ui/jobs/job_dialog.h"
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/motion_dialog.h"
-#include "ui/sprites/sprite_dialog.h"
 #include "ui/window/window_docks.h"
 
 #include <QAbstractButton>
@@ -75,9 +76,9 @@ protected:
         lookAt(
             "Sprites",
             [this] {
-                static const PixelArt sprites;  // The table must outlive the dialog.
-                (new ui::SpriteDialog(sprites.parameters().initial(), *gallery_, window_->viewport().renderThread(),
-                                      window_.get()))
+                static const Museum museum(withSprites());  // The museum must outlive the dialog.
+                (new ui::JobDialog(*jobs::findJob("sprite"), {&museum, museum.initialSceneState(), 1, {}}, *gallery_,
+                                   window_->viewport().renderThread(), window_.get()))
                     ->show();
             },
             look);
@@ -91,6 +92,12 @@ protected:
     }
 
 private:
+    [[nodiscard]] static std::vector<std::unique_ptr<Exhibit>> withSprites()
+    {
+        std::vector<std::unique_ptr<Exhibit>> exhibits;
+        exhibits.push_back(std::make_unique<PixelArt>());
+        return exhibits;
+    }
     void lookAt(const QString& name, const std::function<void()>& open,
                 const std::function<void(const QString&, QWidget&)>& look)
     {

@@ -1,0 +1,158 @@
+#include "app/jobs/job_command.h"
+
+#include "app/jobs/run_job.h"
+#include "app/picture_options.h"
+#include "app/say.h"
+#include "exhibits/exhibits.h"
+#include "exhibits/jobs.h"
+#include "exhibits/jobs/kit/given_values.h"
+#include "exhibits/jobs/kit/job_document.h"
+#include "render/failure.h"
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+#include <optional>
+
+namespace vitrine::app {
+namespace {
+
+/// What was typed for a job.
+struct TypedJob {
+    std::vector<std::vector<std::string>> words;  ///< By option of its table.
+    std::string out, like, preset;
+    std::vector<std::string> sets;
+    bool asJson = false, dryRun = false;
+};
+
+void addParameters(CLI::App& command, const jobs::Job& job, TypedJob& typed)
+{
+    const Parameters& table = job.parameters();
+    const std::vector<jobs::JobOption> options = jobs::optionsOf(table);
+    typed.words.resize(options.size());
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const jobs::JobOption& option = options[i];
+        const std::string help = jobs::helpText(table, option);
+        if (option.isFlag) {
+            // Both ways: a document may have it either way. The help shows the one that changes the initial value.
+            const bool on = std::get<double>(table.rows()[option.parameters.front()].initial) != 0;
+            command.add_flag(option.name, help)->group(on ? "" : "Options");
+            const std::string off = "Switches off, which is on at first: " + help;
+            command.add_flag(jobs::withoutFlag(option), off)->group(on ? "Options" : "");
+            continue;
+        }
+        CLI::Option* added = command.add_option(option.name, typed.words[i], help);
+        added->type_name(jobs::typeText(table, option))->default_str(jobs::initialText(table, option));
+        if (option.several)
+            added->take_all()->allow_extra_args(true);
+        else
+            added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    }
+}
+
+std::string extensionsText(const jobs::Job& job)
+{
+    std::string text;
+    for (const std::string_view extension : job.needs().extensions)
+        text += (text.empty() ? "." : ", .") + std::string(extension);
+    return text;
+}
+
+void addCommon(CLI::App& command, const jobs::Job& job, TypedJob& typed)
+{
+    const std::string subject(job.needs().subject);
+    if (!subject.empty()) {
+        command.add_option("--preset", typed.preset, "Preset of " + subject + ": the name of a shipped one, or a file");
+        command.add_option("--set", typed.sets, "Value of a parameter of " + subject + ", name=value")
+            ->take_all()
+            ->allow_extra_args(true);
+    }
+    command.add_option("--out", typed.out, "Output file (" + extensionsText(job) + "); further files take its name");
+    command.add_option("--like", typed.like,
+                       "Settings document (.vitrine-job.json), or an output beside which one lies: its settings, where "
+                       "no option gives others");
+    command.add_flag("--dry-run", typed.dryRun, "Print what would be written; write nothing");
+    command.add_flag("--json", typed.asJson, "Print the outcome as JSON");
+}
+
+/// Takes what was typed; option by option, so that a message names the first one that is wrong.
+void readWords(const CLI::App& command, const TypedJob& typed, jobs::GivenValues& given)
+{
+    const std::vector<jobs::JobOption>& options = given.options();
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const jobs::JobOption& option = options[i];
+        if (!option.isFlag) {
+            if (!typed.words[i].empty()) given.type(option, typed.words[i]);
+            continue;
+        }
+        for (const bool on : {true, false})
+            if (command.get_option(on ? option.name : jobs::withoutFlag(option))->count() > 0) given.turn(option, on);
+    }
+}
+
+/// The scene of the job: initial, or of the document, with the preset and the values that were typed.
+jobs::JobScene sceneOf(const jobs::Job& job, const Museum& museum, const TypedJob& typed, const SceneState* like)
+{
+    PictureOptions options;
+    options.subject = job.needs().subject;
+    options.preset = typed.preset;
+    options.settingsOnly = true;
+    options.sets = typed.sets;
+    const RequestedPicture picture =
+        requestedPicture(museum, options, like ? *like : museum.initialSceneState(), std::nullopt);
+    for (const std::string& note : picture.notes) say(note);
+    jobs::JobScene scene{&museum, picture.sceneState, picture.subject, picture.request.frame};
+    // Only settings were asked for: the camera stays where it was, whatever the best view of the exhibit is.
+    scene.state.camera = like ? like->camera : museum.initialSceneState().camera;
+    return scene;
+}
+
+int runTyped(const CLI::App& command, const jobs::Job& job, const TypedJob& typed)
+{
+    const std::string name = "vitrine " + std::string(job.name());
+    std::unique_ptr<Museum> museum;
+    std::optional<jobs::JobDocument> like;
+    const bool hasScene = !job.needs().subject.empty();
+    if (!typed.like.empty()) {
+        if (hasScene) museum = std::make_unique<Museum>(allExhibits());
+        like = jobs::readDocument(typed.like, job, museum.get());
+        for (const std::string& note : like->notes) say(note);
+    }
+    jobs::GivenValues given = like ? jobs::GivenValues(like->values) : jobs::GivenValues(job.parameters());
+    readWords(command, typed, given);
+    jobs::JobOrder order{given.settled(name)};
+    order.out = typed.out.empty() && like ? like->out : std::filesystem::path(typed.out);
+    if (order.out.empty() && !typed.dryRun)
+        throw Failure(Blame::usage, '`' + name + "` needs --out; `" + name + " --help` says what it is.");
+    if (const std::string refusal = jobs::refusedExtension(job, order.out); !order.out.empty() && !refusal.empty())
+        throw Failure(Blame::usage, refusal);
+    order.inputs = job.read(order.values);
+    if (hasScene) {
+        if (!museum) museum = std::make_unique<Museum>(allExhibits());
+        order.scene = sceneOf(job, *museum, typed, like ? &like->scene : nullptr);
+    }
+    order.backend = headlessBackend;
+    const jobs::JobPlan plan = job.plan(order.values, order.scene, *order.inputs, order.out);
+    if (!typed.dryRun) return runJob(job, std::move(order), plan, typed.asJson);
+    if (!plan.refusal.empty() && !typed.asJson) throw Failure(Blame::usage, plan.refusal);
+    printPlan(job, plan, typed.asJson);
+    return plan.refusal.empty() ? 0 : static_cast<int>(Blame::usage);
+}
+
+}  // namespace
+
+void addJobCommands(CLI::App& parser, Action& chosen)
+{
+    for (const auto& each : jobs::allJobs()) {
+        const jobs::Job& job = *each;
+        CLI::App* command = parser.add_subcommand(std::string(job.name()), std::string(job.summary()));
+        auto typed = std::make_shared<TypedJob>();
+        addParameters(*command, job, *typed);
+        addCommon(*command, job, *typed);
+        command->callback([&chosen, command, typed, &job] {
+            chosen = [command, typed, &job] { return runTyped(*command, job, *typed); };
+        });
+    }
+}
+
+}  // namespace vitrine::app

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "app/command.h"
+
+namespace vitrine::app {
+
+/// Adds a command for each job, with an option for each of its parameters.
+void addJobCommands(CLI::App&, Action& chosen);
+
+}  // namespace vitrine::app

@@ -1,0 +1,30 @@
+#include "exhibits/jobs.h"
+
+#include "exhibits/jobs/mesh/mesh_job.h"
+#include "exhibits/jobs/proof/proof_job.h"
+#include "exhibits/jobs/sprite/sprite_job.h"
+
+#include <algorithm>
+
+namespace vitrine::jobs {
+
+const std::vector<std::unique_ptr<const Job>>& allJobs()
+{
+    static const auto jobs = [] {
+        std::vector<std::unique_ptr<const Job>> all;
+        all.push_back(std::make_unique<ProofJob>());
+        all.push_back(std::make_unique<SpriteJob>());
+        all.push_back(std::make_unique<MeshJob>());
+        return all;
+    }();
+    return jobs;
+}
+
+const Job* findJob(std::string_view name)
+{
+    const auto& jobs = allJobs();
+    const auto found = std::find_if(jobs.begin(), jobs.end(), [&](const auto& job) { return job->name() == name; });
+    return found == jobs.end() ? nullptr : found->get();
+}
+
+}  // namespace vitrine::jobs

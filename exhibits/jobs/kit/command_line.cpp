@@ -1,0 +1,34 @@
+#include "exhibits/jobs/kit/command_line.h"
+
+#include "exhibits/framework/value_text.h"
+#include "exhibits/jobs/kit/given_values.h"
+#include "render/files/number_text.h"
+
+namespace vitrine::jobs {
+namespace {
+
+/// As `--set` reads it: numbers in SI units.
+std::string settingText(const ParameterInfo& parameter, const Value& value)
+{
+    const auto* number = std::get_if<double>(&value);
+    return number && parameter.isNumeric() ? render::shortestNumber(*number) : formatValue(parameter, value);
+}
+
+}  // namespace
+
+std::vector<std::string> commandOf(const Job& job, const JobOrder& order)
+{
+    std::vector<std::string> words{std::string(job.name())};
+    for (std::string& word : wordsOf(order.values)) words.push_back(std::move(word));
+    if (order.scene.museum) {
+        const ParameterValues& values = order.scene.state.values[order.scene.subject];
+        for (std::size_t i = 0; i < values.rows().size(); ++i)
+            if (!values.isInitial(i))
+                words.push_back("--set=" + std::string(values.rows()[i].name) + '=' +
+                                settingText(values.rows()[i], values.row(i)));
+    }
+    words.push_back("--out=" + order.out.string());
+    return words;
+}
+
+}  // namespace vitrine::jobs

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "exhibits/jobs/kit/job.h"
+
+#include <string>
+#include <vector>
+
+namespace vitrine::jobs {
+
+/// The command line, without the program's name, that runs the job with these values again. Parameters that have no
+/// effect are left out.
+[[nodiscard]] std::vector<std::string> commandOf(const Job&, const JobOrder&);
+
+}  // namespace vitrine::jobs

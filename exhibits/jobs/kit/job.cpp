@@ -1,0 +1,35 @@
+#include "exhibits/jobs/kit/job.h"
+
+#include "render/files/extension.h"
+#include "render/files/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vitrine::jobs {
+
+std::string valueText(const Fact& fact)
+{
+    std::string text;
+    if (const auto* number = std::get_if<double>(&fact.value))
+        text = *number == std::round(*number) ? render::shortestNumber(*number) : render::shortNumber(*number);
+    else
+        text = std::get<std::string>(fact.value);
+    return fact.unit.empty() ? text : text + ' ' + fact.unit;
+}
+
+std::string refusedExtension(const Job& job, const std::filesystem::path& out)
+{
+    const std::vector<std::string_view> extensions = job.needs().extensions;
+    const std::string given = render::lowerExtension(out);
+    const auto is = [&](std::string_view extension) { return given == '.' + std::string(extension); };
+    if (std::any_of(extensions.begin(), extensions.end(), is)) return {};
+    std::string names;
+    for (std::size_t i = 0; i < extensions.size(); ++i) {
+        if (i > 0) names += i + 1 < extensions.size() ? ", " : " or ";
+        (names += '.') += extensions[i];
+    }
+    return out.string() + ": give a name that ends in " + names + '.';
+}
+
+}  // namespace vitrine::jobs

@@ -1,0 +1,159 @@
+#pragma once
+
+#include "exhibits/framework/frame_request.h"
+#include "exhibits/framework/parameters.h"
+#include "exhibits/museum/museum.h"
+#include "render/plan/render_backend.h"
+
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace vitrine::jobs {
+
+/// Scene that a job works on: the museum and everything that is set in it.
+struct JobScene {
+    const Museum* museum = nullptr;  ///< Null for a job without a scene. Must outlive what is made of it.
+    SceneState state = {};
+    std::size_t subject = 0;  ///< In `Museum::subjects`.
+    FrameRequest frame = {};
+};
+
+/// What a job takes besides its parameters, and what it writes.
+struct JobNeeds {
+    /// Exhibit whose settings the job takes (`--preset`, `--set`); empty: the job has no scene.
+    std::string_view subject = {};
+    /// Extensions of the output, the usual one first: "png".
+    std::vector<std::string_view> extensions;
+    bool inWindow = false;  ///< Whether the window offers it.
+};
+
+/// A measured or computed property of a job's output: "Frames 12", "Volume 0.523 m³".
+struct Fact {
+    std::string label;  ///< With a capital, as the window shows it.
+    std::variant<double, std::string> value;
+    std::string unit = {};
+
+    bool operator==(const Fact&) const = default;
+};
+/// "12", "0.523 m³": three digits of a number that is not whole.
+[[nodiscard]] std::string valueText(const Fact&);
+
+struct PlannedFile {
+    std::filesystem::path path;
+    std::string content;  ///< "normals": what is in it.
+
+    bool operator==(const PlannedFile&) const = default;
+};
+
+/// What a job will do, known before it starts.
+struct JobPlan {
+    std::string refusal = {};                ///< Sentence on why the job cannot start; empty: it can.
+    std::vector<std::string> warnings = {};  ///< Sentences on what may disappoint.
+    std::vector<PlannedFile> files = {};     ///< All that will be written, the output first.
+    std::vector<Fact> facts = {};
+    std::string ifStopped = {};  ///< Sentence on what is left when the job is stopped; empty: nothing.
+    /// Values offered for text parameters, by the parameter's name: the animations of a file.
+    std::map<std::string, std::vector<std::string>, std::less<>> offers = {};
+
+    bool operator==(const JobPlan&) const = default;
+};
+
+/// What a job has done.
+struct JobReport {
+    std::vector<std::filesystem::path> files = {};
+    std::vector<Fact> facts = {};
+    std::vector<std::string> warnings = {};
+};
+
+/// Asked now and then with the part that is done, 0 to 1; false: the job is to stop.
+using Watch = std::function<bool(double part)>;
+
+/// Thrown by a step whose `Watch` answered false.
+class Stopped final : public std::exception {
+public:
+    [[nodiscard]] const char* what() const noexcept override { return "The job was stopped."; }
+};
+
+/// A job in progress. Destroying it before `publish` cancels it: nothing is left but what `JobPlan::ifStopped` says.
+class JobRun {
+public:
+    enum class Next : std::uint8_t {
+        draw,  ///< `step` draws for part of a second; always on the same thread, which has the graphics.
+        work,  ///< `step` computes on any thread and asks `Watch` often.
+        done   ///< `publish` comes next.
+    };
+
+    virtual ~JobRun() = default;
+
+    [[nodiscard]] virtual Next next() const = 0;
+    /// Throws Stopped, or Failure naming what was being done.
+    virtual void step(const Watch&) = 0;
+    /// The part that is done, 0 to 1.
+    [[nodiscard]] virtual double progress() const = 0;
+    /// "drawing": what the next step does, after the program's name.
+    [[nodiscard]] virtual std::string_view doing() const = 0;
+    /// What was made; complete once `next` is done.
+    [[nodiscard]] virtual const JobReport& report() const = 0;
+    /// Puts all files in place at once, or throws Failure and leaves all as they were. On any thread.
+    virtual void publish() = 0;
+};
+
+/// Files and other inputs that the values name, read. Immutable.
+class JobInputs {
+public:
+    virtual ~JobInputs() = default;
+};
+
+/// Makes what draws, when it is first needed, on the thread that draws.
+using BackendMaker = std::function<std::unique_ptr<render::RenderBackend>()>;
+
+/// Everything that a job needs in order to start.
+struct JobOrder {
+    ParameterValues values;
+    JobScene scene = {};
+    std::shared_ptr<const JobInputs> inputs = {};
+    std::filesystem::path out = {};  ///< Empty: nothing will be published, as for a preview.
+    BackendMaker backend = {};
+};
+
+/// A job: turns a scene or files into files. Described by its parameter table, of which command line, dialog, settings
+/// document and schema are derived.
+class Job {
+public:
+    virtual ~Job() = default;
+
+    /// "sprite": the command, and the name in documents.
+    [[nodiscard]] virtual std::string_view name() const = 0;
+    /// "Export sprites": title of its dialog.
+    [[nodiscard]] virtual std::string_view title() const = 0;
+    /// One sentence without a full stop, for the help of the command.
+    [[nodiscard]] virtual std::string_view summary() const = 0;
+    [[nodiscard]] virtual const Parameters& parameters() const = 0;
+    [[nodiscard]] virtual JobNeeds needs() const = 0;
+    /// Reads the files that the values name. On any thread. Throws Failure.
+    [[nodiscard]] virtual std::shared_ptr<const JobInputs> read(const ParameterValues&) const = 0;
+    /// Says what will be written. Reads no file, needs no graphics, and throws nothing: what cannot be is refused in
+    /// the plan. `inputs` are those of `read` for these values. Without `out`, no file is planned.
+    [[nodiscard]] virtual JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
+                                       const std::filesystem::path& out) const = 0;
+    /// Starts what was planned. Cheap: opens nothing.
+    [[nodiscard]] virtual std::unique_ptr<JobRun> start(JobOrder) const = 0;
+    /// Values of a smaller run that shows what the whole one will look like.
+    [[nodiscard]] virtual ParameterValues draft(const ParameterValues& values, const JobInputs&) const
+    {
+        return values;
+    }
+};
+
+/// Refusal for an output whose extension the job does not write; empty: it writes it. "a.gif: give a name that ends in
+/// .png or .tif."
+[[nodiscard]] std::string refusedExtension(const Job&, const std::filesystem::path& out);
+
+}  // namespace vitrine::jobs

@@ -1,0 +1,181 @@
+#include "exhibits/jobs/kit/job_document.h"
+
+#include "exhibits/framework/condition.h"
+#include "exhibits/framework/preset.h"
+#include "exhibits/jobs/kit/given_values.h"
+#include "render/failure.h"
+#include "render/files/extension.h"
+#include "render/files/read_file.h"
+
+#include <cctype>
+
+namespace vitrine::jobs {
+namespace {
+
+using render::Json;
+
+constexpr const char* documentFormat = "vitrine-job";
+
+Json sceneJson(const JobScene& scene)
+{
+    if (!scene.museum) return nullptr;
+    Exhibition exhibition{"Settings of a job", namedValues(scene.museum->subjects(), scene.state.values),
+                          scene.state.camera};
+    exhibition.chosen = scene.museum->subject(scene.subject).name();
+    return render::parseJson(exhibitionText(exhibition), "scene").root();
+}
+
+SceneState readScene(const Json& json, const std::string& name, const Museum& museum, std::vector<std::string>& notes)
+{
+    const SceneState initial = museum.initialSceneState();
+    Exhibition read = parseExhibition(render::writeJson(json), name, namedValues(museum.subjects(), initial.values));
+    SceneState state = initial;
+    for (auto& [subject, values] : read.values)
+        if (const auto i = museum.find(subject)) state.values[*i] = std::move(values);
+    state.camera = read.camera;
+    notes.insert(notes.end(), read.notes.begin(), read.notes.end());
+    return state;
+}
+
+/// "Cells near the surface" as a key: "cellsNearTheSurface".
+std::string keyOf(const std::string& label)
+{
+    std::string key;
+    bool upper = false;
+    for (const char c : label) {
+        const auto letter = static_cast<unsigned char>(c);
+        if (std::isalnum(letter) == 0) {
+            upper = true;
+            continue;
+        }
+        key += static_cast<char>(upper ? std::toupper(letter) : key.empty() ? std::tolower(letter) : letter);
+        upper = false;
+    }
+    return key;
+}
+
+Json typeSchema(const ParameterInfo& parameter)
+{
+    Json words = Json::array();
+    for (const Word& word : parameter.words) words.push_back(std::string(word.text));
+    Json json = Json::object();
+    switch (parameter.kind) {
+    case Kind::real:
+    case Kind::count:
+        json["type"] = parameter.kind == Kind::real ? "number" : "integer";
+        json["minimum"] = parameter.range.low;
+        json["maximum"] = parameter.range.high;
+        if (words.empty()) return json;
+        return {{"anyOf", Json::array({json, {{"enum", words}}})}};
+    case Kind::toggle: return {{"type", "boolean"}};
+    case Kind::choice:
+        for (const std::string_view choice : parameter.choices) words.push_back(std::string(choice));
+        return {{"enum", words}};
+    case Kind::color:
+    case Kind::direction: {
+        const Json each{{"type", "number"}};
+        return {{"type", "array"}, {"items", each}, {"minItems", 3}, {"maxItems", 3}};
+    }
+    case Kind::file:
+    case Kind::text: break;
+    }
+    if (!parameter.several) return {{"type", "string"}};
+    return {{"type", "array"}, {"items", Json{{"type", "string"}, {"minLength", 1}}}};
+}
+
+Json optionSchema(const Parameters& table, const JobOption& option)
+{
+    const ParameterInfo& first = table.rows()[option.parameters.front()];
+    Json json;
+    if (option.parameters.size() == 1) {
+        json = typeSchema(first);
+    } else {
+        Json items = Json::array();
+        for (const std::size_t i : option.parameters) items.push_back(typeSchema(table.rows()[i]));
+        json = {{"type", "array"}, {"prefixItems", items}, {"items", false}, {"minItems", items.size()}};
+    }
+    json["title"] = label(first);
+    json["description"] = std::string(first.help);
+    const Json initial = jsonOf(table.initial())[option.key];
+    if (!option.mustBeGiven) json["default"] = initial;
+    if (const std::string_view unit = info(first.unit).storedSymbol; !unit.empty()) json["x-unit"] = std::string(unit);
+    const std::string when = actsWhen(table, option.parameters.front());
+    if (!when.empty()) json["x-actsWhen"] = when;
+    return json;
+}
+
+}  // namespace
+
+std::filesystem::path documentFile(const std::filesystem::path& out)
+{
+    return out.parent_path() / (out.filename().string() + ".vitrine-job.json");
+}
+
+std::string documentText(const Job& job, const JobOrder& order, const std::vector<Fact>& facts)
+{
+    Json json = Json::object();
+    json["format"] = documentFormat;
+    json["version"] = jobDocumentVersion;
+    json["app"] = VITRINE_VERSION;
+    json["job"] = std::string(job.name());
+    json["values"] = jsonOf(order.values);
+    if (order.scene.museum) json["scene"] = sceneJson(order.scene);
+    json["out"] = order.out.filename().string();
+    json["report"] = Json::object();
+    for (const Fact& fact : facts) json["report"][keyOf(fact.label)] = valueText(fact);
+    return render::writeJson(json);
+}
+
+JobDocument parseDocument(std::string text, const std::string& name, const Job& job, const Museum* museum)
+{
+    const render::JsonDocument document = render::parseJson(std::move(text), name, presetLimits);
+    const Json& root = document.root();
+    const auto has = [&](const char* key) { return root.is_object() && root.contains(key); };
+    if (!has("format") || root["format"] != documentFormat)
+        throw document.failure("", "this is no settings document of a job; give a file that a job of Vitrine wrote.");
+    if (!has("version") || !root["version"].is_number_integer() || root["version"].get<int>() < 1)
+        throw document.failure("version", "this must be a whole number from 1; correct it there.");
+    if (root["version"].get<int>() > jobDocumentVersion)
+        throw document.failure("version", "this document is newer than the program; use a newer Vitrine.");
+    if (!has("job") || root["job"] != std::string(job.name()))
+        throw document.failure("job", "this document is not of the job " + std::string(job.name()) +
+                                          "; give one that it wrote.");
+    if (!has("values")) throw document.failure("", "\"values\" is missing; give a file that a job of Vitrine wrote.");
+    GivenValues given{ParameterValues(job.parameters())};
+    std::vector<std::string> notes;
+    given.read(root["values"], {document, "values"}, notes);
+    JobDocument read{given.settled({})};
+    read.notes = std::move(notes);
+    if (has("scene") && museum) read.scene = readScene(root["scene"], name, *museum, read.notes);
+    if (has("out")) {
+        if (!root["out"].is_string()) throw document.failure("out", "this must be a file name; correct it there.");
+        const std::string out = root["out"].get<std::string>();
+        if (!out.empty()) read.out = std::filesystem::path(name).parent_path() / out;
+    }
+    return read;
+}
+
+JobDocument readDocument(const std::filesystem::path& file, const Job& job, const Museum* museum)
+{
+    const bool isDocument = render::lowerExtension(file) == ".json";
+    const std::filesystem::path path = isDocument ? file : documentFile(file);
+    return parseDocument(render::readFile(path, presetLimits.bytes), path.string(), job, museum);
+}
+
+render::Json schemaOf(const Job& job)
+{
+    Json properties = Json::object(), required = Json::array();
+    for (const JobOption& option : optionsOf(job.parameters())) {
+        properties[option.key] = optionSchema(job.parameters(), option);
+        if (option.mustBeGiven) required.push_back(option.key);
+    }
+    return {{"$schema", "https://json-schema.org/draft/2020-12/schema"},
+            {"title", std::string(job.name())},
+            {"description", std::string(job.summary())},
+            {"type", "object"},
+            {"properties", properties},
+            {"required", required},
+            {"additionalProperties", false}};
+}
+
+}  // namespace vitrine::jobs

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "exhibits/jobs/kit/job.h"
+#include "render/files/strict_json.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vitrine::jobs {
+
+/// The newest version of settings documents that is read, and the one that is written.
+inline constexpr int jobDocumentVersion = 1;
+
+/// Settings of a job, from which it can be run again. As a file:
+///
+///     {
+///       "format": "vitrine-job",
+///       "version": 1,
+///       "app": "0.1.0",
+///       "job": "sprite",
+///       "values": {"model": "hero.glb", "size": [64, 64], ...},
+///       "scene": {"format": "vitrine-exhibition", ...},
+///       "out": "hero.png",
+///       "report": {"frames": "96", ...}
+///     }
+///
+/// `values` has all parameters, in SI, so that a document outlives a change of an initial value.
+struct JobDocument {
+    ParameterValues values;
+    SceneState scene = {};           ///< Without values for a job without a scene.
+    std::filesystem::path out = {};  ///< Beside the document.
+    std::vector<std::string> notes = {};
+};
+
+/// The document beside an output: "hero.png.vitrine-job.json" for "hero.png".
+[[nodiscard]] std::filesystem::path documentFile(const std::filesystem::path& out);
+
+/// The text of a document. Throws Failure where a value cannot be written.
+[[nodiscard]] std::string documentText(const Job&, const JobOrder&, const std::vector<Fact>& facts);
+
+/// Reads a document, or the one that lies beside an output. What is out of range is brought to the nearest legal value,
+/// with a note. `museum` may be null for a job without a scene. Throws Failure naming file, line and key: for no
+/// document, one of another job or of a newer version, an unknown key and a wrong type.
+[[nodiscard]] JobDocument readDocument(const std::filesystem::path&, const Job&, const Museum*);
+/// The same of a text; `name` is that of its file.
+[[nodiscard]] JobDocument parseDocument(std::string text, const std::string& name, const Job&, const Museum*);
+
+/// What the job takes, as a JSON Schema (draft 2020-12) of the "values" of a document.
+[[nodiscard]] render::Json schemaOf(const Job&);
+
+}  // namespace vitrine::jobs

@@ -1,0 +1,219 @@
+#include "exhibits/jobs/kit/job_options.h"
+
+#include "exhibits/framework/expression.h"
+#include "exhibits/framework/typed_number.h"
+#include "exhibits/framework/value_text.h"
+#include "render/failure.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cctype>
+#include <cmath>
+
+namespace vitrine::jobs {
+namespace {
+
+/// "frame-rate" for "frameRate".
+std::string kebab(std::string_view name)
+{
+    std::string text;
+    for (const char c : name) {
+        if (std::isupper(static_cast<unsigned char>(c)) != 0) text += '-';
+        text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+    return text;
+}
+
+/// The parameter as the command line shows it: numbers in the unit of a plain one.
+ParameterInfo asTyped(const ParameterInfo& parameter)
+{
+    ParameterInfo typed = parameter;
+    typed.unit = parameter.given.unit;
+    return typed;
+}
+
+std::string wordsText(const ParameterInfo& parameter)
+{
+    std::string text;
+    for (const Word& word : parameter.words) text += ", or " + std::string(word.text);
+    return text;
+}
+
+/// What a word for the parameter is: after "give ".
+std::string wanted(const ParameterInfo& parameter)
+{
+    switch (parameter.kind) {
+    case Kind::choice: {
+        std::string names;
+        for (const std::string_view choice : parameter.choices)
+            names += (names.empty() ? "" : ", ") + std::string(choice);
+        return "one of " + names;
+    }
+    case Kind::color: return "#rrggbb or r,g,b";
+    case Kind::direction: return "x,y,z";
+    case Kind::toggle: return "on or off";
+    case Kind::real:
+    case Kind::count: {
+        const Unit unit = parameter.given.unit;
+        NumberRange range = rangeOf(parameter, unit);
+        range.whole = parameter.kind == Kind::count;
+        const std::string si(info(parameter.unit).storedSymbol);
+        return rangeText(range) + (unit == Unit::none ? behindNumber(si) : "") + wordsText(parameter);
+    }
+    case Kind::file: return "a file";
+    case Kind::text: return "a text";
+    }
+    return {};
+}
+
+std::string typeOf(const ParameterInfo& parameter)
+{
+    switch (parameter.kind) {
+    case Kind::real:
+    case Kind::count: {
+        std::string type = typeName(rangeOf(parameter, parameter.given.unit));
+        for (const Word& word : parameter.words) (type += '|') += word.text;
+        return type;
+    }
+    case Kind::choice: {
+        std::string type;
+        for (const std::string_view choice : parameter.choices) type += (type.empty() ? "" : "|") + std::string(choice);
+        return type;
+    }
+    case Kind::color: return "COLOR";
+    case Kind::direction: return "X,Y,Z";
+    case Kind::file: return "FILE";
+    case Kind::text: return "TEXT";
+    case Kind::toggle: break;
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<JobOption> optionsOf(const Parameters& table)
+{
+    std::vector<JobOption> options;
+    std::string_view tuple;
+    for (std::size_t i = 0; i < table.rows().size(); ++i) {
+        const ParameterInfo& parameter = table.rows()[i];
+        const GivenAs& given = parameter.given;
+        if (!given.tuple.empty() && given.tuple == tuple) {
+            options.back().parameters.push_back(i);
+            continue;
+        }
+        tuple = given.tuple;
+        JobOption option;
+        const std::string name = !given.option.empty() ? std::string(given.option)
+                                 : tuple.empty()       ? kebab(parameter.name)
+                                                       : kebab(tuple);
+        option.name = given.positional ? std::string(parameter.name) : "--" + name;
+        option.parameters = {i};
+        option.positional = given.positional;
+        option.mustBeGiven = given.mustBeGiven;
+        option.several = parameter.several;
+        option.isFlag = parameter.kind == Kind::toggle;
+        option.key = tuple.empty() ? parameter.name : tuple;
+        options.push_back(std::move(option));
+    }
+    return options;
+}
+
+const JobOption& optionOf(const std::vector<JobOption>& options, std::size_t parameter)
+{
+    const auto gives = [&](const JobOption& option) {
+        return std::find(option.parameters.begin(), option.parameters.end(), parameter) != option.parameters.end();
+    };
+    const auto found = std::find_if(options.begin(), options.end(), gives);
+    assert(found != options.end());
+    return *found;
+}
+
+std::string withoutFlag(const JobOption& option)
+{
+    return "--no-" + option.name.substr(2);
+}
+
+std::string typeText(const Parameters& table, const JobOption& option)
+{
+    std::string text;
+    for (const std::size_t i : option.parameters) {
+        const ParameterInfo& parameter = table.rows()[i];
+        if (option.parameters.size() == 1) return typeOf(parameter);
+        if (!text.empty()) text += parameter.given.separator;
+        const std::string name = kebab(parameter.name);
+        std::transform(name.begin(), name.end(), std::back_inserter(text),
+                       [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    }
+    return text;
+}
+
+std::string initialText(const Parameters& table, const JobOption& option)
+{
+    if (option.mustBeGiven || option.isFlag) return {};
+    const std::vector<std::string> words = typedWords(option, table.initial());
+    return words.empty() ? std::string() : words.front();
+}
+
+std::string helpText(const Parameters& table, const JobOption& option)
+{
+    const ParameterInfo& first = table.rows()[option.parameters.front()];
+    std::string text(first.help);
+    const Unit typed = first.given.unit;
+    const std::string_view unit = typed == Unit::none ? info(first.unit).storedSymbol : info(typed).symbol;
+    if (first.isNumeric() && !unit.empty()) text += " Unit: " + std::string(unit) + '.';
+    return text;
+}
+
+std::string typedText(const ParameterInfo& parameter, const Value& value)
+{
+    if (const auto* x = std::get_if<double>(&value))
+        if (const Word* word = parameter.wordFor(*x)) return std::string(word->text);
+    return formatValue(asTyped(parameter), value);
+}
+
+std::vector<std::string> typedWords(const JobOption& option, const ParameterValues& values)
+{
+    const std::size_t first = option.parameters.front();
+    if (option.several) return linesOf(std::get<std::string>(values.row(first)));
+    std::string text;
+    for (const std::size_t i : option.parameters) {
+        if (i != first) text += values.rows()[i].given.separator;
+        text += typedText(values.rows()[i], values.row(i));
+    }
+    if (text.empty()) return {};
+    return {text};
+}
+
+Value readWord(const std::string& option, const ParameterInfo& parameter, const std::string& word)
+{
+    const auto refuse = [&]() -> Failure {
+        if (parameter.isNumeric()) return {Blame::usage, option + " \"" + word + "\": give " + wanted(parameter) + '.'};
+        return {Blame::usage, option + ' ' + word + ": give " + wanted(parameter) + '.'};
+    };
+    std::optional<Value> value;
+    if (parameter.isNumeric()) {
+        const bool isWord =
+            std::any_of(parameter.words.begin(), parameter.words.end(), [&](const Word& w) { return w.text == word; });
+        if (const auto plain = evaluate(word, parameter.given.unit); plain && !isWord)
+            value = *plain;
+        else
+            value = parseValue(parameter, word);
+        if (!value) refuseDecimalComma(option, word);
+    } else {
+        if (word.find('\n') != std::string::npos) throw refuse();
+        value = parseValue(parameter, word);
+    }
+    if (!value) throw refuse();
+    if (const auto* x = std::get_if<double>(&*value)) {
+        // A limit that was typed in another unit may be a rounding error away from the one in the table.
+        const auto near = [&](double limit) { return std::abs(*x - limit) <= 1e-12 * std::abs(limit); };
+        const Range& range = parameter.range;
+        const bool legal = (*x >= range.low && *x <= range.high) || near(range.low) || near(range.high);
+        const bool whole = parameter.kind == Kind::real || *x == std::round(*x);
+        if (!parameter.wordFor(*x) && !(legal && whole)) throw refuse();
+    }
+    return nearestLegal(parameter, *value).value();
+}
+
+}  // namespace vitrine::jobs

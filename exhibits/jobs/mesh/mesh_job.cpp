@@ -1,0 +1,257 @@
+#include "exhibits/jobs/mesh/mesh_job.h"
+
+#include "exhibits/framework/expression.h"
+#include "exhibits/framework/typed_number.h"
+#include "exhibits/jobs/kit/job_document.h"
+#include "exhibits/sdf_scenes/scene_mesh.h"
+#include "exhibits/sdf_scenes/scene_reader.h"
+#include "render/failure.h"
+#include "render/files/atomic_write.h"
+#include "render/files/number_text.h"
+
+#include <unistd.h>
+
+#include <cmath>
+#include <limits>
+
+namespace vitrine::jobs {
+namespace {
+
+constexpr double endless = std::numeric_limits<double>::infinity();
+
+struct MeshTable final : Parameters {
+    Group sceneGroup = group("Scene");
+    File file = Parameters::file("scene", "Scene file.", endings("json"), positional(), mustBeGiven());
+    Text set = text("set", "Value of one of the scene's parameters, name=value. Numbers are in SI units.", several());
+    Real time = real("time", 0, second, Range{-1e9, 1e9}.soft(0, 60), "Time at which a moving scene is meshed.");
+
+    Group meshGroup = group("Mesh");
+    Real cell = real("cell", 0.01, meter, Range{1e-6, 1000, logarithmic}.soft(0.001, 0.1),
+                     "Edge length of a cell. What is thinner than a cell is lost.");
+    std::array<Real, 3> low = corner({"lowX", "lowY", "lowZ"}, "low", -endless, "-inf",
+                                     "Corner of the part that is meshed and cut there; without it, the whole scene.");
+    std::array<Real, 3> high =
+        corner({"highX", "highY", "highZ"}, "high", endless, "inf", "Opposite corner of the part that is meshed.");
+    Real memory = real("memoryMb", 0, none, Range{1, 1e9, logarithmic}.soft(100, 1e5),
+                       "Memory that meshing may take, in megabytes. Auto: half of the machine's.", reads(0, "auto"));
+
+private:
+    std::array<Real, 3> corner(std::array<std::string_view, 3> names, std::string_view name, double unset,
+                               std::string_view word, std::string_view help)
+    {
+        const auto one = [&](std::string_view axis) {
+            return real(axis, unset, meter, {-1e6, 1e6}, help, reads(unset, word), tuple(name, ','));
+        };
+        return {one(names[0]), one(names[1]), one(names[2])};
+    }
+};
+
+const MeshTable& meshTable()
+{
+    static const MeshTable table;
+    return table;
+}
+
+struct MeshInputs final : JobInputs {
+    std::shared_ptr<const scenes::Scene> scene;
+};
+
+std::optional<glm::dvec3> cornerOf(const ParameterValues& values, const std::array<Real, 3>& rows)
+{
+    const glm::dvec3 corner{values[rows[0]], values[rows[1]], values[rows[2]]};
+    if (!std::isfinite(corner.x) || !std::isfinite(corner.y) || !std::isfinite(corner.z)) return std::nullopt;
+    return corner;
+}
+
+/// Throws Failure (Blame::usage) where the corners are none of a box.
+std::optional<render::Box> partOf(const ParameterValues& values)
+{
+    const MeshTable& t = meshTable();
+    const auto low = cornerOf(values, t.low), high = cornerOf(values, t.high);
+    const auto isGiven = [&](const std::array<Real, 3>& rows) {
+        return !values.isInitial(rows[0].row) || !values.isInitial(rows[1].row) || !values.isInitial(rows[2].row);
+    };
+    if (!isGiven(t.low) && !isGiven(t.high)) return std::nullopt;
+    if (!low || !high)
+        throw Failure(Blame::usage, "--low and --high belong together: two corners of the part that is meshed.");
+    const glm::dvec3 size = *high - *low;
+    if (!(size.x > 0 && size.y > 0 && size.z > 0))
+        throw Failure(Blame::usage, "--high: all three numbers are above those of --low.");
+    return render::Box{*low, *high};
+}
+
+/// The values of the scene's parameters with those of "name=value" in their places. Throws Failure (Blame::usage).
+std::vector<double> parametersOf(const scenes::Scene& scene, const ParameterValues& values)
+{
+    std::vector<double> all;
+    std::string names;
+    for (const scenes::SceneParameter& parameter : scene.parameters()) {
+        all.push_back(parameter.initial);
+        names += (names.empty() ? "" : ", ") + parameter.name;
+    }
+    for (const std::string& set : linesOf(values[meshTable().set])) {
+        const std::size_t equals = set.find('=');
+        const std::string name = set.substr(0, equals);
+        if (equals == std::string::npos) throw Failure(Blame::usage, "--set " + set + ": give name=value.");
+        const std::string typed = set.substr(equals + 1);
+        std::size_t i = 0;
+        while (i < all.size() && scene.parameters()[i].name != name) ++i;
+        if (i == all.size())
+            throw Failure(Blame::usage, "--set " + name + ": the scene has no such parameter" +
+                                            (names.empty() ? " and no other." : "; it has " + names + "."));
+        const scenes::SceneParameter& parameter = scene.parameters()[i];
+        std::optional<double> value = evaluate(typed, Unit::none);
+        if (!value) value = evaluate(typed, parameter.unit);
+        if (!value) refuseDecimalComma("--set " + name, typed);
+        if (!value || !(*value >= parameter.low && *value <= parameter.high))
+            throw Failure(Blame::usage, "--set " + name + "=" + typed + ": give a number from " +
+                                            render::shortestNumber(parameter.low) + " to " +
+                                            render::shortestNumber(parameter.high) + " " +
+                                            std::string(info(parameter.unit).storedSymbol) + ".");
+        all[i] = *value;
+    }
+    return all;
+}
+
+scenes::MeshRequest requestOf(const ParameterValues& values)
+{
+    const MeshTable& t = meshTable();
+    const double machine = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+    scenes::MeshRequest request;
+    request.cell = values[t.cell];
+    request.part = partOf(values);
+    request.mostBytes = static_cast<std::uint64_t>(values[t.memory] > 0 ? values[t.memory] * 1e6 : machine / 2);
+    return request;
+}
+
+/// Throws Failure (Blame::check) where the mesh is not closed.
+scenes::MeshCheck checked(const scenes::SceneMesh& mesh)
+{
+    if (mesh.indices.empty())
+        throw Failure(Blame::check, "No point of the scene is inside, as far as these cells can tell: sheets need a "
+                                    "thickness, and what is thinner than a cell a smaller --cell.");
+    scenes::MeshCheck check = scenes::checkMesh(mesh);
+    if (!check.good())
+        throw Failure(Blame::check, "The mesh is not closed or no manifold (" + std::to_string(check.openEdges) +
+                                        " edges, " + std::to_string(check.brokenVertices) + " vertices, " +
+                                        std::to_string(check.emptyTriangles) +
+                                        " triangles); nothing was written. Give a slightly different --cell.");
+    return check;
+}
+
+class MeshRun final : public JobRun {
+public:
+    explicit MeshRun(JobOrder order)
+        : order_(std::move(order)), scene_(static_cast<const MeshInputs&>(*order_.inputs).scene),
+          field_(scene_, order_.values[meshTable().time], parametersOf(*scene_, order_.values))
+    {
+    }
+
+    [[nodiscard]] Next next() const override { return isDone_ ? Next::done : Next::work; }
+    void step(const Watch& watch) override
+    {
+        const auto part = [&](double done) { return watch(progress_ = done); };
+        if (!mesher_) {
+            mesher_ = std::make_unique<scenes::SceneMesher>(field_, requestOf(order_.values), part);
+            if (!watch(0)) throw Stopped();
+            return;
+        }
+        const std::optional<scenes::SceneMesh> mesh = mesher_->mesh(part);
+        if (!mesh) throw Stopped();
+        const scenes::MeshCheck check = checked(*mesh);
+        if (!watch(1)) throw Stopped();
+        tell(*mesh, check);
+        stage(*mesh);
+        isDone_ = true;
+    }
+    [[nodiscard]] double progress() const override { return progress_; }
+    [[nodiscard]] std::string_view doing() const override { return "meshing"; }
+    [[nodiscard]] const JobReport& report() const override { return report_; }
+    void publish() override { render::publishAll(staged_); }
+
+private:
+    void tell(const scenes::SceneMesh& mesh, const scenes::MeshCheck& check)
+    {
+        const scenes::MeshPlan& plan = mesher_->plan();
+        report_.facts = {{"Vertices", static_cast<double>(mesh.vertices.size())},
+                         {"Triangles", static_cast<double>(mesh.indices.size() / 3)},
+                         {"Volume", check.volume, "m³"},
+                         {"Area", check.area, "m²"},
+                         {"Cells near the surface", static_cast<double>(plan.nearSurface)},
+                         {"Skipped cells", 100 * (1 - static_cast<double>(plan.nearSurface) / plan.allCells()), "%"},
+                         {"Memory at most", std::round(static_cast<double>(plan.bytes) / 1e6), "MB"}};
+        if (plan.lost > 0)
+            report_.warnings.push_back(std::to_string(plan.lost) +
+                                       " cells hold parts that are thinner than a cell; a smaller --cell keeps them.");
+    }
+    void stage(const scenes::SceneMesh& mesh)
+    {
+        const std::filesystem::path& out = order_.out;
+        if (out.empty()) return;
+        const auto format = scenes::meshFormat(out.string());
+        const std::string name = scene_->name.empty() ? "scene" : scene_->name;
+        staged_.push_back(render::stagedFile(out, scenes::meshFile(mesh, *format, name)));
+        staged_.push_back(render::stagedFile(documentFile(out), documentText(MeshJob(), order_, report_.facts)));
+        report_.files = {out, documentFile(out)};
+    }
+
+    JobOrder order_;
+    std::shared_ptr<const scenes::Scene> scene_;
+    scenes::SceneField field_;
+    std::unique_ptr<scenes::SceneMesher> mesher_;
+    std::vector<std::unique_ptr<render::PartFile>> staged_;
+    JobReport report_;
+    double progress_ = 0;
+    bool isDone_ = false;
+};
+
+}  // namespace
+
+const Parameters& MeshJob::parameters() const
+{
+    return meshTable();
+}
+
+std::shared_ptr<const JobInputs> MeshJob::read(const ParameterValues& values) const
+{
+    scenes::ReadScene read = scenes::readSceneFile(values[meshTable().file]);
+    if (!read.fileRead) throw Failure(Blame::file, read.findings.front().sentence);
+    if (!read.scene) {
+        const std::size_t others = read.findings.size() - 1;
+        throw Failure(
+            Blame::check,
+            read.findings.front().text() +
+                (others > 0 ? " And " + std::to_string(others) + " more; `vitrine scene check` lists them." : ""));
+    }
+    auto inputs = std::make_shared<MeshInputs>();
+    inputs->scene = std::move(read.scene);
+    return inputs;
+}
+
+JobPlan MeshJob::plan(const ParameterValues& values, const JobScene&, const JobInputs& inputs,
+                      const std::filesystem::path& out) const
+{
+    const scenes::Scene& scene = *static_cast<const MeshInputs&>(inputs).scene;
+    JobPlan plan;
+    for (const scenes::Finding& shape : scene.leftOut)
+        plan.warnings.push_back(shape.text() + " This shape is left out.");
+    if (!scene.animated() && values[meshTable().time] != 0)
+        plan.refusal = "--time has no effect on a scene in which nothing moves; leave it out.";
+    try {
+        static_cast<void>(requestOf(values));
+        static_cast<void>(parametersOf(scene, values));
+    } catch (const Failure& why) {
+        plan.refusal = why.what();
+    }
+    if (out.empty()) return plan;
+    if (plan.refusal.empty()) plan.refusal = refusedExtension(*this, out);
+    plan.files = {{out, "mesh"}, {documentFile(out), "settings"}};
+    return plan;
+}
+
+std::unique_ptr<JobRun> MeshJob::start(JobOrder order) const
+{
+    return std::make_unique<MeshRun>(std::move(order));
+}
+
+}  // namespace vitrine::jobs

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "exhibits/jobs/kit/job.h"
+
+namespace vitrine::jobs {
+
+/// `vitrine mesh`: makes a closed mesh of a scene's surface, for other programs and 3D printers.
+class MeshJob final : public Job {
+public:
+    [[nodiscard]] std::string_view name() const override { return "mesh"; }
+    [[nodiscard]] std::string_view title() const override { return "Export mesh"; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "Make a closed mesh of a scene's surface, for other programs and 3D printers";
+    }
+    [[nodiscard]] const Parameters& parameters() const override;
+    [[nodiscard]] JobNeeds needs() const override { return {.extensions = {"glb", "stl", "ply"}}; }
+    [[nodiscard]] std::shared_ptr<const JobInputs> read(const ParameterValues&) const override;
+    [[nodiscard]] JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
+                               const std::filesystem::path& out) const override;
+    [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
+};
+
+}  // namespace vitrine::jobs

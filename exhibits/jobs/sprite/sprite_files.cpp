@@ -1,0 +1,138 @@
+#include "exhibits/jobs/sprite/sprite_files.h"
+
+#include "exhibits/framework/preset.h"
+#include "exhibits/pixel_art/palette.h"
+#include "render/image/image_io.h"
+#include "render/image/srgb.h"
+
+namespace vitrine {
+namespace {
+
+constexpr std::int64_t longestSide = 16384;
+constexpr std::int64_t mostPixels = std::int64_t{1} << 26U;  // Frames are kept as floats: 36 bytes a pixel.
+
+/// "hero.png", "_normal" -> "hero_normal.png".
+std::filesystem::path besides(const std::filesystem::path& out, const std::string& suffix, const char* extension)
+{
+    return out.parent_path() / (out.stem().string() + suffix + extension);
+}
+
+std::string pngOf(const std::filesystem::path& file, const render::Image& image, const std::string& settings = {})
+{
+    return render::encodedPicture(file, image, render::PictureFormat::png8, {.preset = settings});
+}
+
+/// The same of numbers as they are, past the curve that colors are written with.
+std::string codesOf(const std::filesystem::path& file, render::Image image)
+{
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        const bool alpha = image.channels == 4 && i % 4 == 3;
+        if (!alpha) image.pixels[i] = static_cast<float>(render::linearFromSrgb(static_cast<double>(image.pixels[i])));
+    }
+    return pngOf(file, image);
+}
+
+std::vector<Rgb8> chosenPalette(const ParameterValues& values)
+{
+    const SpriteTable& t = spriteTable();
+    const std::string_view name =
+        t.rows()[t.palette.row].choices[static_cast<std::size_t>(static_cast<int>(values[t.palette]))];
+    static const PixelArtTable look;
+    const auto& names = look.rows()[look.palette.row].choices;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i] == name) {
+            const auto colors = shippedPalette(static_cast<PaletteName>(i));
+            return {colors.begin(), colors.end()};
+        }
+    return {};
+}
+
+/// A file of a sheet, and how it is made.
+struct SheetPart {
+    std::filesystem::path file;
+    const char* content;
+    std::string (*bytesOf)(const SpriteSheet&, const std::filesystem::path&);
+};
+
+std::vector<SheetPart> sheetParts(const ParameterValues& values, const std::filesystem::path& out)
+{
+    const SpriteTable& t = spriteTable();
+    using Path = std::filesystem::path;
+    std::vector<SheetPart> parts{
+        {out, "colors", [](const SpriteSheet& s, const Path& f) { return pngOf(f, s.color, s.settings); }}};
+    if (values[t.normals])
+        parts.push_back({besides(out, "_normal", ".png"), "normals",
+                         [](const SpriteSheet& s, const Path& f) { return codesOf(f, s.normal); }});
+    if (values[t.depth])
+        parts.push_back({besides(out, "_depth", ".png"), "depth",
+                         [](const SpriteSheet& s, const Path& f) { return codesOf(f, s.depth); }});
+    if (values[t.description])
+        parts.push_back({besides(out, "", ".json"), "description",
+                         [](const SpriteSheet& s, const Path&) { return s.description; }});
+    return parts;
+}
+
+}  // namespace
+
+SpriteRequest spriteRequest(const ParameterValues& values, const SpriteSubject& object)
+{
+    const SpriteTable& t = spriteTable();
+    const int frames = values[t.frames] > 0 ? values[t.frames] : object.animated() ? 12 : 1;
+    return {values[t.directions], frames, {values[t.width], values[t.height]}, values[t.animation], values[t.motion]};
+}
+
+std::string whyNoSheet(const SpriteRequest& request)
+{
+    const std::int64_t wide = std::int64_t{request.size.x} * request.frames;
+    const std::int64_t high = std::int64_t{request.size.y} * request.directions;
+    if (wide > longestSide || high > longestSide)
+        return "The sheet would be more than 16384 pixels wide or high; ask for fewer or smaller frames.";
+    if (wide * high > mostPixels)
+        return "The sheet would have more than 67 million pixels; ask for fewer or smaller frames.";
+    return {};
+}
+
+std::shared_ptr<const SpriteSubject> spriteSubject(const ParameterValues& values)
+{
+    const std::string& file = values[spriteTable().model];
+    return file.empty() ? std::make_shared<const SpriteSubject>() : std::make_shared<const SpriteSubject>(file);
+}
+
+SpriteSheet sheetOf(const std::vector<SpriteFrame>& frames, const ParameterValues& values, const SpriteSubject& subject,
+                    const std::string& imageName)
+{
+    const SpriteTable& t = spriteTable();
+    SpriteSheetOptions options;
+    options.colors = values[t.colors];
+    options.palette = chosenPalette(values);
+    options.dither = values[t.dither];
+    options.pivot = values[t.pivot];
+    options.trimmed = values[t.trimmed];
+    const double rate = values[t.framesPerSecond];
+    const SpriteRequest request = spriteRequest(values, subject);
+    options.frameSeconds = rate > 0 ? 1 / rate : subject.duration(request) / request.frames;
+    options.imageName = imageName;
+    return spriteSheet(frames, options);
+}
+
+std::vector<jobs::PlannedFile> sheetFiles(const ParameterValues& values, const std::filesystem::path& out)
+{
+    std::vector<jobs::PlannedFile> files;
+    for (const SheetPart& part : sheetParts(values, out)) files.push_back({part.file, part.content});
+    return files;
+}
+
+std::string lookPreset(const ParameterValues& look)
+{
+    return presetText({std::string(spriteLookName), "Sprite sheet", look, std::nullopt});
+}
+
+std::vector<render::NamedBytes> sheetBytes(const SpriteSheet& sheet, const ParameterValues& values,
+                                           const std::filesystem::path& out)
+{
+    std::vector<render::NamedBytes> files;
+    for (const SheetPart& part : sheetParts(values, out)) files.push_back({part.file, part.bytesOf(sheet, part.file)});
+    return files;
+}
+
+}  // namespace vitrine

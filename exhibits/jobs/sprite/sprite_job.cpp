@@ -1,0 +1,143 @@
+#include "exhibits/jobs/sprite/sprite_job.h"
+
+#include "exhibits/jobs/kit/job_document.h"
+#include "exhibits/jobs/sprite/sprite_files.h"
+#include "render/failure.h"
+#include "render/files/atomic_write.h"
+
+namespace vitrine::jobs {
+namespace {
+
+constexpr std::int64_t draftPixels = 1U << 20U;  // Of all frames that are drawn for a preview.
+
+const SpriteSubject& objectOf(const JobInputs& inputs)
+{
+    return *static_cast<const SpriteInputs&>(inputs).object;
+}
+
+std::vector<Fact> factsOf(const ParameterValues& values, const SpriteSubject& object)
+{
+    const SpriteTable& t = spriteTable();
+    const SpriteRequest request = spriteRequest(values, object);
+    return {{"Frames", static_cast<double>(request.frames) * request.directions},
+            {"Frame size", std::to_string(values[t.width]) + " × " + std::to_string(values[t.height]), "px"}};
+}
+
+}  // namespace
+
+SpriteRun::SpriteRun(JobOrder order)
+    : order_(std::move(order)), object_(static_cast<const SpriteInputs&>(*order_.inputs).object),
+      shots_(order_.scene.state.values[order_.scene.subject], object_, spriteRequest(order_.values, *object_))
+{
+}
+
+JobRun::Next SpriteRun::next() const
+{
+    if (!shots_.finished()) return Next::draw;
+    return sheet_ ? Next::done : Next::work;
+}
+
+void SpriteRun::step(const Watch&)
+{
+    if (shots_.finished()) {
+        makeSheet();
+        return;
+    }
+    if (!backend_) backend_ = order_.backend ? order_.backend() : nullptr;
+    if (!backend_) throw Failure(Blame::openGl, "No sprites can be drawn: there is no graphics context.");
+    shots_.step(*backend_);
+    if (shots_.finished()) backend_.reset();
+}
+
+double SpriteRun::progress() const
+{
+    return shots_.progress();
+}
+
+std::string_view SpriteRun::doing() const
+{
+    return shots_.finished() ? "making the sheet" : "drawing frames";
+}
+
+void SpriteRun::makeSheet()
+{
+    const std::filesystem::path& out = order_.out;
+    SpriteSheet sheet = sheetOf(shots_.frames(), order_.values, *object_, out.filename().string());
+    sheet.settings = lookPreset(order_.scene.state.values[order_.scene.subject]);
+    report_.warnings = sheet.warnings;
+    report_.facts = factsOf(order_.values, *object_);
+    report_.facts.push_back({"Colors", static_cast<double>(sheet.palette.size())});
+    report_.facts.push_back(
+        {"Sheet", std::to_string(sheet.color.width) + " × " + std::to_string(sheet.color.height), "px"});
+    if (!out.empty()) {
+        for (const render::NamedBytes& file : sheetBytes(sheet, order_.values, out))
+            staged_.push_back(render::stagedFile(file.path, file.bytes));
+        staged_.push_back(render::stagedFile(documentFile(out), documentText(SpriteJob(), order_, report_.facts)));
+        for (const auto& file : staged_) report_.files.push_back(file->target());
+    }
+    sheet_ = std::make_unique<SpriteSheet>(std::move(sheet));
+}
+
+void SpriteRun::publish()
+{
+    render::publishAll(staged_);
+}
+
+JobNeeds SpriteJob::needs() const
+{
+    return {.subject = spriteLookName, .extensions = {"png"}, .inWindow = true};
+}
+
+std::shared_ptr<const JobInputs> SpriteJob::read(const ParameterValues& values) const
+{
+    return std::make_shared<const SpriteInputs>(spriteSubject(values));
+}
+
+JobPlan SpriteJob::plan(const ParameterValues& values, const JobScene&, const JobInputs& inputs,
+                        const std::filesystem::path& out) const
+{
+    const SpriteSubject& object = objectOf(inputs);
+    JobPlan plan;
+    plan.warnings = object.warnings();
+    plan.offers["animation"] = object.animations();
+    plan.refusal = whyNoSheet(spriteRequest(values, object));
+    try {
+        static_cast<void>(object.duration(spriteRequest(values, object)));
+    } catch (const Failure& unknownAnimation) {
+        plan.refusal = unknownAnimation.what();
+    }
+    plan.facts = factsOf(values, object);
+    if (out.empty()) return plan;
+    if (plan.refusal.empty()) plan.refusal = refusedExtension(*this, out);
+    plan.files = sheetFiles(values, out);
+    plan.files.push_back({documentFile(out), "settings"});
+    return plan;
+}
+
+std::unique_ptr<JobRun> SpriteJob::start(JobOrder order) const
+{
+    return std::make_unique<SpriteRun>(std::move(order));
+}
+
+ParameterValues SpriteJob::draft(const ParameterValues& values, const JobInputs& inputs) const
+{
+    const SpriteTable& t = spriteTable();
+    ParameterValues fewer = values;
+    fewer.set(t.frames, spriteRequest(values, objectOf(inputs)).frames);
+    const std::int64_t each = std::int64_t{values[t.width]} * values[t.height];
+    while (each * fewer[t.frames] * fewer[t.directions] > draftPixels) {
+        if (fewer[t.frames] > 8)
+            fewer.set(t.frames, fewer[t.frames] / 2);
+        else if (fewer[t.directions] > 4)
+            fewer.set(t.directions, fewer[t.directions] / 2);
+        else if (fewer[t.frames] > 1)
+            fewer.set(t.frames, fewer[t.frames] / 2);
+        else if (fewer[t.directions] > 1)
+            fewer.set(t.directions, 1);
+        else
+            break;
+    }
+    return fewer;
+}
+
+}  // namespace vitrine::jobs

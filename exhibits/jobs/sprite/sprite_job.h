@@ -1,0 +1,60 @@
+#pragma once
+
+#include "exhibits/jobs/kit/job.h"
+#include "exhibits/jobs/sprite/sprite_shots.h"
+
+namespace vitrine::jobs {
+
+/// The object of which sprites are drawn, read.
+struct SpriteInputs final : JobInputs {
+    explicit SpriteInputs(std::shared_ptr<const SpriteSubject> read) : object(std::move(read)) {}
+    std::shared_ptr<const SpriteSubject> object;
+};
+
+/// Draws a sprite sheet. Once it is done, the preview shows its sheet.
+class SpriteRun final : public JobRun {
+public:
+    explicit SpriteRun(JobOrder);
+
+    [[nodiscard]] Next next() const override;
+    void step(const Watch&) override;
+    [[nodiscard]] double progress() const override;
+    [[nodiscard]] std::string_view doing() const override;
+    [[nodiscard]] const JobReport& report() const override { return report_; }
+    void publish() override;
+
+    /// Null until the run is done.
+    [[nodiscard]] const SpriteSheet* sheet() const { return sheet_.get(); }
+
+private:
+    void makeSheet();
+
+    JobOrder order_;
+    std::shared_ptr<const SpriteSubject> object_;
+    SpriteShots shots_;
+    std::unique_ptr<render::RenderBackend> backend_;
+    std::unique_ptr<SpriteSheet> sheet_;
+    std::vector<std::unique_ptr<render::PartFile>> staged_;
+    JobReport report_;
+};
+
+/// `vitrine sprite`: draws an object from all sides as a sprite sheet.
+class SpriteJob final : public Job {
+public:
+    [[nodiscard]] std::string_view name() const override { return "sprite"; }
+    [[nodiscard]] std::string_view title() const override { return "Export sprites"; }
+    [[nodiscard]] std::string_view summary() const override
+    {
+        return "Draw an object from all sides as a sprite sheet, with normals, depth and Aseprite's JSON beside it";
+    }
+    [[nodiscard]] const Parameters& parameters() const override { return spriteTable(); }
+    [[nodiscard]] JobNeeds needs() const override;
+    [[nodiscard]] std::shared_ptr<const JobInputs> read(const ParameterValues&) const override;
+    [[nodiscard]] JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
+                               const std::filesystem::path& out) const override;
+    [[nodiscard]] std::unique_ptr<JobRun> start(JobOrder) const override;
+    /// Fewer frames, and fewer directions, where drawing all of them takes long.
+    [[nodiscard]] ParameterValues draft(const ParameterValues&, const JobInputs&) const override;
+};
+
+}  // namespace vitrine::jobs

@@ -1,0 +1,204 @@
+#include "exhibits/jobs/sprite/sprite_sheet.h"
+
+#include "exhibits/jobs/sprite/sprite_colors.h"
+#include "exhibits/pixel_art/palette.h"
+#include "render/failure.h"
+#include "render/files/strict_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+namespace vitrine {
+namespace {
+
+using render::Image;
+using render::Json;
+
+constexpr int fewestPixels = 12;  ///< Of a frame that shows something.
+
+/// Pixels that are seen in the fullest frame.
+int mostSeen(const std::vector<SpriteFrame>& frames)
+{
+    int most = 0;
+    for (const SpriteFrame& frame : frames) most = std::max(most, seenPixels(frame));
+    return most;
+}
+
+/// Tells whether directions have several frames, and all frames of each direction are equal.
+bool framesRepeat(const std::vector<SpriteFrame>& frames)
+{
+    std::map<int, const SpriteFrame*> first;
+    for (const SpriteFrame& frame : frames) {
+        const SpriteFrame& before = *first.try_emplace(frame.direction, &frame).first->second;
+        if (before.color.pixels != frame.color.pixels || before.depth.pixels != frame.depth.pixels) return false;
+    }
+    return frames.size() > first.size();
+}
+
+/// The part of a frame that is not empty; one texel of one that is.
+SpriteCell cellOf(const Image& color, bool trimmed)
+{
+    SpriteCell cell;
+    cell.size = {color.width, color.height};
+    if (!trimmed) return cell;
+    glm::ivec2 low(color.width, color.height), high(-1);
+    for (int y = 0; y < color.height; ++y)
+        for (int x = 0; x < color.width; ++x)
+            if (isSeen(color, x, y)) {
+                low = glm::min(low, glm::ivec2(x, y));
+                high = glm::max(high, glm::ivec2(x, y));
+            }
+    cell.cutOff = high.x < 0 ? glm::ivec2(0) : low;
+    cell.size = high.x < 0 ? glm::ivec2(1) : high - low + 1;
+    return cell;
+}
+
+/// Rows of directions, each as high as its highest frame. Returns the size of the sheet.
+glm::ivec2 place(std::vector<SpriteCell>& cells, const std::vector<SpriteFrame>& frames)
+{
+    glm::ivec2 at(0), size(0);
+    int high = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (i > 0 && frames[i].direction != frames[i - 1].direction) {
+            at = {0, at.y + high};
+            high = 0;
+        }
+        cells[i].place = at;
+        at.x += cells[i].size.x;
+        high = std::max(high, cells[i].size.y);
+        size = glm::max(size, glm::ivec2(at.x, at.y + high));
+    }
+    return size;
+}
+
+std::vector<Rgb8> paletteOf(const std::vector<SpriteFrame>& frames, const SpriteSheetOptions& options)
+{
+    if (!options.palette.empty()) return options.palette;
+    std::vector<glm::vec3> pixels;
+    for (const SpriteFrame& frame : frames)
+        for (int y = 0; y < frame.color.height; ++y)
+            for (int x = 0; x < frame.color.width; ++x)
+                if (isSeen(frame.color, x, y))
+                    pixels.emplace_back(frame.color.at(x, y, 0), frame.color.at(x, y, 1), frame.color.at(x, y, 2));
+    // Some are enough, evenly chosen.
+    const std::size_t stride = pixels.size() / 65536 + 1;
+    std::vector<glm::vec3> some;
+    for (std::size_t i = 0; i < pixels.size(); i += stride) some.push_back(pixels[i]);
+    std::vector<Rgb8> palette = mainColors(some, options.colors);
+    if (palette.empty()) palette.emplace_back(0, 0, 0);
+    return palette;
+}
+
+void copyFrame(const SpriteFrame& frame, const Image& color, const SpriteCell& cell, SpriteSheet& sheet)
+{
+    for (int y = 0; y < cell.size.y; ++y)
+        for (int x = 0; x < cell.size.x; ++x) {
+            const int fromX = x + cell.cutOff.x, fromY = y + cell.cutOff.y;
+            const int toX = x + cell.place.x, toY = y + cell.place.y;
+            if (!isSeen(frame.color, fromX, fromY)) continue;
+            for (int k = 0; k < 3; ++k) {
+                sheet.color.at(toX, toY, k) = color.at(fromX, fromY, k);
+                sheet.normal.at(toX, toY, k) = 0.5F + 0.5F * frame.normal.at(fromX, fromY, k);
+            }
+            sheet.color.at(toX, toY, 3) = frame.color.at(fromX, fromY, 3);
+            sheet.normal.at(toX, toY, 3) = 1;
+            sheet.depth.at(toX, toY) = frame.depth.at(fromX, fromY);
+        }
+}
+
+glm::ivec2 pivotOf(const SpriteFrame& frame, SpritePivot pivot)
+{
+    const glm::ivec2 size(frame.color.width, frame.color.height);
+    switch (pivot) {
+    case SpritePivot::center: return size / 2;
+    case SpritePivot::bottom: return {size.x / 2, size.y};
+    case SpritePivot::origin: break;
+    }
+    return glm::ivec2(glm::floor(frame.pivot + 0.5));
+}
+
+Json box(glm::ivec2 at, glm::ivec2 size)
+{
+    return {{"x", at.x}, {"y", at.y}, {"w", size.x}, {"h", size.y}};
+}
+
+std::string describe(const std::vector<SpriteFrame>& frames, const SpriteSheet& sheet,
+                     const SpriteSheetOptions& options)
+{
+    Json list = Json::array(), tags = Json::array(), keys = Json::array();
+    const glm::ivec2 whole(frames.front().color.width, frames.front().color.height);
+    // Tags begin with the name of the file, so that sheets with different names have different tags.
+    const std::string stem = std::filesystem::path(options.imageName).stem().string();
+    const std::string tagStem = stem.empty() ? std::string() : stem + ' ';
+    const int milliseconds = std::max(1, static_cast<int>(std::floor(1000 * options.frameSeconds + 0.5)));
+    for (std::size_t i = 0; i < frames.size(); ++i) {
+        const SpriteCell& cell = sheet.cells[i];
+        list.push_back({{"filename", std::to_string(i)},
+                        {"frame", box(cell.place, cell.size)},
+                        {"rotated", false},
+                        {"trimmed", cell.size != whole},
+                        {"spriteSourceSize", box(cell.cutOff, cell.size)},
+                        {"sourceSize", {{"w", whole.x}, {"h", whole.y}}},
+                        {"duration", milliseconds}});
+        const glm::ivec2 pivot = sheet.pivots[i];
+        keys.push_back({{"frame", i}, {"bounds", box({0, 0}, whole)}, {"pivot", {{"x", pivot.x}, {"y", pivot.y}}}});
+        if (i == 0 || frames[i].direction != frames[i - 1].direction)
+            tags.push_back({{"name", tagStem + "direction " + std::to_string(frames[i].direction)},
+                            {"from", i},
+                            {"to", i},
+                            {"direction", "forward"},
+                            {"color", "#000000ff"}});
+        tags.back()["to"] = i;
+    }
+    Json meta = {{"app", "https://www.aseprite.org/docs/cli/#data (written by Vitrine)"},
+                 {"version", VITRINE_VERSION},
+                 {"image", options.imageName},
+                 {"format", "RGBA8888"},
+                 {"size", {{"w", sheet.color.width}, {"h", sheet.color.height}}},
+                 {"scale", "1"},
+                 {"frameTags", std::move(tags)},
+                 {"layers", Json::array()},
+                 {"slices", Json::array({{{"name", "pivot"}, {"color", "#0000ffff"}, {"keys", std::move(keys)}}})}};
+    return render::writeJson({{"frames", std::move(list)}, {"meta", std::move(meta)}});
+}
+
+}  // namespace
+
+int seenPixels(const SpriteFrame& frame)
+{
+    int seen = 0;
+    for (int y = 0; y < frame.color.height; ++y)
+        for (int x = 0; x < frame.color.width; ++x) seen += isSeen(frame.color, x, y);
+    return seen;
+}
+
+SpriteSheet spriteSheet(const std::vector<SpriteFrame>& frames, const SpriteSheetOptions& options)
+{
+    if (frames.empty()) throw Failure(Blame::usage, "A sprite sheet takes at least one frame.");
+    SpriteSheet sheet;
+    for (const SpriteFrame& frame : frames) {
+        sheet.cells.push_back(cellOf(frame.color, options.trimmed));
+        sheet.pivots.push_back(pivotOf(frame, options.pivot));
+    }
+    sheet.frameSeconds = options.frameSeconds;
+    const glm::ivec2 size = place(sheet.cells, frames);
+    sheet.color = sheet.normal = Image(size.x, size.y, 4);
+    sheet.depth = Image(size.x, size.y, 1);
+    sheet.palette = paletteOf(frames, options);
+    SpriteColors colors(sheet.palette, options.dither);
+    for (std::size_t i = 0; i < frames.size(); ++i)
+        copyFrame(frames[i], colors.of(frames[i].color), sheet.cells[i], sheet);
+    sheet.description = describe(frames, sheet, options);
+    if (const int most = mostSeen(frames); most < fewestPixels)
+        sheet.warnings.push_back("The object covers at most " + std::to_string(most) +
+                                 " pixels of a frame: it moves far in its animation, or a frame is small. Take its "
+                                 "motion out of the frames, or make them larger.");
+    if (framesRepeat(frames))
+        sheet.warnings.push_back("All frames of each direction are equal: the object has no animation, or none that "
+                                 "these frames show. One frame per direction is enough.");
+    return sheet;
+}
+
+}  // namespace vitrine

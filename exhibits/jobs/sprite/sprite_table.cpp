@@ -1,0 +1,11 @@
+#include "exhibits/jobs/sprite/sprite_table.h"
+
+namespace vitrine {
+
+const SpriteTable& spriteTable()
+{
+    static const SpriteTable table;
+    return table;
+}
+
+}  // namespace vitrine

@@ -1,0 +1,432 @@
+// Every job in the list, and one made in the test, keeps what its table promises.
+
+#include "exhibits/exhibits.h"
+#include "exhibits/framework/condition.h"
+#include "exhibits/framework/random_values.h"
+#include "exhibits/framework/value_text.h"
+#include "exhibits/jobs.h"
+#include "exhibits/jobs/kit/command_line.h"
+#include "exhibits/jobs/kit/given_values.h"
+#include "exhibits/jobs/kit/job_document.h"
+#include "render/files/number_text.h"
+#include "render/gl/context.h"
+#include "render/gl/renderer.h"
+#include "tests/kit/contact_job.h"
+#include "tests/support/failures.h"
+#include "tests/support/temporary_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <future>
+#include <set>
+
+namespace vitrine {
+namespace {
+
+using namespace jobs;
+using test::ContactJob;
+using test::ContactTable;
+using test::TemporaryFolder;
+
+const ContactJob contact;
+
+std::vector<const Job*> everyJob()
+{
+    std::vector<const Job*> every{&contact};
+    for (const auto& job : allJobs()) every.push_back(job.get());
+    return every;
+}
+
+/// Random values, with texts where the table has some.
+ParameterValues randomOf(const Job& job, RandomNumbers& random)
+{
+    ParameterValues values = randomValues(job.parameters(), random, 0.7);
+    for (std::size_t i = 0; i < values.rows().size(); ++i) {
+        const ParameterInfo& parameter = values.rows()[i];
+        if (!parameter.isWritten() || (!parameter.given.mustBeGiven && random.chance(0.5))) continue;
+        values.setRow(i, std::string(parameter.several ? "a b.png\nc=1,2.png" : "folder/a b.png"));
+    }
+    return values;
+}
+
+/// What a command line of these words gives.
+ParameterValues typedValues(const Job& job, const std::vector<std::string>& words,
+                            std::optional<ParameterValues> document = std::nullopt)
+{
+    GivenValues given = document ? GivenValues(*document) : GivenValues(job.parameters());
+    std::map<std::string, std::vector<std::string>> typed;
+    std::vector<std::string> positional;
+    for (const std::string& word : words) {
+        const std::size_t equals = word.find('=');
+        if (word.rfind("--", 0) != 0)
+            positional.push_back(word);
+        else if (equals == std::string::npos)
+            typed[word] = {};
+        else
+            typed[word.substr(0, equals)].push_back(word.substr(equals + 1));
+    }
+    for (const JobOption& option : std::vector<JobOption>(given.options())) {
+        if (option.positional && !positional.empty()) {
+            const auto last = option.several ? positional.end() : positional.begin() + 1;
+            given.type(option, {positional.begin(), last});
+            positional.erase(positional.begin(), last);
+        } else if (option.isFlag) {
+            if (typed.erase(option.name) > 0) given.turn(option, true);
+            if (typed.erase(withoutFlag(option)) > 0) given.turn(option, false);
+        } else if (const auto found = typed.find(option.name); found != typed.end()) {
+            given.type(option, found->second);
+            typed.erase(found);
+        }
+    }
+    EXPECT_TRUE(typed.empty() && positional.empty())
+        << job.name() << " has no " << (typed.empty() ? "" : typed.begin()->first);
+    return given.settled("vitrine " + std::string(job.name()));
+}
+
+/// Expects that `work` is refused as a usage error whose sentence contains `part`.
+template <typename Work> void expectRefused(const Work& work, const std::string& part)
+{
+    EXPECT_PRED_FORMAT2(testing::IsSubstring, part.c_str(),
+                        test::failureOf(
+                            [&] {
+                                work();
+                                return 0;
+                            },
+                            Blame::usage));
+}
+
+TEST(EveryJob, HasAnOptionAKeyAndAHelpTextForEachParameter)
+{
+    for (const Job* job : everyJob()) {
+        std::set<std::string> names{"--out", "--like", "--dry-run", "--json", "--preset", "--help", "--language"};
+        if (!job->needs().subject.empty()) names.insert("--set");
+        std::set<std::size_t> given;
+        const render::Json schema = schemaOf(*job);
+        const render::Json initial = jsonOf(job->parameters().initial());
+        for (const JobOption& option : optionsOf(job->parameters())) {
+            EXPECT_TRUE(names.insert(option.name).second) << job->name() << " has two " << option.name;
+            if (option.isFlag) {
+                EXPECT_TRUE(names.insert(withoutFlag(option)).second) << job->name() << ' ' << option.name;
+            }
+            given.insert(option.parameters.begin(), option.parameters.end());
+            EXPECT_FALSE(helpText(job->parameters(), option).empty()) << job->name() << ' ' << option.name;
+            EXPECT_EQ(typeText(job->parameters(), option).empty(), option.isFlag) << job->name() << ' ' << option.name;
+            ASSERT_TRUE(schema["properties"].contains(option.key)) << job->name() << ' ' << option.key;
+            EXPECT_FALSE(schema["properties"][option.key]["description"].get<std::string>().empty());
+            EXPECT_TRUE(initial.contains(option.key)) << job->name() << ' ' << option.key;
+            EXPECT_EQ(schema["properties"][option.key].contains("default"), !option.mustBeGiven);
+        }
+        EXPECT_EQ(given.size(), job->parameters().rows().size()) << job->name();
+        EXPECT_EQ(schema["properties"].size(), initial.size()) << job->name();
+        EXPECT_FALSE(job->needs().extensions.empty()) << job->name();
+        EXPECT_EQ(findJob(job->name()), job == &contact ? nullptr : job);
+    }
+    EXPECT_EQ(findJob("nothing"), nullptr);
+}
+
+TEST(EveryJob, ReadsRandomValuesBackFromItsCommandLine)
+{
+    for (const Job* job : everyJob()) {
+        RandomNumbers random(3);
+        for (int i = 0; i < 300; ++i) {
+            // What has no effect is not typed.
+            const ParameterValues values = actingValues(randomOf(*job, random));
+            const std::vector<std::string> words = wordsOf(values);
+            std::string line;
+            for (const std::string& word : words) line += word + ' ';
+            EXPECT_EQ(actingValues(typedValues(*job, words)), values) << job->name() << ": " << line;
+        }
+    }
+}
+
+TEST(EveryJob, ReadsRandomValuesBackFromItsDocument)
+{
+    for (const Job* job : everyJob()) {
+        RandomNumbers random(4);
+        for (int i = 0; i < 100; ++i) {
+            const ParameterValues values = randomOf(*job, random);
+            const std::string text = documentText(*job, {values}, {{"Frames", 3.0}});
+            const JobDocument read = parseDocument(text, "a.json", *job, nullptr);
+            EXPECT_EQ(read.values, values) << text;
+            EXPECT_TRUE(read.notes.empty()) << job->name() << ": " << (read.notes.empty() ? "" : read.notes.front());
+        }
+    }
+}
+
+TEST(EveryJob, ReadsWritesAndShowsEveryWord)
+{
+    for (const Job* job : everyJob())
+        for (const JobOption& option : optionsOf(job->parameters()))
+            for (const std::size_t i : option.parameters)
+                for (const Word& word : job->parameters().rows()[i].words) {
+                    const ParameterInfo& parameter = job->parameters().rows()[i];
+                    EXPECT_EQ(readWord(option.name, parameter, std::string(word.text)), Value(word.value));
+                    EXPECT_EQ(typedText(parameter, word.value), word.text);
+                    const render::Json json = jsonFromValue(parameter, word.value);
+                    EXPECT_TRUE(json.is_string() || std::isfinite(json.get<double>())) << parameter.name;
+                }
+}
+
+TEST(JobOptions, RefuseWhatIsOutOfRangeWithTheRange)
+{
+    const auto refused = [](const std::vector<std::string>& words, const std::string& part) {
+        std::vector<std::string> all{"a.png", "--title=T"};
+        all.insert(all.end(), words.begin(), words.end());
+        expectRefused([&] { static_cast<void>(typedValues(contact, all)); }, part);
+    };
+    refused({"--columns=65"}, "--columns \"65\": give a whole number from 1 to 64, or auto.");
+    refused({"--columns=2.5"}, "--columns \"2.5\": give a whole number");
+    refused({"--border-mm=60"}, "--border-mm \"60\": give a number from 0 to 50 mm.");
+    refused({"--border-mm=6cm"}, "from 0 to 50 mm.");
+    refused({"--border-mm=0,5"}, "write 0.5.");
+    refused({"--dpi=0"}, "give a number from 1 to 10000, or none, or screen.");
+    refused({"--dpi=inf"}, "give a number");
+    refused({"--tile-size=20"}, "--tile-size \"20\": give WIDTHxHEIGHT, such as 16x12.");
+    refused({"--tile-size=20x99999"}, "--tile-size 20x99999 \"99999\": give a whole number from 1 to 4096.");
+    refused({"--source=paper"}, "--source paper: give one of pictures, folder.");
+    refused({"--paper=white"}, "--paper white: give #rrggbb or r,g,b.");
+    expectRefused([&] { static_cast<void>(typedValues(contact, {"a.png"})); }, "`vitrine contact` needs --title;");
+}
+
+TEST(JobOptions, TakeNumbersInTheirUnitOrWithOneOfTheirOwn)
+{
+    const ContactTable t;
+    const auto typed = [](const std::string& word) { return typedValues(contact, {"a.png", "--title=T", word}); };
+    EXPECT_EQ(typed("--border-mm=3")[t.borderWidth], 0.003);
+    EXPECT_EQ(typed("--border-mm=0.3cm")[t.borderWidth], 0.003);
+    EXPECT_EQ(typed("--border-mm=50")[t.borderWidth], 0.05);
+    EXPECT_DOUBLE_EQ(typed("--turn=90")[t.turn], std::acos(0.0));
+    EXPECT_DOUBLE_EQ(typed("--turn=-90")[t.turn], -std::acos(0.0));
+    EXPECT_EQ(typed("--turn=180")[t.turn], contact.parameters().rows()[t.turn.row].range.high);
+    EXPECT_EQ(typed("--dpi=none")[t.pixelsPerInch], std::numeric_limits<double>::infinity());
+    EXPECT_EQ(typed("--dpi=screen")[t.pixelsPerInch], -1);
+    EXPECT_EQ(typed("--tile-size=7x9")[t.height], 9);
+    EXPECT_FALSE(typed("--no-border")[t.border]);
+    const ParameterValues several = typedValues(contact, {"a.png", "b.png", "--title=T"});
+    EXPECT_EQ(several[t.pictures], "a.png\nb.png");
+}
+
+TEST(JobOptions, SetWhatTheyImply)
+{
+    const ContactTable t;
+    const ParameterValues folder = typedValues(contact, {"--folder=f", "--title=T"});
+    EXPECT_EQ(folder[t.source], test::ContactSource::folder);
+    expectRefused(
+        [&] {
+            static_cast<void>(typedValues(contact, {"a.png", "--folder=f", "--title=T"}));
+        },
+        "pictures and --folder exclude each other; give one of them.");
+    // The other way round on a document: words are a layer of their own.
+    const ParameterValues pictures = typedValues(contact, {"a.png"}, folder);
+    EXPECT_EQ(pictures[t.source], test::ContactSource::pictures);
+    EXPECT_EQ(pictures[t.folder], "f");
+    EXPECT_EQ(pictures[t.title], "T");
+}
+
+TEST(JobOptions, RefuseWhatHasNoEffectAndSayWhatWouldGiveItOne)
+{
+    const auto refused = [](const std::vector<std::string>& words, const std::string& part) {
+        std::vector<std::string> all{"a.png", "--title=T"};
+        all.insert(all.end(), words.begin(), words.end());
+        expectRefused([&] { static_cast<void>(typedValues(contact, all)); }, part);
+    };
+    refused({"--no-border", "--border-mm=3"}, "--border-mm has no effect without --border;");
+    refused({"--source=pictures", "--folder=f"}, "--folder has no effect without --source folder;");
+    // In a document it stands without harm.
+    ParameterValues values = typedValues(contact, {"--folder=f", "--title=T"});
+    EXPECT_NO_THROW(static_cast<void>(typedValues(contact, {"--source=pictures"}, values)));
+}
+
+TEST(JobDocument, IsRefusedWithFileLineAndKey)
+{
+    const ContactTable t;
+    ParameterValues values(contact.parameters());
+    values.set(t.title, std::string("T"));
+    const std::string good = documentText(contact, {values}, {});
+    const auto with = [&](const std::string& from, const std::string& to) {
+        std::string text = good;
+        const std::size_t at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        return text.replace(at, from.size(), to);
+    };
+    const auto refused = [&](const std::string& text, const std::string& part) {
+        EXPECT_FAILURE(static_cast<void>(parseDocument(text, "a.json", contact, nullptr)), part);
+    };
+    EXPECT_NO_THROW(static_cast<void>(parseDocument(good, "a.json", contact, nullptr)));
+    refused("{}", "a.json: this is no settings document");
+    refused("[1]", "this is no settings document");
+    refused(with("\"version\": 1", "\"version\": 2"), "version: this document is newer");
+    refused(with("\"version\": 1", "\"version\": true"), "version: this must be a whole number");
+    refused(with("\"contact\"", "\"print\""), "job: this document is not of the job contact");
+    refused(with("\"border\"", "\"bordre\""), "values.bordre: there is no such parameter; did you mean border?");
+    refused(with("[16, 12]", "[16]"), "values.tileSize: this must be an array of 2 values");
+    refused(with("[16, 12]", "\"16x12\""), "values.tileSize");
+    refused(with("\"border\": true", "\"border\": 1"), "values.border: this must be true or false");
+    const JobDocument read = parseDocument(with("[16, 12]", "[16, 99999]"), "a.json", contact, nullptr);
+    EXPECT_EQ(read.values[t.height], 4096);
+    ASSERT_EQ(read.notes.size(), 1U);
+    EXPECT_NE(read.notes.front().find("tileSize 99999 -> 4096"), std::string::npos) << read.notes.front();
+}
+
+/// A gray picture in a folder.
+std::string pictureIn(const TemporaryFolder& folder, const std::string& name, float gray)
+{
+    const std::string file = folder / name;
+    render::writePicture(file, render::Image(4, 4, 3, gray), render::PictureFormat::png8);
+    return file;
+}
+
+/// What draws in these tests.
+class TestBackend final : public render::RenderBackend {
+public:
+    render::FrameReport draw(const render::FramePlan& plan) override { return renderer_.draw(plan); }
+    [[nodiscard]] render::Image read(const std::string& image) override { return renderer_.read(image); }
+    [[nodiscard]] const render::PersistentState& persistentState() const override
+    {
+        return renderer_.persistentState();
+    }
+    [[nodiscard]] int largestSide() const override { return renderer_.largestSide(); }
+
+private:
+    render::gl::HeadlessContext context_;
+    render::gl::Renderer renderer_;
+};
+
+/// A small order of each job that needs no file of another one.
+struct SmallOrders {
+    SmallOrders()
+    {
+        pictureIn(inputs, "a.png", 0.2F);
+        pictureIn(inputs, "b.png", 0.6F);
+        test::writeBytes(inputs / "ball.json",
+                         R"({"format": "vitrine-scene", "version": 1, "root": {"kind": "sphere", "radius": 0.2}})");
+    }
+    /// Nothing for a job without a small order.
+    std::optional<JobOrder> of(const Job& job) const
+    {
+        const std::map<std::string_view, std::vector<std::string>> words{
+            {"contact", {inputs / "a.png", inputs / "b.png", "--title=T"}},
+            {"mesh", {inputs / "ball.json", "--cell=5cm"}},
+            {"sprite", {"--directions=2", "--frames=1", "--size=12x10"}}};
+        const auto found = words.find(job.name());
+        if (found == words.end()) return std::nullopt;
+        JobOrder order{typedValues(job, found->second)};
+        order.inputs = job.read(order.values);
+        if (!job.needs().subject.empty())
+            order.scene = {&museum, museum.initialSceneState(), museum.find(job.needs().subject).value(), {}};
+        order.backend = [] { return std::make_unique<TestBackend>(); };
+        return order;
+    }
+
+    TemporaryFolder inputs;
+    Museum museum{allExhibits()};
+};
+
+TEST(EveryJob, WritesExactlyThePlannedFilesAndItsDocumentRunsItAgain)
+{
+    const SmallOrders small;
+    int ran = 0;
+    for (const Job* job : everyJob()) {
+        const std::optional<JobOrder> order = small.of(*job);
+        if (!order) continue;
+        const TemporaryFolder folder, again;
+        JobOrder whole = *order;
+        whole.out = folder / ("out." + std::string(job->needs().extensions.front()));
+        const auto runTo = [&](JobOrder all) {
+            const JobPlan plan = job->plan(all.values, all.scene, *all.inputs, all.out);
+            EXPECT_EQ(plan.refusal, "") << job->name();
+            const auto run = job->start(std::move(all));
+            while (run->next() != JobRun::Next::done) run->step([](double) { return true; });
+            run->publish();
+            std::vector<std::filesystem::path> planned;
+            for (const PlannedFile& file : plan.files) planned.push_back(file.path);
+            EXPECT_EQ(run->report().files, planned) << job->name();
+            return planned.size();
+        };
+        const std::size_t files = runTo(whole);
+        EXPECT_EQ(folder.files().size(), files) << job->name();
+        const JobDocument read = readDocument(whole.out, *job, whole.scene.museum);
+        EXPECT_EQ(read.values, whole.values);
+        EXPECT_EQ(read.out, whole.out);
+        EXPECT_EQ(read.scene.values, whole.scene.state.values) << job->name();
+        JobOrder second = *order;
+        second.values = read.values;
+        if (second.scene.museum) second.scene.state = read.scene;
+        second.out = again / whole.out.filename().string();
+        runTo(second);
+        for (const std::string& file : folder.files())
+            EXPECT_EQ(test::bytesOf(folder / file), test::bytesOf(again / file)) << job->name() << ' ' << file;
+        ++ran;
+    }
+    EXPECT_EQ(ran, 3);
+}
+
+TEST(EveryJob, LeavesNothingWhereItIsCanceledAfterAnyStep)
+{
+    const SmallOrders small;
+    for (const Job* job : everyJob()) {
+        const std::optional<JobOrder> order = small.of(*job);
+        if (!order) continue;
+        bool isDone = false;
+        for (int steps = 0; !isDone; ++steps) {
+            const TemporaryFolder folder;
+            {
+                JobOrder whole = *order;
+                whole.out = folder / ("out." + std::string(job->needs().extensions.front()));
+                const auto run = job->start(std::move(whole));
+                for (int i = 0; i < steps && run->next() != JobRun::Next::done; ++i) {
+                    run->step([](double) { return true; });
+                    EXPECT_GE(run->progress(), 0);
+                    EXPECT_LE(run->progress(), 1);
+                }
+                isDone = run->next() == JobRun::Next::done;
+            }
+            EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << job->name() << " after " << steps << " steps";
+        }
+    }
+}
+
+TEST(EveryJob, PlansRandomValuesWithoutItsFilesAndTheSameOnAnyThread)
+{
+    std::map<const Job*, JobOrder> orders;
+    const Museum museum{allExhibits()};
+    {
+        const SmallOrders small;
+        for (const Job* job : everyJob())
+            if (auto order = small.of(*job)) orders.emplace(job, std::move(*order));
+    }  // The files are gone.
+    for (auto& [job, order] : orders) {
+        order.scene = {};
+        RandomNumbers random(5);
+        for (int i = 0; i < 200; ++i) {
+            const ParameterValues values = randomOf(*job, random);
+            const auto plan = [&, job = job, &inputs = *order.inputs] {
+                return job->plan(values, {}, inputs, "out." + std::string(job->needs().extensions.front()));
+            };
+            auto other = std::async(std::launch::async, plan);
+            EXPECT_EQ(plan(), other.get()) << job->name();
+        }
+    }
+}
+
+TEST(JobRun, StopsWhereItsWatchSaysSo)
+{
+    const SmallOrders small;
+    for (const Job* job : {static_cast<const Job*>(&contact), findJob("mesh")}) {
+        const auto run = job->start(*small.of(*job));
+        EXPECT_THROW(run->step([](double) { return false; }), Stopped) << job->name();
+    }
+}
+
+TEST(Fact, ShowsThreeDigitsAndItsUnit)
+{
+    EXPECT_EQ(valueText({"Frames", 1234567.0}), "1234567");
+    EXPECT_EQ(valueText({"Volume", 0.5235987, "m³"}), "0.524 m³");
+    EXPECT_EQ(valueText({"Sheet", "62 × 120", "px"}), "62 × 120 px");
+}
+
+}  // namespace
+}  // namespace vitrine

@@ -1,0 +1,362 @@
+// The dialog of a job, on real renderers, shown by sprites: the same bytes as the command, and what it says.
+
+#include "exhibits/exhibits.h"
+#include "exhibits/jobs.h"
+#include "exhibits/jobs/sprite/sprite_table.h"
+#include "tests/render/scene/gltf_builder.h"
+#include "tests/ui/ui_main.h"
+#include "ui/jobs/job_dialog.h"
+#include "ui/jobs/sprite_preview.h"
+#include "ui/kit/export_bar.h"
+#include "ui/kit/theme.h"
+#include "ui/parameters/parameter_panel.h"
+#include "ui/parameters/parameter_row.h"
+#include "ui/viewport/museum_renderers.h"
+
+#include <QComboBox>
+#include <QDir>
+#include <QLabel>
+#include <QPointer>
+#include <QProcess>
+#include <QPushButton>
+#include <QTemporaryDir>
+
+#include <clocale>
+#include <fstream>
+#include <set>
+
+using namespace vitrine;
+using namespace vitrine::ui;
+
+class JobDialogTest : public QObject {
+    Q_OBJECT
+
+    std::unique_ptr<Museum> museum_;
+    std::unique_ptr<MuseumRenderers> renderers_;
+    std::unique_ptr<RenderThread> thread_;
+    std::unique_ptr<QTemporaryDir> home_;
+    QPointer<JobDialog> dialog_;
+
+    void openDialog()
+    {
+        const jobs::Job& job = *jobs::findJob("sprite");
+        dialog_ = new JobDialog(
+            job, {museum_.get(), museum_->initialSceneState(), museum_->find(job.needs().subject).value(), {}},
+            *renderers_, *thread_, nullptr);
+        dialog_->show();
+        QVERIFY(QTest::qWaitForWindowExposed(dialog_, vitrine::test::patience));
+        QTRY_VERIFY(dialog_->settled());
+    }
+    void closeDialog()
+    {
+        if (dialog_ && dialog_->exporting()) dialog_->reject();  // After a failure: closing cancels the export first.
+        if (dialog_) dialog_->close();
+        QTRY_VERIFY(!dialog_);
+    }
+    void set(const std::map<std::string, Value>& rows)
+    {
+        ParameterValues values = dialog_->setup().values();
+        for (const auto& [row, value] : rows) values.setRow(values.table().find(row).value(), value);
+        dialog_->setup().change("Change", values);
+    }
+    [[nodiscard]] SpritePreview& preview() { return *static_cast<SpritePreview*>(dialog_->preview()); }
+    [[nodiscard]] QComboBox& animations()
+    {
+        return *dialog_->findChild<ParameterPanel*>()->row("animation")->findChild<QComboBox*>();
+    }
+    [[nodiscard]] QStringList offered()
+    {
+        QStringList all;
+        for (int i = 0; i < animations().count(); ++i) all << animations().itemText(i);
+        return all;
+    }
+    [[nodiscard]] QStringList said() { return dialog_->findChild<MessageStrip*>()->texts(); }
+    [[nodiscard]] QString at(const char* name) const { return home_->filePath(QString::fromUtf8(name)); }
+    QPushButton* button(const char* text)
+    {
+        for (QPushButton* each : dialog_->findChildren<QPushButton*>())
+            if (each->text() == QString::fromUtf8(text)) return each;
+        return nullptr;
+    }
+    static QByteArray contentOf(const QString& path)
+    {
+        QFile file(path);
+        return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+    }
+    void exportTo(const QString& path)
+    {
+        QSignalSpy ended(dialog_, &JobDialog::exportEnded);
+        dialog_->setPath(path);
+        dialog_->startExport();
+        QTRY_COMPARE(ended.count(), 1);
+        QVERIFY2(ended[0][0].toBool(), qPrintable(said().join('\n')));
+    }
+    /// A triangle that two animations move: one to the side, one up.
+    [[nodiscard]] QString movedTriangle() const
+    {
+        vitrine::test::GltfBuilder b;
+        const int node = b.node({{"mesh", b.triangle()}});
+        b.json["animations"] = render::Json::array();
+        for (const bool up : {false, true}) {
+            const float x = up ? 0.0F : 2.0F, y = up ? 3.0F : 0.0F;
+            b.json["animations"].push_back(
+                {{"name", up ? "jump" : "walk"},
+                 {"samplers", render::Json::array({{{"input", b.floats({0, 1}, "SCALAR")},
+                                                    {"output", b.floats({0, 0, 0, x, y, 0}, "VEC3")}}})},
+                 {"channels", render::Json::array(
+                                  {{{"sampler", 0U},
+                                    {"target", {{"node", static_cast<unsigned>(node)}, {"path", "translation"}}}}})}});
+        }
+        const QString path = at("moved.glb");
+        std::ofstream(path.toStdString(), std::ios::binary) << b.glb();
+        return path;
+    }
+    /// Runs the program, and holds every file of a sheet against those of the dialog.
+    void compareWithProgram(const QStringList& words, const QStringList& endings)
+    {
+        QDir().mkpath(at("window"));
+        QDir().mkpath(at("program"));
+        exportTo(at("window/hero.png"));
+        QProcess program;
+        program.start(QStringLiteral(VITRINE_PROGRAM),
+                      QStringList{"sprite"} + words + QStringList{"--out", at("program/hero.png")});
+        QVERIFY(program.waitForFinished(vitrine::test::patience));
+        QVERIFY2(program.exitCode() == 0, program.readAllStandardError().constData());
+        for (const QString& ending : endings) {
+            const QByteArray mine = contentOf(at("window/hero") + ending);
+            QVERIFY2(!mine.isEmpty(), qPrintable(ending));
+            QVERIFY2(mine == contentOf(at("program/hero") + ending), qPrintable(ending));
+        }
+        QCOMPARE(QDir(at("window")).entryList(QDir::Files).size(), endings.size());
+    }
+
+private slots:
+    void initTestCase()
+    {
+        std::setlocale(LC_NUMERIC, "C");
+        applyTheme(*qApp, darkTheme());
+        museum_ = std::make_unique<Museum>(allExhibits());
+        renderers_ = std::make_unique<MuseumRenderers>(*museum_);
+        thread_ = std::make_unique<RenderThread>(*renderers_);
+    }
+    void init()
+    {
+        home_ = std::make_unique<QTemporaryDir>();
+        for (const char* name : {"HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"})
+            qputenv(name, home_->path().toLocal8Bit());
+        openDialog();
+    }
+    void cleanup() { closeDialog(); }
+    void cleanupTestCase() { thread_.reset(); }
+
+    void theSheetIsThatOfTheCommandLineToTheByte()
+    {
+        set({{"directions", 3.0},
+             {"frames", 2.0},
+             {"width", 31.0},
+             {"height", 40.0},
+             {"palette", 2.0},
+             {"dither", 1.0},
+             {"trimmed", 1.0},
+             {"pivot", 2.0}});
+        compareWithProgram({"--directions", "3", "--frames", "2", "--size", "31x40", "--palette", "Game Boy",
+                            "--dither", "ordered", "--trim", "--pivot", "bottom"},
+                           {".png", "_normal.png", "_depth.png", ".json", ".png.vitrine-job.json"});
+        // Control: other settings are other bytes.
+        const QByteArray before = contentOf(at("window/hero.png"));
+        set({{"dither", 0.0}});
+        exportTo(at("window/plain.png"));
+        QVERIFY(contentOf(at("window/plain.png")) != before);
+    }
+
+    void soItIsForAnAnimationOfAFile()
+    {
+        const QString file = movedTriangle();
+        set({{"model", file.toStdString()},
+             {"directions", 2.0},
+             {"frames", 3.0},
+             {"width", 24.0},
+             {"height", 48.0},
+             {"dither", 2.0},
+             {"colors", 5.0},
+             {"depth", 0.0},
+             {"normals", 0.0},
+             {"framesPerSecond", 0.0}});
+        QTRY_COMPARE(offered(), (QStringList{"walk", "jump"}));
+        set({{"animation", std::string("jump")}});
+        QTRY_VERIFY(dialog_->settled());
+        compareWithProgram({file, "--animation", "jump", "--directions", "2", "--frames", "3", "--size", "24x48",
+                            "--dither", "error diffusion", "--colors", "5", "--fps", "auto", "--no-normals",
+                            "--no-depth"},
+                           {".png", ".json", ".png.vitrine-job.json"});
+    }
+
+    void theCopiedCommandWritesTheSameFiles()
+    {
+        set({{"model", movedTriangle().toStdString()},
+             {"animation", std::string("jump")},
+             {"directions", 2.0},
+             {"frames", 3.0},
+             {"width", 24.0},
+             {"description", 0.0}});
+        QTRY_VERIFY(dialog_->settled());
+        QDir().mkpath(at("window"));
+        exportTo(at("window/hero.png"));
+        const QByteArray sheet = contentOf(at("window/hero.png"));
+        const QByteArray settings = contentOf(at("window/hero.png.vitrine-job.json"));
+        QVERIFY(!sheet.isEmpty() && !settings.isEmpty());
+        QDir(at("window")).removeRecursively();
+        QDir().mkpath(at("window"));
+        dialog_->setPath(at("window/hero.png"));
+        QString line = dialog_->commandLine();
+        QVERIFY2(line.startsWith("vitrine sprite "), qPrintable(line));
+        QProcess shell;
+        shell.start("sh", {"-c", QStringLiteral("'" VITRINE_PROGRAM "'") + line.mid(7)});
+        QVERIFY(shell.waitForFinished(vitrine::test::patience));
+        QVERIFY2(shell.exitCode() == 0, shell.readAllStandardError().constData());
+        QVERIFY(contentOf(at("window/hero.png")) == sheet);
+        QVERIFY(contentOf(at("window/hero.png.vitrine-job.json")) == settings);
+    }
+
+    void settingsBesideAnExportAreLoadedInOneStep()
+    {
+        set({{"directions", 3.0}, {"frames", 2.0}, {"width", 16.0}, {"palette", 4.0}});
+        QTRY_VERIFY(dialog_->settled());
+        const ParameterValues before = dialog_->setup().values();
+        exportTo(at("a.png"));
+        set({{"directions", 5.0}, {"palette", 0.0}, {"trimmed", 1.0}});
+        const ParameterValues after = dialog_->setup().values();
+        dialog_->load(at("a.png"));
+        QVERIFY(dialog_->setup().values() == before);
+        dialog_->setup().history().stack().undo();
+        QVERIFY(dialog_->setup().values() == after);
+        dialog_->load(at("none.png"));
+        QVERIFY2(said().join(' ').contains("none.png.vitrine-job.json"), qPrintable(said().join(' ')));
+        QVERIFY(dialog_->setup().values() == after);
+    }
+
+    void animationsAreOfferedWhereTheFileHasSome()
+    {
+        auto* row = dialog_->findChild<ParameterPanel*>()->row("animation");
+        QVERIFY(row->idle());
+        const auto warned = [this] {
+            bool found = false;
+            for (const QLabel* label : dialog_->findChildren<QLabel*>())
+                found = found || label->text().contains("All frames of each direction are equal");
+            return found;
+        };
+        QVERIFY(!warned());
+        vitrine::test::GltfBuilder b;
+        b.node({{"mesh", b.triangle()}});
+        std::ofstream(at("still.glb").toStdString(), std::ios::binary) << b.glb();
+        set({{"model", at("still.glb").toStdString()}, {"directions", 2.0}, {"frames", 3.0}});
+        QTRY_VERIFY(dialog_->settled() && warned());
+        QVERIFY(!row->idle());
+        QVERIFY(offered().isEmpty());
+        set({{"model", movedTriangle().toStdString()}});
+        QTRY_COMPARE(offered(), (QStringList{"walk", "jump"}));
+        // Its animations only move the whole object, which is taken out of the frames: they are equal, too, until it is
+        // kept.
+        QTRY_VERIFY(dialog_->settled() && warned());
+        set({{"motion", static_cast<double>(SpriteMotion::kept)}});
+        QTRY_VERIFY(dialog_->settled() && !warned());
+        QCOMPARE(animations().currentText(), QString());
+        animations().setCurrentIndex(1);
+        emit animations().activated(1);
+        QCOMPARE(dialog_->setup().values()[spriteTable().animation], "jump");
+        // Another file has others.
+        const std::size_t model = spriteTable().model.row;
+        dialog_->setup().history().set(0, model, at("still.glb").toStdString(), newGesture());
+        QCOMPARE(dialog_->setup().values()[spriteTable().animation], "");
+    }
+
+    void thePreviewTurns()
+    {
+        set({{"directions", 3.0}, {"frames", 2.0}, {"width", 20.0}, {"height", 24.0}});
+        QTRY_VERIFY(dialog_->settled() && preview().shown()->cells.size() == 6);
+        std::set<int> seen;
+        QTRY_VERIFY((seen.insert(preview().cell()), seen.size() == 6));
+        QCOMPARE(preview().shown()->picture.size(), QSize(40, 72));
+        const int before = qGray(preview().shown()->picture.pixel(10, 12));
+        set({{"palette", 9.0}});
+        QTRY_VERIFY(dialog_->settled());
+        std::set<QRgb> colors;
+        const QImage& picture = preview().shown()->picture;
+        for (int y = 0; y < picture.height(); ++y)
+            for (int x = 0; x < picture.width(); ++x)
+                if (qAlpha(picture.pixel(x, y)) > 0) colors.insert(picture.pixel(x, y));
+        QCOMPARE(colors.size(), std::size_t(2));
+        QVERIFY(before > 0);
+    }
+
+    void aFileThatCannotBeReadIsSaidOnceAndKeepsTheRest()
+    {
+        std::ofstream(at("bad.glb").toStdString()) << "no model";
+        set({{"model", at("bad.glb").toStdString()}, {"directions", 5.0}});
+        QTRY_COMPARE(said().size(), 1);
+        QTRY_VERIFY(dialog_->settled());
+        QVERIFY2(said().front().contains("bad.glb"), qPrintable(said().front()));
+        QVERIFY(!button("Export")->isEnabled());
+        QVERIFY(!preview().shown());
+        set({{"colors", 7.0}});
+        QTRY_VERIFY(dialog_->settled());
+        QCOMPARE(said().size(), 1);
+        set({{"model", std::string()}});
+        QTRY_VERIFY(dialog_->settled() && preview().shown());
+        QVERIFY(said().isEmpty());
+        QVERIFY(button("Export")->isEnabled());
+        QCOMPARE(dialog_->setup().values()[spriteTable().directions], 5);
+    }
+
+    void cancelLeavesNoFile()
+    {
+        set({{"directions", 16.0}, {"frames", 64.0}});
+        QTRY_VERIFY(dialog_->settled());
+        QSignalSpy ended(dialog_, &JobDialog::exportEnded);
+        dialog_->setPath(at("many.png"));
+        button("Export")->click();
+        QVERIFY(dialog_->exporting());
+        QTRY_VERIFY(dialog_->findChild<ExportBar*>()->status() != "Starting");  // It is on its way.
+        QVERIFY(ended.isEmpty());
+        button("Cancel")->click();
+        QTRY_COMPARE(ended.count(), 1);
+        QVERIFY(!ended[0][0].toBool());
+        QVERIFY(QDir(home_->path()).entryList({"many*"}, QDir::Files).isEmpty());
+        QVERIFY(dialog_->isVisible());
+        QVERIFY(button("Export")->isEnabled());
+    }
+
+    void whatNoSheetCanHoldIsRefusedWithItsReason()
+    {
+        set({{"width", 9000.0}, {"directions", 2.0}});
+        QTRY_VERIFY(dialog_->settled());
+        QVERIFY(!button("Export")->isEnabled());
+        bool found = false;
+        for (const QLabel* label : dialog_->findChildren<QLabel*>()) found = found || label->text().contains("16384");
+        QVERIFY(found);
+        set({{"width", 16.0}});
+        QTRY_VERIFY(button("Export")->isEnabled());
+        dialog_->setPath(at("sheet.tif"));
+        dialog_->startExport();
+        QVERIFY(said().join(' ').contains(".png"));
+        QVERIFY(!QFile::exists(at("sheet.tif")));
+    }
+
+    void whatIsSetComesBack()
+    {
+        const QString file = movedTriangle();
+        set({{"model", file.toStdString()}, {"directions", 4.0}, {"palette", 3.0}, {"trimmed", 1.0}});
+        set({{"animation", std::string("jump")}});
+        QTRY_VERIFY(dialog_->settled());
+        const ParameterValues before = dialog_->setup().values();
+        closeDialog();
+        openDialog();
+        QVERIFY(dialog_->setup().values() == before);
+        QCOMPARE(animations().currentText(), QString("jump"));
+        QCOMPARE(dialog_->setup().history().stack().count(), 0);
+    }
+};
+
+VITRINE_WINDOW_TEST(JobDialogTest)
+
+#include "job_dialog_test.moc"

@@ -1,0 +1,100 @@
+#pragma once
+
+#include "exhibits/jobs/kit/job.h"
+#include "ui/jobs/job_runner.h"
+#include "ui/jobs/job_setup.h"
+#include "ui/kit/message_strip.h"
+#include "ui/kit/progress_job.h"
+
+#include <QDialog>
+#include <QTimer>
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class QLabel;
+
+namespace vitrine::ui {
+
+class ExportBar;
+class JobPreview;
+class ParameterPanel;
+
+/// Dialog of a job, derived from its table and plan: its parameters on the left, a preview and the plan on the right,
+/// and the export, which writes the same bytes as the job's command.
+class JobDialog final : public QDialog {
+    Q_OBJECT
+
+public:
+    /// All must outlive it, and the museum of the scene as well.
+    JobDialog(const jobs::Job&, jobs::JobScene, Renderers&, RenderThread&, QWidget* parent);
+    ~JobDialog() override;
+
+    [[nodiscard]] const jobs::Job& job() const { return job_; }
+    [[nodiscard]] JobSetup& setup() { return setup_; }
+    /// Null: the job has none.
+    [[nodiscard]] JobPreview* preview() { return preview_; }
+    void setPath(const QString&);
+    [[nodiscard]] QString path() const;
+    [[nodiscard]] bool exporting() const { return full_.running(); }
+    /// The preview shows what is set, or nothing can be shown.
+    [[nodiscard]] bool settled() const;
+    /// As its button: asks before files are replaced.
+    void startExport();
+    /// Sets what a settings document says, or the one beside an output. One undo step.
+    void load(const QString& file);
+    /// The command line that writes the same files, for a terminal.
+    [[nodiscard]] QString commandLine() const;
+
+    void done(int result) override;
+    void reject() override;
+
+signals:
+    /// `written`: the files are there.
+    void exportEnded(bool written);
+
+private:
+    struct Planned;
+
+    void build();
+    void buildBar();
+    void buildUndo();
+    void connectParts();
+    void recall();
+    void remember();
+    void follow();
+    void plan();
+    void takePlan(const Planned&);
+    void showDraft(const JobRunner::Run&);
+    void showFacts(const jobs::JobReport&, bool partly);
+    void showButtons();
+    void chooseDocument();
+    void begin();
+    void endExport(const QString& words);
+    void complain(const QString&);
+    [[nodiscard]] std::filesystem::path output() const;
+    [[nodiscard]] jobs::JobOrder order(const ParameterValues&) const;
+
+    const jobs::Job& job_;
+    jobs::JobScene scene_;
+    JobSetup setup_;
+    JobRunner draft_, full_;
+    ProgressJob plan_, show_;
+    QTimer soon_;                                    ///< Not at every step of a slider.
+    std::shared_ptr<const jobs::JobInputs> inputs_;  ///< Null while they are read.
+    std::vector<std::string> files_;                 ///< That the inputs were read from.
+    std::optional<jobs::JobPlan> planned_;
+    std::optional<ParameterValues> drawn_;  ///< Values of the draft.
+    bool remembered_ = false;
+
+    MessageStrip* messages_;
+    ParameterPanel* panel_;
+    QLabel* facts_;
+    JobPreview* preview_;
+    ExportBar* export_;
+};
+
+}  // namespace vitrine::ui

@@ -1,0 +1,61 @@
+#pragma once
+
+#include "exhibits/jobs/kit/job.h"
+#include "ui/kit/progress_job.h"
+#include "ui/viewport/render_thread.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include <memory>
+
+namespace vitrine::ui {
+
+class Renderers;
+
+/// Steps a job: what draws on the render thread, beside what else is drawn there, and what computes on a thread of its
+/// own. Only here does a run go from one thread to another.
+class JobRunner final : public QObject {
+    Q_OBJECT
+
+public:
+    using Run = std::shared_ptr<jobs::JobRun>;
+
+    /// Both must outlive it.
+    JobRunner(Renderers&, RenderThread&, QObject* parent);
+    ~JobRunner() override;
+
+    /// Starts a job in place of the one that is running. Publishes it at the end if `order` has an output.
+    void start(const jobs::Job&, jobs::JobOrder order);
+    /// Nothing more is told, and nothing is left of the run, unless it is being published.
+    void cancel();
+    [[nodiscard]] bool running() const { return running_; }
+    [[nodiscard]] bool publishing() const { return running_ && publishing_; }
+
+signals:
+    /// `part` is 0 to 1; `secondsLeft` is negative while unknown.
+    void progressed(double part, double secondsLeft);
+    /// The run is done, and published if it has an output.
+    void finished(const vitrine::ui::JobRunner::Run& run);
+    void failed(const QString& why);
+
+private:
+    // By value: a run that draws is let go on the render thread, with what it draws on.
+    void go(Run);
+    void draw(Run);
+    void compute(Run);
+    void note(double part);
+    void end(const QString& failure);
+
+    Renderers& renderers_;
+    RenderThread& thread_;
+    RenderThread::Task task_;
+    ProgressJob work_;
+    QElapsedTimer elapsed_;
+    Run drawn_;
+    bool publishes_ = false, publishing_ = false;
+    bool running_ = false;
+    int turn_ = 0;  ///< Grows with each start and cancel: what comes of work before is dropped.
+};
+
+}  // namespace vitrine::ui

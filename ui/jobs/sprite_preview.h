@@ -1,0 +1,60 @@
+#pragma once
+
+#include "exhibits/jobs/sprite/sprite_sheet.h"
+#include "ui/jobs/job_preview.h"
+#include "ui/kit/spoken.h"
+
+#include <QElapsedTimer>
+#include <QImage>
+#include <QPoint>
+#include <QTimer>
+
+#include <memory>
+#include <vector>
+
+namespace vitrine::ui {
+
+/// What a sheet shows, in motion: every direction for one round of its frames, large pixels. Its own clock stops while
+/// it cannot be seen.
+class SpritePreview final : public JobPreview, public Spoken {
+    Q_OBJECT
+
+public:
+    /// A sheet to look at: its picture, and where the frames lie in it.
+    struct Shown {
+        QImage picture;
+        std::vector<SpriteCell> cells;  ///< Direction by direction.
+        std::vector<QPoint> pivots;     ///< Of each, pixels of the uncut frame.
+        QSize frame;                    ///< Uncut.
+        int frames = 1;                 ///< Of each direction.
+        double seconds = 1.0 / 12;      ///< Of each frame.
+    };
+
+    explicit SpritePreview(QWidget* parent);
+
+    [[nodiscard]] std::function<void()> prepare(const jobs::JobRun&, const ParameterValues& all,
+                                                const ParameterValues& drawn) override;
+    void clear() override { setShown(nullptr); }
+    [[nodiscard]] const Shown* shown() const { return shown_.get(); }
+    /// Of all cells, the one that is shown.
+    [[nodiscard]] int cell() const { return cell_; }
+    [[nodiscard]] QAccessible::Role spokenRole() const override { return QAccessible::Animation; }
+    [[nodiscard]] QString spokenText() const override;
+    [[nodiscard]] QSize sizeHint() const override { return {480, 480}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override;
+    void showEvent(QShowEvent*) override;
+    void hideEvent(QHideEvent*) override;
+
+private:
+    /// Null: nothing is to be seen.
+    void setShown(std::shared_ptr<const Shown>);
+    void next();
+
+    std::shared_ptr<const Shown> shown_;
+    int cell_ = 0;
+    QTimer timer_;
+};
+
+}  // namespace vitrine::ui
