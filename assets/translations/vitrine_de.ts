@@ -56,6 +56,10 @@
         <translation> ändert sich die Referenz um {1}</translation>
     </message>
     <message>
+        <source> Unit: {1}</source>
+        <translation> Einheit: {1}</translation>
+    </message>
+    <message>
         <source> within {1} s</source>
         <translation> innerhalb von {1} s</translation>
     </message>
@@ -82,6 +86,10 @@
     <message>
         <source>&quot;up&quot; points along the view; give another direction</source>
         <translation>„up“ zeigt entlang der Blickrichtung; geben Sie eine andere Richtung an</translation>
+    </message>
+    <message>
+        <source>&quot;values&quot; is missing; give a file that a job of Vitrine wrote.</source>
+        <translation>„values“ fehlt; geben Sie eine Datei an, die ein Auftrag von Vitrine geschrieben hat.</translation>
     </message>
     <message>
         <source>&quot;{1}&quot; appears twice; remove one of them.</source>
@@ -233,10 +241,6 @@
         <translation>%1 Punkte : 1 px</translation>
     </message>
     <message>
-        <source>%1 frames, %2 colors</source>
-        <translation>%1 Frames, %2 Farben</translation>
-    </message>
-    <message>
         <source>%1 frames: %2 to %3 ms, half of them up to %4 ms</source>
         <translation>%1 Frames: %2 bis %3 ms, die Hälfte davon bis %4 ms</translation>
     </message>
@@ -380,10 +384,6 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1 wurde nicht gespeichert: Der Name muss auf .csv, .json, .png oder .svg enden.</translation>
     </message>
     <message>
-        <source>%1 was not written: sheets of sprites are PNG files; give a name with .png.</source>
-        <translation>%1 wurde nicht geschrieben: Blätter mit Sprites sind PNG-Dateien; geben Sie einen Namen mit .png an.</translation>
-    </message>
-    <message>
         <source>%1 was opened, with changes: %2</source>
         <translation>%1 wurde geöffnet, mit Änderungen: %2</translation>
     </message>
@@ -414,10 +414,6 @@ Zeiten kommen, wenn es alle sind.</translation>
     <message>
         <source>%1, %2, from %3</source>
         <translation>%1, %2, aus %3</translation>
-    </message>
-    <message>
-        <source>%1, a sheet of %2 × %3 pixels</source>
-        <translation>%1, ein Blatt von %2 × %3 Pixeln</translation>
     </message>
     <message>
         <source>%1, azimuth</source>
@@ -488,10 +484,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>%1: why does it have no effect?</source>
         <translation>%1: Warum hat das keine Wirkung?</translation>
-    </message>
-    <message>
-        <source>%1; a part of them is shown here</source>
-        <translation>%1; hier ist ein Teil davon zu sehen</translation>
     </message>
     <message>
         <source>%1; the references are no more accurate than that</source>
@@ -807,6 +799,10 @@ Zeiten nach: %2.</translation>
         <translation>, nicht verlässlich</translation>
     </message>
     <message>
+        <source>, or {1}</source>
+        <translation>, oder {1}</translation>
+    </message>
+    <message>
         <source>, part {1}</source>
         <translation>, Teil {1}</translation>
     </message>
@@ -915,20 +911,8 @@ Zeiten nach: %2.</translation>
         <translation>--out fehlt: Sagen Sie, wohin der Druck geht, mit einem Namen, der auf .tif oder .png endet.</translation>
     </message>
     <message>
-        <source>--out {1}: give a name that ends in .glb, .stl or .ply.</source>
-        <translation>--out {=1}: Geben Sie einen Namen an, der auf .glb, .stl oder .ply endet.</translation>
-    </message>
-    <message>
-        <source>--out {1}: give a name that ends in .png or .tif.</source>
-        <translation>--out {=1}: Geben Sie einen Namen an, der auf .png oder .tif endet.</translation>
-    </message>
-    <message>
         <source>--out {1}: give a name that ends in .tif or .png.</source>
         <translation>--out {=1}: Geben Sie einen Namen an, der auf .tif oder .png endet.</translation>
-    </message>
-    <message>
-        <source>--out {1}: sprite sheets are PNG files; give a name with .png.</source>
-        <translation>--out {=1}: Spritebögen sind PNG-Dateien; geben Sie einen Namen mit .png an.</translation>
     </message>
     <message>
         <source>--out {1}: this folder holds something else than {2}; name another.</source>
@@ -1003,10 +987,6 @@ Zeiten nach: %2.</translation>
         <translation>--shard {=1}: Nur gerenderte Ansichten entstehen in Teilen; geben Sie --exhibit und --out an.</translation>
     </message>
     <message>
-        <source>--size {1}: a frame has at most {2} pixels on a side.</source>
-        <translation>--size {1}: Ein Einzelbild hat höchstens {2} Pixel je Seite.</translation>
-    </message>
-    <message>
         <source>--socket {1}: a socket's path has 1 to {2} bytes, and this one has {3}; choose a shorter one.</source>
         <translation>--socket {=1}: Der Pfad eines Sockets hat 1 bis {=2} Bytes, und dieser hat {=3}; wählen Sie einen kürzeren.</translation>
     </message>
@@ -1021,6 +1001,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>--sweep &quot;{1}&quot;: give name=from..to, such as --sweep morph=0..1.</source>
         <translation>--sweep &quot;{=1}&quot;: Geben Sie Name=von..bis an, etwa --sweep morph=0..1.</translation>
+    </message>
+    <message>
+        <source>--time has no effect on a scene in which nothing moves; leave it out.</source>
+        <translation>--time bewirkt nichts bei einer Szene, in der sich nichts bewegt; lassen Sie es weg.</translation>
     </message>
     <message>
         <source>--time: give a finite number of seconds.</source>
@@ -1459,10 +1443,6 @@ Zeiten nach: %2.</translation>
         <translation>Ein GIF zählt in hundertstel Sekunden, und Programme zeigen davon nicht mehr als 50 Frames pro Sekunde; geben Sie höchstens 50 an, oder wählen Sie .webp oder .apng.</translation>
     </message>
     <message>
-        <source>A glTF 2.0 file, .glb or .gltf; without one, the torus over its pillar.</source>
-        <translation>Eine Datei in glTF 2.0, .glb oder .gltf; ohne eine der Torus über seiner Säule.</translation>
-    </message>
-    <message>
         <source>A half-space: everything below a plane.</source>
         <translation>Ein Halbraum: alles unterhalb einer Ebene.</translation>
     </message>
@@ -1497,6 +1477,14 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a lesson has one title; write &quot;## &quot; for a step.</source>
         <translation>eine Lektion hat einen Titel; schreiben Sie „## “ für einen Schritt.</translation>
+    </message>
+    <message>
+        <source>A line for a terminal is on the clipboard.</source>
+        <translation>Eine Zeile für ein Terminal liegt in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>A line for a terminal, which writes the same files.</source>
+        <translation>Eine Zeile für ein Terminal, die dieselben Dateien schreibt.</translation>
     </message>
     <message>
         <source>a mesh is shown instead of the field</source>
@@ -1659,20 +1647,12 @@ Zeiten nach: %2.</translation>
         <translation>Eine Szene von mehr als 1 MB wird hier nicht bearbeitet; ändern Sie ihre Datei.</translation>
     </message>
     <message>
-        <source>A scene of shapes. A number may be an expression of t, the time in seconds, and of the parameters.</source>
-        <translation>Eine Formenszene. Eine Zahl kann ein Ausdruck von t, der Zeit in Sekunden, und den Parametern sein.</translation>
-    </message>
-    <message>
         <source>a scene of the source</source>
         <translation>eine Szene des Originals</translation>
     </message>
     <message>
         <source>a scene of the source needs a &quot;camera&quot;</source>
         <translation>eine Szene des Originals braucht eine „camera“</translation>
-    </message>
-    <message>
-        <source>A second sheet with normals, view space, aligned to the pixel.</source>
-        <translation>Ein zweites Blatt mit Normalen, im Kameraraum, auf das Pixel ausgerichtet.</translation>
     </message>
     <message>
         <source>A shader failed to compile; the last good picture is kept. Save the file to try again.</source>
@@ -1779,6 +1759,10 @@ Zeiten nach: %2.</translation>
         <translation>ein Text</translation>
     </message>
     <message>
+        <source>a text here has one line that is not empty; correct it there.</source>
+        <translation>ein Text hier hat eine Zeile, die nicht leer ist; berichtigen Sie ihn dort.</translation>
+    </message>
+    <message>
         <source>a text in quotes</source>
         <translation>ein Text in Anführungszeichen</translation>
     </message>
@@ -1797,10 +1781,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>A thin sheet with three corners.</source>
         <translation>Ein dünnes Blatt mit drei Ecken.</translation>
-    </message>
-    <message>
-        <source>A third sheet with depth: near is white.</source>
-        <translation>Ein drittes Blatt mit Tiefe: Nah ist weiß.</translation>
     </message>
     <message>
         <source>A to the left of a line, B to the right; drag the line. If there is no B yet, the current settings become B.</source>
@@ -1865,6 +1845,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>a visitor's model</source>
         <translation>ein Modell des Besuchers</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>eine ganze Zahl</translation>
     </message>
     <message>
         <source>a whole number from 0 to 2147483647</source>
@@ -2184,6 +2168,10 @@ Zeiten nach: %2.</translation>
         <translation>ein Array</translation>
     </message>
     <message>
+        <source>an array of texts</source>
+        <translation>eine Liste von Texten</translation>
+    </message>
+    <message>
         <source>an array of three numbers</source>
         <translation>ein Array von drei Zahlen</translation>
     </message>
@@ -2317,6 +2305,14 @@ Zeiten nach: %2.</translation>
         <translation>Winkel der Kamera um ihr Ziel.</translation>
     </message>
     <message>
+        <source>Angle of the eye across the lenses; positive to the right, or below for horizontal lenses.</source>
+        <translation>Winkel des Auges quer zu den Linsen; positiv nach rechts, bei waagerechten Linsen nach unten.</translation>
+    </message>
+    <message>
+        <source>Angle of the eye along the lenses; positive above, or to the right for horizontal lenses.</source>
+        <translation>Winkel des Auges längs der Linsen; positiv nach oben, bei waagerechten Linsen nach rechts.</translation>
+    </message>
+    <message>
         <source>Angle of the twist per meter of height: 0 is straight.</source>
         <translation>Winkel der Verdrillung je Meter Höhe: 0 ist gerade.</translation>
     </message>
@@ -2372,6 +2368,7 @@ Zeiten nach: %2.</translation>
     </message>
     <message>
         <source>Animation</source>
+        <extracomment>tables</extracomment>
         <translation>Animation</translation>
     </message>
     <message>
@@ -2407,10 +2404,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>another work is shown</source>
         <translation>ein anderes Werk wird gezeigt</translation>
-    </message>
-    <message>
-        <source>any tree</source>
-        <translation>jeder Baum</translation>
     </message>
     <message>
         <source>Aperture samples</source>
@@ -3747,10 +3740,6 @@ Zeiten nach: %2.</translation>
         <translation>{=1} kann nicht erzeugt werden: Der Speicher reicht dafür nicht; wählen Sie etwas Kleineres.</translation>
     </message>
     <message>
-        <source>Cannot move {1}</source>
-        <translation>{=1} kann nicht verschoben werden</translation>
-    </message>
-    <message>
         <source>Cannot move {1} to {2}: {3}; check your permissions.</source>
         <translation>{=1} kann nicht nach {=2} verschoben werden: {3}; prüfen Sie Ihre Rechte.</translation>
     </message>
@@ -3881,6 +3870,10 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Cat</source>
         <translation>Katze</translation>
+    </message>
+    <message>
+        <source>Cells near the surface</source>
+        <translation>Zellen nahe der Oberfläche</translation>
     </message>
     <message>
         <source>Cells of {1} m are too small for a scene that reaches {2} m; give --cell {3}m or more.</source>
@@ -4703,16 +4696,16 @@ Zeiten nach: %2.</translation>
         <translation>Als B&amp;efehlszeile kopieren</translation>
     </message>
     <message>
+        <source>Copy command</source>
+        <translation>Befehl kopieren</translation>
+    </message>
+    <message>
         <source>Copy from %1</source>
         <translation>Von %1 kopieren</translation>
     </message>
     <message>
         <source>Copy from B: %1</source>
         <translation>Von B übernehmen: %1</translation>
-    </message>
-    <message>
-        <source>Copy of a node under &quot;nodes&quot;.</source>
-        <translation>Kopie eines Knotens unter „nodes“.</translation>
     </message>
     <message>
         <source>Copy the measurements</source>
@@ -4742,6 +4735,10 @@ Zeiten nach: %2.</translation>
         <source>Corner</source>
         <extracomment>tables</extracomment>
         <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>Corner of the part that is meshed and cut there; without it, the whole scene.</source>
+        <translation>Ecke des Teils, der vernetzt und dort abgeschnitten wird; ohne sie die ganze Szene.</translation>
     </message>
     <message>
         <source>cost</source>
@@ -5081,10 +5078,6 @@ Zeiten nach: %2.</translation>
         <translation>Beschreibung</translation>
     </message>
     <message>
-        <source>Description to display.</source>
-        <translation>Angezeigte Beschreibung.</translation>
-    </message>
-    <message>
         <source>Diameter of the tube of the handle.</source>
         <extracomment>tables</extracomment>
         <translation>Durchmesser des Henkelrohrs.</translation>
@@ -5328,6 +5321,10 @@ Zeiten nach: %2.</translation>
         <translation>Abstand der Kamera von der Mitte der Welt; bei orthografischer Projektion der Beginn des sichtbaren Bereichs.</translation>
     </message>
     <message>
+        <source>Distance of the eye from the print.</source>
+        <translation>Abstand des Auges vom Druck.</translation>
+    </message>
+    <message>
         <source>Distance of the plane from the origin along the normal.</source>
         <translation>Abstand der Ebene vom Ursprung entlang der Normalen.</translation>
     </message>
@@ -5440,6 +5437,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Nach unten ziehen schaut nach oben</translation>
     </message>
     <message>
+        <source>Draw an object from all sides as a sprite sheet, with normals, depth and Aseprite's JSON beside it</source>
+        <translation>Zeichnet ein Objekt von allen Seiten als Sprite-Bogen, daneben Normalen, Tiefe und Aseprites JSON</translation>
+    </message>
+    <message>
         <source>Draw new variations</source>
         <translation>Neue Variationen zeichnen</translation>
     </message>
@@ -5447,6 +5448,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Draw order</source>
         <extracomment>tables</extracomment>
         <translation>Zeichenfolge</translation>
+    </message>
+    <message>
+        <source>drawing frames</source>
+        <translation>Bilder zeichnen</translation>
     </message>
     <message>
         <source>Drawing …</source>
@@ -5555,6 +5560,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <source>Edge fade</source>
         <extracomment>tables</extracomment>
         <translation>Randblende</translation>
+    </message>
+    <message>
+        <source>Edge length of a cell. What is thinner than a cell is lost.</source>
+        <translation>Kantenlänge einer Zelle. Was dünner ist als eine Zelle, geht verloren.</translation>
     </message>
     <message>
         <source>edge of the zone</source>
@@ -5854,6 +5863,10 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     <message>
         <source>Export measuremen&amp;ts…</source>
         <translation>Messwer&amp;te exportieren…</translation>
+    </message>
+    <message>
+        <source>Export mesh</source>
+        <translation>Netz ausgeben</translation>
     </message>
     <message>
         <source>Export picture</source>
@@ -6358,6 +6371,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Bildrate</translation>
     </message>
     <message>
+        <source>Frame size</source>
+        <translation>Bildgröße</translation>
+    </message>
+    <message>
         <source>Frame {1}, {2} x {3}, {4} samples, seed {5}</source>
         <translation>Frame {1}, {2} x {3}, {4} Samples, Startwert {5}</translation>
     </message>
@@ -6381,6 +6398,10 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <source>Frames per second of the animation: few look drawn by hand, many run smoothly.</source>
         <extracomment>tables</extracomment>
         <translation>Bilder pro Sekunde der Animation: Wenige wirken handgezeichnet, viele laufen flüssig.</translation>
+    </message>
+    <message>
+        <source>Frames per second that the description tells. Auto: as long as the animation.</source>
+        <translation>Bilder je Sekunde, die die Beschreibung nennt. Automatisch: so lang wie die Animation.</translation>
     </message>
     <message>
         <source>free plinth</source>
@@ -6426,10 +6447,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>From A to B</source>
         <translation>Von A nach B</translation>
-    </message>
-    <message>
-        <source>From how many sides it is drawn, evenly.</source>
-        <translation>Von wie vielen Seiten es gezeichnet wird, gleichmäßig.</translation>
     </message>
     <message>
         <source>From lens top to print.</source>
@@ -6956,10 +6973,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>heldAt={=1}: Geben Sie eine Zahl von Sekunden an.</translation>
     </message>
     <message>
-        <source>Help text of one sentence.</source>
-        <translation>Hilfetext aus einem Satz.</translation>
-    </message>
-    <message>
         <source>hemisphere</source>
         <extracomment>tables</extracomment>
         <translation>Halbkugel</translation>
@@ -7105,10 +7118,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Wie ein Druckpunkt unter den Ansichten unter ihm wählt: die in seiner Mitte, alle nach Fläche, oder nach Fläche mit weichen Streifenrändern.</translation>
     </message>
     <message>
-        <source>How colors between those of the palette are hinted at. Ordered and blue noise stay where they are from frame to frame.</source>
-        <translation>Wie Farben zwischen denen der Palette angedeutet werden. Geordnetes und blaues Rauschen bleiben von Frame zu Frame, wo sie sind.</translation>
-    </message>
-    <message>
         <source>How far a pitch chart goes each way: 1 % is coarse, 0.1 % fine.</source>
         <translation>Wie weit ein Pitch-Testchart nach jeder Seite geht: 1 % ist grob, 0.1 % fein.</translation>
     </message>
@@ -7127,10 +7136,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>How it works</source>
         <translation>So funktioniert es</translation>
-    </message>
-    <message>
-        <source>How many the palette made of the frames has.</source>
-        <translation>Wie viele die aus den Frames gemachte Palette hat.</translation>
     </message>
     <message>
         <source>How many views can be told apart.</source>
@@ -7723,10 +7728,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>eigene</translation>
     </message>
     <message>
-        <source>its own turn</source>
-        <translation>seine eigene Drehung</translation>
-    </message>
-    <message>
         <source>Its pictures were not kept.</source>
         <translation>Ihre Bilder wurden nicht aufbewahrt.</translation>
     </message>
@@ -8252,7 +8253,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Light</source>
         <extracomment>tables</extracomment>
-        <translation>Licht</translation>
+        <translation>Hell</translation>
     </message>
     <message>
         <source>Light</source>
@@ -8354,6 +8355,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Liste von Grundkörpern</translation>
     </message>
     <message>
+        <source>lists</source>
+        <extracomment>tables</extracomment>
+        <translation>Listen</translation>
+    </message>
+    <message>
         <source>lists have no numbers in their text</source>
         <translation>Listen haben keine Zahlen in ihrem Text</translation>
     </message>
@@ -8406,6 +8412,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Looking</source>
         <translation>Blick</translation>
+    </message>
+    <message>
+        <source>looking through the lenses</source>
+        <translation>durch die Linsen sehen</translation>
     </message>
     <message>
         <source>loop</source>
@@ -8538,6 +8548,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>%1 in %2 umwandeln</translation>
     </message>
     <message>
+        <source>Make a closed mesh of a scene's surface, for other programs and 3D printers</source>
+        <translation>Macht ein geschlossenes Netz aus der Oberfläche einer Szene, für andere Programme und 3D-Drucker</translation>
+    </message>
+    <message>
+        <source>making the sheet</source>
+        <translation>den Bogen anlegen</translation>
+    </message>
+    <message>
         <source>many</source>
         <translation>viele</translation>
     </message>
@@ -8590,6 +8608,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <source>Material of the ice cream: opaque reflects, glass also refracts at every surface.</source>
+        <extracomment>tables</extracomment>
         <translation>Material des Eises: Undurchsichtig spiegelt, Glas bricht außerdem an jeder Oberfläche.</translation>
     </message>
     <message>
@@ -8666,8 +8685,16 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>schmelzend, von hinten</translation>
     </message>
     <message>
+        <source>Memory at most</source>
+        <translation>Speicher höchstens</translation>
+    </message>
+    <message>
         <source>memory is full</source>
         <translation>der Speicher ist voll</translation>
+    </message>
+    <message>
+        <source>Memory that meshing may take, in megabytes. Auto: half of the machine's.</source>
+        <translation>Speicher, den das Vernetzen belegen darf, in Megabyte. Automatisch: die Hälfte des Speichers der Maschine.</translation>
     </message>
     <message>
         <source>Menu of %1</source>
@@ -9008,20 +9035,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Museum</translation>
     </message>
     <message>
-        <source>Name of an entry under &quot;materials&quot;; by default that of the parent.</source>
-        <translation>Name eines Eintrags unter „materials“; ohne Angabe der des Elternknotens.</translation>
-    </message>
-    <message>
-        <source>Name of an entry under &quot;nodes&quot;.</source>
-        <translation>Name eines Eintrags unter „nodes“.</translation>
+        <source>Name of the animation that is played. Empty: the first one of the file.</source>
+        <translation>Name der Animation, die abgespielt wird. Leer: die erste der Datei.</translation>
     </message>
     <message>
         <source>Name of the sheet</source>
         <translation>Name der Folie</translation>
-    </message>
-    <message>
-        <source>Name to display.</source>
-        <translation>Angezeigter Name.</translation>
     </message>
     <message>
         <source>nearest</source>
@@ -9347,10 +9366,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>keine</translation>
     </message>
     <message>
-        <source>none in this file</source>
-        <translation>keine in dieser Datei</translation>
-    </message>
-    <message>
         <source>None yet</source>
         <translation>Noch keine</translation>
     </message>
@@ -9551,6 +9566,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Zellen um einen Punkt, deren Flammen ihn beleuchten.</translation>
     </message>
     <message>
+        <source>Number of colors of the frames' own palette.</source>
+        <translation>Anzahl der Farben in der eigenen Palette der Bilder.</translation>
+    </message>
+    <message>
         <source>Number of colors taken from the picture.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Farben, die aus dem Bild genommen werden.</translation>
@@ -9576,6 +9595,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Number of frames averaged while the picture moves: few flicker, many blur fine details.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Frames, über die ein bewegtes Bild gemittelt wird: Wenige flimmern, viele verwischen Feines.</translation>
+    </message>
+    <message>
+        <source>Number of frames per direction, evenly spaced over the animation. Auto: 12 of what is animated, else 1.</source>
+        <translation>Anzahl der Bilder je Richtung, gleichmäßig über die Animation verteilt. Automatisch: 12, wo etwas animiert ist, sonst 1.</translation>
     </message>
     <message>
         <source>Number of grid cells for lanterns, in a square whose corner is at the frame: low is a few, high reaches to the horizon.</source>
@@ -9743,6 +9766,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahl der Windungen einer Locke von der Haut zur Spitze.</translation>
     </message>
     <message>
+        <source>Number of view directions, evenly spaced around the object.</source>
+        <translation>Anzahl der Blickrichtungen, gleichmäßig um das Objekt verteilt.</translation>
+    </message>
+    <message>
         <source>Number of views under each lens, chosen evenly from those of the print; never more than it has.</source>
         <extracomment>tables</extracomment>
         <translation>Zahl der Ansichten unter jeder Linse, gleichmäßig aus denen des Drucks gewählt; nie mehr, als er hat.</translation>
@@ -9761,6 +9788,11 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Zahlen werden von selbst eingerechnet, wo die Auswertung automatisch ist</translation>
     </message>
     <message>
+        <source>numbers folded</source>
+        <extracomment>tables</extracomment>
+        <translation>Zahlen eingerechnet</translation>
+    </message>
+    <message>
         <source>Object</source>
         <translation>Objekt</translation>
     </message>
@@ -9768,6 +9800,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Object outlines</source>
         <extracomment>tables</extracomment>
         <translation>Objektumrisse</translation>
+    </message>
+    <message>
+        <source>Object that is drawn: a glTF 2.0 file (.glb, .gltf), whose animation is played. Without one, the torus over its pillar.</source>
+        <translation>Objekt, das gezeichnet wird: eine glTF-2.0-Datei (.glb, .gltf), deren Animation abgespielt wird. Ohne Datei der Torus über seiner Säule.</translation>
     </message>
     <message>
         <source>objects and arrays are nested more than {1} deep</source>
@@ -9833,16 +9869,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>von %1</translation>
     </message>
     <message>
-        <source>Of a frame, pixels.</source>
-        <translation>Eines Frames, in Pixeln.</translation>
-    </message>
-    <message>
         <source>Of curvature, at the lens top.</source>
         <translation>Der Krümmung, am Linsenscheitel.</translation>
-    </message>
-    <message>
-        <source>Of each direction, evenly over the animation.</source>
-        <translation>Jeder Richtung, gleichmäßig über die Animation.</translation>
     </message>
     <message>
         <source>Of its layers {1} is read; &quot;{2}&quot; and others are left out.</source>
@@ -9851,10 +9879,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Of its layers {1} is read; &quot;{2}&quot; is left out.</source>
         <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ fällt weg.</translation>
-    </message>
-    <message>
-        <source>Of the file, by its name.</source>
-        <translation>Der Datei, nach ihrem Namen.</translation>
     </message>
     <message>
         <source>Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.</source>
@@ -9940,10 +9964,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>one cone</source>
         <extracomment>tables</extracomment>
         <translation>ein Kegel</translation>
-    </message>
-    <message>
-        <source>One for all frames: made of them, or a shipped one.</source>
-        <translation>Eine für alle Frames: aus ihnen gemacht, oder eine mitgelieferte.</translation>
     </message>
     <message>
         <source>one for every texel</source>
@@ -10115,6 +10135,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Operatoren</translation>
     </message>
     <message>
+        <source>Opposite corner of the part that is meshed.</source>
+        <translation>Gegenüberliegende Ecke des Teils, der vernetzt wird.</translation>
+    </message>
+    <message>
         <source>Optical thickness of the paper, as the mean number of scattering events: low is clear and bright, high is dim and white.</source>
         <extracomment>tables</extracomment>
         <translation>Optische Dicke des Papiers, als mittlere Zahl der Streuungen: Niedrige Werte sind klar und hell, hohe trüb und weiß.</translation>
@@ -10200,6 +10224,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Ausgabe</translation>
     </message>
     <message>
+        <source>Output file. Further files take its name, and the settings lie beside it.</source>
+        <translation>Ausgabedatei. Weitere Dateien nehmen ihren Namen an, und die Einstellungen liegen daneben.</translation>
+    </message>
+    <message>
         <source>over the water</source>
         <translation>über das Wasser</translation>
     </message>
@@ -10230,6 +10258,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Palette colors</source>
         <extracomment>tables</extracomment>
         <translation>Palettenfarben</translation>
+    </message>
+    <message>
+        <source>Palette of all frames: their own, made of their colors, or a shipped one.</source>
+        <translation>Palette aller Bilder: ihre eigene, aus ihren Farben gebildet, oder eine mitgelieferte.</translation>
     </message>
     <message>
         <source>Palette picture</source>
@@ -10311,10 +10343,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Parameter of this scene.</source>
         <translation>Parameter dieser Szene.</translation>
-    </message>
-    <message>
-        <source>Parameter that expressions can name; shown as a slider.</source>
-        <translation>Parameter, den Ausdrücke nennen können; wird als Regler gezeigt.</translation>
     </message>
     <message>
         <source>Parameters</source>
@@ -10406,17 +10434,9 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Pfad eines Panoramas, doppelt so breit wie hoch, das den Nachthimmel ersetzt.</translation>
     </message>
     <message>
-        <source>Path of a picture in this folder or below it.</source>
-        <translation>Pfad eines Bildes in diesem Ordner oder darunter.</translation>
-    </message>
-    <message>
         <source>Path of a picture whose main colors replace the palette.</source>
         <extracomment>tables</extracomment>
         <translation>Pfad eines Bildes, dessen Hauptfarben die Palette ersetzen.</translation>
-    </message>
-    <message>
-        <source>Path of a scene file in this folder or below it.</source>
-        <translation>Pfad einer Szenendatei in diesem Ordner oder darunter.</translation>
     </message>
     <message>
         <source>Path of a scene of shapes (JSON); its format is described in assets/scenes/scene.schema.json.</source>
@@ -10442,6 +10462,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Path of the views of the second print: a folder of pictures, or a file written by “vitrine print”. Empty: the melting torus.</source>
         <extracomment>tables</extracomment>
         <translation>Pfad der Ansichten des zweiten Drucks: ein Ordner mit Bildern oder eine Datei von „vitrine print“. Leer: der schmelzende Torus.</translation>
+    </message>
+    <message>
+        <source>Pattern that hints at colors between those of the palette. Ordered and blue noise stay where they are from frame to frame.</source>
+        <translation>Muster, das Farben zwischen denen der Palette andeutet. Geordnet und blaues Rauschen bleiben von Bild zu Bild an ihrem Platz.</translation>
     </message>
     <message>
         <source>Pause</source>
@@ -10694,10 +10718,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Plus und Minus zoomen, 0 passt ein, 1 zeigt Pixel für Pixel, Pfeiltasten verschieben, Strg mit einer Pfeiltaste bewegt die Linie der Wischblende.</translation>
     </message>
     <message>
-        <source>PNG (*.png)</source>
-        <translation>PNG (*.png)</translation>
-    </message>
-    <message>
         <source>PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP or GIF</source>
         <translation>PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP oder GIF</translation>
     </message>
@@ -10713,6 +10733,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Point size</source>
         <extracomment>tables</extracomment>
         <translation>Punktgröße</translation>
+    </message>
+    <message>
+        <source>Point that the description gives: the object's origin, the middle of the frame, or the middle of its lower edge.</source>
+        <translation>Punkt, den die Beschreibung angibt: der Ursprung des Objekts, die Mitte des Bildes oder die Mitte seiner Unterkante.</translation>
     </message>
     <message>
         <source>polar sum</source>
@@ -10912,6 +10936,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Druck</translation>
     </message>
     <message>
+        <source>Print that `vitrine print` wrote; of a print in tiles, any of them.</source>
+        <translation>Druck, den `vitrine print` geschrieben hat; bei einem Druck in Kacheln eine beliebige davon.</translation>
+    </message>
+    <message>
         <source>Print that the card shows while it does not scroll.</source>
         <extracomment>tables</extracomment>
         <translation>Druck, den die Karte zeigt, solange sie nicht rollt.</translation>
@@ -10970,6 +10998,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Projection of the camera: orthographic, which is usual for pixel art, or perspective, in which distance makes things smaller.</source>
         <extracomment>tables</extracomment>
         <translation>Projektion der Kamera: orthografisch, wie bei Pixel-Art üblich, oder perspektivisch, bei der Entfernung Dinge kleiner macht.</translation>
+    </message>
+    <message>
+        <source>Proof of a print</source>
+        <translation>Ansicht eines Drucks</translation>
     </message>
     <message>
         <source>Put %1 into the hall</source>
@@ -11894,10 +11926,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Wurzel</translation>
     </message>
     <message>
-        <source>Root node of another scene.</source>
-        <translation>Wurzelknoten einer anderen Szene.</translation>
-    </message>
-    <message>
         <source>Rotate</source>
         <translation>Drehen</translation>
     </message>
@@ -12259,6 +12287,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Szene</translation>
     </message>
     <message>
+        <source>Scene file.</source>
+        <translation>Szenendatei.</translation>
+    </message>
+    <message>
         <source>Scene parameters</source>
         <translation>Parameter der Szene</translation>
     </message>
@@ -12445,6 +12477,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Setzt B auf das in der Liste gewählte Preset.</translation>
     </message>
     <message>
+        <source>Sets everything as in a settings document, or as beside a file that was exported.</source>
+        <translation>Stellt alles so ein wie in einer Einstellungsdatei oder wie neben einer ausgegebenen Datei.</translation>
+    </message>
+    <message>
         <source>Sets this bookmark to the current view and replaces the old one.</source>
         <translation>Setzt dieses Lesezeichen auf die jetzige Ansicht und ersetzt die alte.</translation>
     </message>
@@ -12483,6 +12519,14 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Settings and prints (*.json *.tif *.png)</source>
         <translation>Einstellungen und Drucke (*.json *.tif *.png)</translation>
+    </message>
+    <message>
+        <source>Settings of a job</source>
+        <translation>Einstellungen eines Auftrags</translation>
+    </message>
+    <message>
+        <source>Settings of jobs (*.vitrine-job.json)</source>
+        <translation>Einstellungen von Aufträgen (*.vitrine-job.json)</translation>
     </message>
     <message>
         <source>Settings saved to %1.</source>
@@ -12578,11 +12622,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>shapes</source>
         <extracomment>tables</extracomment>
         <translation>Formen</translation>
-    </message>
-    <message>
-        <source>Shapes that the shader evaluates at a point: those that matter there, from lists of cells, or all of them.</source>
-        <extracomment>tables</extracomment>
-        <translation>Formen, die der Shader an einem Punkt auswertet: die, auf die es dort ankommt, aus Listen von Zellen, oder alle.</translation>
     </message>
     <message>
         <source>Share</source>
@@ -12781,6 +12820,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Alles davon zeigen (0)</translation>
     </message>
     <message>
+        <source>Show an interlaced print as it looks through its lens sheet, one pixel for each lens</source>
+        <translation>Zeigt einen verschachtelten Druck, wie er durch seine Linsenfolie aussieht, ein Pixel je Linse</translation>
+    </message>
+    <message>
         <source>Show B a&amp;lone</source>
         <translation>Nur B &amp;zeigen</translation>
     </message>
@@ -12945,6 +12988,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Größe</translation>
     </message>
     <message>
+        <source>Size of a frame in pixels.</source>
+        <translation>Größe eines Bildes in Pixeln.</translation>
+    </message>
+    <message>
         <source>Size of the bounding mesh in which rays march, relative to the smallest that holds the object: below 1 clips it.</source>
         <extracomment>tables</extracomment>
         <translation>Größe des Hüllnetzes, in dem Strahlen laufen, gegenüber dem kleinsten, das das Objekt umschließt: Unter 1 wird es beschnitten.</translation>
@@ -12974,6 +13021,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>skipped</source>
         <translation>ausgelassen</translation>
+    </message>
+    <message>
+        <source>Skipped cells</source>
+        <translation>Übersprungene Zellen</translation>
     </message>
     <message>
         <source>Sky</source>
@@ -14185,14 +14236,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Datei endet zu früh</translation>
     </message>
     <message>
-        <source>The file has no animation: all frames of a direction are alike.</source>
-        <translation>Die Datei hat keine Animation: Alle Bilder einer Richtung sind gleich.</translation>
-    </message>
-    <message>
-        <source>The file has no other animation.</source>
-        <translation>Die Datei hat keine andere Animation.</translation>
-    </message>
-    <message>
         <source>the file has {1} bytes, more than the {2} allowed for JSON</source>
         <translation>die Datei hat {1} Bytes, mehr als die für JSON erlaubten {2}</translation>
     </message>
@@ -14328,6 +14371,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the ink's spread is {1}; give 0 or more</source>
         <translation>der Tintenverlauf ist {1}; geben Sie 0 oder mehr an</translation>
+    </message>
+    <message>
+        <source>The job was stopped.</source>
+        <translation>Der Auftrag wurde angehalten.</translation>
     </message>
     <message>
         <source>the key &quot;kind&quot; is missing; add it.</source>
@@ -14558,10 +14605,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Bilder sind zusammen größer als {1} Bytes; vereinfachen Sie das Modell.</translation>
     </message>
     <message>
-        <source>The point that the description gives: the object's origin, the middle of the frame, or the middle of its lower edge.</source>
-        <translation>Der Punkt, den die Beschreibung nennt: der Ursprung des Objekts, die Mitte des Frames, oder die Mitte seines unteren Rands.</translation>
-    </message>
-    <message>
         <source>The polar grid has at most 4096 cells a side: four for each of 1024 samples.</source>
         <translation>Das Polargitter hat höchstens 4096 Zellen je Seite: vier für jedes von 1024 Samples.</translation>
     </message>
@@ -14576,6 +14619,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The preferences in %1 could not be read: %2. They were reset to their defaults; the file was kept as %3.</source>
         <translation>Die Programmeinstellungen in %1 konnten nicht gelesen werden: %2. Sie wurden auf ihre Ausgangswerte zurückgesetzt; die Datei wurde als %3 aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The preview shows a part of it.</source>
+        <translation>Die Vorschau zeigt einen Teil davon.</translation>
     </message>
     <message>
         <source>The print has {1} x {2} pixels, and its description says {3} x {4}; look at the unscaled, uncut file.</source>
@@ -14730,10 +14777,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Die Folie {=1} ist {2} mm dick, und ihre Linsen haben einen Radius von {3} mm: Sie kann keine Ansichten in verschiedene Richtungen zeigen; wählen Sie eine dickere Folie.</translation>
     </message>
     <message>
-        <source>The sheet: .png. Further sheets and the description take its name.</source>
-        <translation>Das Blatt: .png. Weitere Blätter und die Beschreibung richten sich nach seinem Namen.</translation>
-    </message>
-    <message>
         <source>The shortcut is removed from the other command.</source>
         <translation>Das Tastenkürzel wird dem anderen Befehl genommen.</translation>
     </message>
@@ -14878,10 +14921,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>dem Torus über seiner Säule</translation>
     </message>
     <message>
-        <source>The torus over its pillar always tumbles.</source>
-        <translation>Der Torus über seiner Säule taumelt immer.</translation>
-    </message>
-    <message>
         <source>the torus, nearly edge-on</source>
         <translation>der Torus, fast von der Kante</translation>
     </message>
@@ -14900,6 +14939,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The twelve edges of a box.</source>
         <translation>Die zwölf Kanten eines Quaders.</translation>
+    </message>
+    <message>
+        <source>the values of a job must be an object; correct it there.</source>
+        <translation>die Werte eines Auftrags müssen ein Objekt sein; berichtigen Sie das dort.</translation>
     </message>
     <message>
         <source>The vertex attribute {1} is not supported and was ignored.</source>
@@ -15215,6 +15258,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>eine solche Datei gibt es nicht; prüfen Sie den Namen.</translation>
     </message>
     <message>
+        <source>there is no such parameter{1} remove it there.</source>
+        <translation>diesen Parameter gibt es nicht{1} entfernen Sie ihn dort.</translation>
+    </message>
+    <message>
         <source>there is no text to show</source>
         <translation>es gibt keinen Text zu zeigen</translation>
     </message>
@@ -15416,6 +15463,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>diese Richtung hat keine Länge; geben Sie ihr eine.</translation>
     </message>
     <message>
+        <source>this document is newer than the program; use a newer Vitrine.</source>
+        <translation>dieses Dokument ist neuer als das Programm; nehmen Sie ein neueres Vitrine.</translation>
+    </message>
+    <message>
+        <source>this document is not of the job {1}; give one that it wrote.</source>
+        <translation>dieses Dokument ist nicht vom Auftrag {=1}; geben Sie eines an, das er geschrieben hat.</translation>
+    </message>
+    <message>
         <source>this does not describe a lenticular print of version 1; give a print, or the JSON beside it.</source>
         <translation>das beschreibt keinen Linsendruck der Version 1; geben Sie einen Druck an, oder das JSON daneben.</translation>
     </message>
@@ -15470,6 +15525,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>this is no scene; one begins with &quot;format&quot;: &quot;{1}</source>
         <translation>das ist keine Szene; eine beginnt mit &quot;format&quot;: &quot;{=1}</translation>
+    </message>
+    <message>
+        <source>this is no settings document of a job; give a file that a job of Vitrine wrote.</source>
+        <translation>das sind keine Einstellungen eines Auftrags; geben Sie eine Datei an, die ein Auftrag von Vitrine geschrieben hat.</translation>
     </message>
     <message>
         <source>this is no study; choose a file that `vitrine study` wrote.</source>
@@ -15552,6 +15611,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>hier muss 1 bis {1} stehen</translation>
     </message>
     <message>
+        <source>this must be a file name; correct it there.</source>
+        <translation>das muss ein Dateiname sein; berichtigen Sie das dort.</translation>
+    </message>
+    <message>
         <source>this must be a list of file names; correct it there.</source>
         <translation>hier muss eine Liste von Dateinamen stehen; korrigieren Sie es dort.</translation>
     </message>
@@ -15614,6 +15677,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>this must be an array of {1} numbers</source>
         <translation>hier muss ein Array von {1} Zahlen stehen</translation>
+    </message>
+    <message>
+        <source>this must be an array of {1} values; correct it there.</source>
+        <translation>das muss eine Liste von {1} Werten sein; berichtigen Sie das dort.</translation>
     </message>
     <message>
         <source>this must be an array; correct it there.</source>
@@ -15859,6 +15926,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Time after a jump at which the bodies are frozen; 0 lets them move with button and clock.</source>
         <extracomment>tables</extracomment>
         <translation>Zeit nach einem Sprung, zu der die Körper eingefroren sind; 0 lässt sie sich mit Knopf und Uhr bewegen.</translation>
+    </message>
+    <message>
+        <source>Time at which a moving scene is meshed.</source>
+        <translation>Zeitpunkt, zu dem eine bewegte Szene vernetzt wird.</translation>
     </message>
     <message>
         <source>Time between automatic jumps; 0 lets the bodies jump only when the button is pressed.</source>
@@ -16367,6 +16438,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Value</translation>
     </message>
     <message>
+        <source>Value of one of the scene's parameters, name=value. Numbers are in SI units.</source>
+        <translation>Wert eines Parameters der Szene, name=wert. Zahlen stehen in SI-Einheiten.</translation>
+    </message>
+    <message>
         <source>Values of the pixel</source>
         <translation>Werte des Pixels</translation>
     </message>
@@ -16531,10 +16606,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Vitrine crashed or was stopped; your last state was restored.</source>
         <translation>Vitrine ist abgestürzt oder wurde beendet; Ihr letzter Stand wurde wiederhergestellt.</translation>
-    </message>
-    <message>
-        <source>Vitrine scene</source>
-        <translation>Vitrine-Szene</translation>
     </message>
     <message>
         <source>Volume</source>
@@ -16752,10 +16823,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>Was die Szene umgibt, ist schwarz, bis es gelesen werden kann.</translation>
     </message>
     <message>
-        <source>What the description tells; 0: as long as the animation.</source>
-        <translation>Was die Beschreibung nennt; 0: so lang wie die Animation.</translation>
-    </message>
-    <message>
         <source>What the frame cost</source>
         <translation>Was der Frame gekostet hat</translation>
     </message>
@@ -16787,10 +16854,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Where B comes from</source>
         <translation>Woher B kommt</translation>
-    </message>
-    <message>
-        <source>Where every frame lies, in the JSON that Aseprite exports.</source>
-        <translation>Wo jeder Frame liegt, in dem JSON, das Aseprite exportiert.</translation>
     </message>
     <message>
         <source>Where the views come from</source>
@@ -16937,10 +17000,6 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the next four parameters set how the fur lies, while the bodies stand still.</source>
         <extracomment>tables</extracomment>
         <translation>Ob die nächsten vier Parameter bestimmen, wie das Fell liegt, während die Körper stillstehen.</translation>
-    </message>
-    <message>
-        <source>Whether the node is left out.</source>
-        <translation>Ob der Knoten weggelassen wird.</translation>
     </message>
     <message>
         <source>Whether the picture is split into two halves, each with its own method and view.</source>
@@ -17228,6 +17287,18 @@ steht in assets/SOURCES.md.</translation>
         <translation>schreiben Sie hier „milliseconds“, „row:NAME“ oder „counter:NAME“.</translation>
     </message>
     <message>
+        <source>Write a second sheet with normals, view space, aligned to the pixel.</source>
+        <translation>Schreibt einen zweiten Bogen mit Normalen im Blickraum, auf das Pixel deckungsgleich.</translation>
+    </message>
+    <message>
+        <source>Write a third sheet with depth: near is white.</source>
+        <translation>Schreibt einen dritten Bogen mit der Tiefe: nah ist weiß.</translation>
+    </message>
+    <message>
+        <source>Write where every frame lies, in the JSON that Aseprite exports.</source>
+        <translation>Schreibt, wo jedes Bild liegt, im JSON, das Aseprite ausgibt.</translation>
+    </message>
+    <message>
         <source>Writes the bookmarks to a file that `vitrine record` follows.</source>
         <translation>Schreibt die Lesezeichen in eine Datei, der `vitrine record` folgt.</translation>
     </message>
@@ -17250,10 +17321,6 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Writes your edits to the scene file.</source>
         <translation>Schreibt Ihre Änderungen in die Szenendatei.</translation>
-    </message>
-    <message>
-        <source>Writing</source>
-        <translation>Schreibt</translation>
     </message>
     <message>
         <source>writing a frame</source>
@@ -17283,6 +17350,10 @@ steht in assets/SOURCES.md.</translation>
         <source>Yaw</source>
         <extracomment>tables</extracomment>
         <translation>Gieren</translation>
+    </message>
+    <message>
+        <source>You can also type “%1”.</source>
+        <translation>„%1“ kann auch eingetippt werden.</translation>
     </message>
     <message>
         <source>You look at %1, from %2 m away.</source>
@@ -17363,10 +17434,6 @@ steht in assets/SOURCES.md.</translation>
         <translation>{=1} &quot;{=2}&quot; ist keine Metrik; geben Sie eine an von {=3}</translation>
     </message>
     <message>
-        <source>{1} &quot;{2}&quot;: give a length, such as 5mm.</source>
-        <translation>{=1} „{=2}“: Geben Sie eine Länge an, etwa 5mm.</translation>
-    </message>
-    <message>
         <source>{1} &quot;{2}&quot;: give name=value, such as {3}</source>
         <translation>{=1} &quot;{=2}&quot;: Geben Sie Name=Wert an, etwa {=3}</translation>
     </message>
@@ -17385,6 +17452,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1} &quot;{2}&quot;: give {3}, each from 1 to 1000000, such as {4}</source>
         <translation>{=1} &quot;{=2}&quot;: Geben Sie {3} an, jede Zahl von 1 bis 1000000, etwa {=4}</translation>
+    </message>
+    <message>
+        <source>{1} &quot;{2}&quot;: give {3}, such as {4}</source>
+        <translation>{=1} „{=2}“: geben Sie {=3} an, etwa {=4}</translation>
     </message>
     <message>
         <source>{1} &quot;{2}&quot;: numbers have a decimal point here, in every language; write {3}</source>
@@ -17409,6 +17480,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1} -&gt; {2} (allowed {3} to {4}, whole numbers only)</source>
         <translation>{=1} -&gt; {=2} (erlaubt {=3} bis {=4}, nur ganze Zahlen)</translation>
+    </message>
+    <message>
+        <source>{1} above {2}</source>
+        <translation>{1} über {2}</translation>
     </message>
     <message>
         <source>{1} and others</source>
@@ -17447,6 +17522,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} Bytes; kürzen Sie sie</translation>
     </message>
     <message>
+        <source>{1} cells hold parts that are thinner than a cell; a smaller --cell keeps them.</source>
+        <translation>{1} Zellen enthalten Teile, die dünner sind als eine Zelle; ein kleineres --cell erhält sie.</translation>
+    </message>
+    <message>
         <source>{1} costs {2} times the {3} ({4} to {5} with 95 % confidence).</source>
         <translation>{1}, kostet das {2}-Fache an {3} ({4} bis {5} mit 95 % Konfidenz).</translation>
     </message>
@@ -17461,6 +17540,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1} failed ({2})</source>
         <translation>{1} ist misslungen ({=2})</translation>
+    </message>
+    <message>
+        <source>{1} from {2} to {3}</source>
+        <translation>{1} von {2} bis {3}</translation>
     </message>
     <message>
         <source>{1} from {2} to {3} at {4} to {5} m</source>
@@ -17611,6 +17694,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1} oder {2}</translation>
     </message>
     <message>
+        <source>{1} other than {2}</source>
+        <translation>{1} anders als {2}</translation>
+    </message>
+    <message>
         <source>{1} places had no outward side and were given one</source>
         <translation>{1} Stellen hatten keine Außenseite und bekamen eine</translation>
     </message>
@@ -17705,6 +17792,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1}: give a name that ends in .png, .exr or .tif.</source>
         <translation>{=1}: Geben Sie einen Namen an, der auf .png, .exr oder .tif endet.</translation>
+    </message>
+    <message>
+        <source>{1}: give a name that ends in {2}</source>
+        <translation>{=1}: geben Sie einen Namen an, der auf {=2} endet.</translation>
     </message>
     <message>
         <source>{1}: give {2}</source>
@@ -17853,6 +17944,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1}` has no option {2} `{3} --help` lists what it has.</source>
         <translation>{=1}` kennt keine Option {2} `{=3} --help` nennt alle.</translation>
+    </message>
+    <message>
+        <source>{1}` needs --out; `{2} --help` says what it is.</source>
+        <translation>{=1}` braucht --out; `{=2} --help` sagt, was das ist.</translation>
     </message>
     <message>
         <source>{1}` needs a command; `{2} --help` lists what it has.</source>
