@@ -8253,7 +8253,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Light</source>
         <extracomment>tables</extracomment>
-        <translation>Hell</translation>
+        <translation>Licht</translation>
     </message>
     <message>
         <source>Light</source>

@@ -128,7 +128,7 @@ private slots:
         window_->choose(1);
         setRoughness(0.8);
         offer()->trigger();
-        QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("“Chalk & dust” is on show already"));
+        QVERIFY(window_->findChild<MessageStrip*>()->texts().join(' ').contains("“Chalk & dust” is already shown"));
         QCOMPARE(desk().bar().differenceText(), QString("A and B are identical"));
     }
 

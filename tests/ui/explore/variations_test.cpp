@@ -158,7 +158,7 @@ private slots:
         QVERIFY(nine().onShow() == 4);
         QVERIFY(!nine().stale());
         QVERIFY(says("Variation 5 is shown."));
-        QCOMPARE(grid().item(1, 1)->data(Qt::AccessibleTextRole).toString(), QString("Variation 5, seed 5, on show"));
+        QCOMPARE(grid().item(1, 1)->data(Qt::AccessibleTextRole).toString(), QString("Variation 5, seed 5, shown"));
         window_->shelf().saveUnder("Found");
         QCOMPARE(rowsNamed("Found").size(), 1);
         stack().undo();
@@ -205,14 +205,14 @@ private slots:
         const int before = gallery_->smallDrawn;
         window_->history().set(1, gallery_->table().roughness.row, 0.125, newGesture());
         QVERIFY(nine().stale());
-        QVERIFY(says("an older look"));
+        QVERIFY(says("of earlier settings or locks"));
         QTest::qWait(50);
         QCOMPARE(gallery_->smallDrawn.load(), before);
         press("Draw anew");
         QVERIFY(!nine().stale());
         drawn();
         QVERIFY(gallery_->smallDrawn > before);
-        QVERIFY(!says("an older look"));
+        QVERIFY(!says("of earlier settings or locks"));
     }
 
     void whatIsLockedStaysAsItIs()

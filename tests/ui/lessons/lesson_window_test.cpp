@@ -150,7 +150,7 @@ private slots:
         QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
         QTest::qWait(50);
         QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
-        QVERIFY(says("in the step before 43.8 ms"));
+        QVERIFY(says("previous step 43.8 ms"));
         *go = true;
         QTRY_VERIFY(says("Read: time of a picture 43.8 ms"));
         // The same if a visitor changes a value within a step, and returns to it.

@@ -247,7 +247,7 @@ private slots:
         QTest::mouseMove(presets()->viewport(), at);
         QTRY_VERIFY(preview()->isVisible());
         QVERIFY(previewed().contains("Glass"));
-        QVERIFY(previewed().contains("Comes with the exhibit"));
+        QVERIFY(previewed().contains("Supplied with the exhibit"));
         QCOMPARE(roughness(), before);
         QTest::mouseClick(presets()->viewport(), Qt::LeftButton, {}, at);
         QVERIFY(!preview()->isVisible());

@@ -182,7 +182,7 @@ private slots:
         QVERIFY(clock);
         settle();
         QTRY_COMPARE(clock->text(), QString("Waits"));
-        QVERIFY(clock->toolTip().contains("nothing that is shown moves"));
+        QVERIFY(clock->toolTip().contains("nothing shown is moving"));
         gallery_->exhibit().moves = true;
         window_->viewport().sceneStateChanged();
         QTRY_COMPARE(clock->text(), QString("Pause"));
