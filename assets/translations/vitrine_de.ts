@@ -5743,11 +5743,6 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Auswertung der rechten Hälfte.</translation>
     </message>
     <message>
-        <source>Evaluation of the scene in the shader: only the shapes near a point, every shape, the numbers compiled in, lists for this scene, or an interpreter for all scenes.</source>
-        <extracomment>tables</extracomment>
-        <translation>Auswertung der Szene im Shader: nur die Formen nahe einem Punkt, jede Form, mit eingerechneten Zahlen, Listen für diese Szene oder ein Interpreter für alle.</translation>
-    </message>
-    <message>
         <source>evaluations</source>
         <extracomment>tables</extracomment>
         <translation>Auswertungen</translation>
@@ -7328,11 +7323,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Interpolation der Drehung von der Wurzel zur Spitze: Die Matrixmischung verkürzt Haare, nlerp dreht ungleichmäßig, slerp ist exakt.</translation>
     </message>
     <message>
-        <source>interpreter</source>
-        <extracomment>tables</extracomment>
-        <translation>Interpreter</translation>
-    </message>
-    <message>
         <source>Intersection: everything that all children share.</source>
         <translation>Schnitt: alles, was allen Kindern gemeinsam ist.</translation>
     </message>
@@ -8353,11 +8343,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>list of primitives</source>
         <translation>Liste von Grundkörpern</translation>
-    </message>
-    <message>
-        <source>lists</source>
-        <extracomment>tables</extracomment>
-        <translation>Listen</translation>
     </message>
     <message>
         <source>lists have no numbers in their text</source>
@@ -9786,11 +9771,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>numbers are folded by themselves where the evaluation is automatic</source>
         <translation>Zahlen werden von selbst eingerechnet, wo die Auswertung automatisch ist</translation>
-    </message>
-    <message>
-        <source>numbers folded</source>
-        <extracomment>tables</extracomment>
-        <translation>Zahlen eingerechnet</translation>
     </message>
     <message>
         <source>Object</source>
@@ -12622,6 +12602,11 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>shapes</source>
         <extracomment>tables</extracomment>
         <translation>Formen</translation>
+    </message>
+    <message>
+        <source>Shapes that the shader evaluates at a point: those that matter there, from lists of cells, or all of them.</source>
+        <extracomment>tables</extracomment>
+        <translation>Formen, die der Shader an einem Punkt auswertet: die, auf die es dort ankommt, aus Listen von Zellen, oder alle.</translation>
     </message>
     <message>
         <source>Share</source>

@@ -113,8 +113,7 @@ struct SdfScenesTable final : Parameters {
         "Occlusion method of the right half.", when(split));
     Count rightBounces = count("rightBounces", 4, {0, 4}, "Bounces of the right half.", when(split));
     Choice<SceneEvaluation> rightEvaluation =
-        choice("rightEvaluation", SceneEvaluation::automatic,
-               {"automatic", "what is near", "every shape", "numbers folded", "lists", "interpreter"},
+        choice("rightEvaluation", SceneEvaluation::automatic, {"automatic", "what is near", "every shape"},
                "Evaluation of the right half.", when(split));
     Count rightStepLimit =
         count("rightStepLimit", 160, {1, 512, logarithmic}, "Step limit of the right half.", when(split));
@@ -129,12 +128,10 @@ struct SdfScenesTable final : Parameters {
     Real heatScale = real("heatScale", 64, none, Range{1, 4096, logarithmic}.soft(8, 512),
                           "Count that the heat map shows in white: low brings out small costs, high large ones.",
                           when(heatMap, {SceneHeatMap::steps, SceneHeatMap::evaluations, SceneHeatMap::shapes}));
-    Choice<SceneEvaluation> evaluation =
-        choice("evaluation", SceneEvaluation::automatic,
-               {"automatic", "what is near", "every shape", "numbers folded", "lists", "interpreter"},
-               "Evaluation of the scene in the shader: only the shapes near a point, every shape, the numbers compiled "
-               "in, lists for this scene, or an interpreter for all scenes.",
-               exactAt(SceneEvaluation::shapes));
+    Choice<SceneEvaluation> evaluation = choice(
+        "evaluation", SceneEvaluation::automatic, {"automatic", "what is near", "every shape"},
+        "Shapes that the shader evaluates at a point: those that matter there, from lists of cells, or all of them.",
+        exactAt(SceneEvaluation::shapes));
     StudiedRows studied{
         *this,
         {{.name = "bounces", .settles = "The scene asks for fewer mirror images of mirror images."},

@@ -323,8 +323,8 @@ Motion typed(const std::string& text)
 TEST(TypedMotion, RefusesWhatContradictsItself)
 {
     const auto refused = [](const std::string& text) { return test::refusalOf([&] { return typed(text); }); };
-    EXPECT_EQ(refused("sine:1:2:period=4:period=5"), "--animate width: period= is given twice; take one of them out.");
-    EXPECT_EQ(refused("triangle:1:2:ease=in:ease=in"), "--animate width: ease= is given twice; take one of them out.");
+    EXPECT_EQ(refused("sine:1:2:period=4:period=5"), "--animate width: period= is given twice; remove one of them.");
+    EXPECT_EQ(refused("triangle:1:2:ease=in:ease=in"), "--animate width: ease= is given twice; remove one of them.");
     for (const char* order :
          {"distance:1:2:nearest=5:farthest=1", "distance:1:2:farthest=1:nearest=5", "distance:1:2:farthest=0"})
         EXPECT_PRED_FORMAT2(testing::IsSubstring, "is before nearest=", refused(order));

@@ -354,7 +354,7 @@ TEST_F(ScenePicture, ADragAfterFoldingCompilesNothing)
     };
     const auto isFolded = [](const render::FrameReport& report) {
         for (const render::StepReport& step : report.ran)
-            if (step.name == "sdf_scenes/scene") return step.reason.find("numbers folded") != std::string::npos;
+            if (step.name == "sdf_scenes/scene") return step.reason.find("numbers compiled in") != std::string::npos;
         return false;
     };
     EXPECT_FALSE(isFolded(frame(true))) << "the picture does not wait for it";

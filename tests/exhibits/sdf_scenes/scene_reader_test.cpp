@@ -36,7 +36,7 @@ TEST(SceneReader, SaysWhereWhatAndWhatToDo)
               "radius, kind, "
               "name, about, material, hidden, translate, rotate and scale.");
     EXPECT_EQ(about("{\"kind\": \"union\",\n  \"children\": [{\"kind\": \"sphere\"},\n    {\"kind\": \"spere\"}]}")
-                  .substr(0, 87),
+                  .substr(0, 90),
               "test.json:5:6: root.children[1].kind: unknown kind of node: \"spere\"; did you mean \"sphere\"");
     EXPECT_EQ(about(R"({"kind": "sphere", "material": "gold"})", R"("materials": {"old gold": {"model": "pbr"}},)"),
               "test.json:3:28: root.material: unknown material: \"gold\"; take one of old gold.");

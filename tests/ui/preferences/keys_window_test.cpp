@@ -127,7 +127,7 @@ private slots:
                 if (label->accessibleName() == "About the shortcut") return label->text();
             return QString();
         };
-        QTRY_VERIFY(reason().startsWith("W alone is for typing and for walking."));
+        QTRY_VERIFY(reason().startsWith("W alone is used for typing and walking."));
         QCOMPARE(action("Record…")->shortcut(), QKeySequence("Shift+F12"));
     }
 
