@@ -17,9 +17,9 @@
 namespace vitrine::app {
 namespace {
 
-/// What was typed for a job.
+/// Arguments of a job's command, as they were typed.
 struct TypedJob {
-    std::vector<std::vector<std::string>> words;  ///< By option of its table.
+    std::vector<std::vector<std::string>> words;  ///< Words of each option of the job's table.
     std::string out, like, preset;
     std::vector<std::string> sets;
     bool asJson = false, dryRun = false;
@@ -75,7 +75,7 @@ void addCommon(CLI::App& command, const jobs::Job& job, TypedJob& typed)
     command.add_flag("--json", typed.asJson, "Print the outcome as JSON");
 }
 
-/// Takes what was typed; option by option, so that a message names the first one that is wrong.
+/// Reads the typed words option by option, so that a message names the first wrong option.
 void readWords(const CLI::App& command, const TypedJob& typed, jobs::GivenValues& given)
 {
     const std::vector<jobs::JobOption>& options = given.options();
@@ -90,7 +90,7 @@ void readWords(const CLI::App& command, const TypedJob& typed, jobs::GivenValues
     }
 }
 
-/// The scene of the job: initial, or of the document, with the preset and the values that were typed.
+/// Returns the scene of the job: the initial one, or that of the document, with the typed preset and values.
 jobs::JobScene sceneOf(const jobs::Job& job, const Museum& museum, const TypedJob& typed, const SceneState* like)
 {
     PictureOptions options;

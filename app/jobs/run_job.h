@@ -4,7 +4,8 @@
 
 namespace vitrine::app {
 
-/// What draws without a window: a context of its own, and a renderer on it. Throws Failure (Blame::openGl).
+/// Creates a backend that draws without a window: an OpenGL context and a renderer that uses it. Throws Failure
+/// (Blame::openGl).
 [[nodiscard]] std::unique_ptr<render::RenderBackend> headlessBackend();
 
 /// Runs a job to its end on this thread and prints what it did, as text or JSON. A stop signal stops it in an orderly

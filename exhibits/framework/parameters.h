@@ -248,19 +248,19 @@ protected:
     /// Makes neighbors one option of the command line, "--size 64x48", and one array of a settings document.
     [[nodiscard]] static Tuple tuple(std::string_view name, char separator) { return {name, separator}; }
     struct Several {};
-    /// Of a file or text: each line is a value of its own. A path with a line break is refused.
+    /// Makes a file or text parameter a list with one value per line. A path with a line break is refused.
     [[nodiscard]] static Several several() { return {}; }
     struct MustBeGiven {};
     [[nodiscard]] static MustBeGiven mustBeGiven() { return {}; }
     struct Positional {};
-    /// A word of its own on the command line, in the order of the table.
+    /// Makes the parameter an argument without an option name on the command line, in the order of the table.
     [[nodiscard]] static Positional positional() { return {}; }
     struct OfFile {
         std::string_view file;
     };
-    /// Of a text that names something in the file: another file resets it (`ParameterValues::chooseFile`).
+    /// Marks a text that names something in the file. Choosing another file resets it (`ParameterValues::chooseFile`).
     [[nodiscard]] OfFile ofFile(File file) const { return {nameOf(file)}; }
-    /// Giving the parameter sets that one as well, unless that one is given, too.
+    /// Sets another parameter to a value if this parameter is given and the other one is not.
     template <typename T> [[nodiscard]] Implication implies(Parameter<T> parameter, T value) const
     {
         return {nameOf(parameter), static_cast<double>(value)};

@@ -25,7 +25,7 @@ struct JobScene {
     FrameRequest frame = {};
 };
 
-/// What a job takes besides its parameters, and what it writes.
+/// Inputs of a job besides its parameters, and the formats that it writes.
 struct JobNeeds {
     /// Exhibit whose settings the job takes (`--preset`, `--set`); empty: the job has no scene.
     std::string_view subject = {};
@@ -52,7 +52,7 @@ struct PlannedFile {
     bool operator==(const PlannedFile&) const = default;
 };
 
-/// What a job will do, known before it starts.
+/// Outcome of a job as far as it is known before the start.
 struct JobPlan {
     std::string refusal = {};                ///< Sentence on why the job cannot start; empty: it can.
     std::vector<std::string> warnings = {};  ///< Sentences on what may disappoint.
@@ -65,7 +65,7 @@ struct JobPlan {
     bool operator==(const JobPlan&) const = default;
 };
 
-/// What a job has done.
+/// Outcome of a finished job.
 struct JobReport {
     std::vector<std::filesystem::path> files = {};
     std::vector<Fact> facts = {};
@@ -95,11 +95,11 @@ public:
     [[nodiscard]] virtual Next next() const = 0;
     /// Throws Stopped, or Failure naming what was being done.
     virtual void step(const Watch&) = 0;
-    /// The part that is done, 0 to 1.
+    /// Returns the fraction that is done, 0 to 1.
     [[nodiscard]] virtual double progress() const = 0;
-    /// "drawing": what the next step does, after the program's name.
+    /// Returns what the next step does, such as "drawing". Messages show it after the program's name.
     [[nodiscard]] virtual std::string_view doing() const = 0;
-    /// What was made; complete once `next` is done.
+    /// Returns the report of the work so far. It is complete when `next` returns `done`.
     [[nodiscard]] virtual const JobReport& report() const = 0;
     /// Puts all files in place at once, or throws Failure and leaves all as they were. On any thread.
     virtual void publish() = 0;
@@ -111,7 +111,7 @@ public:
     virtual ~JobInputs() = default;
 };
 
-/// Makes what draws, when it is first needed, on the thread that draws.
+/// Creates the backend on the thread that draws, when the job first needs it.
 using BackendMaker = std::function<std::unique_ptr<render::RenderBackend>()>;
 
 /// Everything that a job needs in order to start.

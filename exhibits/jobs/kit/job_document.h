@@ -33,10 +33,10 @@ struct JobDocument {
     std::vector<std::string> notes = {};
 };
 
-/// The document beside an output: "hero.png.vitrine-job.json" for "hero.png".
+/// Returns the path of the document beside an output: "hero.png.vitrine-job.json" for "hero.png".
 [[nodiscard]] std::filesystem::path documentFile(const std::filesystem::path& out);
 
-/// The text of a document. Throws Failure where a value cannot be written.
+/// Returns the text of a document. Throws Failure where a value cannot be written.
 [[nodiscard]] std::string documentText(const Job&, const JobOrder&, const std::vector<Fact>& facts);
 
 /// Reads a document, or the one that lies beside an output. What is out of range is brought to the nearest legal value,
@@ -46,7 +46,7 @@ struct JobDocument {
 /// The same of a text; `name` is that of its file.
 [[nodiscard]] JobDocument parseDocument(std::string text, const std::string& name, const Job&, const Museum*);
 
-/// What the job takes, as a JSON Schema (draft 2020-12) of the "values" of a document.
+/// Returns a JSON Schema (draft 2020-12) for the "values" of the job's documents.
 [[nodiscard]] render::Json schemaOf(const Job&);
 
 }  // namespace vitrine::jobs

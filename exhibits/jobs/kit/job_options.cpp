@@ -24,7 +24,7 @@ std::string kebab(std::string_view name)
     return text;
 }
 
-/// The parameter as the command line shows it: numbers in the unit of a plain one.
+/// Returns the parameter with the unit in which the command line reads a plain number.
 ParameterInfo asTyped(const ParameterInfo& parameter)
 {
     ParameterInfo typed = parameter;
@@ -39,7 +39,7 @@ std::string wordsText(const ParameterInfo& parameter)
     return text;
 }
 
-/// What a word for the parameter is: after "give ".
+/// Returns what may be typed for the parameter. Messages show it after "give ".
 std::string wanted(const ParameterInfo& parameter)
 {
     switch (parameter.kind) {

@@ -21,24 +21,24 @@ struct JobOption {
     std::string key;
 };
 
-/// The options that give all parameters, in the order of the table.
+/// Returns the options that give all parameters, in the order of the table.
 [[nodiscard]] std::vector<JobOption> optionsOf(const Parameters&);
-/// The option among these that gives the parameter.
+/// Returns the option among these that gives the parameter.
 [[nodiscard]] const JobOption& optionOf(const std::vector<JobOption>&, std::size_t parameter);
 
 /// "--no-normals" for "--normals".
 [[nodiscard]] std::string withoutFlag(const JobOption&);
 
-/// What the option takes, as help texts show it: "1..64", "own|isle", "TEXT".
+/// Returns the type of the option's value, as help texts show it: "1..64", "own|isle", "TEXT".
 [[nodiscard]] std::string typeText(const Parameters&, const JobOption&);
-/// Its initial value, as it would be typed; empty: none.
+/// Returns the option's initial value as it would be typed; empty if it has none.
 [[nodiscard]] std::string initialText(const Parameters&, const JobOption&);
-/// Its help text, and the units of what is typed.
+/// Returns the option's help text with the unit of a plain number.
 [[nodiscard]] std::string helpText(const Parameters&, const JobOption&);
 
-/// The value of one parameter as it is typed; reads back as the same bits.
+/// Returns the value of one parameter as it is typed. `readWord` reads the same bits from it.
 [[nodiscard]] std::string typedText(const ParameterInfo&, const Value&);
-/// The words behind (or, positional, in place of) the option that give its parameters these values; not for flags.
+/// Returns the words after the option name that give its parameters these values. Not for flags.
 [[nodiscard]] std::vector<std::string> typedWords(const JobOption&, const ParameterValues&);
 
 /// Reads one parameter's value from a word. Throws Failure (Blame::usage) that begins with `option`: for what is no

@@ -10,7 +10,7 @@
 
 namespace vitrine {
 
-/// What to draw of the object for these values of `SpriteTable`.
+/// Returns the views, frames and sizes to draw for these values of `SpriteTable`.
 [[nodiscard]] SpriteRequest spriteRequest(const ParameterValues&, const SpriteSubject&);
 
 /// Sentence on why there can be no such sheet; empty: there can.

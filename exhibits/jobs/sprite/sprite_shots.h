@@ -15,13 +15,13 @@ namespace vitrine {
 
 struct WorldPart;
 
-/// Of the exhibit in whose look sprites are drawn.
+/// Name of the exhibit whose style sprites are drawn in.
 inline constexpr const char* spriteLookName = "pixel_art";
 
-/// What to draw of an object, and how often.
+/// Views and frames to draw of an object.
 struct SpriteRequest {
-    int directions = 8;  ///< Around it, evenly; the first one is the look's azimuth.
-    int frames = 1;      ///< Of each direction, evenly over the animation.
+    int directions = 8;  ///< Evenly spaced around the object; the first is the azimuth of the pixel art.
+    int frames = 1;      ///< Per direction, evenly spaced over the animation.
     glm::ivec2 size{64, 64};
     std::string animation;  ///< By name; empty: the first one.
     SpriteMotion motion = SpriteMotion::automatic;

@@ -6,7 +6,7 @@
 
 namespace vitrine {
 
-/// The others are those of the look's own row, by name.
+/// Palette of the sheet. Further choices are the palettes of the pixel art, by name.
 enum class SpritePalette : int { own };
 enum class SpriteDither : int { none, ordered, errorDiffusion, blueNoise };
 enum class SpritePivot : int { origin, center, bottom };
