@@ -91,11 +91,10 @@ void addCompareCommand(CLI::App& parser, Action& chosen)
     CLI::App* command = parser.add_subcommand("compare", "Say how far a picture is from its reference");
     auto options = std::make_shared<CompareOptions>();
     options->metric = "rmse";
-    command->add_option("reference", options->reference, "A picture: PNG, TIFF, OpenEXR, JPEG, HDR, WebP, BMP or GIF")
-        ->required();
+    command->add_option("reference", options->reference, "Reference picture: " + render::readFormats())->required();
     command->add_option("test", options->test, "Another of the same size")->required();
     command->add_option("--metric", options->metric, metricNames())->capture_default_str();
-    command->add_option("--heatmap", options->heatMap, "Where they differ, as a picture: .png, .exr or .tif");
+    command->add_option("--heatmap", options->heatMap, "Picture of the differences: " + render::writtenExtensions());
     addNumber(*command, "--max", options->limit, {},
               "Exit with 1 when the distance is beyond this (for psnr: below it)");
     addNumber(*command, "--pixels-per-degree", options->pixelsPerDegree, {1, 1000}, "For flip: how large a pixel looks")

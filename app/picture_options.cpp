@@ -8,7 +8,6 @@
 #include "exhibits/framework/value_text.h"
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
-#include "render/files/extension.h"
 #include "render/files/number_text.h"
 #include "render/text/nearest_word.h"
 
@@ -33,9 +32,10 @@ std::vector<std::string> split(const std::string& text, char separator)
     return parts;
 }
 
-bool isExr(const std::string& file)
+bool isLinear(const std::string& file)
 {
-    return render::lowerExtension(file) == ".exr";
+    const auto format = render::writtenFormat(file);
+    return format && render::fileFormat(*format).isLinear;
 }
 
 Channels parseChannels(const std::string& text, PictureRequest& request, bool& beyondColor)
@@ -83,7 +83,7 @@ glm::dmat4 exhibitTransform(const PictureOptions& options, const PictureRecord* 
 void setChannels(const PictureOptions& options, const PictureRecord* taken, PictureRequest& request)
 {
     bool beyondColor = false;
-    const bool linear = isExr(options.out);
+    const bool linear = isLinear(options.out);
     if (!options.channels.empty()) {
         request.frame.channels = parseChannels(options.channels, request, beyondColor);
     } else if (taken && linear) {
@@ -160,12 +160,13 @@ std::string whatItTakes(const ParameterInfo& row, const std::string& typed)
 
 render::PictureFormat pictureFormat(const std::string& option, const std::string& file, bool sixteenBit)
 {
-    const std::string extension = render::lowerExtension(file);
-    if (extension == ".png") return sixteenBit ? render::PictureFormat::png16 : render::PictureFormat::png8;
-    if (extension == ".exr") return sixteenBit ? render::PictureFormat::exrHalf : render::PictureFormat::exr;
-    if (extension == ".tif" || extension == ".tiff")
-        return sixteenBit ? render::PictureFormat::tiff16 : render::PictureFormat::tiff8;
-    throw Failure(Blame::usage, option + ' ' + file + ": give a name that ends in .png, .exr or .tif.");
+    const std::optional<int> bits = sixteenBit ? std::optional(16) : std::nullopt;
+    if (const auto format = render::writtenFormat(file, bits)) return *format;
+    if (render::writtenFormat(file))
+        throw Failure(Blame::usage, option + ' ' + file + ": this format holds no 16 bits; give a name that ends in " +
+                                        render::writtenExtensions(bits) + ", or leave --sixteen-bit out.");
+    throw Failure(Blame::usage,
+                  option + ' ' + file + ": give a name that ends in " + render::writtenExtensions() + '.');
 }
 
 glm::dvec3 parseTriple(const std::string& option, const std::string& text, Unit unit)

@@ -93,7 +93,10 @@ void addRenderCommand(CLI::App& parser, Action& chosen)
         "render", "Render an exhibit at its place in the hall, or the hall, to a file; needs no display");
     auto options = std::make_shared<RenderOptions>();
     command->add_option("exhibit", options->picture.subject, "An exhibit's name, or hall")->required();
-    command->add_option("--out", options->picture.out, "The picture: .png, .exr (linear light) or .tif")->required();
+    command
+        ->add_option("--out", options->picture.out,
+                     "Output picture: " + render::writtenExtensions() + "; OpenEXR holds linear light")
+        ->required();
     command->add_flag("--sixteen-bit", options->sixteenBit,
                       "16 bits per channel: codes in PNG and TIFF, half floats for the color in OpenEXR");
     command->add_option("--report", options->report,

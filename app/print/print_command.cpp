@@ -11,8 +11,8 @@
 #include "exhibits/printing/sheet.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
-#include "render/files/extension.h"
 #include "render/image/image_io.h"
+#include "render/image/picture_formats.h"
 
 #include <CLI/CLI.hpp>
 #include <unistd.h>
@@ -72,9 +72,10 @@ void describe(const PrintLayout& layout, const PrintOptions& options, const std:
 void checkTarget(const PrintOptions& options, const LayoutOf& layoutOf)
 {
     const std::string& out = options.out;
-    const std::string extension = render::lowerExtension(out);
-    if (extension != ".tif" && extension != ".tiff" && extension != ".png")
-        throw Failure(Blame::usage, "--out " + out + ": give a name that ends in .tif or .png.");
+    const render::PictureFileFormat* format = render::formatNamed(out);
+    if (!format || !format->isStreamed)
+        throw Failure(Blame::usage,
+                      "--out " + out + ": give a name that ends in " + render::streamedExtensions() + '.');
     const fs::path folder = render::PartFile(out).target().parent_path();
     if (::access(folder.empty() ? "." : folder.c_str(), W_OK) != 0)
         throw Failure(Blame::file, "Cannot write " + out + ": " + std::strerror(errno) + "; choose another folder.");
@@ -115,7 +116,8 @@ int makePart(const PrintOptions& options, const LayoutOf& layoutOf)
 int makePrint(const PrintOptions& options)
 {
     if (options.out.empty() && (options.views.saveViews.empty() || !options.chart.empty()))
-        throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in .tif or .png.");
+        throw Failure(Blame::usage, "--out is missing: say where the print goes, to a name that ends in " +
+                                        render::streamedExtensions() + '.');
     const auto layoutOf = [&](int count) { return PrintLayout(printSettings(options, count)); };
     if (!options.part.shard.empty()) return makePart(options, layoutOf);
     if (!options.chart.empty()) return makeChart(options);

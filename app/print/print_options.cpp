@@ -5,6 +5,7 @@
 #include "exhibits/printing/print_table.h"
 #include "render/failure.h"
 #include "render/files/extension.h"
+#include "render/image/picture_formats.h"
 
 #include <CLI/CLI.hpp>
 
@@ -113,7 +114,8 @@ void addPrintOptions(CLI::App& command, PrintOptions& o)
     add("--chart-span", o.chartSpan, t.chartSpan, Unit::percent,
         "Span of a pitch chart, in percent each way: 1 is coarse, 0.1 fine")
         ->capture_default_str();
-    command.add_option("--out", o.out, "The print: .tif or .png; may be left out with --save-views");
+    command.add_option("--out", o.out,
+                       "Output print: " + render::streamedExtensions() + "; may be left out with --save-views");
     command.add_option("--report", o.report,
                        "Also write the print's description here, as JSON; it always lies beside the print and in it");
     add("--lpi", o.lpi, t.lensesPerInch, Unit::none, "Lenses per inch of the sheet");

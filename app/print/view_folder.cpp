@@ -11,6 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr int viewBits = 8;  // Per channel.
+
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why)
 {
     throw Failure(Blame::file, "--save-views " + folder.string() + ": " + why + ".");
@@ -29,6 +31,13 @@ void clearViews(const fs::path& folder)
 }
 
 }  // namespace
+
+std::vector<std::string> viewFormats()
+{
+    std::vector<std::string> names;
+    for (const std::string_view ending : render::writtenEndings(viewBits)) names.emplace_back(ending);
+    return names;
+}
 
 ViewFolder::ViewFolder(fs::path folder, std::string extension, int count)
     : folder_(std::move(folder)), part_(folder_ / (".views" + render::partSuffix())), unfinished_(part_),
@@ -69,9 +78,8 @@ std::string ViewFolder::nameOf(int k) const
 
 void ViewFolder::add(int k, const render::Image& image, const std::string& preset)
 {
-    render::writePicture(part_ / nameOf(k), image,
-                         extension_ == "png" ? render::PictureFormat::png8 : render::PictureFormat::jpeg,
-                         {.preset = preset});
+    const fs::path file = part_ / nameOf(k);
+    render::writePicture(file, image, render::writtenFormat(file, viewBits).value(), {.preset = preset});
 }
 
 void ViewFolder::publish()

@@ -6,16 +6,21 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace vitrine::app {
+
+/// Extensions that views may have, the usual one first: "png", "jpg".
+[[nodiscard]] std::vector<std::string> viewFormats();
 
 /// A folder of views that is there completely or not at all: they are written into a folder within and put in
 /// place together at the end.
 class ViewFolder {
 public:
-    /// `extension` is "png" or "jpg"; `count` views will come. Makes the folder when it is missing (not those that hold
-    /// it). Throws Failure (Blame::file) when it cannot be made, or holds other pictures than views of these names:
-    /// they would be taken for views as well. Clears what processes of this machine left there when they were killed.
+    /// `extension` is one of `viewFormats`; `count` views will come. Makes the folder when it is missing (not those
+    /// that hold it). Throws Failure (Blame::file) when it cannot be made, or holds other pictures than views of these
+    /// names: they would be taken for views as well. Clears what processes of this machine left there when they were
+    /// killed.
     ViewFolder(std::filesystem::path, std::string extension, int count);
     /// Removes what was not published.
     ~ViewFolder();

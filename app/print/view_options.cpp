@@ -1,6 +1,7 @@
 #include "app/print/view_options.h"
 
 #include "app/number_option.h"
+#include "app/print/view_folder.h"
 #include "exhibits/printing/print_table.h"
 
 #include <CLI/CLI.hpp>
@@ -81,7 +82,7 @@ void addRenderedViews(CLI::App& command, ViewOptions& o)
     command
         .add_option("--save-views", o.saveViews, "Also write the views into this folder: view_00.png, view_01.png, ...")
         ->group(rendered);
-    addChoice(command, "--view-format", o.viewFormat, {"png", "jpg"}, "Format of these")
+    addChoice(command, "--view-format", o.viewFormat, viewFormats(), "Format of these")
         ->capture_default_str()
         ->group(rendered);
     addSceneOptions(command, o.scene, rendered);

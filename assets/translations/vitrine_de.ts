@@ -217,8 +217,8 @@
         <translation>%1 B folgt den jetzigen Einstellungen; ziehen Sie an der Linie zwischen beiden.</translation>
     </message>
     <message>
-        <source>%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp, .bmp and its own recordings.</source>
-        <translation>%1 kann nicht geöffnet werden: Vitrine öffnet .json, .md, .glb, .gltf, .hdr, .exr, .png, .jpg, .tif, .webp, .bmp und eigene Aufnahmen.</translation>
+        <source>%1 cannot be opened: Vitrine opens %2, and its own recordings.</source>
+        <translation>%1 kann nicht geöffnet werden: Vitrine öffnet %2 und eigene Aufnahmen.</translation>
     </message>
     <message>
         <source>%1 carries no settings: choose a recording that Vitrine made.</source>
@@ -412,6 +412,10 @@ Zeiten kommen, wenn es alle sind.</translation>
         <translation>%1 — Vitrine</translation>
     </message>
     <message>
+        <source>%1, %2 bit</source>
+        <translation>%1, %2 Bit</translation>
+    </message>
+    <message>
         <source>%1, %2, from %3</source>
         <translation>%1, %2, aus %3</translation>
     </message>
@@ -430,6 +434,10 @@ Zeiten kommen, wenn es alle sind.</translation>
     <message>
         <source>%1, elevation</source>
         <translation>%1, Höhenwinkel</translation>
+    </message>
+    <message>
+        <source>%1, linear light, %2 bit</source>
+        <translation>%1, lineares Licht, %2 Bit</translation>
     </message>
     <message>
         <source>%1, slider</source>
@@ -907,12 +915,12 @@ Zeiten nach: %2.</translation>
         <translation>--metric {=1}: Beide Bilder brauchen den Kanal dafür; erzeugen Sie sie mit `vitrine render ... --channels color,depth,normal --out NAME.exr`.</translation>
     </message>
     <message>
-        <source>--out is missing: say where the print goes, to a name that ends in .tif or .png.</source>
-        <translation>--out fehlt: Sagen Sie, wohin der Druck geht, mit einem Namen, der auf .tif oder .png endet.</translation>
+        <source>--out is missing: say where the print goes, to a name that ends in {1}</source>
+        <translation>--out fehlt: Sagen Sie, wohin der Druck geht, mit einem Namen, der auf {1} endet</translation>
     </message>
     <message>
-        <source>--out {1}: give a name that ends in .tif or .png.</source>
-        <translation>--out {=1}: Geben Sie einen Namen an, der auf .tif oder .png endet.</translation>
+        <source>--out {1}: give a name that ends in {2}</source>
+        <translation>--out {=1}: Geben Sie einen Namen an, der auf {2} endet</translation>
     </message>
     <message>
         <source>--out {1}: this folder holds something else than {2}; name another.</source>
@@ -3824,8 +3832,8 @@ Zeiten nach: %2.</translation>
         <translation>JSON kann nicht geschrieben werden: {=1} {2}</translation>
     </message>
     <message>
-        <source>Cannot write {1}: give a name that ends in .tif, .tiff or .png.</source>
-        <translation>{=1} kann nicht geschrieben werden: Geben Sie einen Namen an, der auf .tif, .tiff oder .png endet.</translation>
+        <source>Cannot write {1}: give a name that ends in {2}</source>
+        <translation>{=1} kann nicht geschrieben werden: Geben Sie einen Namen an, der auf {2} endet</translation>
     </message>
     <message>
         <source>Cannot write {1}: there is no folder {2}; create it first.</source>
@@ -10204,6 +10212,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Ausgabe</translation>
     </message>
     <message>
+        <source>Output file of the print. Its settings are written inside and beside it.</source>
+        <translation>Ausgabedatei des Drucks. Seine Einstellungen werden hinein und daneben geschrieben.</translation>
+    </message>
+    <message>
         <source>Output file. Further files take its name, and the settings lie beside it.</source>
         <translation>Ausgabedatei. Weitere Dateien nehmen ihren Namen an, und die Einstellungen liegen daneben.</translation>
     </message>
@@ -10567,8 +10579,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Bilder</translation>
     </message>
     <message>
-        <source>Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp *.bmp *.gif);;All files (*)</source>
-        <translation>Bilder (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp *.bmp *.gif);;Alle Dateien (*)</translation>
+        <source>Pictures (%1);;All files (*)</source>
+        <translation>Bilder (%1);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Pictures in viewing order from the left.</source>
@@ -10696,10 +10708,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Plus and minus zoom, 0 fits, 1 shows pixel for pixel, arrows move, Ctrl with an arrow moves the line of the wipe.</source>
         <translation>Plus und Minus zoomen, 0 passt ein, 1 zeigt Pixel für Pixel, Pfeiltasten verschieben, Strg mit einer Pfeiltaste bewegt die Linie der Wischblende.</translation>
-    </message>
-    <message>
-        <source>PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP or GIF</source>
-        <translation>PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP oder GIF</translation>
     </message>
     <message>
         <source>Point</source>
@@ -10872,10 +10880,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Presets und Bilder mit eingebettetem Preset (%1)</translation>
     </message>
     <message>
-        <source>Presets, and pictures with one inside (*.json *.png *.exr)</source>
-        <translation>Presets und Bilder mit eingebettetem Preset (*.json *.png *.exr)</translation>
-    </message>
-    <message>
         <source>Press the button of %1</source>
         <translation>Den Knopf von %1 drücken</translation>
     </message>
@@ -10941,6 +10945,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Prints</source>
         <extracomment>tables</extracomment>
         <translation>Drucke</translation>
+    </message>
+    <message>
+        <source>Prints (%1)</source>
+        <translation>Drucke (%1)</translation>
     </message>
     <message>
         <source>probe</source>
@@ -12497,8 +12505,8 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Einstellungen (*.json)</translation>
     </message>
     <message>
-        <source>Settings and prints (*.json *.tif *.png)</source>
-        <translation>Einstellungen und Drucke (*.json *.tif *.png)</translation>
+        <source>Settings and prints (%1)</source>
+        <translation>Einstellungen und Drucke (%1)</translation>
     </message>
     <message>
         <source>Settings of a job</source>
@@ -14626,10 +14634,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>die Beschreibung des Drucks</translation>
     </message>
     <message>
-        <source>The print: .tif, or .png. Its settings are written inside and beside it.</source>
-        <translation>Der Druck: .tif oder .png. Seine Einstellungen werden hinein und daneben geschrieben.</translation>
-    </message>
-    <message>
         <source>The program's assets were not found beside it (looked last in {1}); reinstall it, or set VITRINE_ASSETS to the folder that holds models/materials.json.</source>
         <translation>Die Assets des Programms wurden neben ihm nicht gefunden (zuletzt gesucht in {=1}); installieren Sie es neu, oder setzen Sie VITRINE_ASSETS auf den Ordner, der models/materials.json enthält.</translation>
     </message>
@@ -15884,10 +15888,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <source>Threshold</source>
         <extracomment>tables</extracomment>
         <translation>Schwelle</translation>
-    </message>
-    <message>
-        <source>TIFF (*.tif);;PNG (*.png)</source>
-        <translation>TIFF (*.tif);;PNG (*.png)</translation>
     </message>
     <message>
         <source>Tile width</source>
@@ -17775,12 +17775,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>{1}, mitgeliefert</translation>
     </message>
     <message>
-        <source>{1}: give a name that ends in .png, .exr or .tif.</source>
-        <translation>{=1}: Geben Sie einen Namen an, der auf .png, .exr oder .tif endet.</translation>
-    </message>
-    <message>
         <source>{1}: give a name that ends in {2}</source>
-        <translation>{=1}: geben Sie einen Namen an, der auf {=2} endet.</translation>
+        <translation>{=1}: Geben Sie einen Namen an, der auf {2} endet</translation>
     </message>
     <message>
         <source>{1}: give {2}</source>
@@ -17829,6 +17825,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>{1}: there is no exhibit &quot;{2} `vitrine list` names them.</source>
         <translation>{=1}: Kein Exponat heißt &quot;{2} `vitrine list` nennt alle.</translation>
+    </message>
+    <message>
+        <source>{1}: this format holds no 16 bits; give a name that ends in {2}, or leave --sixteen-bit out.</source>
+        <translation>{=1}: Dieses Format hält keine 16 Bit; geben Sie einen Namen an, der auf {2} endet, oder lassen Sie --sixteen-bit weg.</translation>
     </message>
     <message>
         <source>{1}: this frame is missing or of other settings; draw it anew.</source>

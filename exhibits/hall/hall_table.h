@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/parameters.h"
 #include "exhibits/framework/studied_rows.h"
+#include "render/image/picture_formats.h"
 
 #include <array>
 #include <vector>
@@ -116,7 +117,7 @@ struct HallTable final : Parameters {
     File environment =
         file("environment",
              "Path of a panorama that replaces the sky: HDR, EXR, or an ordinary picture twice as wide as high.",
-             endings("hdr exr jpg jpeg png tif tiff webp bmp gif"));
+             endings(render::readEndings()));
     Real environmentRotation =
         real("environmentRotation", 0.0, degree, {degrees(-180), degrees(180)},
              "Rotation of the panorama about the vertical axis.", whenGiven(environment), called("Rotation"));

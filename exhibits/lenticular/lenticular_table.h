@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/framework/parameters.h"
+#include "render/image/picture_formats.h"
 
 namespace vitrine {
 
@@ -17,11 +18,11 @@ struct LenticularTable final : Parameters {
     File frontPrint = file("frontPrint",
                            "Path of the views of the first print: a folder of pictures, or a file written by “vitrine "
                            "print”. Empty: the turning mug.",
-                           endings("tif tiff png jpg jpeg exr hdr webp bmp gif"));
+                           endings(render::readEndings()));
     File backPrint = file("backPrint",
                           "Path of the views of the second print: a folder of pictures, or a file written by “vitrine "
                           "print”. Empty: the melting torus.",
-                          endings("tif tiff png jpg jpeg exr hdr webp bmp gif"));
+                          endings(render::readEndings()));
     Choice<CardFace> face =
         choice("face", CardFace::front, {"front", "back"}, "Print that the card shows while it does not scroll.");
     Count views =

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/parameters.h"
 #include "exhibits/framework/studied_rows.h"
+#include "render/image/picture_formats.h"
 
 namespace vitrine {
 
@@ -178,7 +179,7 @@ struct PixelArtTable final : Parameters {
         "(golden hour).",
         finished);
     File palettePicture = file("palettePicture", "Path of a picture whose main colors replace the palette.",
-                               endings("png jpg jpeg tif tiff exr hdr webp bmp gif"));
+                               endings(render::readEndings()));
     const Condition ofPicture = when(palette, PaletteName::goldenHour) or whenGiven(palettePicture);
     const Condition limited = finished and (whenNot(palette, PaletteName::none) or whenGiven(palettePicture));
     Count paletteColors =

@@ -22,8 +22,8 @@ std::string leftOutNote(const fs::path& folder, const std::vector<fs::path>& fil
     for (std::size_t i = 0; i < std::min(files.size(), mostNamed); ++i)
         list += (i == 0 ? "" : ", ") + files[i].filename().string();
     if (files.size() > mostNamed) list += ", and " + std::to_string(files.size() - mostNamed) + " more";
-    return "Left out of the folder " + folder.string() + ", because these files are no " +
-           std::string(render::readFormats) + " pictures: " + list + ".";
+    return "Left out of the folder " + folder.string() + ", because these files are no " + render::readFormats() +
+           " pictures: " + list + ".";
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ std::vector<fs::path> picturesIn(const fs::path& folder, std::vector<fs::path>* 
     std::vector<fs::path> files;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
         if (!at->is_regular_file(error) || at->path().filename().string()[0] == '.') continue;
-        if (render::hasPictureExtension(at->path()))
+        if (render::formatNamed(at->path()))
             files.push_back(at->path());
         else if (others && render::lowerExtension(at->path()) != ".json")
             others->push_back(at->path());
@@ -86,7 +86,7 @@ std::vector<fs::path> viewFiles(const std::vector<std::string>& names, std::vect
             std::vector<fs::path> found = picturesIn(name, &others);
             if (found.empty())
                 throw Failure(Blame::file, "There are no pictures in " + name + "; give a folder with the views as " +
-                                               std::string(render::readFormats) + ".");
+                                               render::readFormats() + ".");
             if (notes && !others.empty()) notes->push_back(leftOutNote(name, others));
             for (fs::path& file : found) files.push_back(std::move(file));
         } else {

@@ -3,6 +3,7 @@
 #include "render/files/file_ops.h"
 #include "render/image/image.h"
 #include "render/image/image_limits.h"
+#include "render/image/picture_formats.h"
 #include "render/scene/mesh.h"
 
 #include <filesystem>
@@ -43,10 +44,6 @@ struct ReadOptions {
 /// layers or views, `colorChannels` chooses one. Throws also if a file has no color, and names its channels.
 [[nodiscard]] Image readColor(const std::filesystem::path&, const ReadOptions& = {},
                               std::vector<std::string>* warnings = nullptr);
-
-/// `exr` stores 32-bit floats. `exrHalf` stores R, G, B and A as 16-bit floats, other channels as 32-bit. `jpeg` is
-/// lossy (quality 92, no chroma subsampling); transparent pictures are blended over white.
-enum class PictureFormat : std::uint8_t { png8, png16, exr, exrHalf, tiff8, tiff16, jpeg };
 
 struct PictureMetadata {
     std::string preset{};       ///< JSON text that restores the settings of the picture; empty: none.

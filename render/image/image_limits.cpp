@@ -1,69 +1,8 @@
 #include "render/image/image_limits.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 
 namespace vitrine::render {
-
-std::string_view toString(ImageFormat format)
-{
-    constexpr std::array<std::string_view, 8> names = {"PNG", "JPEG", "TIFF", "OpenEXR", "HDR", "WebP", "BMP", "GIF"};
-    return names.at(static_cast<std::size_t>(format));
-}
-
-std::optional<ImageFormat> sniffImage(std::string_view bytes)
-{
-    using namespace std::string_view_literals;
-    if (bytes.starts_with("\x89PNG\r\n\x1a\n"sv)) return ImageFormat::png;
-    if (bytes.starts_with("\xff\xd8\xff"sv)) return ImageFormat::jpeg;
-    if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv)) return ImageFormat::tiff;
-    if (bytes.starts_with("II+\0"sv) || bytes.starts_with("MM\0+"sv)) return ImageFormat::tiff;  // BigTIFF.
-    if (bytes.starts_with("\x76\x2f\x31\x01"sv)) return ImageFormat::exr;
-    if (bytes.starts_with("#?RADIANCE"sv) || bytes.starts_with("#?RGBE"sv)) return ImageFormat::hdr;
-    if (bytes.size() >= 12 && bytes.starts_with("RIFF"sv) && bytes.substr(8, 4) == "WEBP"sv) return ImageFormat::webp;
-    if (bytes.starts_with("GIF87a"sv) || bytes.starts_with("GIF89a"sv)) return ImageFormat::gif;
-    if (bytes.starts_with("BM"sv)) return ImageFormat::bmp;
-    return std::nullopt;
-}
-
-namespace {
-
-std::string loweredExtension(const std::filesystem::path& path)
-{
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
-
-}  // namespace
-
-bool extensionAllows(const std::filesystem::path& path, ImageFormat format)
-{
-    const std::string extension = loweredExtension(path);
-    if (extension.empty()) return true;
-    switch (format) {
-    case ImageFormat::png: return extension == ".png";
-    case ImageFormat::jpeg: return extension == ".jpg" || extension == ".jpeg";
-    case ImageFormat::tiff: return extension == ".tif" || extension == ".tiff";
-    case ImageFormat::exr: return extension == ".exr";
-    case ImageFormat::hdr: return extension == ".hdr" || extension == ".rgbe";
-    case ImageFormat::webp: return extension == ".webp";
-    case ImageFormat::bmp: return extension == ".bmp";
-    case ImageFormat::gif: return extension == ".gif";
-    }
-    return false;
-}
-
-bool hasPictureExtension(const std::filesystem::path& path)
-{
-    if (path.extension().empty()) return false;
-    for (const ImageFormat format : {ImageFormat::png, ImageFormat::jpeg, ImageFormat::tiff, ImageFormat::exr,
-                                     ImageFormat::hdr, ImageFormat::webp, ImageFormat::bmp, ImageFormat::gif})
-        if (extensionAllows(path, format)) return true;
-    return false;
-}
 
 std::string whyTooLarge(const DeclaredImage& image, ImageFormat format, std::uint64_t fileBytes,
                         const ImageLimits& limits)

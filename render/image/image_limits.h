@@ -1,10 +1,9 @@
 #pragma once
 
+#include "render/image/picture_formats.h"
+
 #include <cstdint>
-#include <filesystem>
-#include <optional>
 #include <string>
-#include <string_view>
 
 namespace vitrine::render {
 
@@ -17,24 +16,6 @@ struct ImageLimits {
     std::uint64_t channels = 4;
     std::uint64_t exrChannels = 16;  ///< Number of channels that are read; a file may have more.
 };
-
-/// Supported file formats. All others are refused: Debian's OpenImageIO has its own decoders for them (BMP, GIF, DPX,
-/// PSD, ...), which are known to be unsafe. WebP is decoded by libwebp, BMP and GIF by FFmpeg.
-enum class ImageFormat : std::uint8_t { png, jpeg, tiff, exr, hdr, webp, bmp, gif };
-
-/// The supported formats, for people.
-inline constexpr std::string_view readFormats = "PNG, JPEG, TIFF, OpenEXR, HDR, WebP, BMP or GIF";
-
-[[nodiscard]] std::string_view toString(ImageFormat);  ///< "PNG", ...
-
-/// Detects the format from the first bytes of a file.
-[[nodiscard]] std::optional<ImageFormat> sniffImage(std::string_view bytes);
-
-/// Returns whether a file of this name may hold `format` (".jpg" and ".jpeg", any case). A name without extension may.
-[[nodiscard]] bool extensionAllows(const std::filesystem::path&, ImageFormat);
-
-/// Returns whether the name has an extension of a supported format. A name without extension has not.
-[[nodiscard]] bool hasPictureExtension(const std::filesystem::path&);
 
 /// Size of a picture, as its header declares it.
 struct DeclaredImage {

@@ -121,7 +121,7 @@ std::string readChecked(const std::filesystem::path& path, const ImageLimits& li
     std::string bytes = readFile(path, limits.fileBytes);
     format = formatOf(bytes, path.string());
     if (!extensionAllows(path, format)) {
-        fail(path.string(), "its content is " + std::string(toString(format)) + " although its name ends in \"" +
+        fail(path.string(), "its content is " + std::string(fileFormat(format).name) + " although its name ends in \"" +
                                 path.extension().string() + "\"");
     }
     return bytes;
@@ -251,7 +251,7 @@ Image readAs(const std::filesystem::path& path, const ReadOptions& options, bool
 ImageFormat formatOf(std::string_view bytes, const std::string& name)
 {
     const std::optional<ImageFormat> format = sniffImage(bytes);
-    if (!format) fail(name, "it is not a " + std::string(readFormats) + " picture");
+    if (!format) fail(name, "it is not a " + readFormats() + " picture");
     if (format == ImageFormat::exr) {
         if (const std::string why = whyExrRefused(bytes, ImageLimits{}); !why.empty()) fail(name, why);
     }
@@ -366,7 +366,7 @@ std::shared_ptr<Texture> textureFromBytes(std::string_view bytes, const std::str
 {
     const ImageFormat format = formatOf(bytes, name);
     if (format != ImageFormat::png && format != ImageFormat::jpeg) {
-        fail(name, "it is " + std::string(toString(format)) + ", and only PNG and JPEG are allowed here");
+        fail(name, "it is " + std::string(fileFormat(format).name) + ", and only PNG and JPEG are allowed here");
     }
     StoredPicture picture = decodePicture(bytes, format, name, {limits, true, {}});
     if (options.obeysFile) orient(picture, picture.orientation);

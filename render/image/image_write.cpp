@@ -23,21 +23,7 @@ constexpr std::size_t mostJpegComment = 65532;  ///< Bytes: the longest marker s
 
 bool isExr(PictureFormat format)
 {
-    return format == PictureFormat::exr || format == PictureFormat::exrHalf;
-}
-
-ImageFormat storedAs(PictureFormat format)
-{
-    switch (format) {
-    case PictureFormat::png8:
-    case PictureFormat::png16: return ImageFormat::png;
-    case PictureFormat::tiff8:
-    case PictureFormat::tiff16: return ImageFormat::tiff;
-    case PictureFormat::exr:
-    case PictureFormat::exrHalf: return ImageFormat::exr;
-    case PictureFormat::jpeg: return ImageFormat::jpeg;
-    }
-    return ImageFormat::png;
+    return fileFormat(format).format == ImageFormat::exr;
 }
 
 StoredPicture emptyLike(const Image& image)
@@ -114,10 +100,10 @@ void check(const std::filesystem::path& path, const Image& image, PictureFormat 
     if (misnamed || (isExr(format) && image.channels > 4 && image.channelNames.empty())) {
         refuse(path, "the channels of the picture have no names");
     }
-    const ImageFormat stored = storedAs(format);
-    if (!extensionAllows(path, stored)) {
+    const PictureFileFormat& stored = fileFormat(format);
+    if (!extensionAllows(path, stored.format)) {
         refuse(path, "a name that ends in \"" + path.extension().string() + "\" does not fit the format " +
-                         std::string(toString(stored)));
+                         std::string(stored.name));
     }
 }
 
@@ -140,7 +126,7 @@ StoredPicture prepared(const Image& image, PictureFormat format)
 std::string encodedPicture(const std::filesystem::path& path, const Image& image, PictureFormat format,
                            const PictureMetadata& metadata)
 {
-    assert(storedAs(format) == ImageFormat::png);
+    assert(fileFormat(format).format == ImageFormat::png);
     check(path, image, format);
     constexpr double inchesPerMeter = 1 / 0.0254;
     return encodePng(prepared(image, format),
@@ -156,7 +142,7 @@ void writePicture(const std::filesystem::path& path, const Image& image, Picture
 std::unique_ptr<PartFile> stagedPicture(const std::filesystem::path& path, const Image& image, PictureFormat format,
                                         const PictureMetadata& metadata, FileOps& ops)
 {
-    if (storedAs(format) == ImageFormat::png) {
+    if (fileFormat(format).format == ImageFormat::png) {
         const std::string bytes = encodedPicture(path, image, format, metadata);
         requireSpace(path, bytes.size(), ops);
         return stagedFile(path, bytes, ops);
@@ -165,7 +151,7 @@ std::unique_ptr<PartFile> stagedPicture(const std::filesystem::path& path, const
     check(path, image, format);
     const StoredPicture picture = prepared(image, format);
     OiioTarget target;
-    target.format = storedAs(format);
+    target.format = fileFormat(format).format;
     target.halfColor = format == PictureFormat::exrHalf;
     target.pixelsPerInch = metadata.pixelsPerInch;
     if (isExr(format)) {
@@ -181,7 +167,7 @@ std::unique_ptr<PartFile> stagedPicture(const std::filesystem::path& path, const
         target.texts.emplace_back("ImageDescription", metadata.description);
     }
 
-    const std::size_t sampleBytes = isExr(format) ? 4 : format == PictureFormat::tiff16 ? 2 : 1;
+    const std::size_t sampleBytes = isExr(format) ? 4 : static_cast<std::size_t>(bitsOf(format)) / 8;
     requireSpace(path, picture.sampleCount() * sampleBytes, ops);
     auto part = std::make_unique<PartFile>(path, ops);
     target.path = part->path().string();

@@ -1,10 +1,10 @@
 #include "render/image/picture_stream.h"
 
 #include "render/failure.h"
-#include "render/files/extension.h"
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/image/decode.h"
+#include "render/image/picture_formats.h"
 #include "render/image/picture_rows.h"
 #include "render/image/png_file.h"
 #include "render/image/webp_header.h"
@@ -20,12 +20,8 @@ constexpr std::int64_t keptRows = 16;
 
 bool isPng(const std::filesystem::path& path)
 {
-    return lowerExtension(path) == ".png";
-}
-bool isTiff(const std::filesystem::path& path)
-{
-    const std::string extension = lowerExtension(path);
-    return extension == ".tif" || extension == ".tiff";
+    const PictureFileFormat* format = formatNamed(path);
+    return format && format->format == ImageFormat::png;
 }
 
 const char* nameOf(StreamCompression compression)
@@ -61,9 +57,9 @@ std::uint64_t streamBytes(const std::filesystem::path& path, const StreamSpec& s
 PictureStream::PictureStream(const std::filesystem::path& path, const StreamSpec& spec, FileOps& ops)
     : path_(path), spec_(spec), part_(std::make_unique<PartFile>(path, ops))
 {
-    if (!isPng(path) && !isTiff(path))
+    if (const PictureFileFormat* format = formatNamed(path); !format || !format->isStreamed)
         throw Failure(Blame::usage,
-                      "Cannot write " + path.string() + ": give a name that ends in .tif, .tiff or .png.");
+                      "Cannot write " + path.string() + ": give a name that ends in " + streamedExtensions() + '.');
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     std::error_code error;
     if (!std::filesystem::is_directory(folder, error))

@@ -1,7 +1,6 @@
 #include "render/video/carried_settings.h"
 
 #include "render/failure.h"
-#include "render/files/extension.h"
 #include "render/image/image_io.h"
 #include "render/image/png_row_reader.h"
 #include "render/video/video_file.h"
@@ -101,9 +100,12 @@ std::string commentOf(const fs::path& path, VideoFormat format)
 
 bool mayCarrySettings(const fs::path& path)
 {
-    constexpr std::array<std::string_view, 7> pictures{".png", ".exr", ".tif", ".tiff", ".jpg", ".jpeg", ".hdr"};
-    return std::find(pictures.begin(), pictures.end(), lowerExtension(path)) != pictures.end() ||
-           videoFormatOf(path).has_value();
+    return formatNamed(path) || videoFormatOf(path);
+}
+
+std::string carriedSettingsEndings()
+{
+    return std::string(settingsEndings()) + ' ' + videoEndings();
 }
 
 std::optional<std::string> carriedSettings(const fs::path& path)

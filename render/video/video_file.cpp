@@ -8,8 +8,10 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cassert>
 #include <cerrno>
+#include <utility>
 
 namespace vitrine::render {
 namespace {
@@ -25,17 +27,29 @@ VideoSpec legal(const VideoSpec& spec)
     return spec;
 }
 
+constexpr std::array<std::pair<std::string_view, VideoFormat>, 5> formatsByEnding{{
+    {"mp4", VideoFormat::mp4},
+    {"webm", VideoFormat::webm},
+    {"gif", VideoFormat::gif},
+    {"webp", VideoFormat::webp},
+    {"apng", VideoFormat::apng},
+}};
+
 }  // namespace
 
 std::optional<VideoFormat> videoFormatOf(const std::filesystem::path& path)
 {
     const std::string extension = lowerExtension(path);
-    if (extension == ".mp4") return VideoFormat::mp4;
-    if (extension == ".webm") return VideoFormat::webm;
-    if (extension == ".gif") return VideoFormat::gif;
-    if (extension == ".webp") return VideoFormat::webp;
-    if (extension == ".apng") return VideoFormat::apng;
+    for (const auto& [ending, format] : formatsByEnding)
+        if (!extension.empty() && extension.substr(1) == ending) return format;
     return std::nullopt;
+}
+
+std::string videoEndings()
+{
+    std::string endings;
+    for (const auto& each : formatsByEnding) (endings += endings.empty() ? "" : " ") += each.first;
+    return endings;
 }
 
 std::string whyNoVideo(const VideoSpec& spec)

@@ -171,7 +171,7 @@ TEST(PrintExhibit, RefusesInOneSentenceAndLeavesNothing)
         EXPECT_FALSE(std::filesystem::exists(views)) << ended.err;
     }
     for (const char* out : {"p.jpg", "p"})
-        test::expectOneSentence(test::vitrine(printing(folder / out, mug)), {".tif or .png"});
+        test::expectOneSentence(test::vitrine(printing(folder / out, mug)), {".png or .tif"});
     test::expectOneSentence(test::vitrine(printing(folder / "missing/p.tif", mug)), {"missing"});
     EXPECT_FALSE(std::filesystem::exists(views));
 }

@@ -207,6 +207,19 @@ TEST(RenderCommand, SixteenBitsOfAnOpenExrAreHalfFloats)
     EXPECT_EQ(typeOf({"--sixteen-bit"}), 1);
 }
 
+TEST(RenderCommand, APictureIsWrittenInTheFormatThatItsNameEndsIn)
+{
+    const TemporaryFolder folder;
+    const Ended made = test::vitrine(rendering("sdf_morph", folder / "a.JPG"));
+    ASSERT_EQ(made.code, 0) << made.err;
+    EXPECT_EQ(test::bytesOf(folder / "a.JPG").substr(0, 3), "\xff\xd8\xff");
+    test::expectOneSentence(test::vitrine(rendering("sdf_morph", folder / "a.gif")),
+                            {"a.gif", ".png, .jpg, .tif or .exr"});
+    test::expectOneSentence(test::vitrine(rendering("sdf_morph", folder / "b.jpg", {"--sixteen-bit"})),
+                            {"b.jpg", ".png, .tif or .exr", "--sixteen-bit"});
+    EXPECT_EQ(folder.files().size(), 1U);
+}
+
 TEST(RenderCommand, APictureOfEveryExhibitAloneBringsItselfBackWithNothingElseSaid)
 {
     const TemporaryFolder folder;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <map>
 #include <regex>
+#include <set>
 
 namespace vitrine {
 namespace {
@@ -267,6 +268,40 @@ TEST(Layers, EveryIncludeOfOursExists)
                     EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(VITRINE_SOURCE_DIR) / include.target))
                         << file << ':' << include.line << ' ' << include.target;
                 }
+}
+
+/// The extensions of pictures that a line of code lists, where there are several. WebP is a video as well.
+std::set<std::string> listedPictures(const std::string& line)
+{
+    static const std::regex literal(R"re("(?:\\.|[^"\\])*")re");
+    static const std::regex extension(R"re((?:^|[^\w%])(png|jpe?g|tiff?|exr|bmp|hdr)\b)re");
+    std::set<std::string> found;
+    for (std::sregex_iterator text(line.begin(), line.end(), literal), end; text != end; ++text) {
+        const std::string words = text->str();
+        for (std::sregex_iterator at(words.begin(), words.end(), extension); at != end; ++at)
+            found.insert((*at)[1].str().substr(0, 2));
+    }
+    return found;
+}
+
+TEST(Layers, PictureFormatsAreListedInTheirTableAlone)
+{
+    for (const char* folder : {"app", "ui", "exhibits", "render"})
+        for (const std::string& file : test::sourceFiles(folder, test::cppExtensions)) {
+            if (startsWith(file, "render/image/picture_formats.")) continue;
+            const std::vector<std::string> lines = test::lines(test::withoutComments(test::sourceText(file)));
+            for (std::size_t i = 0; i < lines.size(); ++i)
+                EXPECT_LT(listedPictures(lines[i]).size(), 2U)
+                    << file << ':' << i + 1 << ": ask render/image/picture_formats.h instead";
+        }
+}
+
+TEST(LayersControl, ListsOfPictureFormatsAreSeen)
+{
+    EXPECT_EQ(listedPictures("tr(\"Pictures (*.png *.jpg)\")").size(), 2U);
+    EXPECT_EQ(listedPictures("{\".tif\", \"png\"}").size(), 2U);
+    EXPECT_EQ(listedPictures("if (e != \".tif\" && e != \".tiff\")").size(), 1U);
+    EXPECT_EQ(listedPictures("\"view_00.png, view_01.png\"").size(), 1U);
 }
 
 TEST(Layers, NoFileIsLongerThan800Lines)

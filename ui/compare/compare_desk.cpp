@@ -2,10 +2,12 @@
 
 #include "exhibits/compare/differing_rows.h"
 #include "exhibits/museum/named_files.h"
+#include "render/video/carried_settings.h"
 #include "ui/compare/compare_actions.h"
 #include "ui/compare/compare_bar.h"
 #include "ui/compare/compare_overlay.h"
 #include "ui/compare/other_picture.h"
+#include "ui/kit/file_patterns.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/model/other_settings.h"
@@ -162,7 +164,8 @@ void CompareDesk::chooseFile()
     auto* dialog = new QFileDialog(window_, tr("Open as B"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
-    dialog->setNameFilter(tr("Presets, and pictures with one inside (*.json *.png *.exr)"));
+    dialog->setNameFilter(
+        tr("Presets, and pictures with one inside (%1)").arg(filePatterns("json " + render::carriedSettingsEndings())));
     connect(dialog, &QFileDialog::fileSelected, this, &CompareDesk::holdFile);
     dialog->open();
 }

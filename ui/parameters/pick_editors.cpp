@@ -1,5 +1,6 @@
 #include "ui/parameters/pick_editors.h"
 
+#include "ui/kit/file_patterns.h"
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/type_size.h"
@@ -34,14 +35,10 @@ QString nameOf(const ParameterInfo& row)
 /// What the row's own files end in, and everything.
 QStringList filtersOf(const ParameterInfo& row)
 {
-    QStringList patterns;
-    const QString endings = text(row.endings);
-    for (const QString& ending : endings.split(QLatin1Char(' '), Qt::SkipEmptyParts))
-        patterns << QStringLiteral("*.") + ending;
+    const QString patterns = filePatterns(row.endings);
     const QString all = FileEditor::tr("All files (*)");
-    return patterns.isEmpty()
-               ? QStringList{all}
-               : QStringList{FileEditor::tr("%1 (%2)").arg(nameOf(row), patterns.join(QLatin1Char(' '))), all};
+    return patterns.isEmpty() ? QStringList{all}
+                              : QStringList{FileEditor::tr("%1 (%2)").arg(nameOf(row), patterns), all};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/video/carried_settings.h"
+#include "ui/kit/file_patterns.h"
 #include "ui/kit/language.h"
 #include "ui/kit/name_dialog.h"
 #include "ui/kit/picture_file.h"
@@ -349,10 +350,9 @@ void PresetShelf::remove()
 
 void PresetShelf::importFile()
 {
-    QFileDialog* dialog =
-        fileDialog(list_.window(), tr("Import preset"), QFileDialog::AcceptOpen,
-                   tr("Presets, and pictures with one inside (%1)")
-                       .arg(QStringLiteral("*.json *.png *.exr *.tif *.jpg *.mp4 *.webm *.gif *.webp *.apng")));
+    QFileDialog* dialog = fileDialog(
+        list_.window(), tr("Import preset"), QFileDialog::AcceptOpen,
+        tr("Presets, and pictures with one inside (%1)").arg(filePatterns("json " + render::carriedSettingsEndings())));
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
         trySafely([&] {
             std::filesystem::path copy = store_.importFile(path.toStdString(), exhibitName(), table());

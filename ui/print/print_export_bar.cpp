@@ -1,5 +1,7 @@
 #include "ui/print/print_export_bar.h"
 
+#include "render/image/picture_formats.h"
+#include "ui/kit/file_patterns.h"
 #include "ui/kit/replace_question.h"
 
 #include <QDir>
@@ -30,8 +32,9 @@ QStringList besidePrint(const QString& path)
 }  // namespace
 
 PrintExportBar::PrintExportBar(QWidget* parent)
-    : ExportBar({tr("The print: .tif, or .png. Its settings are written inside and beside it."),
-                 tr("Export lenticular print"), tr("TIFF (*.tif);;PNG (*.png)"), QString()},
+    : ExportBar({tr("Output file of the print. Its settings are written inside and beside it."),
+                 tr("Export lenticular print"), tr("Prints (%1)").arg(filePatterns(render::streamedEndings())),
+                 QString()},
                 parent),
       load_(addButton(tr("Load settings…"),
                       tr("From a print that Vitrine made, or a .json. Dropping one here works too.")))
@@ -70,9 +73,10 @@ void PrintExportBar::showPossible(bool exporting, bool possible)
 
 void PrintExportBar::askSettings(bool save)
 {
-    auto* dialog =
-        new QFileDialog(this, save ? tr("Save settings") : tr("Load settings"), QFileInfo(path()).absolutePath(),
-                        save ? tr("Settings (*.json)") : tr("Settings and prints (*.json *.tif *.png)"));
+    auto* dialog = new QFileDialog(
+        this, save ? tr("Save settings") : tr("Load settings"), QFileInfo(path()).absolutePath(),
+        save ? tr("Settings (*.json)")
+             : tr("Settings and prints (%1)").arg(filePatterns("json " + std::string(render::streamedEndings()))));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(save ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
     dialog->setDefaultSuffix(save ? QStringLiteral("vitrine-print.json") : QString());

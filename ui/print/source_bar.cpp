@@ -1,5 +1,7 @@
 #include "ui/print/source_bar.h"
 
+#include "render/image/picture_formats.h"
+#include "ui/kit/file_patterns.h"
 #include "ui/kit/type_size.h"
 #include "ui/print/place_bar.h"
 
@@ -89,9 +91,8 @@ void SourceBar::chooseFolder()
 
 void SourceBar::chooseFiles()
 {
-    auto* dialog =
-        new QFileDialog(this, shown_ == printing::ViewOrigin::quilt ? tr("Quilt") : tr("Views"), {},
-                        tr("Pictures (*.png *.jpg *.jpeg *.tif *.tiff *.exr *.hdr *.webp *.bmp *.gif);;All files (*)"));
+    auto* dialog = new QFileDialog(this, shown_ == printing::ViewOrigin::quilt ? tr("Quilt") : tr("Views"), {},
+                                   tr("Pictures (%1);;All files (*)").arg(filePatterns(render::readEndings())));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(shown_ == printing::ViewOrigin::quilt ? QFileDialog::ExistingFile : QFileDialog::ExistingFiles);
     connect(dialog, &QFileDialog::filesSelected, this, &SourceBar::filesChosen);

@@ -5,8 +5,10 @@
 #include "render/failure.h"
 #include "render/files/read_file.h"
 #include "render/image/image_io.h"
+#include "render/image/picture_formats.h"
 #include "ui/kit/language.h"
 #include "ui/kit/message_of.h"
+#include "ui/kit/text.h"
 #include "ui/model/history.h"
 #include "ui/model/workbench.h"
 #include "ui/presets/preset_shelf.h"
@@ -21,11 +23,14 @@ namespace vitrine::ui {
 namespace {
 
 const QStringList models{QStringLiteral("glb"), QStringLiteral("gltf")};
-const QStringList pictures{QStringLiteral("hdr"),  QStringLiteral("exr"),  QStringLiteral("jpg"),
-                           QStringLiteral("jpeg"), QStringLiteral("png"),  QStringLiteral("tif"),
-                           QStringLiteral("tiff"), QStringLiteral("webp"), QStringLiteral("bmp")};
 const QStringList recordings{QStringLiteral("mp4"), QStringLiteral("webm"), QStringLiteral("gif"),
                              QStringLiteral("apng")};
+
+/// Returns the extensions of the pictures that are read.
+QStringList pictures()
+{
+    return text(render::readEndings()).split(QLatin1Char(' '));
+}
 
 /// Returns whether the file is a lenticular print or describes one.
 bool isPrint(const QString& path)
@@ -101,7 +106,7 @@ void FileOpener::sayNoPlace(const QString& path)
 QStringList FileOpener::openable()
 {
     QStringList patterns{QStringLiteral("*.json"), QStringLiteral("*.md")};
-    for (const QString& ending : models + pictures + recordings) patterns << QStringLiteral("*.") + ending;
+    for (const QString& ending : models + pictures() + recordings) patterns << QStringLiteral("*.") + ending;
     return patterns;
 }
 
@@ -141,17 +146,18 @@ void FileOpener::open(const QString& path)
         emit lessonFound(path);
     } else if (models.contains(ending)) {
         setHallFile("model", path);
-    } else if (pictures.contains(ending)) {
-        openPicture(path);
     } else if (recordings.contains(ending)) {
         if (!shelf_.loadFromPicture(path))
             window_.say(MessageStrip::Mood::problem,
                         tr("%1 carries no settings: choose a recording that Vitrine made.").arg(path));
+    } else if (pictures().contains(ending)) {
+        openPicture(path);
     } else {
-        window_.setProblems(openingOf(path), {tr("%1 cannot be opened: Vitrine opens .json, .md, .glb, .gltf, .hdr, "
-                                                 ".exr, .png, .jpg, .tif, .webp, .bmp and "
-                                                 "its own recordings.")
-                                                  .arg(path)});
+        QStringList endings;
+        for (const QString& each : QStringList{QStringLiteral("json"), QStringLiteral("md")} + models + pictures())
+            endings << QLatin1Char('.') + each;
+        window_.setProblems(openingOf(path), {tr("%1 cannot be opened: Vitrine opens %2, and its own recordings.")
+                                                  .arg(path, endings.join(QStringLiteral(", ")))});
     }
 }
 

@@ -17,14 +17,6 @@
 #include <algorithm>
 
 namespace vitrine::ui {
-namespace {
-
-bool isLinear(render::PictureFormat format)
-{
-    return format == render::PictureFormat::exr || format == render::PictureFormat::exrHalf;
-}
-
-}  // namespace
 
 std::filesystem::path freeScreenshotPath(const QObject& window, const QString& exhibit)
 {
@@ -62,7 +54,7 @@ PictureRequest PictureExport::request() const
     request.frame.time = window_.viewport().time();
     request.frame.transparent = wish_.transparent;
     if (wish_.transparent) request.frame.cutOut = window_.chosen();
-    request.frame.averageIn = isLinear(wish_.format) ? AverageIn::radiance : AverageIn::display;
+    request.frame.averageIn = render::fileFormat(wish_.format).isLinear ? AverageIn::radiance : AverageIn::display;
     request.samples = wish_.samples;
     request.largestTile = RenderThread::taskTile;
     return request;

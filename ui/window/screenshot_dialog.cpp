@@ -1,5 +1,6 @@
 #include "ui/window/screenshot_dialog.h"
 
+#include "render/image/picture_formats.h"
 #include "ui/kit/replace_question.h"
 #include "ui/kit/scroll_room.h"
 #include "ui/kit/show_in_folder.h"
@@ -26,20 +27,6 @@
 namespace vitrine::ui {
 namespace {
 
-struct FormatLine {
-    const char* name;
-    const char* ending;
-    render::PictureFormat format;
-};
-constexpr std::array<FormatLine, 7> formats{{
-    {"PNG, 8 bit", "png", render::PictureFormat::png8},
-    {"PNG, 16 bit", "png", render::PictureFormat::png16},
-    {"OpenEXR, linear light, 32 bit", "exr", render::PictureFormat::exr},
-    {"OpenEXR, linear light, 16 bit", "exr", render::PictureFormat::exrHalf},
-    {"TIFF, 8 bit", "tif", render::PictureFormat::tiff8},
-    {"TIFF, 16 bit", "tif", render::PictureFormat::tiff16},
-    {"JPEG, without the look inside", "jpg", render::PictureFormat::jpeg},
-}};
 constexpr std::array<QSize, 5> usualSizes{QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160), QSize(7680, 4320),
                                           QSize(2048, 2048)};
 
@@ -86,7 +73,12 @@ void ScreenshotDialog::fillInputs()
     samples_->setRange(1, 64);
     samples_->setValue(16);
     format_->setObjectName(QStringLiteral("format"));
-    for (const FormatLine& line : formats) format_->addItem(tr(line.name));
+    for (const render::PictureFileFormat& file : render::pictureFormats())
+        for (const render::WrittenDepth& depth : file.written)
+            format_->addItem((file.isLinear ? tr("%1, linear light, %2 bit") : tr("%1, %2 bit"))
+                                 .arg(text(file.name))
+                                 .arg(depth.bits),
+                             static_cast<int>(depth.format));
     transparent_->setText(tr("Only the chosen exhibit"));
     growMinimumWidth(*path_, 320);
     left_->setTextFormat(Qt::PlainText);
@@ -153,8 +145,8 @@ void ScreenshotDialog::layOut()
 void ScreenshotDialog::takeFormat()
 {
     const QFileInfo file(path_->text());
-    const QString ending = QLatin1String(formats[static_cast<std::size_t>(format_->currentIndex())].ending);
-    path_->setText(file.path() + QLatin1Char('/') + file.completeBaseName() + QLatin1Char('.') + ending);
+    const QString ending = text(render::fileFormat(format()).extensions.front());
+    path_->setText(file.path() + QLatin1Char('/') + file.completeBaseName() + ending);
 }
 
 void ScreenshotDialog::browse()
@@ -190,10 +182,15 @@ void ScreenshotDialog::reject()
     left_->setText(tr("Canceled; no file was written."));
 }
 
+render::PictureFormat ScreenshotDialog::format() const
+{
+    return static_cast<render::PictureFormat>(format_->currentData().toInt());
+}
+
 ExportWish ScreenshotDialog::wish() const
 {
     return {path_->text().toStdString(),
-            formats[static_cast<std::size_t>(format_->currentIndex())].format,
+            format(),
             {width_->value(), height_->value()},
             samples_->value(),
             transparent_->isChecked()};

@@ -40,6 +40,7 @@ private:
     void start();
     void write(const QString& path);
     void setBusy(bool);
+    [[nodiscard]] render::PictureFormat format() const;
     [[nodiscard]] ExportWish wish() const;
 
     Workbench& window_;

@@ -2,6 +2,7 @@
 
 #include "render/files/extension.h"
 #include "render/files/number_text.h"
+#include "render/image/picture_formats.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,11 @@ std::string refusedExtension(const Job& job, const std::filesystem::path& out)
 {
     const std::vector<std::string_view> extensions = job.needs().extensions;
     const std::string given = render::lowerExtension(out);
-    const auto is = [&](std::string_view extension) { return given == '.' + std::string(extension); };
+    const render::PictureFileFormat* format = render::formatNamed(out);
+    const auto is = [&](std::string_view extension) {
+        const std::string usual = '.' + std::string(extension);
+        return given == usual || (format && format == render::formatNamed("a" + usual));
+    };
     if (std::any_of(extensions.begin(), extensions.end(), is)) return {};
     std::string names;
     for (std::size_t i = 0; i < extensions.size(); ++i) {

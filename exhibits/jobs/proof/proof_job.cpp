@@ -3,7 +3,6 @@
 #include "exhibits/jobs/kit/job_document.h"
 #include "exhibits/printing/proof.h"
 #include "render/files/atomic_write.h"
-#include "render/files/extension.h"
 #include "render/image/image_io.h"
 
 #include <cmath>
@@ -15,7 +14,7 @@ namespace {
 struct ProofTable final : Parameters {
     Group printGroup = group("Print");
     File print = file("print", "Print that `vitrine print` wrote; of a print in tiles, any of them.",
-                      endings("tif tiff png"), positional(), mustBeGiven());
+                      endings(render::streamedEndings()), positional(), mustBeGiven());
 
     Group eyeGroup = group("Eye");
     Real angle = real("angle", 0, degree, {degrees(-85), degrees(85)},
@@ -66,10 +65,8 @@ private:
     {
         const std::filesystem::path& out = order_.out;
         if (out.empty()) return;
-        const bool png = render::lowerExtension(out) == ".png";
-        staged_.push_back(render::stagedPicture(out, seen,
-                                                png ? render::PictureFormat::png8 : render::PictureFormat::tiff8,
-                                                {.pixelsPerInch = lensesPerInch}));
+        staged_.push_back(
+            render::stagedPicture(out, seen, render::writtenFormat(out, 8).value(), {.pixelsPerInch = lensesPerInch}));
         staged_.push_back(render::stagedFile(documentFile(out), documentText(ProofJob(), order_, report_.facts)));
         report_.files = {out, documentFile(out)};
     }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "exhibits/jobs/kit/job.h"
+#include "render/image/picture_formats.h"
 
 namespace vitrine::jobs {
 
@@ -14,7 +15,7 @@ public:
         return "Show an interlaced print as it looks through its lens sheet, one pixel for each lens";
     }
     [[nodiscard]] const Parameters& parameters() const override;
-    [[nodiscard]] JobNeeds needs() const override { return {.extensions = {"png", "tif"}}; }
+    [[nodiscard]] JobNeeds needs() const override { return {.extensions = render::writtenEndings(8)}; }
     [[nodiscard]] std::shared_ptr<const JobInputs> read(const ParameterValues&) const override;
     [[nodiscard]] JobPlan plan(const ParameterValues&, const JobScene&, const JobInputs&,
                                const std::filesystem::path& out) const override;

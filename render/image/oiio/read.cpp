@@ -23,7 +23,7 @@ std::unique_ptr<Proxy> fileOf(std::string_view bytes, ImageFormat format)
 /// Opens `file` with one reader. `file` must outlive the result.
 std::unique_ptr<OIIO::ImageInput> openWith(Proxy& file, ImageFormat format, std::string& problem)
 {
-    std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(pluginName(format));
+    std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(fileFormat(format).plugin);
     if (!input || !input->supports("ioproxy")) {
         problem = "this OpenImageIO cannot read the format from memory";
         return nullptr;
@@ -33,7 +33,7 @@ std::unique_ptr<OIIO::ImageInput> openWith(Proxy& file, ImageFormat format, std:
     config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
     config.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageSpec spec;
-    if (!input->open(std::string("picture.") + pluginName(format), spec, config)) {
+    if (!input->open(std::string("picture.") + fileFormat(format).plugin, spec, config)) {
         problem = "it is broken (" + input->geterror() + ")";
         return nullptr;
     }
@@ -255,21 +255,6 @@ std::string readSamples(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, Im
 }
 
 }  // namespace
-
-const char* pluginName(ImageFormat format)
-{
-    switch (format) {
-    case ImageFormat::png: return "png";
-    case ImageFormat::jpeg: return "jpeg";
-    case ImageFormat::tiff: return "tiff";
-    case ImageFormat::exr: return "openexr";
-    case ImageFormat::hdr: return "hdr";
-    case ImageFormat::webp: return "webp";
-    case ImageFormat::bmp:
-    case ImageFormat::gif: break;  // Never passed to OpenImageIO.
-    }
-    return "";
-}
 
 std::string decodeWithOiio(std::string_view bytes, ImageFormat format, const DecodeRequest& request, StoredPicture& out)
 {

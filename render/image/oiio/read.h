@@ -14,7 +14,4 @@ namespace vitrine::render {
 /// Implements OiioCodec::readProfile; may throw.
 [[nodiscard]] std::string readProfileWithOiio(std::string_view bytes, ImageFormat, std::string& out);
 
-/// Returns the name of the OpenImageIO plugin: "openexr", "tiff", ...
-[[nodiscard]] const char* pluginName(ImageFormat);
-
 }  // namespace vitrine::render

@@ -135,7 +135,7 @@ std::string compareRows(OIIO::ImageInput& input, const StoredPicture& picture, c
 
 std::string verify(const StoredPicture& picture, const OiioTarget& target)
 {
-    std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(pluginName(target.format));
+    std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(fileFormat(target.format).plugin);
     OIIO::ImageSpec config;
     config.attribute("oiio:UnassociatedAlpha", 1);
     OIIO::ImageSpec spec;
@@ -154,7 +154,7 @@ std::string verify(const StoredPicture& picture, const OiioTarget& target)
 
 std::string writeWithOiio(const StoredPicture& picture, const OiioTarget& target)
 {
-    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(pluginName(target.format));
+    const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(fileFormat(target.format).plugin);
     if (!output) return "this OpenImageIO cannot write the format";
     if (!output->open(target.path, specFor(picture, target))) return "creating it failed (" + output->geterror() + ")";
     std::string problem =

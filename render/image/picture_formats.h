@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace vitrine::render {
+
+/// Supported file formats. All others are refused: Debian's OpenImageIO has its own decoders for them (BMP, GIF, DPX,
+/// PSD, ...), which are known to be unsafe. WebP is decoded by libwebp, BMP and GIF by FFmpeg.
+enum class ImageFormat : std::uint8_t { png, jpeg, tiff, exr, hdr, webp, bmp, gif };
+
+/// `exr` stores 32-bit floats. `exrHalf` stores R, G, B and A as 16-bit floats, other channels as 32-bit. `jpeg` is
+/// lossy (quality 92, no chroma subsampling); transparent pictures are blended over white.
+enum class PictureFormat : std::uint8_t { png8, png16, exr, exrHalf, tiff8, tiff16, jpeg };
+
+/// Bit depth in which pictures are written.
+struct WrittenDepth {
+    int bits = 8;  ///< Per channel.
+    PictureFormat format{};
+};
+
+/// File format of pictures, and what the program does with it. The one place where a format is declared.
+struct PictureFileFormat {
+    ImageFormat format{};
+    std::string_view name;                     ///< For people: "OpenEXR".
+    std::vector<std::string_view> extensions;  ///< In lower case, with the dot, the usual one first: ".tif".
+    const char* plugin = "";                   ///< OpenImageIO plugin that reads and writes it. Empty: others do.
+    std::vector<WrittenDepth> written = {};    ///< The usual depth first. Empty: the format is read only.
+    bool isLinear = false;                     ///< Holds linear light as floats.
+    bool isStreamed = false;                   ///< Written row by row, as prints are (`PictureStream`).
+};
+
+/// All formats that are read, in the order in which they are named to people.
+[[nodiscard]] const std::vector<PictureFileFormat>& pictureFormats();
+
+/// The format's row in the table.
+[[nodiscard]] const PictureFileFormat& fileFormat(ImageFormat);
+/// The row of the file format that `PictureFormat` is a depth of.
+[[nodiscard]] const PictureFileFormat& fileFormat(PictureFormat);
+/// The row of the format that a file of this name should have. Null if its extension, or the lack of one, names none.
+[[nodiscard]] const PictureFileFormat* formatNamed(const std::filesystem::path&);
+
+/// Detects the format from the first bytes of a file.
+[[nodiscard]] std::optional<ImageFormat> sniffImage(std::string_view bytes);
+
+/// Returns whether a file of this name may hold `format` (".jpg" and ".jpeg", any case). A name without extension may.
+[[nodiscard]] bool extensionAllows(const std::filesystem::path&, ImageFormat);
+
+/// Bits per channel of a written format.
+[[nodiscard]] int bitsOf(PictureFormat);
+
+/// The format in which a file of this name is written. With `bits`, at that depth. Nothing if there is none.
+[[nodiscard]] std::optional<PictureFormat> writtenFormat(const std::filesystem::path&,
+                                                         std::optional<int> bits = std::nullopt);
+
+/// Usual extensions of the formats that are written at a depth, or at any: "png", "jpg".
+[[nodiscard]] std::vector<std::string_view> writtenEndings(std::optional<int> bits = std::nullopt);
+/// The same for people: ".png, .jpg, .tif or .exr".
+[[nodiscard]] std::string writtenExtensions(std::optional<int> bits = std::nullopt);
+/// Those of the formats that are written row by row: ".png or .tif".
+[[nodiscard]] std::string streamedExtensions();
+/// All extensions of these, as `ParameterInfo::endings` has them: "png tif tiff".
+[[nodiscard]] std::string_view streamedEndings();
+/// The same for the formats that are written, which carry settings.
+[[nodiscard]] std::string_view settingsEndings();
+/// All extensions that are read, as `ParameterInfo::endings` has them: "png jpg jpeg tif".
+[[nodiscard]] std::string_view readEndings();
+/// Names of all formats that are read: "PNG, JPEG, TIFF or OpenEXR".
+[[nodiscard]] const std::string& readFormats();
+
+}  // namespace vitrine::render
