@@ -42,7 +42,7 @@ render::Image pictureOf(const std::string& file, Metric metric)
     render::Image image = render::readImage(file, {}, &warnings);
     for (const std::string& warning : warnings)
         std::fprintf(stderr, "vitrine: %s: %s\n", file.c_str(), warning.c_str());
-    const bool needsColor = metric != Metric::normal && metric != Metric::depth;
+    const bool needsColor = render::metricInfo(metric).ofColor;
     if (needsColor && !image.channelNames.empty()) {
         if (const std::string why = render::colorChannels(image.channelNames).problem; !why.empty())
             throw Failure(Blame::file, "Cannot compare " + file + ": " + why + ".");
@@ -73,11 +73,8 @@ int compare(const CompareOptions& options)
     }
     // The requested metric is printed first, so that scripts find it in the first line.
     std::printf("%-8s %s\n", std::string(toString(metric)).c_str(), numberText(*value).c_str());
-    for (const Metric other : render::allMetrics) {
-        if (other == metric) continue;
-        if (const std::optional<double> also = render::distance(other, a, b, options.pixelsPerDegree))
-            std::printf("%-8s %s\n", std::string(toString(other)).c_str(), numberText(*also).c_str());
-    }
+    for (const auto& [other, also] : render::distances({a, b, options.pixelsPerDegree}))
+        if (other != metric) std::printf("%-8s %s\n", std::string(toString(other)).c_str(), numberText(also).c_str());
     if (!options.limit || !render::isBeyond(metric, *value, *options.limit)) return 0;
     say(options.reference + " and " + options.test + " differ by " + std::string(toString(metric)) + ' ' +
         numberText(*value) + ", beyond the limit of " + numberText(*options.limit) + '.');

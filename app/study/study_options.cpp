@@ -3,6 +3,7 @@
 #include "app/number_option.h"
 #include "app/picture_options.h"
 #include "render/failure.h"
+#include "render/measure/distance.h"
 #include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
@@ -78,8 +79,8 @@ std::optional<CostAxis> costAxisOption(const std::string& name)
 std::string metricNames(bool ofStudy)
 {
     std::vector<std::string> names;
-    for (const render::Metric m : render::allMetrics)
-        if (!ofStudy || m != render::Metric::psnr) names.emplace_back(toString(m));
+    for (const render::MetricInfo& metric : render::allMetrics())
+        if (!ofStudy || !metric.falls) names.emplace_back(metric.name);
     return namesText(names);
 }
 

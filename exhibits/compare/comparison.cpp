@@ -8,9 +8,6 @@
 namespace vitrine {
 namespace {
 
-constexpr std::array colorMetrics{render::Metric::flip, render::Metric::rmse, render::Metric::psnr, render::Metric::max,
-                                  render::Metric::beyond};
-
 /// Adds a tile to the report of its frame: milliseconds are summed, and steps that ran for the first tile only are
 /// kept.
 void addTile(render::FrameReport& whole, const render::FrameReport& tile)
@@ -144,9 +141,7 @@ void Comparison::finish()
         makers_[side].reset();
     }
     const render::Image &a = result_.sides[0].picture, &b = result_.sides[1].picture;
-    for (const render::Metric metric : colorMetrics)
-        if (const auto error = render::distance(metric, a, b, request_.pixelsPerDegree))
-            result_.errors[metric] = *error;
+    result_.errors = render::distances({a, b, request_.pixelsPerDegree});
     result_.rows = differingRows(request_.settings[0], request_.settings[1]);
     result_.passes = passCosts(result_.sides[0].report, result_.sides[1].report);
     result_.counters = counterCosts(result_.sides[0].report, result_.sides[1].report);

@@ -4,6 +4,7 @@
 #include "exhibits/study/study_choice.h"
 #include "exhibits/study/study_picture.h"
 #include "render/failure.h"
+#include "render/measure/distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -36,7 +37,7 @@ Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest 
     if (request_.axes.empty())
         throw Failure(Blame::usage,
                       "A study needs a parameter that is marked as quality; `vitrine list --json` names them.");
-    if (request_.metric == render::Metric::psnr)
+    if (render::metricInfo(request_.metric).falls)
         throw Failure(Blame::usage,
                       "A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.");
     if (parts_ && parts_->isPart() && request_.axes.size() > 2)

@@ -53,29 +53,12 @@ bool studiesMotion(const StudyRequest& request)
 
 Errors StudyJudge::errorsOf(const render::Image& reference, const render::Image& picture) const
 {
-    const render::ColorDifference color = render::colorDifference(reference, picture);
-    Errors errors{{Metric::rmse, color.rmse},
-                  {Metric::psnr, color.psnr()},
-                  {Metric::max, color.max},
-                  {Metric::beyond, color.beyond}};
-    for (const Metric metric : {Metric::flip, Metric::normal, Metric::depth})
-        if (const auto distance = render::distance(metric, reference, picture, request_.pixelsPerDegree))
-            errors[metric] = *distance;
-    return errors;
+    return render::distances({reference, picture, request_.pixelsPerDegree});
 }
 
 double StudyJudge::pooled(const std::vector<double>& errors) const
 {
-    if (errors.empty()) return 0;
-    double sum = 0;
-    double largest = 0;
-    for (const double e : errors) {
-        sum += request_.metric == Metric::rmse ? e * e : e;
-        largest = std::max(largest, e);
-    }
-    if (request_.metric == Metric::max) return largest;
-    const double mean = sum / static_cast<double>(errors.size());
-    return request_.metric == Metric::rmse ? std::sqrt(mean) : mean;
+    return render::pooledError(request_.metric, errors);
 }
 
 void StudyJudge::judge(StudyResult& result, int doublings) const

@@ -1,12 +1,14 @@
 #include "exhibits/study/study_result.h"
 
+#include "render/measure/distance.h"
+
 #include <algorithm>
 
 namespace vitrine {
 
 bool goesByColor(const StudyRequest& request)
 {
-    return request.metric != render::Metric::normal && request.metric != render::Metric::depth;
+    return render::metricInfo(request.metric).ofColor;
 }
 
 bool isDrawn(const StudyPoint& point)

@@ -21,7 +21,143 @@ int sharedChannel(const Image& a, const Image& b, std::string_view name)
     return channel == channelNamed(b, name) ? channel : -1;
 }
 
+using Pictures = ComparedPictures;
+
+template <double (*Of)(const ColorDifference&)> std::optional<double> ofColor(const Pictures& p)
+{
+    return Of(p.color());
+}
+double rmse(const ColorDifference& d)
+{
+    return d.rmse;
+}
+double psnr(const ColorDifference& d)
+{
+    return d.psnr();
+}
+double largest(const ColorDifference& d)
+{
+    return d.max;
+}
+double shareBeyond(const ColorDifference& d)
+{
+    return d.beyond;
+}
+std::optional<Image> mapOfColor(const Pictures& p)
+{
+    return differenceMap(p.reference(), p.test());
+}
+
+std::optional<double> flipOf(const Pictures& p)
+{
+    return flip(p.reference(), p.test(), p.pixelsPerDegree());
+}
+std::optional<Image> mapOfFlip(const Pictures& p)
+{
+    return flipMap(p.reference(), p.test(), p.pixelsPerDegree());
+}
+
+/// Applies `errorOf` to each pixel of `count` channels from the one of that name.
+template <typename Of>
+std::optional<Image> mapOfChannels(const Pictures& p, std::string_view name, int count, const Of& errorOf)
+{
+    const int channel = sharedChannel(p.reference(), p.test(), name);
+    if (channel < 0) return std::nullopt;
+    Image map(p.reference().width, p.reference().height, 1);
+    for (int y = 0; y < map.height; ++y)
+        for (int x = 0; x < map.width; ++x)
+            map.at(x, y) =
+                errorOf(pixelOf(p.reference(), x, y, channel, count), pixelOf(p.test(), x, y, channel, count));
+    return map;
+}
+
+constexpr std::string_view firstNormal = "normal.X", depthChannel = "depth.Z";
+
+std::optional<double> normalsApart(const Pictures& p)
+{
+    const int first = sharedChannel(p.reference(), p.test(), firstNormal);
+    return first < 0 ? std::nullopt : std::optional(normalDifference(p.reference(), p.test(), first).mean);
+}
+std::optional<Image> mapOfNormals(const Pictures& p)
+{
+    return mapOfChannels(p, firstNormal, 3, [](const Image& a, const Image& b) {
+        const NormalDifference d = normalDifference(a, b, 0);
+        return d.missing > 0 ? INFINITY : static_cast<float>(d.mean);
+    });
+}
+
+std::optional<double> depthsApart(const Pictures& p)
+{
+    const int channel = sharedChannel(p.reference(), p.test(), depthChannel);
+    return channel < 0 ? std::nullopt : std::optional(depthDifference(p.reference(), p.test(), channel).rms);
+}
+std::optional<Image> mapOfDepths(const Pictures& p)
+{
+    return mapOfChannels(p, depthChannel, 1, [](const Image& a, const Image& b) {
+        const DepthDifference d = depthDifference(a, b, 0);
+        return d.missing > 0 ? INFINITY : static_cast<float>(d.rms);
+    });
+}
+
 }  // namespace
+
+const ColorDifference& ComparedPictures::color() const
+{
+    if (!color_) color_ = colorDifference(reference_, test_);
+    return *color_;
+}
+
+const std::vector<MetricInfo>& allMetrics()
+{
+    using P = ViewPooling;
+    static const std::vector<MetricInfo> metrics{
+        {Metric::rmse, "rmse", "RMS error of linear light", ofColor<rmse>, mapOfColor, P::rootMeanSquare},
+        {.metric = Metric::psnr,
+         .name = "psnr",
+         .title = "peak signal to noise ratio, dB",
+         .distance = ofColor<psnr>,
+         .map = mapOfColor,
+         .falls = true},
+        {Metric::max, "max", "largest error of linear light", ofColor<largest>, mapOfColor, P::largest},
+        {Metric::beyond, "beyond", "share of pixels off by more than 1/255", ofColor<shareBeyond>, mapOfColor},
+        {Metric::flip, "flip", "mean FLIP", flipOf, mapOfFlip, P::mean, 1.0},
+        {.metric = Metric::normal,
+         .name = "normal",
+         .title = "mean angle between normals, degrees",
+         .distance = normalsApart,
+         .map = mapOfNormals,
+         .ofColor = false},
+        {.metric = Metric::depth,
+         .name = "depth",
+         .title = "RMS distance of surfaces, meters",
+         .distance = depthsApart,
+         .map = mapOfDepths,
+         .ofColor = false},
+    };
+    return metrics;
+}
+
+const MetricInfo& metricInfo(Metric metric)
+{
+    return allMetrics().at(static_cast<std::size_t>(metric));
+}
+
+std::string_view toString(Metric metric)
+{
+    return metricInfo(metric).name;
+}
+
+std::string_view title(Metric metric)
+{
+    return metricInfo(metric).title;
+}
+
+std::optional<Metric> metricNamed(std::string_view name)
+{
+    for (const MetricInfo& metric : allMetrics())
+        if (metric.name == name) return metric.metric;
+    return std::nullopt;
+}
 
 int channelNamed(const Image& image, std::string_view name)
 {
@@ -31,47 +167,25 @@ int channelNamed(const Image& image, std::string_view name)
 
 std::optional<double> distance(Metric metric, const Image& reference, const Image& test, double pixelsPerDegree)
 {
-    switch (metric) {
-    case Metric::rmse: return colorDifference(reference, test).rmse;
-    case Metric::psnr: return colorDifference(reference, test).psnr();
-    case Metric::max: return colorDifference(reference, test).max;
-    case Metric::beyond: return colorDifference(reference, test).beyond;
-    case Metric::flip: return flip(reference, test, pixelsPerDegree);
-    case Metric::normal: {
-        const int first = sharedChannel(reference, test, "normal.X");
-        return first < 0 ? std::nullopt : std::optional(normalDifference(reference, test, first).mean);
-    }
-    case Metric::depth: {
-        const int channel = sharedChannel(reference, test, "depth.Z");
-        return channel < 0 ? std::nullopt : std::optional(depthDifference(reference, test, channel).rms);
-    }
-    }
-    return std::nullopt;
+    return metricInfo(metric).distance({reference, test, pixelsPerDegree});
+}
+
+std::map<Metric, double> distances(const ComparedPictures& pictures)
+{
+    std::map<Metric, double> found;
+    for (const MetricInfo& metric : allMetrics())
+        if (const std::optional<double> distance = metric.distance(pictures)) found[metric.metric] = *distance;
+    return found;
 }
 
 std::optional<Image> errorMap(Metric metric, const Image& reference, const Image& test, double pixelsPerDegree)
 {
-    if (metric == Metric::flip) return flipMap(reference, test, pixelsPerDegree);
-    if (metric != Metric::normal && metric != Metric::depth) return differenceMap(reference, test);
-    const bool normals = metric == Metric::normal;
-    const int channel = sharedChannel(reference, test, normals ? "normal.X" : "depth.Z");
-    if (channel < 0) return std::nullopt;
-    Image map(reference.width, reference.height, 1);
-    for (int y = 0; y < map.height; ++y) {
-        for (int x = 0; x < map.width; ++x) {
-            const Image a = pixelOf(reference, x, y, channel, normals ? 3 : 1);
-            const Image b = pixelOf(test, x, y, channel, normals ? 3 : 1);
-            const NormalDifference n = normals ? normalDifference(a, b, 0) : NormalDifference{};
-            const DepthDifference d = normals ? DepthDifference{} : depthDifference(a, b, 0);
-            map.at(x, y) = n.missing + d.missing > 0 ? INFINITY : static_cast<float>(n.mean + d.rms);
-        }
-    }
-    return map;
+    return metricInfo(metric).map({reference, test, pixelsPerDegree});
 }
 
 double fullScale(Metric metric, const Image& errors)
 {
-    if (metric == Metric::flip) return 1;
+    if (const std::optional<double> full = metricInfo(metric).fullScale) return *full;
     double largest = 0;
     for (const float e : errors.pixels)
         if (std::isfinite(e)) largest = std::max(largest, static_cast<double>(e));
@@ -80,7 +194,19 @@ double fullScale(Metric metric, const Image& errors)
 
 bool isBeyond(Metric metric, double value, double limit)
 {
-    return metric == Metric::psnr ? value < limit : value > limit;
+    return metricInfo(metric).falls ? value < limit : value > limit;
+}
+
+double pooledError(Metric metric, const std::vector<double>& errors)
+{
+    if (errors.empty()) return 0;
+    const ViewPooling pooling = metricInfo(metric).pooling;
+    if (pooling == ViewPooling::largest) return std::max(0.0, *std::max_element(errors.begin(), errors.end()));
+    const bool squared = pooling == ViewPooling::rootMeanSquare;
+    double sum = 0;
+    for (const double e : errors) sum += squared ? e * e : e;
+    const double mean = sum / static_cast<double>(errors.size());
+    return squared ? std::sqrt(mean) : mean;
 }
 
 }  // namespace vitrine::render

@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <limits>
@@ -68,41 +69,6 @@ double shareOf(double part, double whole)
 }
 
 }  // namespace
-
-std::string_view toString(Metric metric)
-{
-    switch (metric) {
-    case Metric::rmse: return "rmse";
-    case Metric::psnr: return "psnr";
-    case Metric::max: return "max";
-    case Metric::beyond: return "beyond";
-    case Metric::flip: return "flip";
-    case Metric::normal: return "normal";
-    case Metric::depth: return "depth";
-    }
-    return "";
-}
-
-std::string_view title(Metric metric)
-{
-    switch (metric) {
-    case Metric::rmse: return "RMS error of linear light";
-    case Metric::psnr: return "peak signal to noise ratio, dB";
-    case Metric::max: return "largest error of linear light";
-    case Metric::beyond: return "share of pixels off by more than 1/255";
-    case Metric::flip: return "mean FLIP";
-    case Metric::normal: return "mean angle between normals, degrees";
-    case Metric::depth: return "RMS distance of surfaces, meters";
-    }
-    return "";
-}
-
-std::optional<Metric> metricNamed(std::string_view name)
-{
-    const auto found =
-        std::find_if(allMetrics.begin(), allMetrics.end(), [&](Metric m) { return toString(m) == name; });
-    return found == allMetrics.end() ? std::nullopt : std::optional(*found);
-}
 
 double ColorDifference::psnr() const
 {

@@ -2,17 +2,15 @@
 
 #include "render/image/image.h"
 
-#include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
 namespace vitrine::render {
 
 /// Metric for the distance of a picture from its reference. All are 0 for equal pictures and grow with the difference,
-/// except `psnr`, which falls and is infinite for equal pictures.
+/// except `psnr`, which falls and is infinite for equal pictures. `allMetrics` (distance.h) declares them.
 enum class Metric : std::uint8_t { rmse, psnr, max, beyond, flip, normal, depth };
-inline constexpr std::array<Metric, 7> allMetrics{Metric::rmse, Metric::psnr,   Metric::max,  Metric::beyond,
-                                                  Metric::flip, Metric::normal, Metric::depth};
 
 /// Returns the name in options and files: "rmse", "psnr", ...
 [[nodiscard]] std::string_view toString(Metric);

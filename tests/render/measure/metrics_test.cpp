@@ -1,6 +1,6 @@
 // Differences of pictures, compared with values computed by hand.
 
-#include "render/measure/metrics.h"
+#include "render/measure/distance.h"
 
 #include "render/image/srgb.h"
 
@@ -126,7 +126,11 @@ TEST(Metrics, DepthsAreComparedWhereBothHitSomething)
 
 TEST(Metrics, EveryNameNamesItsMetric)
 {
-    for (const Metric m : allMetrics) EXPECT_EQ(metricNamed(toString(m)), m);
+    for (const MetricInfo& m : allMetrics()) {
+        EXPECT_EQ(metricNamed(m.name), m.metric);
+        EXPECT_EQ(&metricInfo(m.metric), &m);
+        EXPECT_FALSE(m.title.empty());
+    }
     EXPECT_FALSE(metricNamed("ssim"));
 }
 
@@ -160,6 +164,29 @@ TEST(SignedDifference, IsGrayWhereEqualAndHalfTheDifferenceOfTheCodesTimesTheGai
     EXPECT_NEAR(code(fourTimes, 2, 1), 0.4, 1e-6);
     EXPECT_NEAR(code(fourTimes, 3, 2), 1, 1e-6) << "clamped";
     EXPECT_NEAR(code(signedDifference(b, a, 1), 1, 0), 0.45, 1e-6) << "the other way round";
+}
+
+TEST(Metrics, ErrorsOfViewsBecomeOneAsTheirMetricSays)
+{
+    const std::vector<double> errors{0.1, 0.2, 0.4};
+    EXPECT_NEAR(pooledError(Metric::rmse, errors), std::sqrt((0.01 + 0.04 + 0.16) / 3), 1e-15);
+    EXPECT_EQ(pooledError(Metric::max, errors), 0.4);
+    for (const Metric mean : {Metric::beyond, Metric::flip, Metric::normal, Metric::depth})
+        EXPECT_NEAR(pooledError(mean, errors), 0.7 / 3, 1e-15);
+    for (const MetricInfo& m : allMetrics()) EXPECT_EQ(pooledError(m.metric, {}), 0) << m.name;
+}
+
+TEST(Metrics, DistancesHaveEveryMetricWhoseChannelsThereAre)
+{
+    const Image a(8, 8, 3, 0.25F), b(8, 8, 3, 0.375F);
+    const std::map<Metric, double> found = distances({a, b, flipPixelsPerDegree});
+    EXPECT_EQ(found.size(), 5U);
+    for (const MetricInfo& m : allMetrics()) {
+        EXPECT_EQ(found.contains(m.metric), m.ofColor) << m.name;
+        if (!m.ofColor) continue;
+        EXPECT_EQ(found.at(m.metric), distance(m.metric, a, b)) << m.name;
+    }
+    EXPECT_NEAR(found.at(Metric::rmse), 0.125, 1e-7);
 }
 
 }  // namespace
