@@ -1,6 +1,7 @@
 #include "app/jobs/job_command.h"
 
 #include "app/jobs/run_job.h"
+#include "app/jobs/typed_parameters.h"
 #include "app/picture_options.h"
 #include "app/say.h"
 #include "exhibits/exhibits.h"
@@ -19,36 +20,11 @@ namespace {
 
 /// Arguments of a job's command, as they were typed.
 struct TypedJob {
-    std::vector<std::vector<std::string>> words;  ///< Words of each option of the job's table.
+    TypedParameters parameters;
     std::string out, like, preset;
     std::vector<std::string> sets;
     bool asJson = false, dryRun = false;
 };
-
-void addParameters(CLI::App& command, const jobs::Job& job, TypedJob& typed)
-{
-    const Parameters& table = job.parameters();
-    const std::vector<jobs::JobOption> options = jobs::optionsOf(table);
-    typed.words.resize(options.size());
-    for (std::size_t i = 0; i < options.size(); ++i) {
-        const jobs::JobOption& option = options[i];
-        const std::string help = jobs::helpText(table, option);
-        if (option.isFlag) {
-            // Both ways: a document may have it either way. The help shows the one that changes the initial value.
-            const bool on = std::get<double>(table.rows()[option.parameters.front()].initial) != 0;
-            command.add_flag(option.name, help)->group(on ? "" : "Options");
-            const std::string off = "Switches off, which is on at first: " + help;
-            command.add_flag(jobs::withoutFlag(option), off)->group(on ? "Options" : "");
-            continue;
-        }
-        CLI::Option* added = command.add_option(option.name, typed.words[i], help);
-        added->type_name(jobs::typeText(table, option))->default_str(jobs::initialText(table, option));
-        if (option.several)
-            added->take_all()->allow_extra_args(true);
-        else
-            added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
-    }
-}
 
 std::string extensionsText(const jobs::Job& job)
 {
@@ -73,21 +49,6 @@ void addCommon(CLI::App& command, const jobs::Job& job, TypedJob& typed)
                        "no option gives others");
     command.add_flag("--dry-run", typed.dryRun, "Print what would be written; write nothing");
     command.add_flag("--json", typed.asJson, "Print the outcome as JSON");
-}
-
-/// Reads the typed words option by option, so that a message names the first wrong option.
-void readWords(const CLI::App& command, const TypedJob& typed, jobs::GivenValues& given)
-{
-    const std::vector<jobs::JobOption>& options = given.options();
-    for (std::size_t i = 0; i < options.size(); ++i) {
-        const jobs::JobOption& option = options[i];
-        if (!option.isFlag) {
-            if (!typed.words[i].empty()) given.type(option, typed.words[i]);
-            continue;
-        }
-        for (const bool on : {true, false})
-            if (command.get_option(on ? option.name : jobs::withoutFlag(option))->count() > 0) given.turn(option, on);
-    }
 }
 
 /// Returns the scene of the job: the initial one, or that of the document, with the typed preset and values.
@@ -119,7 +80,7 @@ int runTyped(const CLI::App& command, const jobs::Job& job, const TypedJob& type
         for (const std::string& note : like->notes) say(note);
     }
     jobs::GivenValues given = like ? jobs::GivenValues(like->values) : jobs::GivenValues(job.parameters());
-    readWords(command, typed, given);
+    typed.parameters.read(command, given);
     jobs::JobOrder order{given.settled(name)};
     order.out = typed.out.empty() && like ? like->out : std::filesystem::path(typed.out);
     if (order.out.empty() && !typed.dryRun)
@@ -147,7 +108,7 @@ void addJobCommands(CLI::App& parser, Action& chosen)
         const jobs::Job& job = *each;
         CLI::App* command = parser.add_subcommand(std::string(job.name()), std::string(job.summary()));
         auto typed = std::make_shared<TypedJob>();
-        addParameters(*command, job, *typed);
+        typed->parameters.addTo(*command, job.parameters());
         addCommon(*command, job, *typed);
         command->callback([&chosen, command, typed, &job] {
             chosen = [command, typed, &job] { return runTyped(*command, job, *typed); };

@@ -36,9 +36,10 @@ printing::PrintFile target(const PrintOptions& options)
     printing::PrintFile file;
     file.path = options.out;
     file.report = options.report;
-    file.bits = options.bits == "16" ? 16 : 8;
-    file.compression = streamCompression(options.compression);
-    file.tileWidth = options.tileMm;
+    const printing::PrintTable& table = printing::printTable();
+    file.bits = printing::bitsOf(options.values);
+    file.compression = options.values[table.compression];
+    file.tileWidth = options.values[table.tileWidth] * 1000;
     file.threads = printing::interlacingThreads();
     return file;
 }
@@ -84,13 +85,9 @@ void checkTarget(const PrintOptions& options, const LayoutOf& layoutOf)
 
 int makeChart(const PrintOptions& options)
 {
-    using printing::ChartKind;
-    const ChartKind kind = options.chart == "pitch"   ? ChartKind::pitch
-                           : options.chart == "phase" ? ChartKind::phase
-                           : options.chart == "views" ? ChartKind::views
-                                                      : ChartKind::rotation;
+    const printing::PrintTable& table = printing::printTable();
     const PrintLayout layout(printSettings(options, options.views.count == 0 ? 12 : options.views.count));
-    const printing::Chart chart(layout, kind, options.chartSpan / 100);
+    const printing::Chart chart(layout, options.values[table.chart], options.values[table.chartSpan]);
     const printing::PrintFile file = printFile(options, layout, {options.chart + " chart"}, nullptr);
     const std::vector<fs::path> written = printing::writeChart(layout, chart, file);
     for (const fs::path& path : written) std::printf("%s\n", path.c_str());
@@ -179,7 +176,7 @@ void addPrintCommand(CLI::App& parser, Action& chosen)
     addPartOptions(*command, options->part);
     command->callback([&chosen, options, command] {
         chosen = [options, command] {
-            refuseUselessOptions(*command, *options);
+            readPrintOptions(*command, *options);
             return makeStoppably(*options);
         };
     });

@@ -146,7 +146,7 @@ void describe(const ViewRig& rig, const DepthRange& depth, bool reverse, Gathere
     }
     for (const std::string& warning : printing::warningsOf(rig, depth)) result.notes.push_back(warning);
     if (reverse && rig.baseline() > 0)
-        result.notes.emplace_back("With --order reverse the depth of rendered views is inside out.");
+        result.notes.emplace_back("With --reverse the depth of rendered views is inside out.");
 }
 
 /// What brings the views back.

@@ -883,10 +883,6 @@ Zeiten nach: %2.</translation>
         <translation>--count {=1}: Es gibt {=2} Ansichten; geben Sie 1 bis {=3} an, oder lassen Sie es für alle weg.</translation>
     </message>
     <message>
-        <source>--dither is for 8 bits; 16 bits need none.</source>
-        <translation>--dither gilt für 8 Bit; 16 Bit brauchen keines.</translation>
-    </message>
-    <message>
         <source>--every and --ping-pong choose among pictures; the views of an exhibit are made as many as --count says.</source>
         <translation>--every und --ping-pong wählen unter Bildern aus; von einem Exponat entstehen so viele Ansichten, wie --count sagt.</translation>
     </message>
@@ -1037,10 +1033,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>--with: these settings change no exhibit; say with --exhibit which one is compared.</source>
         <translation>--with: Diese Einstellungen ändern kein Exponat; nennen Sie mit --exhibit das zu vergleichende.</translation>
-    </message>
-    <message>
-        <source>0 is a circle; -1/n² the ellipse without spherical aberration.</source>
-        <translation>0 ist ein Kreis; -1/n² die Ellipse ohne sphärische Aberration.</translation>
     </message>
     <message>
         <source>1 dot : %1 px</source>
@@ -1967,10 +1959,6 @@ Zeiten nach: %2.</translation>
         <translation>Fügt der gewählten eine Form oder Operation hinzu, oder stellt sie daneben.</translation>
     </message>
     <message>
-        <source>After trimming.</source>
-        <translation>Nach dem Beschnitt.</translation>
-    </message>
-    <message>
         <source>After “%1”</source>
         <translation>Nach „%1“</translation>
     </message>
@@ -2806,10 +2794,6 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Between four settings</source>
         <translation>Zwischen vier Einstellungen</translation>
-    </message>
-    <message>
-        <source>Beyond the trim on every side; lenses and views go on there.</source>
-        <translation>Über den Beschnitt hinaus, auf jeder Seite; Linsen und Ansichten gehen dort weiter.</translation>
     </message>
     <message>
         <source>billow</source>
@@ -4548,6 +4532,10 @@ Zeiten nach: %2.</translation>
         <translation>Kompression</translation>
     </message>
     <message>
+        <source>Compression of a TIFF: none is what every print shop reads. PNG is always compressed.</source>
+        <translation>Kompression eines TIFF: ohne liest jede Druckerei. PNG ist immer komprimiert.</translation>
+    </message>
+    <message>
         <source>Compression of the fur where it touches something: 0 carries the body on its tips, 1 lets the skin down to the ground.</source>
         <extracomment>tables</extracomment>
         <translation>Wie stark das Fell bei Berührung gedrückt wird: 0 trägt den Körper auf den Spitzen, 1 lässt die Haut bis zum Boden.</translation>
@@ -4579,6 +4567,10 @@ Zeiten nach: %2.</translation>
         <source>Conic constant of a custom lens: 0 is a circle, -0.41 the ellipse that is sharp straight ahead.</source>
         <extracomment>tables</extracomment>
         <translation>Konische Konstante einer eigenen Linse: 0 ist ein Kreis, -0.41 die Ellipse, die geradeaus scharf ist.</translation>
+    </message>
+    <message>
+        <source>Conic constant of the lenses: 0 is a circle, -1/n² the ellipse without spherical aberration.</source>
+        <translation>Konische Konstante der Linsen: 0 ist ein Kreis, -1/n² die Ellipse ohne sphärische Aberration.</translation>
     </message>
     <message>
         <source>Console of 1983</source>
@@ -4900,10 +4892,6 @@ Zeiten nach: %2.</translation>
         <translation>Schneidet die leeren Zeilen und Spalten um jeden Frame ab.</translation>
     </message>
     <message>
-        <source>Cuts the print into files of about this width, between lenses; 0: one file.</source>
-        <translation>Schneidet den Druck in Dateien von etwa dieser Breite, zwischen Linsen; 0: eine Datei.</translation>
-    </message>
-    <message>
         <source>D</source>
         <translation>D</translation>
     </message>
@@ -5158,6 +5146,10 @@ Zeiten nach: %2.</translation>
         <translation>Richtung, in die der Wind weht, von geradeaus: Negative Werte gehen nach links.</translation>
     </message>
     <message>
+        <source>Direction of the lenses: upright for depth, across for flips, between them slanted.</source>
+        <translation>Richtung der Linsen: aufrecht für Tiefe, quer für Wechselbilder, dazwischen schräg.</translation>
+    </message>
+    <message>
         <source>Direction of the lenses: vertical lenses change when you move sideways, horizontal ones when you move up or down.</source>
         <extracomment>tables</extracomment>
         <translation>Richtung der Linsen: Senkrechte wechseln bei seitlicher Bewegung, waagerechte bei Bewegung auf und ab.</translation>
@@ -5397,8 +5389,8 @@ Zeiten nach: %2.</translation>
         <translation>Punkte pro Zoll</translation>
     </message>
     <message>
-        <source>Dots per inch the other way, when they differ; 0: the same.</source>
-        <translation>Punkte pro Zoll in der anderen Richtung, wenn sie sich unterscheiden; 0: gleich.</translation>
+        <source>Dots per inch the other way. Auto: the same.</source>
+        <translation>Punkte pro Zoll in der anderen Richtung. Auto: dieselben.</translation>
     </message>
     <message>
         <source>Dots per inch, vertical</source>
@@ -6290,14 +6282,6 @@ Optics, printed dots, and ink that spreads as far as is set.</source>
 Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translation>
     </message>
     <message>
-        <source>For no distance in particular: strips lie exactly at lens pitch.</source>
-        <translation>Für keinen bestimmten Abstand: Streifen liegen genau im Linsenabstand.</translation>
-    </message>
-    <message>
-        <source>For printing on the sheet's back.</source>
-        <translation>Für den Druck auf die Rückseite der Folie.</translation>
-    </message>
-    <message>
         <source>Format</source>
         <translation>Format</translation>
     </message>
@@ -6452,10 +6436,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Von A nach B</translation>
     </message>
     <message>
-        <source>From lens top to print.</source>
-        <translation>Vom Linsenscheitel bis zum Druck.</translation>
-    </message>
-    <message>
         <source>from near, later</source>
         <translation>aus der Nähe, später</translation>
     </message>
@@ -6474,10 +6454,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>From where to where it reaches, and in brackets what the print holds of it, from the camera.</source>
         <translation>Von wo bis wo sie reicht, und in Klammern, was der Druck davon fasst, von der Kamera aus.</translation>
-    </message>
-    <message>
-        <source>From which it is looked at; the strips' pitch follows from it.</source>
-        <translation>Aus dem er betrachtet wird; der Streifenabstand folgt daraus.</translation>
     </message>
     <message>
         <source>front</source>
@@ -7117,18 +7093,6 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Stunde eines Tages der Tagundnachtgleiche: Sonnenlicht fällt ab drei Uhr durch das Fenster, um sechs geht die Sonne unter.</translation>
     </message>
     <message>
-        <source>How a printed dot chooses among the views under it: the one at its middle, all by area, or by area with blended strip edges.</source>
-        <translation>Wie ein Druckpunkt unter den Ansichten unter ihm wählt: die in seiner Mitte, alle nach Fläche, oder nach Fläche mit weichen Streifenrändern.</translation>
-    </message>
-    <message>
-        <source>How far a pitch chart goes each way: 1 % is coarse, 0.1 % fine.</source>
-        <translation>Wie weit ein Pitch-Testchart nach jeder Seite geht: 1 % ist grob, 0.1 % fein.</translation>
-    </message>
-    <message>
-        <source>How far a printed point spreads (standard deviation): counts as cross-talk; 10 to 40 µm are usual.</source>
-        <translation>Wie weit ein Druckpunkt verläuft (Standardabweichung): zählt als Übersprechen; 10 bis 40 µm sind üblich.</translation>
-    </message>
-    <message>
         <source>How far apart the cameras of rendered views stand: 0 is flat, 1 true to scale for the viewing distance, above 1 deeper than life.</source>
         <translation>Wie weit die Kameras gerenderter Ansichten auseinander stehen: 0 ist flach, 1 maßstabsgetreu für den Betrachtungsabstand, über 1 tiefer als in Wirklichkeit.</translation>
     </message>
@@ -7265,8 +7229,8 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
         <translation>Trägheit</translation>
     </message>
     <message>
-        <source>Infinite distance</source>
-        <translation>Unendlicher Abstand</translation>
+        <source>inf</source>
+        <translation>unendlich</translation>
     </message>
     <message>
         <source>Initial value: %1</source>
@@ -8195,8 +8159,20 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Linsen pro Zoll</translation>
     </message>
     <message>
+        <source>Lenses per inch as a pitch chart showed it with this printer. Auto: not measured, that of the sheet.</source>
+        <translation>Linsen pro Zoll, wie ein Pitch-Testchart sie mit diesem Drucker zeigte. Auto: nicht gemessen, die der Folie.</translation>
+    </message>
+    <message>
         <source>Lenses per inch of the strips, with the resolution as the file stores it.</source>
         <translation>Linsen pro Zoll der Streifen, bei der Auflösung, wie die Datei sie speichert.</translation>
+    </message>
+    <message>
+        <source>Lenses per inch read from a pitch chart at that distance. Auto: not measured, it follows from the distance.</source>
+        <translation>Linsen pro Zoll, aus diesem Abstand an einem Pitch-Testchart abgelesen. Auto: nicht gemessen, sie folgt aus dem Abstand.</translation>
+    </message>
+    <message>
+        <source>Lenses per inch that the sheet is sold as.</source>
+        <translation>Linsen pro Zoll, als die die Folie verkauft wird.</translation>
     </message>
     <message>
         <source>LENSES UP - FEED: TOP / SIDE</source>
@@ -8503,20 +8479,8 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Untere Schicht: Gieren</translation>
     </message>
     <message>
-        <source>LPI as a pitch chart showed it with this printer; 0: not measured, the one above counts.</source>
-        <translation>LPI-Wert, wie ein Pitch-Testchart ihn mit diesem Drucker zeigte; 0: nicht gemessen, der darüber gilt.</translation>
-    </message>
-    <message>
         <source>LPI in the file</source>
         <translation>LPI in der Datei</translation>
-    </message>
-    <message>
-        <source>LPI read from a pitch chart at that distance, in place of the one that follows from it; 0: not measured.</source>
-        <translation>LPI-Wert, in diesem Abstand an einem Pitch-Testchart abgelesen, anstelle dessen, der daraus folgt; 0: nicht gemessen.</translation>
-    </message>
-    <message>
-        <source>LPI that the sheet is sold as.</source>
-        <translation>LPI-Wert, mit dem die Folie verkauft wird.</translation>
     </message>
     <message>
         <source>machine</source>
@@ -8574,6 +8538,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Margin</source>
         <extracomment>tables</extracomment>
         <translation>Rand</translation>
+    </message>
+    <message>
+        <source>Margin beyond the trim on every side; lenses and views go on there.</source>
+        <translation>Rand über den Beschnitt hinaus an jeder Seite; Linsen und Ansichten gehen dort weiter.</translation>
     </message>
     <message>
         <source>Mask</source>
@@ -8999,10 +8967,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Moves the focus to the previous part of the window.</source>
         <translation>Setzt den Fokus in den vorigen Teil des Fensters.</translation>
-    </message>
-    <message>
-        <source>Moves the strips under the lenses, in lenses; a phase chart tells.</source>
-        <translation>Verschiebt die Streifen unter den Linsen, in Linsen; ein Phasen-Testchart zeigt es.</translation>
     </message>
     <message>
         <source>ms</source>
@@ -9857,10 +9821,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>von %1</translation>
     </message>
     <message>
-        <source>Of curvature, at the lens top.</source>
-        <translation>Der Krümmung, am Linsenscheitel.</translation>
-    </message>
-    <message>
         <source>Of its layers {1} is read; &quot;{2}&quot; and others are left out.</source>
         <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ und andere fallen weg.</translation>
     </message>
@@ -9869,28 +9829,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Von seinen Ebenen wird {1} gelesen; „{2}“ fällt weg.</translation>
     </message>
     <message>
-        <source>Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.</source>
-        <translation>Der Linsen: 0 aufrecht für Tiefe, 90 quer für Wechselbilder, dazwischen schräg.</translation>
-    </message>
-    <message>
-        <source>Of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.</source>
-        <translation>Des Kunststoffs: 1.49 Acryl, 1.57 PET, 1.59 Polystyrol.</translation>
-    </message>
-    <message>
-        <source>Of the printer, across; its native resolution or a whole fraction of it.</source>
-        <translation>Des Druckers, quer; seine native Auflösung oder ein ganzer Bruchteil davon.</translation>
-    </message>
-    <message>
         <source>Of the raster, bleed included.</source>
         <translation>Des Rasters, mit Anschnitt.</translation>
     </message>
     <message>
         <source>Of the videos only .webp and .apng can be transparent; choose one of them, or frames of PNG.</source>
         <translation>Von den Videos können nur .webp und .apng transparent sein; wählen Sie eines davon, oder Frames als PNG.</translation>
-    </message>
-    <message>
-        <source>Of TIFF: none is what every print shop reads. PNG is always compressed.</source>
-        <translation>Von TIFF: Ohne ist, was jede Druckerei liest. PNG ist immer komprimiert.</translation>
     </message>
     <message>
         <source>off</source>
@@ -10929,6 +10873,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Druck, den die Karte zeigt, solange sie nicht rollt.</translation>
     </message>
     <message>
+        <source>Printed dots per inch: the native resolution of the printer or a whole fraction of it.</source>
+        <translation>Gedruckte Punkte pro Zoll: die native Auflösung des Druckers oder ein ganzer Bruchteil davon.</translation>
+    </message>
+    <message>
         <source>Printed dots that one lens covers: no more views than these can be told apart.</source>
         <translation>Druckpunkte, die eine Linse überdeckt: mehr Ansichten lassen sich nicht unterscheiden.</translation>
     </message>
@@ -11092,6 +11040,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Radius of curvature at the top of a custom lens; a radius too small for the lens pitch is enlarged to fit.</source>
         <extracomment>tables</extracomment>
         <translation>Krümmungsradius am Scheitel einer eigenen Linse; ein für den Linsenabstand zu kleiner wird passend vergrößert.</translation>
+    </message>
+    <message>
+        <source>Radius of curvature at the top of the lenses.</source>
+        <translation>Krümmungsradius am Scheitel der Linsen.</translation>
     </message>
     <message>
         <source>Radius of the base.</source>
@@ -11476,6 +11428,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <source>Refractive index of the glass: 1 bends nothing, 2.4 is diamond.</source>
         <extracomment>tables</extracomment>
         <translation>Brechungsindex des Glases: 1 bricht nichts, 2.4 ist Diamant.</translation>
+    </message>
+    <message>
+        <source>Refractive index of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.</source>
+        <translation>Brechungsindex des Kunststoffs: 1,49 Acryl, 1,57 PET, 1,59 Polystyrol.</translation>
     </message>
     <message>
         <source>Relaxation</source>
@@ -12765,6 +12721,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Verschiebung der Streifen unter den Linsen, in Linsenbreiten.</translation>
     </message>
     <message>
+        <source>Shift of the strips under the lenses, in lenses; a phase chart tells.</source>
+        <translation>Verschiebung der Streifen unter den Linsen, in Linsen; ein Phasen-Testchart zeigt sie.</translation>
+    </message>
+    <message>
         <source>Shift of the view down</source>
         <translation>Verschiebung der Ansicht nach unten</translation>
     </message>
@@ -13184,6 +13144,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Abstand</translation>
     </message>
     <message>
+        <source>Span of a pitch chart, each way: 1 % is coarse, 0.1 % fine.</source>
+        <translation>Spanne eines Pitch-Testcharts, nach beiden Seiten: 1 % ist grob, 0,1 % fein.</translation>
+    </message>
+    <message>
         <source>sparse indices must be unsigned integers</source>
         <translation>dünn besetzte Indizes müssen vorzeichenlose ganze Zahlen sein</translation>
     </message>
@@ -13280,6 +13244,10 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Split view</source>
         <extracomment>tables</extracomment>
         <translation>Geteilte Ansicht</translation>
+    </message>
+    <message>
+        <source>Spread of a printed point (standard deviation), which counts as cross-talk; 10 to 40 µm are usual.</source>
+        <translation>Ausbreitung eines gedruckten Punkts (Standardabweichung), die als Übersprechen zählt; üblich sind 10 bis 40 µm.</translation>
     </message>
     <message>
         <source>Spread what 8 bits cannot say over neighboring dots.</source>
@@ -14259,10 +14227,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>The film: .mp4, .webm, .gif, .webp or .apng, or frames as in frames/%04d.png.</source>
         <translation>Der Film: .mp4, .webm, .gif, .webp oder .apng, oder Frames wie in frames/%04d.png.</translation>
-    </message>
-    <message>
-        <source>The first view on the left under each lens: turns depth inside out, or a reversed sequence right.</source>
-        <translation>Die erste Ansicht links unter jeder Linse: kehrt die Tiefe um, oder berichtigt eine umgekehrte Folge.</translation>
     </message>
     <message>
         <source>the floor is in view</source>
@@ -15356,6 +15320,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Dicke des Papiers, wie es gezeichnet wird.</translation>
     </message>
     <message>
+        <source>Thickness of the sheet, from lens top to print.</source>
+        <translation>Dicke der Folie, vom Linsenscheitel bis zum Druck.</translation>
+    </message>
+    <message>
         <source>Thickness of the sheet, with round edges.</source>
         <translation>Dicke des Blatts, mit runden Kanten.</translation>
     </message>
@@ -16081,6 +16049,14 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Beschnitten</translation>
     </message>
     <message>
+        <source>Trimmed height.</source>
+        <translation>Beschnittene Höhe.</translation>
+    </message>
+    <message>
+        <source>Trimmed width.</source>
+        <translation>Beschnittene Breite.</translation>
+    </message>
+    <message>
         <source>true</source>
         <extracomment>tables</extracomment>
         <translation>richtig</translation>
@@ -16504,6 +16480,10 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Betrachtungsabstand, für den der Abstand der Streifen gemacht ist: Dort zeigt die ganze Karte eine Ansicht. Große Werte sind parallel.</translation>
     </message>
     <message>
+        <source>Viewing distance, from which the pitch of the strips follows. Inf: none in particular, strips lie exactly at the pitch of the lenses.</source>
+        <translation>Betrachtungsabstand, aus dem der Abstand der Streifen folgt. Inf: kein bestimmter, die Streifen liegen genau im Abstand der Linsen.</translation>
+    </message>
+    <message>
         <source>Viewing zone</source>
         <translation>Betrachtungszone</translation>
     </message>
@@ -16719,6 +16699,10 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>Wax</source>
         <translation>Wachs</translation>
+    </message>
+    <message>
+        <source>Way that a printed dot chooses among the views under it: the one at its middle, all by area, or by area with blended strip edges.</source>
+        <translation>Art, wie ein gedruckter Punkt unter den Ansichten darunter wählt: die in seiner Mitte, alle nach Fläche oder nach Fläche mit überblendeten Streifenrändern.</translation>
     </message>
     <message>
         <source>Way that the animation carries the object from its first to its last moment: kept, so that the frames hold all of it, or taken out of the frames, so that it walks in place and the pivot moves. Automatic takes out what is longer than the object.</source>
@@ -16942,6 +16926,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Ob der leere Hintergrund Normalen zur Kamera bekommt, sodass Objekte gegen ihn keine Kanten haben.</translation>
     </message>
     <message>
+        <source>Whether the first view lies on the left under each lens: turns depth inside out, or a reversed sequence right.</source>
+        <translation>Ob die erste Ansicht links unter jeder Linse liegt: kehrt die Tiefe um oder eine umgekehrte Folge richtig herum.</translation>
+    </message>
+    <message>
         <source>Whether the floor is darkened around the things that stand on it; without it, feet and plinths seem to float.</source>
         <extracomment>tables</extracomment>
         <translation>Ob der Boden rings um alles, was darauf steht, dunkler wird; ohne das scheinen Füße und Sockel zu schweben.</translation>
@@ -16995,6 +16983,10 @@ steht in assets/SOURCES.md.</translation>
         <source>Whether the picture is split into two halves; the right one has its own parameters.</source>
         <extracomment>tables</extracomment>
         <translation>Ob das Bild in zwei Hälften geteilt wird; die rechte hat eigene Parameter.</translation>
+    </message>
+    <message>
+        <source>Whether the print is mirrored, for printing on the back of the sheet.</source>
+        <translation>Ob der Druck gespiegelt wird, für den Druck auf die Rückseite der Folie.</translation>
     </message>
     <message>
         <source>Whether the shape melts back and forth, starting from the morph above.</source>
@@ -17117,6 +17109,10 @@ steht in assets/SOURCES.md.</translation>
         <translation>Breite der Verschmelzung; 0 lässt eine scharfe Kante.</translation>
     </message>
     <message>
+        <source>Width of the files into which the print is cut, between lenses. Auto: one file.</source>
+        <translation>Breite der Dateien, in die der Druck zwischen den Linsen geschnitten wird. Auto: eine Datei.</translation>
+    </message>
+    <message>
         <source>Width of the fillet between cream and wafer: wide looks melted.</source>
         <extracomment>tables</extracomment>
         <translation>Breite der Rundung zwischen Eis und Waffel: Breite wirkt geschmolzen.</translation>
@@ -17197,8 +17193,8 @@ steht in assets/SOURCES.md.</translation>
         <translation>Wischblende zwischen Einstellung und Referenz</translation>
     </message>
     <message>
-        <source>With --order reverse the depth of rendered views is inside out.</source>
-        <translation>Mit --order reverse kehrt sich die Tiefe gerenderter Ansichten um.</translation>
+        <source>With --reverse the depth of rendered views is inside out.</source>
+        <translation>Mit --reverse kehrt sich die Tiefe gerenderter Ansichten um.</translation>
     </message>
     <message>
         <source>With a gamepad</source>

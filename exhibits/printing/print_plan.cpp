@@ -60,8 +60,8 @@ PrintPlan printPlan(const ParameterValues& values, const PrintViews* views, bool
         if (!chart && views) plan.warnings.insert(plan.warnings.end(), views->notes().begin(), views->notes().end());
         const std::string stretched = !chart && views ? stretchWarning(layout, views->full()) : std::string();
         if (!stretched.empty()) plan.warnings.push_back(stretched);
-        plan.bytes = static_cast<double>(layout.width()) * static_cast<double>(layout.height()) * 3 *
-                     (values[printTable().bits] == 0 ? 1 : 2);
+        plan.bytes =
+            static_cast<double>(layout.width()) * static_cast<double>(layout.height()) * 3 * (bitsOf(values) / 8);
         plan.layout = layout;
     } catch (const Failure& failure) {
         plan = {};
@@ -88,7 +88,7 @@ std::vector<std::filesystem::path> exportPrint(const ParameterValues& values, co
     const PrintLayout layout = views ? layoutOf(values, views) : chartLayout(values);
     PrintFile file;
     file.path = path;
-    file.bits = values[table.bits] == 0 ? 8 : 16;
+    file.bits = bitsOf(values);
     file.compression = values[table.compression];
     file.tileWidth = views ? tileWidth(values) : 0;
     file.threads = interlacingThreads();

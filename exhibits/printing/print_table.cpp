@@ -1,7 +1,8 @@
 #include "exhibits/printing/print_table.h"
 
+#include "exhibits/framework/make_act.h"
+
 #include <cmath>
-#include <limits>
 
 namespace vitrine::printing {
 namespace {
@@ -46,16 +47,9 @@ bool rowActs(const ParameterInfo& row, const ParameterValues& values, bool chart
         if (is(table.fitting)) return from != ViewOrigin::shown;
         return !is(table.origin) && !is(table.places);  // The dialog shows these beside the files.
     }
-    if (is(table.chart)) return chart;
-    if (is(table.chartSpan)) return chart && values[table.chart] == ChartKind::pitch;
-    if (is(table.zone)) return values[table.lens] == LensShape::derived;
-    if (is(table.radius) || is(table.thickness)) return values[table.lens] == LensShape::given;
-    if (is(table.distance)) return !values[table.infiniteDistance];
-    if (is(table.border) || is(table.compensate)) return !chart;
-    if (is(table.dither)) return values[table.bits] == 0;
-    if (is(table.guard)) return values[table.method] == Method::guard;
-    if (is(table.tileWidth)) return values[table.direction] == 0;
-    return true;
+    if (row.group == "Chart" && !chart) return false;
+    if (chart && (is(table.border) || is(table.compensate))) return false;
+    return !row.actsWhen || holds(*row.actsWhen, values);
 }
 
 bool sameViews(const ParameterValues& a, const ParameterValues& b)
@@ -69,9 +63,9 @@ bool sameViews(const ParameterValues& a, const ParameterValues& b)
         const bool shapes = row.name == "width" || row.name == "height" || row.name == "bleed";
         if (!rendered && shapes) return b[table.fitting] != Fitting::stretch;
         // The cameras are placed by what the lenses show, and framed by the print's shape.
-        return rendered && (row.group == "Sheet" || row.name == "width" || row.name == "height" ||
-                            row.name == "bleed" || row.name == "direction" || row.name == "distance" ||
-                            row.name == "infiniteDistance" || row.name == "visualPerInch");
+        return rendered &&
+               (row.group == "Sheet" || row.name == "width" || row.name == "height" || row.name == "bleed" ||
+                row.name == "direction" || row.name == "distance" || row.name == "visualPerInch");
     };
     for (std::size_t i = 0; i < a.rows().size(); ++i)
         if (a.row(i) != b.row(i) && decides(a.rows()[i])) return false;
@@ -80,8 +74,12 @@ bool sameViews(const ParameterValues& a, const ParameterValues& b)
 
 double viewingDistance(const ParameterValues& values)
 {
-    return values[printTable().infiniteDistance] ? std::numeric_limits<double>::infinity()
-                                                 : values[printTable().distance] * 1000;
+    return values[printTable().distance] * 1000;
+}
+
+int bitsOf(const ParameterValues& values)
+{
+    return values[printTable().bits] == PrintBits::eight ? 8 : 16;
 }
 
 Sheet sheetOf(const ParameterValues& values)
@@ -89,11 +87,11 @@ Sheet sheetOf(const ParameterValues& values)
     const PrintTable& table = printTable();
     Sheet sheet;
     if (values[table.lens] == LensShape::derived) {
-        sheet =
-            derivedSheet("", values[table.lensesPerInch], degrees(values[table.zone]), values[table.refractiveIndex]);
+        sheet = derivedSheet("derived", values[table.lensesPerInch], degrees(values[table.zone]),
+                             values[table.refractiveIndex]);
         sheet.conic = values[table.conic];
     } else {
-        sheet = {"",
+        sheet = {"own",
                  values[table.lensesPerInch],
                  0,
                  mm(values[table.radius]),
@@ -133,7 +131,7 @@ PrintSettings printSettings(const ParameterValues& values, int views)
     s.width = mm(values[table.width]);
     s.height = mm(values[table.height]);
     s.bleed = mm(values[table.bleed]);
-    s.distance = values[table.infiniteDistance] ? std::numeric_limits<double>::infinity() : mm(values[table.distance]);
+    s.distance = mm(values[table.distance]);
     s.visualLpi = values[table.visualPerInch];
     s.phase = values[table.phase];
     s.direction = degrees(values[table.direction]);
@@ -145,7 +143,7 @@ PrintSettings printSettings(const ParameterValues& values, int views)
     s.border = mm(values[table.border]);
     s.inkSpread = mm(values[table.inkSpread]);
     s.compensate = values[table.compensate];
-    s.dither = values[table.dither] && values[table.bits] == 0;  // 16 bits need none.
+    s.dither = values[table.dither] && values[table.bits] == PrintBits::eight;  // 16 bits need none.
     return s;
 }
 
@@ -158,8 +156,7 @@ ParameterValues withSettings(ParameterValues values, const PrintSettings& s)
     values.set(table.width, s.width / 1000);
     values.set(table.height, s.height / 1000);
     values.set(table.bleed, s.bleed / 1000);
-    values.set(table.infiniteDistance, std::isinf(s.distance));
-    if (!std::isinf(s.distance)) values.set(table.distance, s.distance / 1000);
+    values.set(table.distance, s.distance / 1000);
     values.set(table.visualPerInch, s.visualLpi);
     values.set(table.phase, s.phase);
     values.set(table.direction, s.direction * radiansPerDegree);

@@ -7,6 +7,7 @@
 #include "render/image/picture_stream.h"
 
 #include <cstdint>
+#include <limits>
 
 namespace vitrine::printing {
 
@@ -18,6 +19,7 @@ enum class ViewOrigin : std::uint8_t {
 };
 
 enum class LensShape : int { derived, given };
+enum class PrintBits : int { eight, sixteen };
 
 /// All parameters of a print made in the window. Lengths are in meters.
 struct PrintTable final : Parameters {
@@ -55,76 +57,92 @@ struct PrintTable final : Parameters {
                                      "Pitch finds the LPI that printer and sheet agree on; phase where the strips lie; "
                                      "views how many can be told apart; rotation whether the sheet is straight.");
     Real chartSpan = real("chartSpan", 0.01, percent, Range{0.0001, 0.2, logarithmic}.soft(0.001, 0.05),
-                          "How far a pitch chart goes each way: 1 % is coarse, 0.1 % fine.");
+                          "Span of a pitch chart, each way: 1 % is coarse, 0.1 % fine.", typedIn(percent),
+                          when(chart, ChartKind::pitch));
 
     Group sheetGroup = group("Sheet");
-    Real lensesPerInch =
-        real("lensesPerInch", 60, none, Range{1, 1000, logarithmic}.soft(10, 200), "LPI that the sheet is sold as.");
-    Real measuredPerInch = real(
-        "measuredPerInch", 0, none, Range{0, 1000}.soft(0, 200),
-        "LPI as a pitch chart showed it with this printer; 0: not measured, the one above counts.", reads(0, "auto"));
+    Real lensesPerInch = real("lensesPerInch", 60, none, Range{1, 1000, logarithmic}.soft(10, 200),
+                              "Lenses per inch that the sheet is sold as.", option("lpi"));
+    Real measuredPerInch =
+        real("measuredPerInch", 0, none, Range{0, 1000}.soft(0, 200),
+             "Lenses per inch as a pitch chart showed it with this printer. Auto: not measured, that of the sheet.",
+             reads(0, "auto"), option("effective-lpi"));
     Choice<LensShape> lens = choice(
         "lens", LensShape::derived, {"from the zone", "as given"},
         "Whether radius and thickness follow from LPI, zone and index, focused on the back, or are as given below.");
     Real zone = real("zone", degrees(30), degree, Range{degrees(0.5), degrees(115)}.soft(degrees(11), degrees(63)),
-                     "Angle in which all views are seen once: about 30° for depth, 50° for flips.");
+                     "Angle in which all views are seen once: about 30° for depth, 50° for flips.", typedIn(degree),
+                     when(lens, LensShape::derived));
     Real radius = real("radius", 0.000442, micrometer, Range{1e-6, 0.1, logarithmic}.soft(5e-5, 0.005),
-                       "Of curvature, at the lens top.");
+                       "Radius of curvature at the top of the lenses.", option("radius-um", micrometer),
+                       implies(lens, LensShape::given), when(lens, LensShape::given));
     Real thickness = real("thickness", 0.00123, micrometer, Range{1e-6, 0.1, logarithmic}.soft(1e-4, 0.01),
-                          "From lens top to print.");
-    Real refractiveIndex = real("refractiveIndex", 1.56, none, Range{1, 3}.soft(1.45, 1.65),
-                                "Of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.");
+                          "Thickness of the sheet, from lens top to print.", option("thickness-um", micrometer),
+                          implies(lens, LensShape::given), when(lens, LensShape::given));
+    Real refractiveIndex =
+        real("refractiveIndex", 1.56, none, Range{1, 3}.soft(1.45, 1.65),
+             "Refractive index of the plastic: 1.49 acrylic, 1.57 PET, 1.59 polystyrene.", option("index"));
     Real conic = real("conic", 0, none, Range{-4, 4}.soft(-1, 1),
-                      "0 is a circle; -1/n² the ellipse without spherical aberration.");
+                      "Conic constant of the lenses: 0 is a circle, -1/n² the ellipse without spherical aberration.");
 
     Group printGroup = group("Print");
-    Real width = real("width", 0.148, millimeter, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "After trimming.");
-    Real height = real("height", 0.105, millimeter, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "After trimming.");
-    Real bleed = real("bleed", 0, millimeter, Range{0, 1}.soft(0, 0.02),
-                      "Beyond the trim on every side; lenses and views go on there.");
-    Real border =
-        real("border", 0, millimeter, Range{0, 1}.soft(0, 0.05), "White paper around trim and bleed, on every side.");
-    Real dotsPerInch = real("dotsPerInch", 720, none, Range{1, 100000, logarithmic}.soft(150, 5760),
-                            "Of the printer, across; its native resolution or a whole fraction of it.");
-    Real dotsDown = real("dotsDown", 0, none, Range{0, 100000}.soft(0, 2880),
-                         "Dots per inch the other way, when they differ; 0: the same.", reads(0, "auto"),
-                         called("Dots per inch, vertical"));
-    Toggle infiniteDistance =
-        toggle("infiniteDistance", false, "For no distance in particular: strips lie exactly at lens pitch.");
-    Real distance = real("distance", 0.4, centimeter, Range{0.0001, 1000, logarithmic}.soft(0.1, 10),
-                         "From which it is looked at; the strips' pitch follows from it.");
-    Real visualPerInch =
-        real("visualPerInch", 0, none, Range{0, 1000}.soft(0, 200),
-             "LPI read from a pitch chart at that distance, in place of the one that follows from it; 0: not measured.",
-             reads(0, "auto"));
+    Real width = real("width", 0.148, millimeter, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "Trimmed width.",
+                      option("width-mm", millimeter), mustBeGiven());
+    Real height = real("height", 0.105, millimeter, Range{0.0001, 100, logarithmic}.soft(0.02, 2), "Trimmed height.",
+                       option("height-mm", millimeter), mustBeGiven());
+    Real bleed =
+        real("bleed", 0, millimeter, Range{0, 1}.soft(0, 0.02),
+             "Margin beyond the trim on every side; lenses and views go on there.", option("bleed-mm", millimeter));
+    Real border = real("border", 0, millimeter, Range{0, 1}.soft(0, 0.05),
+                       "White paper around trim and bleed, on every side.", option("border-mm", millimeter));
+    Real dotsPerInch =
+        real("dotsPerInch", 720, none, Range{1, 100000, logarithmic}.soft(150, 5760),
+             "Printed dots per inch: the native resolution of the printer or a whole fraction of it.", option("dpi"));
+    Real dotsDown =
+        real("dotsDown", 0, none, Range{0, 100000}.soft(0, 2880), "Dots per inch the other way. Auto: the same.",
+             reads(0, "auto"), option("dpi-y"), called("Dots per inch, vertical"));
+    Real distance = real(
+        "distance", std::numeric_limits<double>::infinity(), centimeter, Range{0.0001, 1000, logarithmic}.soft(0.1, 10),
+        "Viewing distance, from which the pitch of the strips follows. Inf: none in particular, strips lie exactly at "
+        "the pitch of the lenses.",
+        reads(std::numeric_limits<double>::infinity(), "inf"), option("distance-mm", millimeter));
+    Real visualPerInch = real(
+        "visualPerInch", 0, none, Range{0, 1000}.soft(0, 200),
+        "Lenses per inch read from a pitch chart at that distance. Auto: not measured, it follows from the distance.",
+        reads(0, "auto"), option("visual-lpi"));
     Real phase = real("phase", 0, none, Range{-1e6, 1e6}.soft(-0.5, 0.5),
-                      "Moves the strips under the lenses, in lenses; a phase chart tells.");
+                      "Shift of the strips under the lenses, in lenses; a phase chart tells.");
     Real direction = real("direction", 0.0, degree, {degrees(-90), degrees(90)},
-                          "Of the lenses: 0 upright for depth, 90 across for flips, between them slanted.");
-    Toggle reverse =
-        toggle("reverse", false,
-               "The first view on the left under each lens: turns depth inside out, or a reversed sequence right.");
-    Toggle mirror = toggle("mirror", false, "For printing on the sheet's back.");
-    Choice<Method> method = choice("method", Method::area, {"nearest", "area", "guard"},
-                                   "How a printed dot chooses among the views under it: the one at its middle, all by "
-                                   "area, or by area with blended strip edges.");
+                          "Direction of the lenses: upright for depth, across for flips, between them slanted.",
+                          reads(0, "vertical"), reads(degrees(90), "horizontal"), typedIn(degree));
+    Toggle reverse = toggle("reverse", false,
+                            "Whether the first view lies on the left under each lens: turns depth inside out, or a "
+                            "reversed sequence right.");
+    Toggle mirror = toggle("mirror", false, "Whether the print is mirrored, for printing on the back of the sheet.");
+    Choice<Method> method =
+        choice("method", Method::area, {"nearest", "area", "guard"},
+               "Way that a printed dot chooses among the views under it: the one at its middle, all by "
+               "area, or by area with blended strip edges.");
     Real inkSpread =
         real("inkSpread", 0, micrometer, Range{0, 0.001}.soft(0, 0.00006),
-             "How far a printed point spreads (standard deviation): counts as cross-talk; 10 to 40 µm are usual.");
+             "Spread of a printed point (standard deviation), which counts as cross-talk; 10 to 40 µm are usual.",
+             option("ink-um", micrometer));
     Toggle compensate =
         toggle("compensate", false, "Change the views so that the sheet's mixing of them shows less; costs contrast.",
-               called("Compensate cross-talk"));
-    Real guard = real("guard", 0.25, percent, {0, 1}, "Part of a strip that its two blended edges take.");
+               called("Compensate cross-talk"), option("crosstalk-compensation"));
+    Real guard = real("guard", 0.25, percent, {0, 1}, "Part of a strip that its two blended edges take.",
+                      when(method, Method::guard));
 
     Group outputGroup = group("Output");
-    Choice<int> bits = choice("bits", 0, {"8", "16"}, "Bits per channel.");
-    Toggle dither = toggle("dither", false, "Spread what 8 bits cannot say over neighboring dots.");
+    Choice<PrintBits> bits = choice("bits", PrintBits::eight, {"8", "16"}, "Bits per channel.");
+    Toggle dither =
+        toggle("dither", false, "Spread what 8 bits cannot say over neighboring dots.", when(bits, PrintBits::eight));
     Choice<render::StreamCompression> compression =
         choice("compression", render::StreamCompression::none, {"none", "deflate"},
-               "Of TIFF: none is what every print shop reads. PNG is always compressed.");
-    Real tileWidth =
-        real("tileWidth", 0, millimeter, Range{0, 100}.soft(0, 1),
-             "Cuts the print into files of about this width, between lenses; 0: one file.", reads(0, "auto"));
+               "Compression of a TIFF: none is what every print shop reads. PNG is always compressed.");
+    Real tileWidth = real("tileWidth", 0, millimeter, Range{0, 100}.soft(0, 1),
+                          "Width of the files into which the print is cut, between lenses. Auto: one file.",
+                          reads(0, "auto"), option("tile-mm", millimeter), when(direction, 0.0));
 };
 
 /// Returns the table to which all values below belong.
@@ -136,6 +154,8 @@ struct PrintTable final : Parameters {
 [[nodiscard]] bool sameViews(const ParameterValues&, const ParameterValues&);
 /// Returns the distance from which the print is viewed, in millimeters; may be infinite.
 [[nodiscard]] double viewingDistance(const ParameterValues&);
+/// Returns the bits per channel of the file.
+[[nodiscard]] int bitsOf(const ParameterValues&);
 
 /// Returns the sheet of the values. Throws Failure (Blame::usage) with the limit if it is impossible.
 [[nodiscard]] Sheet sheetOf(const ParameterValues&);

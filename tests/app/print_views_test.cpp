@@ -1,4 +1,5 @@
 // Prints of exhibits, quilts and sequences, as users make them.
+#include "exhibits/jobs/kit/job_options.h"
 #include "exhibits/printing/print_json.h"
 #include "exhibits/printing/proof.h"
 #include "exhibits/printing/sheet.h"
@@ -120,8 +121,7 @@ TEST(PrintExhibit, WarnsOfDepthThatThePrintCannotHold)
     EXPECT_NE(ended.err.find("without doubled contours"), std::string::npos) << ended.err;
     EXPECT_NE(ended.err.find("A baseline scale of"), std::string::npos) << ended.err;
     EXPECT_NE(ended.out.find("2 cameras over"), std::string::npos) << ended.out;
-    const Ended reversed =
-        test::vitrine(printing(folder / "p.tif", theMug + Words{"--count", "2", "--order", "reverse"}));
+    const Ended reversed = test::vitrine(printing(folder / "p.tif", theMug + Words{"--count", "2", "--reverse"}));
     EXPECT_NE(reversed.err.find("inside out"), std::string::npos) << reversed.err;
 }
 
@@ -342,6 +342,38 @@ TEST(PrintPictures, NamesWhatIsLeftOutAndRefusesWhatHasNoEffect)
     refused("p.tif", views + Words{"--chart-span", "1"}, {"--chart-span has no effect without --chart pitch"});
     refused("p.tif", views + Words{"--chart", "pitch"}, {"--views has no effect on a --chart"});
     refused("p.tif", theMug + Words{"--count", "2", "--fit", "crop"}, {"--fit", "--exhibit"});
+}
+
+TEST(PrintCommand, HasAnOptionForEachParameterOfSheetPrintAndOutput)
+{
+    const std::string help = test::vitrine({"print", "--help"}).out;
+    const printing::PrintTable& table = printing::printTable();
+    int options = 0;
+    for (const jobs::JobOption& option : jobs::optionsOf(table)) {
+        const ParameterInfo& parameter = table.rows()[option.parameters.front()];
+        if (parameter.group != "Sheet" && parameter.group != "Print" && parameter.group != "Output") continue;
+        ++options;
+        EXPECT_NE(help.find(option.name + ' '), std::string::npos) << option.name;
+        EXPECT_NE(help.find(jobs::typeText(table, option)), std::string::npos) << option.name;
+    }
+    EXPECT_EQ(options, 28);
+}
+
+TEST(PrintCommand, TheLpiGivenBesideASheetIsTheMeasuredOne)
+{
+    const TemporaryFolder folder;
+    const auto sheetOf = [&](const Words& more) {
+        const Ended ended = test::vitrine(Words{"print", "--sheet", "60-3d", "--width-mm", "50", "--height-mm", "50",
+                                                "--chart", "pitch", "--out", folder / "p.tif"} +
+                                          more);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return printing::settingsFromJson(render::readJson(folder / "p.tif.json")).sheet;
+    };
+    EXPECT_EQ(sheetOf({}).effectiveLpi, printing::knownSheet("60-3d").effectiveLpi);
+    EXPECT_EQ(sheetOf({"--lpi", "60"}).effectiveLpi, 60);
+    EXPECT_EQ(sheetOf({"--lpi", "60.2"}).effectiveLpi, 60.2);
+    EXPECT_EQ(sheetOf({"--lpi", "60.2", "--effective-lpi", "60.1"}).effectiveLpi, 60.1);
+    EXPECT_EQ(sheetOf({"--lpi", "60.2"}).nominalLpi, 60);
 }
 
 TEST(PrintPictures, TakesASequenceBackAndForthInTheOrderOfItsNumbers)

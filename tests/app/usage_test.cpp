@@ -274,9 +274,10 @@ TEST(UsageOfNumbers, TooLargeForAFileIsRefusedBeforeAnythingIsReadOrDrawn)
         "x.tif", {"--width-mm", "30", "--height-mm", "30", "--bleed-mm", "999", "--border-mm", "999", "--dpi", "99999"},
         2, "which ends at 1048576 per side");
     // 2362181 x 2362181 pixels of 3 bytes, a quarter of which is needed, plus a tenth: 4.6e12 bytes.
-    expectRefused("x.png", {"--width-mm", "99999", "--height-mm", "99999"}, 5, "it needs 46034");
+    expectRefused("x.png", {"--width-mm", "99999", "--height-mm", "99999", "--dpi", "600"}, 5, "it needs 46034");
     // 2362181 x 236197 pixels of 3 bytes plus a tenth: 1.8412e12 bytes.
-    expectRefused("x.tif", {"--width-mm", "99999", "--height-mm", "9999", "--tile-mm", "30"}, 5, "it needs 18412");
+    expectRefused("x.tif", {"--width-mm", "99999", "--height-mm", "9999", "--tile-mm", "30", "--dpi", "600"}, 5,
+                  "it needs 18412");
     const Ended sprite = test::vitrine({"sprite", "none.glb", "--size", "20000x20", "--out", folder / "s.png"});
     EXPECT_EQ(sprite.code, 2);
     expectOneSentence(sprite, {"--size 20000x20 \"20000\": give a whole number from 1 to 16384."});

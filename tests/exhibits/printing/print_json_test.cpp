@@ -63,7 +63,7 @@ TEST_F(SettingsText, APrintOfTheCommandLineBringsItsSettingsBack)
     EXPECT_NEAR(read.sheet.radius, s.sheet.radius, 1e-12);
     EXPECT_NEAR(read.sheet.thickness, s.sheet.thickness, 1e-12);
     EXPECT_EQ(sheets_.nameOf(sheetOf(back.values)), "75-measured");
-    EXPECT_TRUE(back.values[table_.infiniteDistance]);
+    EXPECT_TRUE(std::isinf(back.values[table_.distance]));
 }
 
 TEST_F(SettingsText, BrokenSettingsNameFileAndKey)
@@ -91,7 +91,7 @@ TEST_F(SettingsText, BrokenSettingsNameFileAndKey)
 TEST_F(SettingsText, TheWrittenPrintCarriesItsSettingsAndComesBack)
 {
     values_.set(table_.phase, 0.125);
-    values_.set(table_.bits, 1);
+    values_.set(table_.bits, PrintBits::sixteen);
     values_.set(table_.reverse, true);
     const fs::path file = folder_.path() / "print.tif";
     exportPrint(values_, solid(12).get(), {"a.png", "b.png"}, file, {});

@@ -83,7 +83,7 @@ double middleLevel(const CodedPicture& picture)
 
 TEST_F(Previews, EveryViewIsSeenAtItsAngleInOrderAndTheZoneStartsAgain)
 {
-    values_.set(table_.infiniteDistance, true);
+    values_.set(table_.distance, std::numeric_limits<double>::infinity());
     values_.set(table_.dotsPerInch, 1440.0);
     const int count = 6;
     for (const double direction : {0.0, 90.0, 15.0}) {

@@ -7,6 +7,7 @@
 #include <QWheelEvent>
 
 #include <cmath>
+#include <limits>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -26,7 +27,8 @@ private slots:
         dialog_->open(solidViews(count));
         settle();
         ParameterValues values = dialog_->values();
-        values.setRow(*values.table().find("infiniteDistance"), 1.0);  // One direction for the whole card.
+        values.setRow(*values.table().find("distance"),
+                      std::numeric_limits<double>::infinity());  // One direction for the whole card.
         values.setRow(*values.table().find("width"), 0.03);
         values.setRow(*values.table().find("height"), 0.02);
         values.setRow(*values.table().find("dotsPerInch"), 1440.0);

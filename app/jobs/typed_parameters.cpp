@@ -1,0 +1,49 @@
+#include "app/jobs/typed_parameters.h"
+
+#include <CLI/CLI.hpp>
+
+namespace vitrine::app {
+
+void TypedParameters::addTo(CLI::App& command, const Parameters& table, const Wanted& wanted)
+{
+    const std::vector<jobs::JobOption> options = jobs::optionsOf(table);
+    words_.resize(options.size());
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const jobs::JobOption& option = options[i];
+        const ParameterInfo& first = table.rows()[option.parameters.front()];
+        if (wanted && !wanted(first)) continue;
+        const std::string help = jobs::helpText(table, option);
+        if (option.isFlag) {
+            // Both ways: a document may have it either way. The help shows the one that changes the initial value.
+            const bool on = std::get<double>(first.initial) != 0;
+            command.add_flag(option.name, help)->group(on ? "" : "Options");
+            const std::string off = "Switches off, which is on at first: " + help;
+            command.add_flag(jobs::withoutFlag(option), off)->group(on ? "Options" : "");
+            continue;
+        }
+        CLI::Option* added = command.add_option(option.name, words_[i], help);
+        added->type_name(jobs::typeText(table, option))->default_str(jobs::initialText(table, option));
+        if (option.several)
+            added->take_all()->allow_extra_args(true);
+        else
+            added->expected(1)->multi_option_policy(CLI::MultiOptionPolicy::Throw);
+    }
+}
+
+void TypedParameters::read(const CLI::App& command, jobs::GivenValues& given) const
+{
+    const std::vector<jobs::JobOption>& options = given.options();
+    for (std::size_t i = 0; i < options.size(); ++i) {
+        const jobs::JobOption& option = options[i];
+        if (!option.isFlag) {
+            if (!words_[i].empty()) given.type(option, words_[i]);
+            continue;
+        }
+        for (const bool on : {true, false}) {
+            const CLI::Option* flag = command.get_option_no_throw(on ? option.name : jobs::withoutFlag(option));
+            if (flag && flag->count() > 0) given.turn(option, on);
+        }
+    }
+}
+
+}  // namespace vitrine::app
