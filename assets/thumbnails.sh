@@ -22,25 +22,25 @@ done
 $program render lenticular --size 480x300 --samples 16 --out assets/pictures/lenticular-card.png
 $program render lenticular --eye=-3.0444,1.114,3.0205 --target=-3.1905,1.084,2.9535 --fov 40 --size 480x300 --samples 16 --out assets/pictures/lenticular-lenses.png
 $program render fur --preset assets/presets/fur/in-mid-air.json --size 1280x720 --samples 16 --out assets/pictures/fur.png
-for look in cat sea-urchin grass dandelion poodle as-in-the-source teddy carpet as-in-the-reference-video; do
+for look in cat sea-urchin grass dandelion poodle reference teddy carpet as-in-the-reference-video; do
     $program render fur --preset assets/presets/fur/$look.json --size 480x300 --samples 16 --out assets/pictures/fur-$look.png
 done
 $program render ice_cream --size 960x540 --samples 16 --out assets/pictures/ice-cream.png
-$program render ice_cream --alone --preset assets/presets/ice_cream/as-in-the-source.json --size 784x441 --samples 16 --out assets/pictures/ice-cream-as-in-the-source.png
+$program render ice_cream --alone --preset assets/presets/ice_cream/reference.json --size 784x441 --samples 16 --out assets/pictures/ice-cream-reference.png
 for look in evening-clouds noon-clouds above-the-clouds storm wax asteroids; do
     $program render noise --alone --preset assets/presets/noise/$look.json --size 480x300 --samples 16 --out assets/pictures/noise-$look.png
 done
 $program render noise --size 960x540 --samples 16 --out assets/pictures/noise.png
 $program render paper_lanterns --size 960x540 --samples 16 --out assets/pictures/paper-lanterns.png
-for look in as-in-the-source dusk full-moon festival storm fog dawn; do
+for look in reference dusk full-moon festival storm fog dawn; do
     $program render paper_lanterns --alone --preset assets/presets/paper_lanterns/$look.json --size 480x300 --samples 16 --out assets/pictures/paper-lanterns-$look.png
 done
-for look in dahlia rotunda still-life as-in-the-source-primitives primitives; do
+for look in dahlia rotunda still-life reference-primitives primitives; do
     $program render sdf_scenes --alone --preset assets/presets/sdf_scenes/$look.json --size 480x300 --samples 16 --out assets/pictures/scenes-$look.png
 done
 $program render sdf_scenes --size 960x540 --samples 16 --out assets/pictures/scenes.png
 $program render pixel_art --size 960x540 --samples 16 --out assets/pictures/pixel-art.png
-for look in as-in-the-source handheld-of-1989 console-of-1983 low-sun; do
+for look in reference handheld-of-1989 console-of-1983 low-sun; do
     $program render pixel_art --alone --preset assets/presets/pixel_art/$look.json --size 480x270 --samples 1 --out assets/pictures/pixel-art-$look.png
 done
 $program render pixel_art --alone --size 960x540 --samples 1 --out assets/pictures/pixel-art-isle.png

@@ -27,10 +27,10 @@ figure crepuscular_rays-mask crepuscular_rays --preset the-mask
 figure crepuscular_rays-screen crepuscular_rays --set technique="screen space" --eye=0.9,1.65,-3.5 --target=0,4.3,-12 --fov 55
 figure crepuscular_rays-few crepuscular_rays --preset volume --set volumeSteps=4 --set jitter=off
 figure crepuscular_rays-volume crepuscular_rays --preset volume
-figure sdf_scenes-picture sdf_scenes --alone --preset as-in-the-source-primitives
-figure sdf_scenes-heat sdf_scenes --alone --preset as-in-the-source-primitives --set heatMap=evaluations --set heatScale=160
-figure sdf_scenes-classic sdf_scenes --alone --preset as-in-the-source-primitives --set shadowMethod=classic --set lampSize=1
-figure sdf_scenes-area sdf_scenes --alone --preset as-in-the-source-primitives --set shadowMethod=area --set lampSize=1
+figure sdf_scenes-picture sdf_scenes --alone --preset reference-primitives
+figure sdf_scenes-heat sdf_scenes --alone --preset reference-primitives --set heatMap=evaluations --set heatScale=160
+figure sdf_scenes-classic sdf_scenes --alone --preset reference-primitives --set shadowMethod=classic --set lampSize=1
+figure sdf_scenes-area sdf_scenes --alone --preset reference-primitives --set shadowMethod=area --set lampSize=1
 figure noise-value noise --alone --preset wax --set kind=value
 figure noise-gradient noise --alone --preset wax
 figure noise-once noise --alone --preset evening-clouds --set scatterings=1

@@ -1647,12 +1647,12 @@ Zeiten nach: %2.</translation>
         <translation>Eine Szene von mehr als 1 MB wird hier nicht bearbeitet; ändern Sie ihre Datei.</translation>
     </message>
     <message>
-        <source>a scene of the source</source>
-        <translation>eine Szene des Originals</translation>
+        <source>a scene of the reference</source>
+        <translation>eine Szene der Referenz</translation>
     </message>
     <message>
-        <source>a scene of the source needs a &quot;camera&quot;</source>
-        <translation>eine Szene des Originals braucht eine „camera“</translation>
+        <source>a scene of the reference needs a &quot;camera&quot;</source>
+        <translation>eine Szene der Referenz braucht eine „camera“</translation>
     </message>
     <message>
         <source>A shader failed to compile; the last good picture is kept. Save the file to try again.</source>
@@ -1941,6 +1941,11 @@ Zeiten nach: %2.</translation>
         <source>Accuracy</source>
         <extracomment>tables</extracomment>
         <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>adaptive</source>
+        <extracomment>tables</extracomment>
+        <translation>adaptiv</translation>
     </message>
     <message>
         <source>Add</source>
@@ -2437,89 +2442,12 @@ Zeiten nach: %2.</translation>
         <translation>nach der Schwerkraft</translation>
     </message>
     <message>
+        <source>As in the reference</source>
+        <translation>Wie in der Referenz</translation>
+    </message>
+    <message>
         <source>As in the reference video</source>
-        <translation>Wie im Video des Originals</translation>
-    </message>
-    <message>
-        <source>As in the source</source>
-        <translation>Wie im Original</translation>
-    </message>
-    <message>
-        <source>as in the source</source>
-        <extracomment>tables</extracomment>
-        <translation>wie im Original</translation>
-    </message>
-    <message>
-        <source>As in the source: ambient occlusion</source>
-        <translation>Wie im Original: Umgebungsverdeckung</translation>
-    </message>
-    <message>
-        <source>As in the source: boxes</source>
-        <translation>Wie im Original: Quader</translation>
-    </message>
-    <message>
-        <source>As in the source: clouds</source>
-        <translation>Wie im Original: Wolken</translation>
-    </message>
-    <message>
-        <source>As in the source: environment mapping 1</source>
-        <translation>Wie im Original: Umgebungsspiegelung 1</translation>
-    </message>
-    <message>
-        <source>As in the source: environment mapping 2</source>
-        <translation>Wie im Original: Umgebungsspiegelung 2</translation>
-    </message>
-    <message>
-        <source>As in the source: field</source>
-        <translation>Wie im Original: Feld</translation>
-    </message>
-    <message>
-        <source>As in the source: fractal noise</source>
-        <translation>Wie im Original: fraktales Rauschen</translation>
-    </message>
-    <message>
-        <source>As in the source: fractal sum</source>
-        <translation>Wie im Original: fraktale Summe</translation>
-    </message>
-    <message>
-        <source>As in the source: intersections</source>
-        <translation>Wie im Original: Schnittmengen</translation>
-    </message>
-    <message>
-        <source>As in the source: noise</source>
-        <translation>Wie im Original: Rauschen</translation>
-    </message>
-    <message>
-        <source>As in the source: primitives</source>
-        <translation>Wie im Original: Grundformen</translation>
-    </message>
-    <message>
-        <source>As in the source: sea</source>
-        <translation>Wie im Original: Meer</translation>
-    </message>
-    <message>
-        <source>As in the source: shading</source>
-        <translation>Wie im Original: Schattierung</translation>
-    </message>
-    <message>
-        <source>As in the source: spheres, cylinders, capsules</source>
-        <translation>Wie im Original: Kugeln, Zylinder, Kapseln</translation>
-    </message>
-    <message>
-        <source>As in the source: subtractions</source>
-        <translation>Wie im Original: Differenzen</translation>
-    </message>
-    <message>
-        <source>As in the source: tori</source>
-        <translation>Wie im Original: Tori</translation>
-    </message>
-    <message>
-        <source>As in the source: unions</source>
-        <translation>Wie im Original: Vereinigungen</translation>
-    </message>
-    <message>
-        <source>As in the source: waves</source>
-        <translation>Wie im Original: Wellen</translation>
+        <translation>Wie im Video der Referenz</translation>
     </message>
     <message>
         <source>As in the window</source>
@@ -4328,12 +4256,12 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Color of the reference's ambient light, of which more comes from above.</source>
         <extracomment>tables</extracomment>
-        <translation>Farbe des Umgebungslichts des Originals, von dem mehr von oben kommt.</translation>
+        <translation>Farbe des Umgebungslichts der Referenz, von dem mehr von oben kommt.</translation>
     </message>
     <message>
         <source>Color of the reference's sun.</source>
         <extracomment>tables</extracomment>
-        <translation>Farbe der Sonne des Originals.</translation>
+        <translation>Farbe der Sonne der Referenz.</translation>
     </message>
     <message>
         <source>Color of the sand in white light.</source>
@@ -4592,7 +4520,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Content of a strip: the one color that its lens shows (flat), or its slice of the view, squeezed as in the reference.</source>
         <extracomment>tables</extracomment>
-        <translation>Inhalt eines Streifens: die eine Farbe, die seine Linse zeigt (flach), oder sein Ausschnitt der Ansicht, gestaucht wie im Original.</translation>
+        <translation>Inhalt eines Streifens: die eine Farbe, die seine Linse zeigt (flach), oder sein Ausschnitt der Ansicht, gestaucht wie in der Referenz.</translation>
     </message>
     <message>
         <source>Contrast</source>
@@ -4846,8 +4774,8 @@ Zeiten nach: %2.</translation>
         <translation>Würfelkarte aus sechs quadratischen Bildern.</translation>
     </message>
     <message>
-        <source>cube map of the source</source>
-        <translation>Würfelbild des Originals</translation>
+        <source>cube map of the reference</source>
+        <translation>Würfelbild der Referenz</translation>
     </message>
     <message>
         <source>Curl</source>
@@ -5030,7 +4958,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Density of the reference's black fog: light falls to 1/e where this value times the cube of the distance is 1.</source>
         <extracomment>tables</extracomment>
-        <translation>Dichte des schwarzen Nebels des Originals: Licht fällt auf 1/e, wo dieser Wert mal die dritte Potenz der Entfernung 1 ist.</translation>
+        <translation>Dichte des schwarzen Nebels der Referenz: Licht fällt auf 1/e, wo dieser Wert mal die dritte Potenz der Entfernung 1 ist.</translation>
     </message>
     <message>
         <source>Depth</source>
@@ -5161,7 +5089,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Direction to the sun of the reference.</source>
         <extracomment>tables</extracomment>
-        <translation>Richtung zur Sonne des Originals.</translation>
+        <translation>Richtung zur Sonne der Referenz.</translation>
     </message>
     <message>
         <source>Direction to the sun.</source>
@@ -5273,7 +5201,7 @@ Zeiten nach: %2.</translation>
     <message>
         <source>Distance beyond which shapes cause no ambient occlusion; the reference has no such limit.</source>
         <extracomment>tables</extracomment>
-        <translation>Abstand, ab dem Formen keine Umgebungsverdeckung bewirken; das Original kennt keine solche Grenze.</translation>
+        <translation>Abstand, ab dem Formen keine Umgebungsverdeckung bewirken; die Referenz kennt keine solche Grenze.</translation>
     </message>
     <message>
         <source>Distance by which one step of the mouse wheel approaches an exhibit.</source>
@@ -5552,9 +5480,9 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
         <translation>Kantenwinkel</translation>
     </message>
     <message>
-        <source>Edge detection: ours, one texel wide with thresholds that follow distance and slope, or the formulas of the reference in meters.</source>
+        <source>Edge detection: adaptive, one texel wide with thresholds that follow distance and slope, or the formulas of the reference in meters.</source>
         <extracomment>tables</extracomment>
-        <translation>Kantenerkennung: unsere, ein Texel breit mit Schwellen, die Entfernung und Steigung folgen, oder die Formeln des Originals in Metern.</translation>
+        <translation>Kantenerkennung: adaptiv, ein Texel breit mit Schwellen, die Entfernung und Steigung folgen, oder die Formeln der Referenz in Metern.</translation>
     </message>
     <message>
         <source>Edge fade</source>
@@ -5959,7 +5887,7 @@ Pos1 oder ein Doppelklick schaut gerade darauf.</translation>
     </message>
     <message>
         <source>Factor k of the reference's soft shadows: low is soft, high is sharp, 0 is hard.</source>
-        <translation>Faktor k der weichen Schatten des Originals: Niedrige Werte sind weich, hohe scharf, 0 ist hart.</translation>
+        <translation>Faktor k der weichen Schatten der Referenz: Niedrige Werte sind weich, hohe scharf, 0 ist hart.</translation>
     </message>
     <message>
         <source>Factor of the brightness.</source>
@@ -6854,7 +6782,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Height of the five waves, relative to the reference: 0 is flat water.</source>
         <extracomment>tables</extracomment>
-        <translation>Höhe der fünf Wellen, gegenüber dem Original: 0 ist glattes Wasser.</translation>
+        <translation>Höhe der fünf Wellen, gegenüber der Referenz: 0 ist glattes Wasser.</translation>
     </message>
     <message>
         <source>Height of the flame above the base.</source>
@@ -7502,7 +7430,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     </message>
     <message>
         <source>it is shown alone in the light of the reference</source>
-        <translation>es wird allein im Licht des Originals gezeigt</translation>
+        <translation>es wird allein im Licht der Referenz gezeigt</translation>
     </message>
     <message>
         <source>it is too large</source>
@@ -7930,7 +7858,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Largest angle by which the tips lag behind the rotation of their body; the reference allows 30 degrees.</source>
         <extracomment>tables</extracomment>
-        <translation>Größter Winkel, um den die Spitzen hinter der Drehung ihres Körpers zurückbleiben; das Original erlaubt 30 Grad.</translation>
+        <translation>Größter Winkel, um den die Spitzen hinter der Drehung ihres Körpers zurückbleiben; die Referenz erlaubt 30 Grad.</translation>
     </message>
     <message>
         <source>Largest displacement of the tips, in strand lengths.</source>
@@ -7981,7 +7909,7 @@ Optik, Druckpunkte und so weit verlaufende Tinte, wie eingestellt ist.</translat
     <message>
         <source>Largest number of steps of a ray to find the field, or the sea as in the reference.</source>
         <extracomment>tables</extracomment>
-        <translation>Höchstzahl der Schritte eines Strahls, um das Feld oder das Meer wie im Original zu finden.</translation>
+        <translation>Höchstzahl der Schritte eines Strahls, um das Feld oder das Meer wie in der Referenz zu finden.</translation>
     </message>
     <message>
         <source>Largest number of steps of a ray; beyond it, the ray ends at the best candidate so far.</source>
@@ -8289,14 +8217,14 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Beleuchtung</translation>
     </message>
     <message>
-        <source>Lighting model: ours, with translucent paper and Fresnel reflections, or that of the reference.</source>
+        <source>Lighting model: physically based, with translucent paper and Fresnel reflections, or that of the reference.</source>
         <extracomment>tables</extracomment>
-        <translation>Beleuchtungsmodell: unseres, mit durchscheinendem Papier und Fresnel-Spiegelungen, oder das des Originals.</translation>
+        <translation>Beleuchtungsmodell: physikalisch basiert, mit durchscheinendem Papier und Fresnel-Spiegelungen, oder das der Referenz.</translation>
     </message>
     <message>
         <source>Lighting of the ice cream: by the hall around it, or by the sun, ambient light and fog of the reference.</source>
         <extracomment>tables</extracomment>
-        <translation>Beleuchtung des Eises: durch die Halle ringsum oder durch Sonne, Umgebungslicht und Nebel des Originals.</translation>
+        <translation>Beleuchtung des Eises: durch die Halle ringsum oder durch Sonne, Umgebungslicht und Nebel der Referenz.</translation>
     </message>
     <message>
         <source>linear</source>
@@ -8800,7 +8728,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Model of the highlights of the reference's sun: microfacets (GGX), or Blinn-Phong with the exponent 2^(10 (1 - roughness)).</source>
         <extracomment>tables</extracomment>
-        <translation>Modell der Glanzlichter der Sonne des Originals: Mikrofacetten (GGX) oder Blinn-Phong mit dem Exponenten 2^(10 (1 - Rauheit)).</translation>
+        <translation>Modell der Glanzlichter der Sonne der Referenz: Mikrofacetten (GGX) oder Blinn-Phong mit dem Exponenten 2^(10 (1 - Rauheit)).</translation>
     </message>
     <message>
         <source>Model plinth height</source>
@@ -8825,7 +8753,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Model that finds the strip seen at a view angle: proportional to its tangent as in the reference (linear), first-order optics (paraxial), or Snell's law at the lens (exact).</source>
         <extracomment>tables</extracomment>
-        <translation>Modell, das den Streifen zu einem Blickwinkel findet: proportional zum Tangens wie im Original (linear), Optik erster Ordnung (paraxial) oder das Brechungsgesetz an der Linse (exakt).</translation>
+        <translation>Modell, das den Streifen zu einem Blickwinkel findet: proportional zum Tangens wie in der Referenz (linear), Optik erster Ordnung (paraxial) oder das Brechungsgesetz an der Linse (exakt).</translation>
     </message>
     <message>
         <source>Moire, without a filter</source>
@@ -8914,7 +8842,7 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Motion of the lanterns: on a separate wave as in the reference, or on the water under their base.</source>
         <extracomment>tables</extracomment>
-        <translation>Bewegung der Laternen: auf einer eigenen Welle wie im Original oder auf dem Wasser unter ihrem Boden.</translation>
+        <translation>Bewegung der Laternen: auf einer eigenen Welle wie in der Referenz oder auf dem Wasser unter ihrem Boden.</translation>
     </message>
     <message>
         <source>Motion of the window. Reduced: the camera jumps instead of gliding, panels do not slide, messages do not fade, and the exhibits' clock is paused until you start it (Space in the picture) or press an exhibit's button. Walking and dragging are not affected.</source>
@@ -10123,11 +10051,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Unser eigener wird an seiner Stelle gezeigt, bis er gelesen werden kann.</translation>
     </message>
     <message>
-        <source>ours</source>
-        <extracomment>tables</extracomment>
-        <translation>unsere</translation>
-    </message>
-    <message>
         <source>out of view</source>
         <translation>außer Sicht</translation>
     </message>
@@ -10457,7 +10380,12 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     </message>
     <message>
         <source>Phong shading with a mirror, as in the reference of these scenes.</source>
-        <translation>Phong-Beleuchtung mit Spiegel, wie im Original dieser Szenen.</translation>
+        <translation>Phong-Beleuchtung mit Spiegel, wie in der Referenz dieser Szenen.</translation>
+    </message>
+    <message>
+        <source>physically based</source>
+        <extracomment>tables</extracomment>
+        <translation>physikalisch basiert</translation>
     </message>
     <message>
         <source>Physically based material: metal, glaze, stone or glass.</source>
@@ -11370,8 +11298,110 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Referenz</translation>
     </message>
     <message>
+        <source>reference</source>
+        <extracomment>tables</extracomment>
+        <translation>Referenz</translation>
+    </message>
+    <message>
+        <source>Reference ambient</source>
+        <extracomment>tables</extracomment>
+        <translation>Umgebungslicht (Referenz)</translation>
+    </message>
+    <message>
+        <source>Reference fog</source>
+        <extracomment>tables</extracomment>
+        <translation>Nebel (Referenz)</translation>
+    </message>
+    <message>
         <source>reference of {1}</source>
         <translation>Referenz von {1}</translation>
+    </message>
+    <message>
+        <source>Reference sun</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonne (Referenz)</translation>
+    </message>
+    <message>
+        <source>Reference sun color</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenfarbe (Referenz)</translation>
+    </message>
+    <message>
+        <source>Reference sun strength</source>
+        <extracomment>tables</extracomment>
+        <translation>Sonnenstärke (Referenz)</translation>
+    </message>
+    <message>
+        <source>Reference: ambient occlusion</source>
+        <translation>Referenz: Umgebungsverdeckung</translation>
+    </message>
+    <message>
+        <source>Reference: boxes</source>
+        <translation>Referenz: Quader</translation>
+    </message>
+    <message>
+        <source>Reference: clouds</source>
+        <translation>Referenz: Wolken</translation>
+    </message>
+    <message>
+        <source>Reference: environment mapping 1</source>
+        <translation>Referenz: Umgebungsspiegelung 1</translation>
+    </message>
+    <message>
+        <source>Reference: environment mapping 2</source>
+        <translation>Referenz: Umgebungsspiegelung 2</translation>
+    </message>
+    <message>
+        <source>Reference: field</source>
+        <translation>Referenz: Feld</translation>
+    </message>
+    <message>
+        <source>Reference: fractal noise</source>
+        <translation>Referenz: fraktales Rauschen</translation>
+    </message>
+    <message>
+        <source>Reference: fractal sum</source>
+        <translation>Referenz: fraktale Summe</translation>
+    </message>
+    <message>
+        <source>Reference: intersections</source>
+        <translation>Referenz: Schnittmengen</translation>
+    </message>
+    <message>
+        <source>Reference: noise</source>
+        <translation>Referenz: Rauschen</translation>
+    </message>
+    <message>
+        <source>Reference: primitives</source>
+        <translation>Referenz: Grundformen</translation>
+    </message>
+    <message>
+        <source>Reference: sea</source>
+        <translation>Referenz: Meer</translation>
+    </message>
+    <message>
+        <source>Reference: shading</source>
+        <translation>Referenz: Schattierung</translation>
+    </message>
+    <message>
+        <source>Reference: spheres, cylinders, capsules</source>
+        <translation>Referenz: Kugeln, Zylinder, Kapseln</translation>
+    </message>
+    <message>
+        <source>Reference: subtractions</source>
+        <translation>Referenz: Differenzen</translation>
+    </message>
+    <message>
+        <source>Reference: tori</source>
+        <translation>Referenz: Tori</translation>
+    </message>
+    <message>
+        <source>Reference: unions</source>
+        <translation>Referenz: Vereinigungen</translation>
+    </message>
+    <message>
+        <source>Reference: waves</source>
+        <translation>Referenz: Wellen</translation>
     </message>
     <message>
         <source>Refining (%1 of %2 samples)</source>
@@ -11505,11 +11535,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>Rendering at %1 %</source>
         <translation>Rendert mit %1 %</translation>
-    </message>
-    <message>
-        <source>Rendering of the work: ours, or that of the scenes that this exhibit follows.</source>
-        <extracomment>tables</extracomment>
-        <translation>Darstellung des Werks: unsere oder die der Szenen, denen dieses Exponat folgt.</translation>
     </message>
     <message>
         <source>Rendering the views was stopped; nothing was written.</source>
@@ -12492,7 +12517,12 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Shading of the scene: as set in its file, physically based (metal, glaze and glass), or by Phong's formulas as in the reference.</source>
         <extracomment>tables</extracomment>
-        <translation>Beleuchtung der Szene: wie in ihrer Datei, physikalisch (Metall, Glasur und Glas) oder nach Phongs Formeln wie im Original.</translation>
+        <translation>Beleuchtung der Szene: wie in ihrer Datei, physikalisch (Metall, Glasur und Glas) oder nach Phongs Formeln wie in der Referenz.</translation>
+    </message>
+    <message>
+        <source>Shading of the work: physically based, or by the simpler formulas of the reference.</source>
+        <extracomment>tables</extracomment>
+        <translation>Schattierung des Werks: physikalisch basiert oder nach den einfacheren Formeln der Referenz.</translation>
     </message>
     <message>
         <source>Shadow</source>
@@ -12961,7 +12991,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Size relative to the reference, which is 1.4 m high.</source>
         <extracomment>tables</extracomment>
-        <translation>Größe gegenüber dem Original, das 1.4 m hoch ist.</translation>
+        <translation>Größe gegenüber der Referenz, die 1.4 m hoch ist.</translation>
     </message>
     <message>
         <source>skewed, from above</source>
@@ -13095,16 +13125,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <translation>Original</translation>
     </message>
     <message>
-        <source>Source ambient</source>
-        <extracomment>tables</extracomment>
-        <translation>Umgebungslicht (Original)</translation>
-    </message>
-    <message>
-        <source>Source fog</source>
-        <extracomment>tables</extracomment>
-        <translation>Nebel (Original)</translation>
-    </message>
-    <message>
         <source>Source of the clouds' noise: evaluated at every step, or baked into a texture, which is quicker.</source>
         <extracomment>tables</extracomment>
         <translation>Quelle des Wolkenrauschens: bei jedem Schritt ausgewertet oder in eine Textur gebacken, was schneller ist.</translation>
@@ -13118,21 +13138,6 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
         <source>Source of the sun's direction: angles of the work's own, or the hall's sun.</source>
         <extracomment>tables</extracomment>
         <translation>Quelle der Sonnenrichtung: eigene Winkel des Werks oder die Sonne der Halle.</translation>
-    </message>
-    <message>
-        <source>Source sun</source>
-        <extracomment>tables</extracomment>
-        <translation>Sonne (Original)</translation>
-    </message>
-    <message>
-        <source>Source sun color</source>
-        <extracomment>tables</extracomment>
-        <translation>Sonnenfarbe (Original)</translation>
-    </message>
-    <message>
-        <source>Source sun strength</source>
-        <extracomment>tables</extracomment>
-        <translation>Sonnenstärke (Original)</translation>
     </message>
     <message>
         <source>Space opens a large preview.</source>
@@ -13173,7 +13178,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Speed at which the candy spins, relative to the slow and uneven rotation in the reference.</source>
         <extracomment>tables</extracomment>
-        <translation>Tempo, mit dem sich das Bonbon dreht, gegenüber der langsamen, ungleichmäßigen Drehung im Original.</translation>
+        <translation>Tempo, mit dem sich das Bonbon dreht, gegenüber der langsamen, ungleichmäßigen Drehung in der Referenz.</translation>
     </message>
     <message>
         <source>Speed at which the draft carries the drifts of dust, in meters per second.</source>
@@ -13217,7 +13222,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Speed of the waves: as in the reference, one rhythm for all; or by gravity, with long waves slow and short ones quick.</source>
         <extracomment>tables</extracomment>
-        <translation>Tempo der Wellen: wie im Original ein Takt für alle, oder durch Schwerkraft, mit langsamen langen und schnellen kurzen.</translation>
+        <translation>Tempo der Wellen: wie in der Referenz ein Takt für alle, oder durch Schwerkraft, mit langsamen langen und schnellen kurzen.</translation>
     </message>
     <message>
         <source>Speed of the wheel</source>
@@ -13396,7 +13401,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Step lengths of the rays: as in the reference (half the field's value, the height above the water, equal steps through clouds), or as far as bounds of the slope allow.</source>
         <extracomment>tables</extracomment>
-        <translation>Schrittlängen der Strahlen: wie im Original (halber Wert des Felds, Höhe über dem Wasser, gleiche Schritte durch Wolken) oder so weit, wie Schranken der Steigung erlauben.</translation>
+        <translation>Schrittlängen der Strahlen: wie in der Referenz (halber Wert des Felds, Höhe über dem Wasser, gleiche Schritte durch Wolken) oder so weit, wie Schranken der Steigung erlauben.</translation>
     </message>
     <message>
         <source>Step limit</source>
@@ -13617,7 +13622,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Strength of the reference's sun: 0 switches it off.</source>
         <extracomment>tables</extracomment>
-        <translation>Stärke der Sonne des Originals: 0 schaltet sie aus.</translation>
+        <translation>Stärke der Sonne der Referenz: 0 schaltet sie aus.</translation>
     </message>
     <message>
         <source>Strength of the screen-space rays: 0 makes none. In the plain sum, the strength of each sample.</source>
@@ -13709,7 +13714,7 @@ Pfeiltasten bewegen im Feld, mit Strg im Balken.</translation>
     <message>
         <source>Summation along the ray: the mean, whose brightness does not depend on the number of samples, or the plain sum of the reference, which grows with it.</source>
         <extracomment>tables</extracomment>
-        <translation>Summierung entlang des Strahls: das Mittel, dessen Helligkeit nicht von der Zahl der Samples abhängt, oder die einfache Summe des Originals, die mit ihr wächst.</translation>
+        <translation>Summierung entlang des Strahls: das Mittel, dessen Helligkeit nicht von der Zahl der Samples abhängt, oder die einfache Summe der Referenz, die mit ihr wächst.</translation>
     </message>
     <message>
         <source>Sun</source>
@@ -14379,7 +14384,7 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     </message>
     <message>
         <source>the lighting of the reference has none</source>
-        <translation>die Beleuchtung des Originals hat keine</translation>
+        <translation>die Beleuchtung der Referenz hat keine</translation>
     </message>
     <message>
         <source>the look</source>
@@ -14614,12 +14619,20 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>Das rasterisierte Netz</translation>
     </message>
     <message>
+        <source>the reference has no glass</source>
+        <translation>die Referenz hat kein Glas</translation>
+    </message>
+    <message>
         <source>The reference is exact by the meaning of the parameter.</source>
         <translation>Die Referenz ist nach der Bedeutung des Parameters exakt.</translation>
     </message>
     <message>
         <source>The reference is the picture at rest, whose own error is not checked.</source>
         <translation>Die Referenz ist das ruhende Bild, dessen eigener Fehler nicht geprüft wird.</translation>
+    </message>
+    <message>
+        <source>the reference shows no lamps</source>
+        <translation>die Referenz zeigt keine Lampen</translation>
     </message>
     <message>
         <source>The reference to the picture {1} is not followed: {2}.</source>
@@ -14752,18 +14765,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>the socket cannot be used ({1}).</source>
         <translation>Der Socket lässt sich nicht verwenden ({1}).</translation>
-    </message>
-    <message>
-        <source>the source has no glass</source>
-        <translation>das Original hat kein Glas</translation>
-    </message>
-    <message>
-        <source>the source shows no lamps</source>
-        <translation>das Original zeigt keine Lampen</translation>
-    </message>
-    <message>
-        <source>the source's</source>
-        <translation>des Originals</translation>
     </message>
     <message>
         <source>The span of a pitch chart must lie between 0 and 50 %.</source>
@@ -17037,7 +17038,7 @@ steht in assets/SOURCES.md.</translation>
     </message>
     <message>
         <source>Whether to shade by Phong's formulas without tone mapping, as in the reference.</source>
-        <translation>Ob nach Phongs Formeln ohne Tone Mapping beleuchtet wird, wie im Original.</translation>
+        <translation>Ob nach Phongs Formeln ohne Tone Mapping beleuchtet wird, wie in der Referenz.</translation>
     </message>
     <message>
         <source>Whether walls and exhibits block the sun; without it, the sun shines through everything.</source>
@@ -17245,7 +17246,7 @@ steht in assets/SOURCES.md.</translation>
     <message>
         <source>World to show: a small isle, the test scene of the reference, or bars of one and two pixels.</source>
         <extracomment>tables</extracomment>
-        <translation>Gezeigte Welt: eine kleine Insel, die Testszene des Originals oder Stäbe von ein und zwei Pixeln.</translation>
+        <translation>Gezeigte Welt: eine kleine Insel, die Testszene der Referenz oder Stäbe von ein und zwei Pixeln.</translation>
     </message>
     <message>
         <source>Wrap</source>

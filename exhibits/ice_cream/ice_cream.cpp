@@ -47,7 +47,7 @@ ParameterValues builtUp(const IceCreamTable& t, const ParameterValues& values, I
     else if (stage == IceCreamStage::improved && soft)
         now.set(t.shadowMethod, SdfShadow::improved);
     if (stage < IceCreamStage::occlusion) now.set(t.ambientOcclusion, false);
-    if (stage < IceCreamStage::fog) now.set(t.sourceFog, 0.0);
+    if (stage < IceCreamStage::fog) now.set(t.referenceFog, 0.0);
     return now;
 }
 
@@ -77,10 +77,10 @@ SdfBody IceCream::body(const ParameterValues& values, double time) const
     body.shape.assign(reinterpret_cast<const char*>(body.block.data()), body.block.size());
     body.switchedOff = notBuiltUp;
     body.ownLight = values[table_.lamp];
-    if (values[table_.lighting] == IceCreamLighting::source) {
+    if (values[table_.lighting] == IceCreamLighting::reference) {
         // The reference's light is in display values. Divided by any exposure, it has no bound.
         body.ownLight = std::numeric_limits<double>::infinity();
-        const glm::dvec3 ambient = values[table_.sourceAmbient].value;
+        const glm::dvec3 ambient = values[table_.referenceAmbient].value;
         body.occluded = {std::max({ambient.x, ambient.y, ambient.z}), "the ambient light is black"};
     }
     body.variant =
@@ -152,7 +152,7 @@ render::Camera IceCream::bestView(const ParameterValues& values) const
 {
     const glm::dmat4 world = standing(table_, values, 0);
     // The reference's first view is closer, since there is a wall behind the eye.
-    if (values[table_.lighting] == IceCreamLighting::source) {
+    if (values[table_.lighting] == IceCreamLighting::reference) {
         const double size = values[table_.size];
         const glm::dvec3 foot(world[3]);
         return {foot + size * glm::dvec3(0, 1.5, 2), foot + size * glm::dvec3(0, 0.5, 0), 2 * std::atan(0.5)};
@@ -173,22 +173,22 @@ bool IceCream::press(ParameterValues& values) const
 
 bool IceCream::surrounds(const ParameterValues& values) const
 {
-    return values[table_.lighting] == IceCreamLighting::source && values[table_.ground];
+    return values[table_.lighting] == IceCreamLighting::reference && values[table_.ground];
 }
 
 std::vector<StudyView> IceCream::studyViews(const ParameterValues& values) const
 {
     const render::Camera best = bestView(values);
-    ParameterValues source = values;
-    source.set(table_.lighting, IceCreamLighting::source);
-    source.set(table_.material, SdfMaterial::opaque);
+    ParameterValues reference = values;
+    reference.set(table_.lighting, IceCreamLighting::reference);
+    reference.set(table_.material, SdfMaterial::opaque);
     // Positions are in the reference's space, whose axis and size are those of the exhibit at rest.
     const glm::dmat4 placed = standing(table_, values, 0);
     const auto from = [&](const glm::dvec3& eye, const glm::dvec3& target, double fovY) {
         return render::Camera{eye, target, fovY}.transformed(placed);
     };
     return {{"best view", best, 0, values},
-            {"as in the source", bestView(source), 0, source},
+            {"reference", bestView(reference), 0, reference},
             {"folds of the cream, from near", from({0.1, 1.25, 0.75}, {0, 1.0, 0}, 0.6), 0, values},
             {"the back, from above", from({-0.25, 1.6, -0.9}, {0, 1.0, -0.05}, 0.6), 7.3, values},
             {"the waffle, from below", from({0.25, 0.1, 0.8}, {0, 0.35, 0}, 0.7), 0, values}};
@@ -200,7 +200,7 @@ void IceCream::planBeside(const SdfScene& scene, render::FramePlan& plan) const
     const ParameterValues& values = scene.body.values;
     if (stageAt(table_, values, scene.context.time) < IceCreamStage::finished)
         plan.skip("ice_cream/antialiasing", notBuiltUp);
-    if (values[table_.lighting] != IceCreamLighting::source)
+    if (values[table_.lighting] != IceCreamLighting::reference)
         plan.skip(ground, "it stands in the hall's light");
     else if (!values[table_.ground])
         plan.skip(ground, "the ground is switched off");

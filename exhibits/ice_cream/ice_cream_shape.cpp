@@ -188,7 +188,7 @@ IceCreamShape iceCreamShape(const IceCreamRows& t, const ParameterValues& values
     s.parts = partsShown(values[t.show]) & partsOfStage(s.stage);
     if (values[t.show] != IceCreamParts::all) s.parts &= ~(1 << PART_PLINTH);
     if (!values[t.plinth]) s.parts &= ~(1 << PART_PLINTH);
-    if (values[t.lighting] == IceCreamLighting::source) s.parts &= ~(1 << PART_PLINTH);
+    if (values[t.lighting] == IceCreamLighting::reference) s.parts &= ~(1 << PART_PLINTH);
     if (values[t.sprinkles] == 0) s.parts &= ~(1 << PART_SPRINKLES);
     s.sprinkleRadius = 0.5 * values[t.sprinkleThickness];
     s.sprinkleReach = 0.5 * values[t.sprinkleLength] + 2 * s.sprinkleRadius;

@@ -13,7 +13,7 @@ inline constexpr std::size_t candyCount = 10;
 
 enum class IceCreamParts : int { all, foot, collar, bowl, rings, bars, lower, upper, candies, sprinkles };
 enum class IceCreamColors : int { material, part };
-enum class IceCreamLighting : int { hall, source };
+enum class IceCreamLighting : int { hall, reference };
 enum class IceCreamHighlight : int { ggx, blinnPhong };
 enum class SprinkleColors : int { candies, one };
 /// Stages of the build-up: the STAGE_ numbers of shaders/ice_cream/ice_cream_block.glsl.
@@ -171,7 +171,7 @@ struct IceCreamRows : virtual Parameters {
 
     Group ownLight = group("Light");
     Choice<IceCreamLighting> lighting = choice(
-        "lighting", IceCreamLighting::hall, {"hall", "as in the source"},
+        "lighting", IceCreamLighting::hall, {"hall", "reference"},
         "Lighting of the ice cream: by the hall around it, or by the sun, ambient light and fog of the reference.");
     Real lamp =
         real("lamp", 1.1, none, Range{0, 100}.soft(0, 8),
@@ -183,28 +183,29 @@ struct IceCreamRows : virtual Parameters {
     Choice<IceCreamHighlight> highlight = choice("highlight", IceCreamHighlight::blinnPhong, {"GGX", "Blinn-Phong"},
                                                  "Model of the highlights of the reference's sun: microfacets (GGX), "
                                                  "or Blinn-Phong with the exponent 2^(10 (1 - roughness)).",
-                                                 when(lighting, IceCreamLighting::source));
-    Direction sourceSun = direction("sourceSun", {-16, 12, 4}, "Direction to the sun of the reference.",
-                                    when(lighting, IceCreamLighting::source));
-    Color sourceSunColor = color("sourceSunColor", {1.0, 0.7, 0.5}, "Color of the reference's sun.",
-                                 when(lighting, IceCreamLighting::source));
-    Real sourceSunStrength =
-        real("sourceSunStrength", 1 / 1.2, none, Range{0, 100}.soft(0, 3),
-             "Strength of the reference's sun: 0 switches it off.", when(lighting, IceCreamLighting::source));
-    Color sourceAmbient = color("sourceAmbient", {0.2, 0.1, 0.0},
-                                "Color of the reference's ambient light, of which more comes from above.",
-                                when(lighting, IceCreamLighting::source));
+                                                 when(lighting, IceCreamLighting::reference));
+    Direction referenceSun = direction("referenceSun", {-16, 12, 4}, "Direction to the sun of the reference.",
+                                       when(lighting, IceCreamLighting::reference));
+    Color referenceSunColor = color("referenceSunColor", {1.0, 0.7, 0.5}, "Color of the reference's sun.",
+                                    when(lighting, IceCreamLighting::reference));
+    Real referenceSunStrength =
+        real("referenceSunStrength", 1 / 1.2, none, Range{0, 100}.soft(0, 3),
+             "Strength of the reference's sun: 0 switches it off.", when(lighting, IceCreamLighting::reference));
+    Color referenceAmbient = color("referenceAmbient", {0.2, 0.1, 0.0},
+                                   "Color of the reference's ambient light, of which more comes from above.",
+                                   when(lighting, IceCreamLighting::reference));
     Count occlusionTaps =
         count("occlusionTaps", 5, {2, 64, logarithmic},
               "Number of samples along the normal that darken what is hidden from the ambient light: few are coarse.",
-              quality(64), when(lighting, IceCreamLighting::source) && whenLater("ambientOcclusion", 1));
-    Real sourceFog = real("sourceFog", 0.0005, none, Range{0, 10}.soft(0, 0.05),
-                          "Density of the reference's black fog: light falls to 1/e where this value times the cube of "
-                          "the distance is 1.",
-                          when(lighting, IceCreamLighting::source));
+              quality(64), when(lighting, IceCreamLighting::reference) && whenLater("ambientOcclusion", 1));
+    Real referenceFog =
+        real("referenceFog", 0.0005, none, Range{0, 10}.soft(0, 0.05),
+             "Density of the reference's black fog: light falls to 1/e where this value times the cube of "
+             "the distance is 1.",
+             when(lighting, IceCreamLighting::reference));
     Toggle ground =
         toggle("ground", true, "Whether sand and a black horizon surround the ice cream when it is shown alone.",
-               when(lighting, IceCreamLighting::source));
+               when(lighting, IceCreamLighting::reference));
     Color groundColor =
         color("groundColor", {0.8796, 0.8796, 0.8796}, "Color of the sand in white light.", when(ground));
 
@@ -311,12 +312,12 @@ private:
 
 /// All parameters of the exhibit.
 struct IceCreamTable final : IceCreamRows, SdfRows {
-    IceCreamTable() : SdfRows(0, when(lighting, IceCreamLighting::source)) {}
+    IceCreamTable() : SdfRows(0, when(lighting, IceCreamLighting::reference)) {}
 
     // The hall's sun hardly reaches the niche, but the reference's sun does.
     StudiedRows studied{*this,
-                        {{.name = "shadowMethod", .views = {"as in the source"}},
-                         {.name = "shadowRays", .with = {{"sunWidth", degrees(10)}}, .views = {"as in the source"}}}};
+                        {{.name = "shadowMethod", .views = {"reference"}},
+                         {.name = "shadowRays", .with = {{"sunWidth", degrees(10)}}, .views = {"reference"}}}};
 };
 
 }  // namespace vitrine

@@ -91,16 +91,16 @@ void addPermutation(const NoiseTable& t, const ParameterValues& values, render::
 {
     const auto define = [&](std::string text) { pass.shader.defines.push_back(std::move(text)); };
     const NoiseWork work = values[t.work];
-    const bool ours = values[t.look] == NoiseLook::ours;
-    if (!ours) define("SOURCE");
-    const bool halved = ours && values[t.march] == NoiseMarch::halved;
+    const bool physical = values[t.look] == NoiseLook::physical;
+    if (!physical) define("REFERENCE");
+    const bool halved = physical && values[t.march] == NoiseMarch::halved;
     if (halved && work == NoiseWork::sea) define("HEIGHT_STEPS");
     if (halved && work == NoiseWork::clouds) define("EVEN_STEPS");
     if (work != NoiseWork::field && work != NoiseWork::fractal) return;
     const bool fractal = work == NoiseWork::fractal;
     define(kindDefine(t, values));
     define("FIELD_SUM " + std::to_string(fractal ? static_cast<int>(values[t.sum]) : 0));
-    if (!ours) return;
+    if (!physical) return;
     if (fractal && values[t.warp] > 0) define("WARP");
     if (halved) define("HALVED");
     if (values[t.normals] == NoiseNormal::derivative) define("DERIVATIVE");
@@ -161,9 +161,10 @@ void Noise::plan(const PlanContext& context, render::FramePlan& plan) const
     const bool clouds = work == NoiseWork::clouds;
     const bool field = work == NoiseWork::field || work == NoiseWork::fractal;
     // Parameters without effect keep no volume.
-    const bool baked = values[t.look] == NoiseLook::ours && (clouds ? values[t.cloudNoise] == NoiseLookup::baked
-                                                                    : field && values[t.march] == NoiseMarch::bounded &&
-                                                                          values[t.fieldNoise] == NoiseLookup::baked);
+    const bool baked =
+        values[t.look] == NoiseLook::physical &&
+        (clouds ? values[t.cloudNoise] == NoiseLookup::baked
+                : field && values[t.march] == NoiseMarch::bounded && values[t.fieldNoise] == NoiseLookup::baked);
     const WorkShader shader = shaderOf(work);
     render::Pass pass = portalPass(shader.name, "in view", values, shader.fragment, noisePortal(t, values), context);
     pass.blocks[BLOCK_EXHIBIT] = render::std140Bytes(

@@ -100,7 +100,7 @@ NoiseSample sourceSample(NoiseWork work)
 NoiseSample sampleOnShow(const NoiseTable& t, const ParameterValues& values)
 {
     const NoiseWork work = values[t.work];
-    if (values[t.look] == NoiseLook::source) return sourceSample(work);
+    if (values[t.look] == NoiseLook::reference) return sourceSample(work);
     const auto seed = static_cast<glm::uint>(values[t.seed]);
     if (work == NoiseWork::sea) return seaSample(t, values);
     if (work == NoiseWork::clouds)
@@ -189,18 +189,18 @@ std::vector<Chart> noiseCharts(const NoiseTable& t, const ParameterValues& value
 {
     const NoiseSample now = sampleOnShow(t, values);
     const NoiseSample then = sourceSample(values[t.work]);
-    const std::string ours = "on show", source = "the source's";
-    return {{"Histogram", "value", "density", false, {noiseHistogram(ours, now), noiseHistogram(source, then)}},
+    const std::string shown = "on show", reference = "reference";
+    return {{"Histogram", "value", "density", false, {noiseHistogram(shown, now), noiseHistogram(reference, then)}},
             {"Spectrum",
              "waves per cell",
              "share of the variance, cells",
              true,
-             {noiseSpectrum(ours, now), noiseSpectrum(source, then)}},
+             {noiseSpectrum(shown, now), noiseSpectrum(reference, then)}},
             {"Isotropy",
              "direction, °",
              "change squared over its mean",
              false,
-             {noiseIsotropy(ours, now), noiseIsotropy(source, then)}}};
+             {noiseIsotropy(shown, now), noiseIsotropy(reference, then)}}};
 }
 
 }  // namespace vitrine

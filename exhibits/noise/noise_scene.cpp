@@ -123,10 +123,10 @@ double noiseTime(const NoiseTable& t, const ParameterValues& values, double time
 Portal noisePortal(const NoiseTable& t, const ParameterValues& values)
 {
     Portal portal;
-    const bool ours = values[t.look] == NoiseLook::ours;
-    if (values[t.work] == NoiseWork::sea && ours)
+    const bool physical = values[t.look] == NoiseLook::physical;
+    if (values[t.work] == NoiseWork::sea && physical)
         portal.workFromExhibit = glm::translate(glm::dmat4(1), {0, values[t.eyeHeight], 0});
-    if (values[t.work] == NoiseWork::clouds && ours) {
+    if (values[t.work] == NoiseWork::clouds && physical) {
         const glm::dmat4 up =
             glm::rotate(glm::translate(glm::dmat4(1), {0, values[t.altitude], 0}), values[t.tilt], glm::dvec3(1, 0, 0));
         portal.workFromExhibit = glm::scale(up, glm::dvec3(metersOfCloudsPerMeter));

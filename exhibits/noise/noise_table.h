@@ -6,7 +6,7 @@
 namespace vitrine {
 
 enum class NoiseWork : int { field, fractal, sea, clouds };
-enum class NoiseLook : int { ours, source };
+enum class NoiseLook : int { physical, reference };
 enum class NoiseKind : int { value, gradient, simplex, cellular };
 enum class NoiseSumKind : int { fbm, ridged, billow, turbulence };
 enum class NoiseMarch : int { halved, bounded };
@@ -20,8 +20,9 @@ struct NoiseTable final : Parameters {
     Choice<NoiseWork> work = choice("work", NoiseWork::sea, {"field", "fractal sum", "sea", "clouds"},
                                     "Work to show: blobs of one octave (field), of many octaves (fractal sum), a sea "
                                     "of waves, or a sky of clouds, all made of noise.");
-    Choice<NoiseLook> look = choice("look", NoiseLook::ours, {"ours", "as in the source"},
-                                    "Rendering of the work: ours, or that of the scenes that this exhibit follows.");
+    Choice<NoiseLook> look =
+        choice("look", NoiseLook::physical, {"physically based", "reference"},
+               "Shading of the work: physically based, or by the simpler formulas of the reference.");
     Toggle animate = toggle("animate", false, "Whether time runs: the field drifts, waves roll, clouds sail.");
     Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 60),
                        "Time that is shown, or at which the animation starts.");
@@ -31,7 +32,7 @@ struct NoiseTable final : Parameters {
     const Condition inFractal = when(work, NoiseWork::fractal);
     const Condition inSea = when(work, NoiseWork::sea);
     const Condition inClouds = when(work, NoiseWork::clouds);
-    const Condition ours = when(look, NoiseLook::ours);
+    const Condition physical = when(look, NoiseLook::physical);
     const Condition moving = when(animate) or whenNot(moment, 0);
 
     Group noise = group("Noise");
@@ -66,95 +67,98 @@ struct NoiseTable final : Parameters {
         "octaveRotation", degrees(37), degree, Range{degrees(-180), degrees(180)},
         "Angle by which the lattice of each octave is rotated against the one before; 0 shows the lattice.", inFractal);
     Real warp = real("warp", 0, none, Range{0, 4}.soft(0, 1),
-                     "Strength of domain warping, in cells: 0 is off, high folds and swirls.", inFractal and ours);
+                     "Strength of domain warping, in cells: 0 is off, high folds and swirls.", inFractal and physical);
 
     Group light = group("Light");
     Choice<NoiseSun> sunBy =
         choice("sunBy", NoiseSun::own, {"its own", "the hall's"},
-               "Source of the sun's direction: angles of the work's own, or the hall's sun.", ours);
-    Real sunElevation = real("sunElevation", degrees(9), degree, Range{degrees(-5), degrees(90)}.soft(0, degrees(70)),
-                             "Height of the work's own sun above the horizon.", ours and when(sunBy, NoiseSun::own));
+               "Source of the sun's direction: angles of the work's own, or the hall's sun.", physical);
+    Real sunElevation =
+        real("sunElevation", degrees(9), degree, Range{degrees(-5), degrees(90)}.soft(0, degrees(70)),
+             "Height of the work's own sun above the horizon.", physical and when(sunBy, NoiseSun::own));
     Real sunAzimuth =
         real("sunAzimuth", degrees(14), degree, Range{degrees(-180), degrees(180)},
              "Horizontal direction of the work's own sun, seen through the frame: negative is to the left.",
-             ours and when(sunBy, NoiseSun::own));
-    Real haze = real("haze", 0.35, none, {0, 1}, "Density of the haze: 0 is clear to the horizon, 1 hides it.", ours);
-    Color albedo = color("albedo", {0.62, 0.56, 0.48}, "Albedo (diffuse color) of the solid field.", inField and ours);
+             physical and when(sunBy, NoiseSun::own));
+    Real haze =
+        real("haze", 0.35, none, {0, 1}, "Density of the haze: 0 is clear to the horizon, 1 hides it.", physical);
+    Color albedo =
+        color("albedo", {0.62, 0.56, 0.48}, "Albedo (diffuse color) of the solid field.", inField and physical);
 
     Group sea = group("Sea and wind");
     Real windSpeed =
         real("windSpeed", 7.5, none, Range{0.5, 25}.soft(2, 16),
              "Wind speed ten meters above the water, in meters per second: high makes longer and higher waves.",
-             ours and (inSea or (inClouds and moving)));
+             physical and (inSea or (inClouds and moving)));
     Real windDirection = real("windDirection", degrees(-150), degree, Range{degrees(-180), degrees(180)},
                               "Direction in which the wind blows, from straight ahead: negative is to the left.",
-                              ours and (inSea or (inClouds and moving)));
+                              physical and (inSea or (inClouds and moving)));
     Real chop = real("chop", 0.85, none, Range{0, 1.2}.soft(0, 1),
                      "Sharpness of the wave crests: 0 is a plain sum of sines, 1 is a sea, above 1 crests overturn.",
-                     inSea and ours);
-    Real foam =
-        real("foam", 0.5, none, {0, 1}, "Amount of foam on the crests: 0 is none, high foams early.", inSea and ours);
-    Color water = color("water", {0.016, 0.075, 0.085}, "Color of deep water in daylight.", inSea and ours);
+                     inSea and physical);
+    Real foam = real("foam", 0.5, none, {0, 1}, "Amount of foam on the crests: 0 is none, high foams early.",
+                     inSea and physical);
+    Color water = color("water", {0.016, 0.075, 0.085}, "Color of deep water in daylight.", inSea and physical);
     Real eyeHeight = real("eyeHeight", 2.6, meter, Range{1, 1000, logarithmic}.soft(1.5, 50),
-                          "Height of the middle of the frame above the calm water.", inSea and ours);
+                          "Height of the middle of the frame above the calm water.", inSea and physical);
 
     Group clouds = group("Clouds");
     Real coverage = real("coverage", 0.72, none, {0, 1},
-                         "Share of the sky that clouds cover: 0 is clear, 1 is overcast.", inClouds and ours);
+                         "Share of the sky that clouds cover: 0 is clear, 1 is overcast.", inClouds and physical);
     Real density = real("density", 0.03, perMeter, Range{0.001, 1, logarithmic}.soft(0.005, 0.2),
                         "Density of the clouds, as the share of light that a meter of the thickest cloud removes.",
-                        inClouds and ours);
-    Real erosion =
-        real("erosion", 0.65, none, {0, 1},
-             "Amount by which fine noise erodes the edges of the clouds: 0 is smooth, 1 is ragged.", inClouds and ours);
+                        inClouds and physical);
+    Real erosion = real("erosion", 0.65, none, {0, 1},
+                        "Amount by which fine noise erodes the edges of the clouds: 0 is smooth, 1 is ragged.",
+                        inClouds and physical);
     Real altitude =
         real("altitude", -120, meter, Range{-2000, 4000}.soft(-600, 1500),
              "Height of the middle of the frame above the base of the clouds: between 0 and 1400 m it is inside them.",
-             inClouds and ours);
+             inClouds and physical);
     Real tilt = real("tilt", degrees(13), degree, {degrees(-45), degrees(45)},
-                     "Upward tilt of the view: negative looks down.", inClouds and ours);
+                     "Upward tilt of the view: negative looks down.", inClouds and physical);
     Real forward = real("forward", 0.78, none, Range{0, 0.95}.soft(0.3, 0.9),
                         "Strength of forward scattering in the clouds: high gives silver edges in front of the sun.",
-                        inClouds and ours);
+                        inClouds and physical);
     Real backward = real("backward", 0.3, none, {0, 1},
                          "Share of the light that the clouds scatter backward, in a second lobe of the phase function.",
-                         inClouds and ours);
+                         inClouds and physical);
     Count scatterings = count("scatterings", 6, {1, 8},
                               "Number of orders of scattering that are summed: 1 leaves clouds dark inside, each "
                               "further one makes them whiter.",
-                              quality(8), inClouds and ours);
+                              quality(8), inClouds and physical);
 
     Group accuracy = foldedGroup("Accuracy");
     Choice<NoiseMarch> march =
-        choice("march", NoiseMarch::bounded, {"as in the source", "bounded"},
+        choice("march", NoiseMarch::bounded, {"reference", "bounded"},
                "Step lengths of the rays: as in the reference (half the field's value, the height above the water, "
                "equal steps through clouds), or as far as bounds of the slope allow.",
-               quality(NoiseMarch::bounded), ours);
+               quality(NoiseMarch::bounded), physical);
     Real boundShare = real("boundShare", 0.45, none, {0.1, 1},
                            "Share of the slope and curvature bounds that sets the step length: 1 misses nothing, less "
                            "is quicker but may miss details.",
-                           exactAt(1), (inField or inSea) and ours and when(march, NoiseMarch::bounded));
+                           exactAt(1), (inField or inSea) and physical and when(march, NoiseMarch::bounded));
     Count stepLimit = count("stepLimit", 160, {1, 1024, logarithmic},
                             "Largest number of steps of a ray to find the field, or the sea as in the reference.",
-                            quality(1024), inField or (inSea and when(look, NoiseLook::source)));
+                            quality(1024), inField or (inSea and when(look, NoiseLook::reference)));
     Real hitTolerance =
         real("hitTolerance", 0.5, none, Range{0.01, 16, logarithmic}.soft(0.1, 4),
              "Distance at which a ray counts as a hit of the field or the water, in pixels at that depth.",
-             quality(0.01), (inField or inSea) and ours);
+             quality(0.01), (inField or inSea) and physical);
     Choice<NoiseLookup> fieldNoise =
         choice("fieldNoise", NoiseLookup::baked, {"evaluated", "baked"},
                "Source of the noise for empty space and shadows: evaluated, or baked into a texture, which is quicker. "
                "The surface is always evaluated.",
-               exactAt(NoiseLookup::evaluated), inField and ours and when(march, NoiseMarch::bounded));
+               exactAt(NoiseLookup::evaluated), inField and physical and when(march, NoiseMarch::bounded));
     Choice<NoiseNormal> normals =
         choice("normals", NoiseNormal::derivative, {"differences", "derivative"},
                "Normals of the field: by six further evaluations (differences), or by the analytic derivative.",
-               exactAt(NoiseNormal::derivative), inField and ours);
+               exactAt(NoiseNormal::derivative), inField and physical);
     Count waves = count("waves", 48, {1, 64},
                         "Number of waves that are summed, from the longest: few are smooth, many add small waves.",
-                        quality(64), inSea and ours);
+                        quality(64), inSea and physical);
     Count seaSteps = count("seaSteps", 40, {1, 256, logarithmic},
-                           "Largest number of steps in which a ray finds the water.", quality(256), inSea and ours);
+                           "Largest number of steps in which a ray finds the water.", quality(256), inSea and physical);
     Count cloudSteps =
         count("cloudSteps", 64, {1, 512, logarithmic},
               "Number of steps of a ray through the clouds: few are noisy, many cost more.", quality(512), inClouds);
@@ -162,18 +166,18 @@ struct NoiseTable final : Parameters {
                              "Number of steps towards the sun from each point in a cloud.", quality(64), inClouds);
     Count cloudOctaves =
         count("cloudOctaves", 3, {1, 6}, "Number of octaves of the clouds' noise: each adds finer detail.", quality(6),
-              inClouds and ours);
+              inClouds and physical);
     Choice<NoiseLookup> cloudNoise =
         choice("cloudNoise", NoiseLookup::baked, {"evaluated", "baked"},
                "Source of the clouds' noise: evaluated at every step, or baked into a texture, which is quicker.",
-               exactAt(NoiseLookup::evaluated), inClouds and ours);
+               exactAt(NoiseLookup::evaluated), inClouds and physical);
     Count bakeSize = count("bakeSize", 96, {16, 256, logarithmic},
                            "Resolution of the volume into which noise is baked, in texels per side: low loses detail.",
-                           quality(256), inClouds and ours and when(cloudNoise, NoiseLookup::baked));
+                           quality(256), inClouds and physical and when(cloudNoise, NoiseLookup::baked));
     Toggle jitter = toggle("jitter", true,
                            "Whether the steps are shifted by blue noise, differently in each sample: too few of them "
                            "then look like grain, not like shells.",
-                           quality(1), inClouds and ours);
+                           quality(1), inClouds and physical);
 
     StudiedRows studied{*this,
                         {{.name = "march", .lifted = {"boundShare"}},

@@ -79,14 +79,14 @@ void setWaves(const PaperLanternsTable& t, const ParameterValues& values, double
         block.rideTilt[0].x = block.ride[0].z;
         block.rideWaves = 1;
     }
-    const bool ours = values[t.look] == LakeLook::ours;
-    const int ripples = ours && values[t.ripples] > 0 ? std::min(values[t.rippleCount], mostRipplesOfLake) : 0;
+    const bool physical = values[t.look] == LakeLook::physical;
+    const int ripples = physical && values[t.ripples] > 0 ? std::min(values[t.rippleCount], mostRipplesOfLake) : 0;
     const std::vector<LakeWave> fine = windRipples(values[t.ripples], values[t.windDirection] + latticeTurn,
                                                    mostRipplesOfLake, static_cast<std::uint32_t>(values[t.seed]));
     for (int i = 0; i < ripples; ++i)
         block.wave[static_cast<std::size_t>(block.tallWaves + i)] = packed(fine[static_cast<std::size_t>(i)], seconds);
     block.waves = block.tallWaves + ripples;
-    const double slopes = ours ? values[t.ripples] * values[t.ripples] : 0;
+    const double slopes = physical ? values[t.ripples] * values[t.ripples] : 0;
     block.hiddenSlopes = static_cast<float>(0.5 * slopes * (mostRipplesOfLake - ripples) / mostRipplesOfLake + 2e-5);
 }
 
@@ -132,7 +132,7 @@ void setLight(const PaperLanternsTable& t, const ParameterValues& values, const 
     block.flickerApart = own ? 1 : 0;
     const double strength = values[t.candles] ? candleIntensity * values[t.candleStrength] : 0;
     block.candle = glm::vec3(strength * values[t.candleColor].value);
-    const ParameterValues& paper = values[t.look] == LakeLook::ours ? values : fixed;
+    const ParameterValues& paper = values[t.look] == LakeLook::physical ? values : fixed;
     const double scatter = paper[t.paperThickness];
     block.paperScatter = static_cast<float>(scatter);
     for (int i = 0; i < 3; ++i) {
@@ -174,7 +174,7 @@ bool lightsTheAir(const PaperLanternsTable& t, const ParameterValues& values)
 {
     // Thinner mist sends less than a hundredth of a lantern's light.
     return values[t.fog] > 0.006 && values[t.candles] && values[t.show] == LakeShow::picture &&
-           values[t.look] == LakeLook::ours;
+           values[t.look] == LakeLook::physical;
 }
 
 glm::dvec2 straightAhead()
@@ -229,7 +229,7 @@ LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, 
     const ParameterValues fixed = t.initial();
     block.seed = static_cast<std::uint32_t>(values[t.seed]);
     block.turn = static_cast<float>(values[t.turned]);
-    block.variety = values[t.look] == LakeLook::ours ? static_cast<float>(values[t.colors]) : 0;
+    block.variety = values[t.look] == LakeLook::physical ? static_cast<float>(values[t.colors]) : 0;
     block.waterTime = static_cast<float>(inPeriod(seconds, 3600));
     setShape(t, values, block);
     setWaves(t, values, seconds, block);
@@ -241,7 +241,7 @@ LakeBlock lakeBlock(const PaperLanternsTable& t, const ParameterValues& values, 
     block.stepLimit = values[t.stepLimit];
     block.tolerance = static_cast<float>(values[t.hitTolerance]);
     const ParameterValues& sizes =
-        values[t.look] == LakeLook::ours && values[t.show] == LakeShow::picture ? values : fixed;
+        values[t.look] == LakeLook::physical && values[t.show] == LakeShow::picture ? values : fixed;
     block.pointWidth = 2 * block.paperRadius / static_cast<float>(sizes[t.pointSize]);
     block.meanWidth = 2 * block.paperRadius / static_cast<float>(sizes[t.meanSize]);
     setReleased(t, values, seconds, press, block);

@@ -43,7 +43,7 @@ struct LakePart {
 
 /// Parts of the lake that the settings need.
 struct Called {
-    bool afloat = false, panorama = false, source = false;
+    bool afloat = false, panorama = false, reference = false;
     int bounces = 0, show = 0;
     LakePart lanterns, waves, mist, halo, moon, moonOnWater, stars, reflection;
 };
@@ -52,12 +52,12 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
 {
     const ParameterValues& values = context.values;
     const bool shows = values[t.show] == LakeShow::picture;
-    const bool source = shows && values[t.look] == LakeLook::source;
+    const bool reference = shows && values[t.look] == LakeLook::reference;
     const bool afloat = anyAfloat(t, values);
     const bool panorama = shows && panoramaOf(context.prepared) != nullptr;
-    const int bounces = !shows ? 0 : source ? 1 : values[t.bounces];
+    const int bounces = !shows ? 0 : reference ? 1 : values[t.bounces];
     const render::Factor inPicture = render::required(shows, "heights or normals are shown instead of the picture");
-    const render::Factor ours = render::required(!source, "the lighting of the reference has none");
+    const render::Factor physical = render::required(!reference, "the lighting of the reference has none");
     const render::Factor anyLantern = render::required(afloat || block.released.w >= 0, "no lantern is afloat");
     const render::Factor anyMist{values[t.fog], "the air is clear"};
     const render::Factor anyMoon{values[t.moon], "the strength of the moon is 0"};
@@ -66,26 +66,27 @@ Called calledFor(const PaperLanternsTable& t, const PlanContext& context, const 
     // the reflection.
     const glm::vec3 sent(values[t.waterColor].value * glm::dvec3(block.moonLight));
     const float onWater = 0.3F * std::max({sent.x, sent.y, sent.z}) * block.towardsMoon.y;
-    return {.afloat = afloat,
-            .panorama = panorama,
-            .source = source,
-            .bounces = bounces,
-            .show = static_cast<int>(values[t.show]),
-            .lanterns = LakePart({anyLantern}),
-            .waves = LakePart({render::required(block.tallWaves > 0, "the water is flat and is hit in one step")}),
-            .mist = LakePart({inPicture, ours, anyMist}),
-            .halo = LakePart(
-                {inPicture, ours, anyMist, anyLantern, render::required(values[t.candles], "the candles do not burn"),
-                 render::required(lightsTheAir(t, values), "the fog is too thin to show the light of the lanterns")}),
-            .moon = LakePart({inPicture, anyMoon, risen}),
-            .moonOnWater = LakePart({inPicture, ours, anyMoon, risen, anyLantern,
-                                     render::required(onWater > leastMoonOnWater,
-                                                      "the water reflects too little moonlight to show shadows")}),
-            .stars = LakePart({inPicture,
-                               ours,
-                               render::required(!panorama, "a panorama replaces the night sky"),
-                               {values[t.stars], "the brightness of the stars is 0"}}),
-            .reflection = LakePart({inPicture, render::required(bounces > 0, "no reflected rays are traced")})};
+    return {
+        .afloat = afloat,
+        .panorama = panorama,
+        .reference = reference,
+        .bounces = bounces,
+        .show = static_cast<int>(values[t.show]),
+        .lanterns = LakePart({anyLantern}),
+        .waves = LakePart({render::required(block.tallWaves > 0, "the water is flat and is hit in one step")}),
+        .mist = LakePart({inPicture, physical, anyMist}),
+        .halo = LakePart(
+            {inPicture, physical, anyMist, anyLantern, render::required(values[t.candles], "the candles do not burn"),
+             render::required(lightsTheAir(t, values), "the fog is too thin to show the light of the lanterns")}),
+        .moon = LakePart({inPicture, anyMoon, risen}),
+        .moonOnWater = LakePart(
+            {inPicture, physical, anyMoon, risen, anyLantern,
+             render::required(onWater > leastMoonOnWater, "the water reflects too little moonlight to show shadows")}),
+        .stars = LakePart({inPicture,
+                           physical,
+                           render::required(!panorama, "a panorama replaces the night sky"),
+                           {values[t.stars], "the brightness of the stars is 0"}}),
+        .reflection = LakePart({inPicture, render::required(bounces > 0, "no reflected rays are traced")})};
 }
 
 /// Plans an image of every lantern of the lattice, computed once for all rays and kept while nothing moves.
@@ -143,7 +144,7 @@ void addDefines(const Called& called, LakeRepetition repetition, render::Pass& p
     if (called.moonOnWater) define("MOON_ON_WATER");
     if (called.stars) define("STARS");
     if (called.panorama) define("PANORAMA");
-    if (called.source) define("SOURCE");
+    if (called.reference) define("REFERENCE");
     if (called.afloat && repetition != LakeRepetition::cellWall)
         define("REPETITION " + std::to_string(static_cast<int>(repetition)));
 }

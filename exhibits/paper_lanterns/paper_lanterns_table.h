@@ -7,10 +7,10 @@
 namespace vitrine {
 
 enum class LakeShow : int { picture, heights, normals, parts };
-enum class LakeLook : int { ours, source };
+enum class LakeLook : int { physical, reference };
 enum class LakeRelease : int { rises, driftsAway };
-enum class LakeRide : int { source, water };
-enum class LakeSpeed : int { source, dispersion };
+enum class LakeRide : int { reference, water };
+enum class LakeSpeed : int { reference, dispersion };
 enum class LakeFlicker : int { together, own };
 enum class LakeRepetition : int { ownCell, twoByTwo, threeByThree, cellWall };
 
@@ -21,9 +21,9 @@ struct PaperLanternsTable final : Parameters {
     Choice<LakeShow> show = choice("show", LakeShow::picture, {"picture", "heights", "normals", "parts"},
                                    "Picture to show: the finished one, the height of the water, its normals, or the "
                                    "parts of the lanterns in separate colors.");
-    Choice<LakeLook> look =
-        choice("look", LakeLook::ours, {"ours", "as in the source"},
-               "Lighting model: ours, with translucent paper and Fresnel reflections, or that of the reference.");
+    Choice<LakeLook> look = choice(
+        "look", LakeLook::physical, {"physically based", "reference"},
+        "Lighting model: physically based, with translucent paper and Fresnel reflections, or that of the reference.");
     Toggle animate = toggle("animate", false, "Whether time runs: waves roll, flames flicker, lanterns drift.");
     Real moment = real("moment", 0, second, Range{-1e6, 1e6}.soft(0, 60),
                        "Time that is shown, or at which the animation starts.");
@@ -34,9 +34,9 @@ struct PaperLanternsTable final : Parameters {
     Count seed = count("seed", 1, {0, 9999}, "Seed of lanterns and ripples: each number places them differently.");
 
     const Condition inPicture = when(show, LakeShow::picture);
-    const Condition ours = when(look, LakeLook::ours) and inPicture;
-    const Condition bySource = when(look, LakeLook::source) and inPicture;
-    const Condition rippled = when(look, LakeLook::ours) and when(show, {LakeShow::picture, LakeShow::normals});
+    const Condition physical = when(look, LakeLook::physical) and inPicture;
+    const Condition byReference = when(look, LakeLook::reference) and inPicture;
+    const Condition rippled = when(look, LakeLook::physical) and when(show, {LakeShow::picture, LakeShow::normals});
     const Condition moving = when(animate) or whenNot(moment, 0);
 
     Group many = group("Lanterns");
@@ -54,7 +54,7 @@ struct PaperLanternsTable final : Parameters {
     Real turned =
         real("turned", 1, none, {0, 1}, "Random rotation of the lanterns: at 0 all face the same way.", afloat);
     Choice<LakeRide> ride =
-        choice("ride", LakeRide::water, {"as in the source", "the water"},
+        choice("ride", LakeRide::water, {"reference", "the water"},
                "Motion of the lanterns: on a separate wave as in the reference, or on the water under their base.",
                whenLaterAbove("waveHeight", 0));
     Real drift = real("drift", 0.12, none, Range{0, 20}.soft(0, 1),
@@ -81,16 +81,16 @@ struct PaperLanternsTable final : Parameters {
 
     Group paper = group("Paper");
     Color paperColor = color("paperColor", {0.97, 0.8, 0.5},
-                             "Color of the paper, as the share of light that it does not absorb.", ours);
+                             "Color of the paper, as the share of light that it does not absorb.", physical);
     Real paperThickness = real("paperThickness", 1.6, none, Range{0.05, 20, logarithmic}.soft(0.3, 6),
                                "Optical thickness of the paper, as the mean number of scattering events: low is clear "
                                "and bright, high is dim and white.",
-                               ours);
+                               physical);
     Real fibers = real("fibers", 0.5, none, {0, 1}, "Unevenness of the paper: 0 is smooth, 1 shows fibers.", inPicture);
     Real colors =
         real("colors", 0.3, none, {0, 1},
              "Variation of color between the papers: at 0 all are alike, at 1 they are as varied as at a festival.",
-             ours and afloat);
+             physical and afloat);
 
     Group shape = foldedGroup("Shape");
     Real paperRadius = real("paperRadius", 0.75, meter, Range{0.1, 3}.soft(0.3, 1.2), "Radius of the paper tube.");
@@ -112,7 +112,7 @@ struct PaperLanternsTable final : Parameters {
     Real waveHeight = real("waveHeight", 0.45, none, Range{0, 8}.soft(0, 3),
                            "Height of the five waves, relative to the reference: 0 is flat water.");
     Choice<LakeSpeed> waveSpeed =
-        choice("waveSpeed", LakeSpeed::dispersion, {"as in the source", "as gravity makes them"},
+        choice("waveSpeed", LakeSpeed::dispersion, {"reference", "as gravity makes them"},
                "Speed of the waves: as in the reference, one rhythm for all; or by gravity, with long waves slow and "
                "short ones quick.",
                whenAbove(waveHeight, 0) and moving);
@@ -139,21 +139,22 @@ struct PaperLanternsTable final : Parameters {
              "Horizontal direction of the moon, seen through the frame: negative is to the left.", moonlit);
     Real moonSize =
         real("moonSize", degrees(2.4), degree, Range{degrees(0.1), degrees(20)}.soft(degrees(0.5), degrees(6)),
-             "Angular diameter of the moon; the real one has half a degree.", ours and moonlit);
+             "Angular diameter of the moon; the real one has half a degree.", physical and moonlit);
     File panorama = file("panorama", "Path of a panorama, twice as wide as high, that replaces the night sky.",
                          endings(render::readEndings()));
-    Real stars = real("stars", 0.7, none, Range{0, 10}.soft(0, 2), "Brightness of the stars: 0 shows none.", ours);
+    Real stars = real("stars", 0.7, none, Range{0, 10}.soft(0, 2), "Brightness of the stars: 0 shows none.", physical);
     Real dusk = real("dusk", 0.12, none, Range{0, 10}.soft(0, 2),
-                     "Strength of the daylight left in the sky: 0 is deep night.", ours);
+                     "Strength of the daylight left in the sky: 0 is deep night.", physical);
     Real afterglow =
         real("afterglow", 0.5, none, {0, 1}, "Warmth of the dusk at the horizon: 0 is cool, 1 glows like a sunset.",
-             ours and whenAbove(dusk, 0));
-    Real fog = real("fog", 0.0022, perMeter, Range{0, 1}.soft(0, 0.03),
-                    "Density of the fog at the water, as the share of light that a meter removes: 0 is clear.", ours);
+             physical and whenAbove(dusk, 0));
+    Real fog =
+        real("fog", 0.0022, perMeter, Range{0, 1}.soft(0, 0.03),
+             "Density of the fog at the water, as the share of light that a meter removes: 0 is clear.", physical);
     Color horizonColor = color("horizonColor", {0.05, 0.06, 0.085}, "Color of the fog at the horizon.",
-                               (ours and whenAbove(fog, 0)) or bySource);
+                               (physical and whenAbove(fog, 0)) or byReference);
     Real fogHeight = real("fogHeight", 6, meter, Range{0.1, 1000, logarithmic}.soft(1, 60),
-                          "Height over which the fog thins out.", ours and whenAbove(fog, 0));
+                          "Height over which the fog thins out.", physical and whenAbove(fog, 0));
 
     Group accuracy = foldedGroup("Accuracy");
     Choice<LakeRepetition> repetition =
@@ -163,7 +164,7 @@ struct PaperLanternsTable final : Parameters {
                exactAt(LakeRepetition::cellWall), afloat);
     Count bounces =
         count("bounces", 1, {0, 3}, "Number of times that the water may reflect a ray: 0 shows no reflections.",
-              quality(3), ours);
+              quality(3), physical);
     Count waterSteps =
         count("waterSteps", 20, {1, 256, logarithmic}, "Largest number of steps in which a ray finds the water.",
               quality(256), whenAbove(waveHeight, 0));
@@ -172,15 +173,15 @@ struct PaperLanternsTable final : Parameters {
               "Number of ripples that are summed, from the longest: few are smooth, many add fine ones.", quality(23),
               rippled and whenAbove(ripples, 0));
     Count lightCells = count("lightCells", 4, {0, 9}, "Number of cells around a point whose flames light it.",
-                             quality(9), ours and lit);
+                             quality(9), physical and lit);
     Count rows = count(
         "rows", 80, {1, 256, logarithmic},
         "Number of rows of cells in which a ray searches for lanterns; lanterns beyond are drawn as their average.",
         quality(256), afloat);
     Real pointSize = real("pointSize", 5, pixel, Range{0.5, 100, logarithmic}.soft(1, 40),
-                          "Width below which a lantern is drawn as a glowing point.", quality(0.5), ours);
+                          "Width below which a lantern is drawn as a glowing point.", quality(0.5), physical);
     Real meanSize = real("meanSize", 0.7, pixel, Range{0.02, 10, logarithmic}.soft(0.1, 4),
-                         "Width below which lanterns are drawn as their average.", quality(0.02), ours and afloat);
+                         "Width below which lanterns are drawn as their average.", quality(0.02), physical and afloat);
     Count stepLimit = count(
         "stepLimit", 96, {1, 512, logarithmic},
         "Largest number of steps of a ray in one lantern; with a fixed number of cells, in all lanterns together.",

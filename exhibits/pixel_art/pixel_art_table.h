@@ -14,7 +14,7 @@ enum class NormalsBy : int { trueNormals, tap3, tap4, tap5, tap9, tap9Plus, para
 enum class PixelView : int { finished, normals, error, depth, edges };
 enum class DepthBits : int { float32, unorm24, unorm16 };
 enum class DepthOrder : int { reversed, standard };
-enum class EdgeLook : int { ours, source };
+enum class EdgeLook : int { adaptive, reference };
 enum class PaletteName : int { none, isle, gameBoy, nes, c64, ega, spectrum, msx, pico8, oneBit, goldenHour };
 enum class Dither : int { none, ordered, blueNoise, errorDiffusion };
 
@@ -144,8 +144,8 @@ struct PixelArtTable final : Parameters {
     Color horizon = color("horizon", {0.36, 0.52, 0.58}, "Color of the background at the bottom.", finished);
 
     Group lines = group("Lines");
-    Choice<EdgeLook> edges = choice("edges", EdgeLook::ours, {"ours", "as in the source"},
-                                    "Edge detection: ours, one texel wide with thresholds that follow distance and "
+    Choice<EdgeLook> edges = choice("edges", EdgeLook::adaptive, {"adaptive", "reference"},
+                                    "Edge detection: adaptive, one texel wide with thresholds that follow distance and "
                                     "slope, or the formulas of the reference in meters.",
                                     edged);
     Real highlightStrength = real("highlightStrength", 0.22, none, {0, 1},
@@ -156,20 +156,20 @@ struct PixelArtTable final : Parameters {
                                 "Strength of the dark lines on the borders of near objects: 0 draws none.", finished);
     Color outlineColor = color("outlineColor", {0.012, 0.010, 0.03}, "Color of the dark lines.",
                                finished and whenAbove(outlineStrength, 0));
-    const Condition ourEdges = when(edges, EdgeLook::ours);
+    const Condition adaptiveEdges = when(edges, EdgeLook::adaptive);
     Real coloredOutline = real(
         "coloredOutline", 0.75, none, {0, 1},
         "Share of the bordering object's color in a dark line: 0 uses the outline color, 1 a dark tone of the object.",
-        finished and ourEdges and whenAbove(outlineStrength, 0));
+        finished and adaptiveEdges and whenAbove(outlineStrength, 0));
     Real outlineGap =
         real("outlineGap", 4.5, none, Range{0.5, 100, logarithmic}.soft(1, 20),
              "Depth between two surfaces that makes a line, in texels after removing the slope: low draws more lines.",
-             edged and ourEdges);
+             edged and adaptiveEdges);
     Real edgeAngle =
         real("edgeAngle", degrees(32), degree, Range{degrees(5), degrees(120)},
-             "Angle by which a surface must turn to make an edge: low draws more lines.", edged and ourEdges);
+             "Angle by which a surface must turn to make an edge: low draws more lines.", edged and adaptiveEdges);
     Toggle objectOutlines =
-        toggle("objectOutlines", true, "Whether lines separate objects that touch.", edged and ourEdges);
+        toggle("objectOutlines", true, "Whether lines separate objects that touch.", edged and adaptiveEdges);
 
     Group colors = group("Palette");
     Choice<PaletteName> palette = choice(

@@ -190,8 +190,8 @@ bool Picture::emits() const
 void Picture::planShadow()
 {
     const glm::dvec3 sun = values_[table_.sunLight].value;
-    // Lines of our own style are lighter in the sun.
-    const bool lines = values_[table_.highlightStrength] > 0 && values_[table_.edges] == EdgeLook::ours;
+    // Lines of the adaptive edges are lighter in the sun.
+    const bool lines = values_[table_.highlightStrength] > 0 && values_[table_.edges] == EdgeLook::adaptive;
     const std::string why = render::whyZero(
         {render::required(anyView({PixelView::finished}), "no shown view has shadows"),
          render::required(values_[table_.shadows], "shadows are off"),
@@ -342,7 +342,7 @@ void Picture::planLook()
     defines.push_back("LEFT_VIEW " + std::to_string(static_cast<int>(left)));
     defines.push_back("RIGHT_VIEW " + std::to_string(static_cast<int>(right)));
     if (values_[table_.outlineStrength] > 0 || values_[table_.highlightStrength] > 0) defines.emplace_back("LINES");
-    if (values_[table_.edges] == EdgeLook::source) defines.emplace_back("EDGES_OF_THE_SOURCE");
+    if (values_[table_.edges] == EdgeLook::reference) defines.emplace_back("REFERENCE_EDGES");
     pass.inputs = {{UNIT_BASE_COLOR, colorImage},
                    {UNIT_NORMAL, normals_ ? pixelSurfaceImage : depth_},
                    {UNIT_ORM, pixelTruthImage}};

@@ -140,7 +140,7 @@ const RecordTable& lookTable()
         "",
         {{"look",
           "Shading of the scene.",
-          {{"asInTheSource",
+          {{"asInTheReference",
             FieldType::toggle,
             Unit::none,
             0,

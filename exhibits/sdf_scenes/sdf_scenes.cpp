@@ -62,7 +62,7 @@ struct ScenePass {
     const SdfScenesTable& t;
     const ParameterValues& values;
     const ShownScene& shown;
-    bool source;
+    bool reference;
     std::string steps;  ///< Prefix of the names of its steps.
     render::Pass& pass;
     render::FramePlan& plan;
@@ -81,7 +81,8 @@ struct ScenePass {
     {
         const SceneShadow method = values[t.shadowMethod];
         const auto any = render::required(!shown.scene->lights.empty(), "the scene has no lights");
-        const auto lit = render::required(!source || shown.contents.litInSource, "no material reflects the lights");
+        const auto lit =
+            render::required(!reference || shown.contents.litInReference, "no material reflects the lights");
         const std::string dark = render::whyZero({any, lit});
         if (dark.empty())
             define("LIGHTS");
@@ -91,7 +92,7 @@ struct ScenePass {
             render::whyZero({any, lit, render::required(method != SceneShadow::none, "shadows are switched off")});
         if (why.empty())
             define("SHADOWS " +
-                   std::to_string(method == SceneShadow::look ? (source ? 6 : 4) : static_cast<int>(method) - 1));
+                   std::to_string(method == SceneShadow::look ? (reference ? 6 : 4) : static_cast<int>(method) - 1));
         else
             plan.skip(steps + "shadows", why);
     }
@@ -99,7 +100,7 @@ struct ScenePass {
     void occlusion() const
     {
         SceneOcclusion method = values[t.occlusionMethod];
-        if (method == SceneOcclusion::look && !source) method = SceneOcclusion::taps;
+        if (method == SceneOcclusion::look && !reference) method = SceneOcclusion::taps;
         if (method == SceneOcclusion::none)
             plan.skip(steps + "occlusion", "ambient occlusion is switched off");
         else
@@ -109,13 +110,14 @@ struct ScenePass {
     void all() const
     {
         const SceneContents& has = shown.contents;
-        if (source) define("SOURCE_LOOK");
+        if (reference) define("REFERENCE_SHADING");
         shadows();
         occlusion();
-        add(source ? has.mirrorsInSource : has.mirrors, "MIRRORS", "reflections", "nothing in the scene mirrors");
-        add(!source && has.glass, "GLASS", "glass", source ? "the source has no glass" : "nothing is made of glass");
-        add(!source && has.lamps, "LAMPS", "lamps",
-            source ? "the source shows no lamps" : "no light of the scene has an area");
+        add(reference ? has.mirrorsInReference : has.mirrors, "MIRRORS", "reflections", "nothing in the scene mirrors");
+        add(!reference && has.glass, "GLASS", "glass",
+            reference ? "the reference has no glass" : "nothing is made of glass");
+        add(!reference && has.lamps, "LAMPS", "lamps",
+            reference ? "the reference shows no lamps" : "no light of the scene has an area");
         if (has.glows) define("GLOWS");
         if (values[t.heatMap] != SceneHeatMap::none) define("HEAT_MAP");
         if (values[t.heatMap] == SceneHeatMap::shapes) define("COUNT_SHAPES");
@@ -149,7 +151,7 @@ std::vector<double> SdfScenes::numbersAt(const ParameterValues& values, double t
     const scenes::Scene& scene = *shown(values).scene;
     std::vector<double> numbers = scene.numbersAt(secondsAt(table_, values, time), ofScene);
     const SceneLook look = values[table_.look];
-    if (look != SceneLook::scene) numbers[scene.look.numbers] = look == SceneLook::source ? 1 : 0;
+    if (look != SceneLook::scene) numbers[scene.look.numbers] = look == SceneLook::reference ? 1 : 0;
     return numbers;
 }
 
@@ -303,8 +305,8 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     pass.shader.sources = asked.sources;
     pass.buffers = asked.buffers;
     pass.shader.slot = pass.name;
-    const bool source = prepared.numbers[scene.scene->look.numbers] > 0.5;
-    ScenePass{table_, values, scene, source, steps, pass, plan}.all();
+    const bool reference = prepared.numbers[scene.scene->look.numbers] > 0.5;
+    ScenePass{table_, values, scene, reference, steps, pass, plan}.all();
 
     if (!asked.why.empty()) plan.skip(steps + "cells", asked.why);
     if (!asked.folded) plan.skip(steps + "folding", asked.whyNotFolded);

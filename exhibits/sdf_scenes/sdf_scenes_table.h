@@ -12,7 +12,7 @@ namespace scenes {
 struct ShownScene;
 }
 
-enum class SceneLook : int { scene, ours, source };
+enum class SceneLook : int { scene, physical, reference };
 enum class SceneShadow : int { look, none, hard, classic, improved, signedDistance, area };
 enum class SceneOcclusion : int { look, none, taps, hemisphere, cones };
 enum class SceneHeatMap : int { none, steps, evaluations, normals, shapes };
@@ -30,7 +30,7 @@ struct SdfScenesTable final : Parameters {
     File document = this->Parameters::document(
         "document", scene,
         "The edited scene (JSON) with all changes that are not in its file yet. Resetting it discards them.");
-    Choice<SceneLook> look = choice("look", SceneLook::scene, {"as the scene says", "ours", "as in the source"},
+    Choice<SceneLook> look = choice("look", SceneLook::scene, {"as the scene says", "physically based", "reference"},
                                     "Shading of the scene: as set in its file, physically based (metal, glaze and "
                                     "glass), or by Phong's formulas as in the reference.");
     Toggle animate = toggle("animate", false, "Whether time runs; it shows only in scenes in which something moves.");
@@ -59,7 +59,7 @@ struct SdfScenesTable final : Parameters {
               when(shadowMethod, SceneShadow::area) || rightIs("rightShadowMethod", SceneShadow::area));
     Real lampSize = real("lampSize", 0.1, meter, Range{0, 100}.soft(0, 1),
                          "Radius of the scene's point lights: large gives soft shadows and wide highlights.",
-                         whenNot(look, SceneLook::source) ||
+                         whenNot(look, SceneLook::reference) ||
                              when(shadowMethod, {SceneShadow::classic, SceneShadow::improved,
                                                  SceneShadow::signedDistance, SceneShadow::area}) ||
                              rightIs("rightShadowMethod", SceneShadow::classic) ||
@@ -80,11 +80,11 @@ struct SdfScenesTable final : Parameters {
         real("occlusionRange", 1.5, meter, Range{0.001, 1000, logarithmic}.soft(0.05, 20),
              "Distance beyond which shapes cause no ambient occlusion; the reference has no such limit.",
              when(occlusionMethod, {SceneOcclusion::taps, SceneOcclusion::hemisphere, SceneOcclusion::cones}) ||
-                 (when(occlusionMethod, SceneOcclusion::look) && whenNot(look, SceneLook::source)) ||
+                 (when(occlusionMethod, SceneOcclusion::look) && whenNot(look, SceneLook::reference)) ||
                  rightIs("rightOcclusionMethod", SceneOcclusion::taps) ||
                  rightIs("rightOcclusionMethod", SceneOcclusion::hemisphere) ||
                  rightIs("rightOcclusionMethod", SceneOcclusion::cones) ||
-                 (rightIs("rightOcclusionMethod", SceneOcclusion::look) && whenNot(look, SceneLook::source)));
+                 (rightIs("rightOcclusionMethod", SceneOcclusion::look) && whenNot(look, SceneLook::reference)));
 
     Group accuracy = foldedGroup("Accuracy");
     Real hitTolerance = real(

@@ -34,7 +34,7 @@ struct MaterialNumbers {
 };
 
 /// Roughness above which reflections are looked up in a blurred environment instead of traced: see
-/// shaders/sdf_scenes/our_look.glsl.
+/// shaders/sdf_scenes/pbr_shading.glsl.
 constexpr double roughestMirror = 0.35;
 
 void addMaterial(const MaterialNumbers& m, SceneContents& contents)
@@ -43,14 +43,14 @@ void addMaterial(const MaterialNumbers& m, SceneContents& contents)
     if (m.record.kind->name == "phong") {
         const bool mirror = m.mayBeAbove(7, 0);
         contents.mirrors = contents.mirrors || mirror;
-        contents.mirrorsInSource = contents.mirrorsInSource || mirror;
-        contents.litInSource = contents.litInSource || m.mayBeAbove(4, 0) || m.mayBeAbove(5, 0);
+        contents.mirrorsInReference = contents.mirrorsInReference || mirror;
+        contents.litInReference = contents.litInReference || m.mayBeAbove(4, 0) || m.mayBeAbove(5, 0);
         return;
     }
-    contents.litInSource = true;
+    contents.litInReference = true;
     // Order of the numbers: color, metalness, roughness, reflectance, refractive index, transmission, emission.
     contents.mirrors = contents.mirrors || m.mayBeBelow(4, roughestMirror);
-    contents.mirrorsInSource = contents.mirrorsInSource || (m.mayBeAbove(3, 0) && m.mayBeBelow(4, 0.3));
+    contents.mirrorsInReference = contents.mirrorsInReference || (m.mayBeAbove(3, 0) && m.mayBeBelow(4, 0.3));
     contents.glass = contents.glass || m.mayBeAbove(7, 0);
     contents.glows = contents.glows || m.mayBeAbove(8, 0);
 }
@@ -273,8 +273,8 @@ std::vector<std::filesystem::path> environmentFiles(const Scene& scene, const st
 
 namespace {
 
-constexpr double farthestInSource = 100;
-constexpr double farthestOfOurs = 300;
+constexpr double farthestOfReference = 100;
+constexpr double farthestOfPhysical = 300;
 constexpr double timesAsFar = 60;  ///< As what a scene without a camera is seen from: as far as 300 m from 5 m.
 
 glm::dvec3 vectorOf(const double* v)
@@ -292,7 +292,7 @@ void setEdges(SceneStage& stage, std::size_t i, const glm::dvec3& facing, double
 }
 
 /// `target`: where the camera looks, at which a point of light is as bright as its color says.
-void setLight(const Record& light, const double* v, const glm::dvec3& target, bool asInSource, std::size_t i,
+void setLight(const Record& light, const double* v, const glm::dvec3& target, bool byReference, std::size_t i,
               SceneStage& stage)
 {
     const auto place = [&](const glm::dvec3& p, int kind) { return glm::vec4(glm::vec3(p), static_cast<float>(kind)); };
@@ -302,7 +302,7 @@ void setLight(const Record& light, const double* v, const glm::dvec3& target, bo
     };
     if (light.kind->name == "point") {
         const glm::dvec3 away = vectorOf(v) - target;
-        const double squared = asInSource ? 1 : std::max(glm::dot(away, away), 1e-6);
+        const double squared = byReference ? 1 : std::max(glm::dot(away, away), 1e-6);
         stage.lightPlace[i] = place(vectorOf(v), SCENE_POINT);
         stage.lightColor[i] = glm::vec4(glm::vec3(squared * vectorOf(v + 3)), 0);
     } else if (light.kind->name == "sun") {
@@ -327,12 +327,12 @@ SceneStage sceneStage(const ShownScene& shown, const SceneWords& words, const st
 {
     const Scene& scene = *shown.scene;
     const double* look = &numbers[scene.look.numbers];
-    const bool asInSource = look[0] > 0.5;
+    const bool byReference = look[0] > 0.5;
     const glm::dvec3 target = vectorOf(&numbers[scene.camera.numbers + 3]);
     SceneStage stage;
     setBox(stage, words.extents.empty() ? render::Box{glm::dvec3(0), glm::dvec3(0)} : words.extents.front().box);
     const double toTarget = glm::length(vectorOf(&numbers[scene.camera.numbers]) - target);
-    const double farthest = asInSource ? farthestInSource : farthestOfOurs;
+    const double farthest = byReference ? farthestOfReference : farthestOfPhysical;
     stage.farthest = static_cast<float>(scene.hasCamera ? farthest : std::max(farthest, timesAsFar * toTarget));
     stage.largestNormalStep = static_cast<float>(scene.hasCamera ? 1e3 : 0.001 * toTarget);
     stage.bounces = static_cast<int>(look[1]);
@@ -354,7 +354,7 @@ SceneStage sceneStage(const ShownScene& shown, const SceneWords& words, const st
     const std::size_t lights = std::min<std::size_t>(scene.lights.size(), SCENE_MOST_LIGHTS);
     stage.lights = static_cast<int>(lights);
     for (std::size_t i = 0; i < lights; ++i)
-        setLight(scene.lights[i], &numbers[scene.lights[i].numbers], target, asInSource, i, stage);
+        setLight(scene.lights[i], &numbers[scene.lights[i].numbers], target, byReference, i, stage);
     return stage;
 }
 

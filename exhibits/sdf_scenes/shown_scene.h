@@ -17,10 +17,10 @@ namespace vitrine::scenes {
 
 /// Features of a scene that need code in its shader, whatever its numbers are.
 struct SceneContents {
-    bool mirrorsInSource = false;  ///< A material is, or may become, reflective in the reference's shading ...
-    bool mirrors = false;          ///< ... or in the physically based shading of metal and glaze.
+    bool mirrorsInReference = false;  ///< A material is, or may become, reflective in the reference's shading ...
+    bool mirrors = false;             ///< ... or in the physically based shading of metal and glaze.
     /// A material may reflect light of the scene's lights in the reference's shading; Phong materials need not.
-    bool litInSource = false;
+    bool litInReference = false;
     bool glass = false;
     bool glows = false;
     bool lamps = false;  ///< Visible area lights.

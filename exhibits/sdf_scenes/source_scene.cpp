@@ -128,7 +128,7 @@ void SourceReader::readCamera()
 {
     const std::optional<std::uint32_t> camera = json_.member(0, "camera");
     if (!camera) {
-        findings_.add(json_, 0, "a scene of the source needs a \"camera\"");
+        findings_.add(json_, 0, "a scene of the reference needs a \"camera\"");
         return;
     }
     const SourceNumbers n = numbers(*camera, {{"position", 3}, {"target", 3}, {"up", 3}, {"fov"}}, {}, "a camera");
@@ -295,16 +295,16 @@ std::optional<ConvertedScene> SourceReader::convert()
     for (const auto& [list, operation] : combinations) keys.push_back(list);
     scene_ = {{"format", sceneFormat}, {"version", sceneVersion}};
     const SourceNumbers n = numbers(0, {{"soft_shadows_factor", 1, false}, {"is_noise", 1, false}, {"fbm", 1, false}},
-                                    keys, "a scene of the source");
+                                    keys, "a scene of the reference");
     if (const std::string name = word(0, "name"); !name.empty()) scene_["name"] = name;
     readCamera();
     readMaterials();
     const std::string cubemap = word(0, "cubemap");
     const std::vector<std::string> cubemaps{"lycksele", "yokohama", "interstellar"};
     if (!cubemap.empty() && std::find(cubemaps.begin(), cubemaps.end(), cubemap) == cubemaps.end())
-        findings_.add(json_, *json_.member(0, "cubemap"), unknownWord(cubemap, "cube map of the source", cubemaps));
+        findings_.add(json_, *json_.member(0, "cubemap"), unknownWord(cubemap, "cube map of the reference", cubemaps));
     scene_["environment"] = skyOf(cubemap);
-    scene_["look"] = {{"asInTheSource", true}, {"softShadows", n.find("soft_shadows_factor")->second[0]}};
+    scene_["look"] = {{"asInTheReference", true}, {"softShadows", n.find("soft_shadows_factor")->second[0]}};
     readShapes();
     for (const auto& [list, operation] : combinations) readCombinations(list, operation);
     if (n.find("is_noise")->second[0] != 0) readNoise();

@@ -19,8 +19,8 @@ struct ConvertedScene {
 /// combinations.
 [[nodiscard]] bool isSourceScene(const render::JsonText&);
 
-/// Converts a scene to this project's format, with the look "asInTheSource". Differences from the reference: planes are
-/// solid half spaces behind the plane as seen from the camera, instead of sheets; a degenerate shape is a finding
+/// Converts a scene to this project's format, with the look "asInTheReference". Differences from the reference: planes
+/// are solid half spaces behind the plane as seen from the camera, instead of sheets; a degenerate shape is a finding
 /// instead of a division by zero; the named cube maps become skies of their colors; noise scenes become surfaces of
 /// noise. Returns nothing if findings were added. `without`: shapes (values of the text) that are left out, together
 /// with combinations that contain nothing else.

@@ -49,8 +49,8 @@ void main()
     // Occlusion by the body, near its box only. The ground occludes nothing of itself: a sample is as far from it as it
     // is high.
     bool near = length(max(max(object.boxLow - p, p - object.boxHigh), vec3(0.0))) < 0.6;
-    s.occlusion = near ? sourceOcclusion(p, n) : 1.0;
+    s.occlusion = near ? referenceOcclusion(p, n) : 1.0;
     s.specular = shape.stage < STAGE_SPECULAR ? 0.0 : 0.5;
-    vec3 color = sourceFogged(sourceReflected(s, -ray.direction, groundVisibility(p + n * 1.0e-4, sourceSun())), t);
+    vec3 color = referenceFogged(referenceReflected(s, -ray.direction, groundVisibility(p + n * 1.0e-4, referenceSun())), t);
     radiance = vec4(min(color, vec3(6e4)), 1.0);
 }

@@ -1,5 +1,5 @@
 // Clouds: marches rays through a layer of noise, lit by the sun through the cloud itself and by the sky. Permutations:
-// BAKED; SOURCE; EVEN_STEPS (no empty-space skipping, plain sums).
+// BAKED; REFERENCE; EVEN_STEPS (no empty-space skipping, plain sums).
 #include "noise/work.glsl"
 #include "noise/cloud_noise.glsl"
 #include "noise/cloud_medium.glsl"
@@ -169,14 +169,14 @@ PortalSeen ourClouds(PortalRay ray)
     return seen;
 }
 
-#ifdef SOURCE
-#include "noise/source_clouds.glsl"
+#ifdef REFERENCE
+#include "noise/reference_clouds.glsl"
 #endif
 
 PortalSeen portalSeen(PortalRay ray)
 {
-#ifdef SOURCE
-    return sourceClouds(ray);
+#ifdef REFERENCE
+    return referenceClouds(ray);
 #else
     return ourClouds(ray);
 #endif

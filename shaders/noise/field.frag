@@ -1,5 +1,5 @@
 // Blobs of noise: marched with the bounds of field.glsl, lit by sun and sky, with light through thin parts, fading into
-// bright air. Permutations: those of field.glsl, SOURCE; COUNT_LOOKUPS, instead of evaluations; HALVED, steps of half
+// bright air. Permutations: those of field.glsl, REFERENCE; COUNT_LOOKUPS, instead of evaluations; HALVED, steps of half
 // the value; DERIVATIVE, for normals.
 #include "noise/work.glsl"
 #include "noise/field.glsl"
@@ -205,7 +205,7 @@ PortalSeen ourField(PortalRay ray)
 }
 
 // Draws as the reference does: steps of half the value, colors by height, and fog by the number of steps.
-PortalSeen sourceField(PortalRay ray)
+PortalSeen referenceField(PortalRay ray)
 {
     PortalSeen seen = nothingSeen();
     float t = 0.1;
@@ -239,8 +239,8 @@ PortalSeen sourceField(PortalRay ray)
 
 PortalSeen portalSeen(PortalRay ray)
 {
-#ifdef SOURCE
-    return sourceField(ray);
+#ifdef REFERENCE
+    return referenceField(ray);
 #else
     return ourField(ray);
 #endif

@@ -1,4 +1,4 @@
-// The sea: gravity waves in the light of the sky. Permutations: SOURCE; HEIGHT_STEPS, step length equal to the height
+// The sea: gravity waves in the light of the sky. Permutations: REFERENCE; HEIGHT_STEPS, step length equal to the height
 // above the water; COUNT_MARCH, counts only the march, not the lighting.
 #include "noise/work.glsl"
 
@@ -277,14 +277,14 @@ vec3 highClouds(vec3 d, float footprint)
     return mix(sky, lit, veil);
 }
 
-#ifdef SOURCE
-#include "noise/source_sea.glsl"
+#ifdef REFERENCE
+#include "noise/reference_sea.glsl"
 #endif
 
 PortalSeen portalSeen(PortalRay ray)
 {
-#ifdef SOURCE
-    return sourceSea(ray);
+#ifdef REFERENCE
+    return referenceSea(ray);
 #else
     PortalSeen seen = nothingSeen();
     SeaHit hit = seaHit(ray);

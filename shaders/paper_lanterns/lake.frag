@@ -1,6 +1,6 @@
 // A lake at night: one ray per pixel, which water reflects further. One ray towards the moon starts where it ends,
 // another one from the water that it hit first. Permutations: SHOW (0 the picture, 1 heights, 2 normals, 3 parts);
-// LEGS, number of rays in sequence; BOUNCES, number of these on water; SOURCE, the shading of the reference;
+// LEGS, number of rays in sequence; BOUNCES, number of these on water; REFERENCE, the shading of the reference;
 // REPETITION, which cells around a point are searched; LANTERNS, WAVES, MIST, MOON, STARS, PANORAMA; MOON_ON_WATER, if
 // lanterns shadow the water from the moon.
 #include "kit/portal/portal.glsl"
@@ -24,8 +24,8 @@ Lantern lanternAt(ivec2 cell)
 #include "paper_lanterns/air.glsl"
 #include "paper_lanterns/night_sky.glsl"
 #include "paper_lanterns/surfaces.glsl"
-#ifdef SOURCE
-#include "paper_lanterns/source_look.glsl"
+#ifdef REFERENCE
+#include "paper_lanterns/reference_shading.glsl"
 #endif
 
 vec3 lanternNormal(vec3 p, float width)
@@ -58,8 +58,8 @@ vec3 skyAround(vec3 d, Leg leg, float pixel)
 {
 #if SHOW != 0
     return vec3(0.02, 0.022, 0.03);
-#elif defined(SOURCE)
-    return sourceSky(d);
+#elif defined(REFERENCE)
+    return referenceSky(d);
 #else
     return skyLight(d, leg.blur, pixel);
 #endif
@@ -87,8 +87,8 @@ Gathered meetLantern(Gathered before, Leg leg, LanternWalk walk, float pixel)
 #elif SHOW != 0
     now.radiance += leg.weight * partColor(walk.part) * (0.35 + 0.3 * max(world.y, -world.z));
 #else
-#ifdef SOURCE
-    Lit lit = sourceLantern(walk, n, world, d * axes);
+#ifdef REFERENCE
+    Lit lit = referenceLantern(walk, n, world, d * axes);
 #else
     vec3 outer = lanternLight(p, world, walk.lantern.place);
     outer += PI * 0.5 * nightAir(vec3(0.0, 1.0, 0.0)) * (1.0 + world.y);
@@ -152,7 +152,7 @@ Mirror meetWater(Leg from, float t, float pixel)
     if (cosine < 0.02) n = safeNormalize(n - d * (0.02 - cosine), vec3(0.0, 1.0, 0.0));
     cosine = clamp(dot(n, -d), 0.02, 1.0);
     vec2 rough = sqrt(water.hidden);
-#ifdef SOURCE
+#ifdef REFERENCE
     float fresnel = 0.6;
     vec3 body = parameters.waterColor;
     m.byMoon = vec3(0.0);
@@ -166,7 +166,7 @@ Mirror meetWater(Leg from, float t, float pixel)
     m.body = body * (1.0 - fresnel);
     m.share = vec3(fresnel);
     vec3 mirrored = reflect(d, n);
-#ifndef SOURCE
+#ifndef REFERENCE
     if (below) {
         // Seen from below: the refracted ray through the surface. Nothing is visible in deep water.
         vec3 through = refract(d, n, 1.333);

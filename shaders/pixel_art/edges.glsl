@@ -20,7 +20,7 @@ float gapTo(vec3 away, vec3 n, float width)
 
 // Computes the edges. A texel beyond the picture's border equals the border texel, so there is no edge between them.
 // All four neighbors are read before any decision.
-Edges ourEdges(DepthLens lens, ivec2 p, Surface surface)
+Edges adaptiveEdges(DepthLens lens, ivec2 p, Surface surface)
 {
     Edges e = Edges(0.0, 0.0, 0.0);
     vec3 n = surface.normal;
@@ -54,7 +54,7 @@ Edges ourEdges(DepthLens lens, ivec2 p, Surface surface)
 }
 
 // Formulas that the reference takes from others: sums of absolute differences in meters, smoothed steps.
-Edges sourceEdges(DepthLens lens, ivec2 p, Surface surface)
+Edges referenceEdges(DepthLens lens, ivec2 p, Surface surface)
 {
     vec3 n = surface.normal;
     float z = viewDistance(lens, surface.depth);

@@ -1,6 +1,6 @@
 // Draws the finished picture, or a debug view of its inputs. Linear display light; a: 1 where anything is visible.
 // Before the palette, a is 2 for views that keep their own colors. Permutations: LEFT_VIEW and RIGHT_VIEW, values of
-// the parameter `view`; LINES, EDGES_OF_THE_SOURCE, SHADOWS, EMISSION, TRANSLUCENT, DEPTH_ALONE (`surfaces` is the
+// the parameter `view`; LINES, REFERENCE_EDGES, SHADOWS, EMISSION, TRANSLUCENT, DEPTH_ALONE (`surfaces` is the
 // depth: no view needs normals); SHOWN and LIT, output locations of the picture with the palette and before it;
 // PALETTE, and those of pixel_art/dither.glsl. Compile-time choices replace branches, because some processors execute
 // both sides.
@@ -42,10 +42,10 @@ Surface surfaceAt(ivec2 p)
 
 Edges edgesAt(DepthLens lens, ivec2 p, Surface surface)
 {
-#ifdef EDGES_OF_THE_SOURCE
-    return sourceEdges(lens, p, surface);
+#ifdef REFERENCE_EDGES
+    return referenceEdges(lens, p, surface);
 #else
-    Edges e = ourEdges(lens, p, surface);
+    Edges e = adaptiveEdges(lens, p, surface);
     if (isSky(lens, surface.depth)) e = Edges(0.0, 0.0, 0.0);
     return e;
 #endif
@@ -78,7 +78,7 @@ vec3 finished(ivec2 p, DepthLens lens, Surface surface)
     return color;
 #else
     Edges e = edgesAt(lens, p, surface);
-#ifdef EDGES_OF_THE_SOURCE
+#ifdef REFERENCE_EDGES
     color = mix(color, mix(color, parameters.highlightColor, parameters.highlightStrength), e.highlight);
     return mix(color, mix(color, parameters.outlineColor, parameters.outlineStrength), e.outline);
 #else

@@ -1,15 +1,15 @@
 // Lights of a scene, and their occlusion at a point.
 
 // SHADOWS is one of the kit's methods, or that of the reference.
-#define SHADOWS_SOURCE 6
+#define SHADOWS_REFERENCE 6
 #ifdef SHADOWS
-#if SHADOWS != SHADOWS_SOURCE
+#if SHADOWS != SHADOWS_REFERENCE
 #define SHADOW_METHOD SHADOWS
 #include "kit/sdf/shadow_method.glsl"
 #endif
 #endif
 
-#define OCCLUSION_SOURCE 0
+#define OCCLUSION_REFERENCE 0
 #define OCCLUSION_TAPS 2
 #define OCCLUSION_HEMISPHERE 3
 #define OCCLUSION_CONES 4
@@ -45,7 +45,7 @@ SceneLight sceneLight(int i, vec3 p)
     float squared = max(dot(away, away), 1e-6);
     l.distance = sqrt(squared);
     l.direction = safeNormalize(away, vec3(0.0, 1.0, 0.0));
-#ifdef SOURCE_LOOK
+#ifdef REFERENCE_SHADING
     l.arriving = color.rgb;
 #else
     // The distance is clamped to the lamp's own size.
@@ -79,7 +79,7 @@ float sceneVisibility(vec3 p, SceneLight l, uint salt)
 #endif
     float tMin = 0.002;
     int steps = min(parameters.stepLimit, 128);
-#if SHADOWS != SHADOWS_SOURCE
+#if SHADOWS != SHADOWS_REFERENCE
     Shadow s = shadowByMethod(p, l.direction, l.width, tMin, tMax, steps, parameters.shadowRays, 2.0 * PI * pixelNumber(salt));
 #else
     // Method of the reference: the narrowest clearance k d / t from 0.1 on, smoothed, and hard for k = 0. Unlike the
@@ -103,7 +103,7 @@ mat3 axesAround(vec3 n)
     return mat3(vec3(1.0 + s * n.x * n.x * a, s * b, -s * n.x), vec3(b, s + n.y * n.y * a, -n.y), n);
 }
 
-#if OCCLUSION == OCCLUSION_HEMISPHERE || OCCLUSION == OCCLUSION_SOURCE
+#if OCCLUSION == OCCLUSION_HEMISPHERE || OCCLUSION == OCCLUSION_REFERENCE
 // Share of rays that hit something within the range; distant hits count less.
 float hemisphereHidden(vec3 p, vec3 n, int rays, float range)
 {
@@ -112,7 +112,7 @@ float hemisphereHidden(vec3 p, vec3 n, int rays, float range)
     float hidden = 0.0;
     for (int k = 0; k < rays; ++k) {
         float share = (float(k) + 0.5) / float(rays);
-#if OCCLUSION == OCCLUSION_SOURCE
+#if OCCLUSION == OCCLUSION_REFERENCE
         // The angles of the reference are uniform in the polar angle, and the same for all pixels; here they are
         // rotated per pixel.
         float polar = 0.5 * PI * fract(float(k) * 0.754877666 + 0.5);

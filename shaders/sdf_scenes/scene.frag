@@ -1,7 +1,7 @@
-// Draws a scene behind the portal: its field is generated, the rest is here. Permutations: SOURCE_LOOK; LIGHTS, SHADOWS
+// Draws a scene behind the portal: its field is generated, the rest is here. Permutations: REFERENCE_SHADING; LIGHTS, SHADOWS
 // (a method), OCCLUSION (a method), MIRRORS, GLASS, GLOWS, LAMPS, PANORAMA, if the scene has any; HEAT_MAP,
 // COUNT_SHAPES (instead of evaluations).
-#if defined(SOURCE_LOOK) || defined(HEAT_MAP)
+#if defined(REFERENCE_SHADING) || defined(HEAT_MAP)
 #define PORTAL_DISPLAY_LIGHT
 #endif
 #include "kit/portal/portal.glsl"
@@ -16,10 +16,10 @@ int evaluations;  // Calls of the field for this pixel.
 #include "sdf_scenes/environment.glsl"
 #include "sdf_scenes/hit.glsl"
 #include "sdf_scenes/light.glsl"
-#ifdef SOURCE_LOOK
-#include "sdf_scenes/source_look.glsl"
+#ifdef REFERENCE_SHADING
+#include "sdf_scenes/reference_shading.glsl"
 #else
-#include "sdf_scenes/our_look.glsl"
+#include "sdf_scenes/pbr_shading.glsl"
 #endif
 
 PortalSeen portalSeen(PortalRay ray)

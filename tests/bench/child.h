@@ -13,7 +13,7 @@ struct Run {
     double wallSeconds = 0;
     double cpuSeconds = 0;     ///< Processor time of all threads, user and system.
     double peakMegabytes = 0;  ///< Largest resident set in 1e6 bytes.
-    std::string out;           ///< Standard output of the program; its standard error is ours.
+    std::string out;           ///< Standard output of the program; its standard error is that of this process.
 };
 
 /// Runs the program with these arguments and changes to the environment, and waits for at most `longest` seconds.

@@ -1,5 +1,5 @@
 // Stability cases of motion: clocks that stop, jump and run backwards, springs and rotations at singularities of their
-// formulas, and coming to rest. Each test compares the plain formula with ours.
+// formulas, and coming to rest. Each test compares the plain formula with the one in use.
 
 #include "exhibits/fur/rigid_bodies.h"
 #include "exhibits/fur/spring.h"

@@ -21,7 +21,7 @@ struct IceCreamShot {
     IceCreamShot()
     {
         useSmallMaps(sceneState.hall(), 256);
-        values().set(iceCreamTable().lighting, IceCreamLighting::source);
+        values().set(iceCreamTable().lighting, IceCreamLighting::reference);
         values().set(iceCreamTable().size, 1.0);
         seeAlone(request, subject);
         FrameRequest& frame = request.frame;

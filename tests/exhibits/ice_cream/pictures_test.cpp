@@ -25,7 +25,7 @@ const IceCreamTable& t()
     return iceCreamTable();
 }
 
-void candiesOfTheSource(ParameterValues& values)
+void candiesOfTheReference(ParameterValues& values)
 {
     const dvec3 inTheAir[]{{0.5, 1, 0.866}, {-1, 0.8, 0}, {0.5, 1.2, -0.866}};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -38,22 +38,22 @@ void candiesOfTheSource(ParameterValues& values)
 /// Removes all lighting, so that surfaces have flat colors.
 void flat(ParameterValues& values)
 {
-    values.set(t().sourceSunStrength, 0.0);
-    values.set(t().sourceAmbient, {dvec3(1)});
+    values.set(t().referenceSunStrength, 0.0);
+    values.set(t().referenceAmbient, {dvec3(1)});
     values.set(t().ambientOcclusion, false);
-    values.set(t().sourceFog, 0.0);
+    values.set(t().referenceFog, 0.0);
     values.set(t().ground, false);
 }
 
 /// Counts the pixels of each candy, which have colors of their own here, in a view from one angle of the reference's
 /// orbit.
-std::array<int, candyCount> candyPixels(double angle, bool placesOfTheSource)
+std::array<int, candyCount> candyPixels(double angle, bool placesOfTheReference)
 {
     IceCreamShot shot;
     ParameterValues& values = shot.values();
-    candiesOfTheSource(values);
+    candiesOfTheReference(values);
     flat(values);
-    if (placesOfTheSource) {
+    if (placesOfTheReference) {
         values.set(t().candies[0].z, 16.0);
         values.set(t().candies[4].x, -0.06);
         values.set(t().candies[4].z, -0.11);
@@ -79,11 +79,11 @@ std::array<int, candyCount> candyPixels(double angle, bool placesOfTheSource)
 }
 
 /// Returns the number of candies visible from the reference's orbit.
-int candiesSeen(bool placesOfTheSource)
+int candiesSeen(bool placesOfTheReference)
 {
     std::array<int, candyCount> most{};
     for (int side = 0; side < 6; ++side) {
-        const auto pixels = candyPixels(side * std::numbers::pi / 3, placesOfTheSource);
+        const auto pixels = candyPixels(side * std::numbers::pi / 3, placesOfTheReference);
         for (std::size_t i = 0; i < candyCount; ++i) most[i] = std::max(most[i], pixels[i]);
     }
     int seen = 0;
@@ -97,7 +97,8 @@ int candiesSeen(bool placesOfTheSource)
 TEST_F(IceCreamPicture, TenCandiesAreSeenFromTheWayAroundIt)
 {
     EXPECT_EQ(candiesSeen(false), 10);
-    EXPECT_EQ(candiesSeen(true), 8) << "the source has the first one behind the camera and the fifth one in the cream";
+    EXPECT_EQ(candiesSeen(true), 8)
+        << "the reference has the first one behind the camera and the fifth one in the cream";
 }
 
 TEST_F(IceCreamPicture, UndersidesAreDarkerThanTops)
@@ -124,29 +125,29 @@ TEST_F(IceCreamPicture, UndersidesAreDarkerThanTops)
     });
     EXPECT_GT(under, 50);
     EXPECT_LT(largest, 0.02);
-    EXPECT_GT(inverted, 0.5) << "the source, whose y points down, lights the undersides";
+    EXPECT_GT(inverted, 0.5) << "the reference, whose y points down, lights the undersides";
 }
 
 /// Returns the reference's shading formula for one pixel, from its normal.
 dvec3 blinnPhong(const ParameterValues& values, const dvec3& n, const dvec3& toEye, const dvec3& color,
                  double roughness)
 {
-    const dvec3 l = values[t().sourceSun].value;
+    const dvec3 l = values[t().referenceSun].value;
     const double diffuse = std::max(glm::dot(n, l), 0.0);
     const double shine =
         std::pow(std::max(glm::dot(n, glm::normalize(l + toEye)), 0.0), std::exp2(10 * (1 - roughness)));
-    return (color + shine) * diffuse * values[t().sourceSunColor].value * values[t().sourceSunStrength];
+    return (color + shine) * diffuse * values[t().referenceSunColor].value * values[t().referenceSunStrength];
 }
 
-TEST_F(IceCreamPicture, RoughnessIsTheSourcesExponent)
+TEST_F(IceCreamPicture, RoughnessIsTheReferencesExponent)
 {
     for (const double roughness : {0.25, 0.65}) {
         IceCreamShot shot;
         ParameterValues& values = shot.values();
         values.set(t().show, IceCreamParts::upper);
-        values.set(t().sourceAmbient, {dvec3(0)});
+        values.set(t().referenceAmbient, {dvec3(0)});
         values.set(t().shadowMethod, SdfShadow::none);
-        values.set(t().sourceFog, 0.0);
+        values.set(t().referenceFog, 0.0);
         values.set(t().ground, false);
         values.set(t().creamRoughness, roughness);
         // View in which the highlight is visible.
@@ -179,10 +180,10 @@ TEST_F(IceCreamPicture, RoughnessIsTheSourcesExponent)
 double shareOfSun(const glm::dvec2& at, SdfShadow method)
 {
     IceCreamShot shot;
-    shot.values().set(t().sourceAmbient, {dvec3(0)});
-    shot.values().set(t().sourceFog, 0.0);
+    shot.values().set(t().referenceAmbient, {dvec3(0)});
+    shot.values().set(t().referenceFog, 0.0);
     // A low sun makes a long shadow.
-    shot.values().set(t().sourceSun, {glm::normalize(dvec3(-1, 0.12, 0))});
+    shot.values().set(t().referenceSun, {glm::normalize(dvec3(-1, 0.12, 0))});
     shot.see({at.x, 0.5, at.y + 0.001}, {at.x, 0, at.y}, 0.05).size(8, 8);
     shot.values().set(t().shadowMethod, method);
     const double with = shot.take().mean();
@@ -195,7 +196,7 @@ TEST_F(IceCreamPicture, ShadowsReachFartherThanFiveMeters)
     // The sun's rays fall by 0.12 meters per meter: the middle of the cream, at a height of 0.9, shades the ground at
     // 7.5.
     for (const SdfShadow method : {SdfShadow::classic, SdfShadow::improved, SdfShadow::signedDistance}) {
-        EXPECT_LT(shareOfSun({7.5, 0}, method), 0.05) << static_cast<int>(method) << ": the source looks 5 m far";
+        EXPECT_LT(shareOfSun({7.5, 0}, method), 0.05) << static_cast<int>(method) << ": the reference looks 5 m far";
         EXPECT_LT(shareOfSun({2.5, 0}, method), 0.05) << static_cast<int>(method);
         EXPECT_GT(shareOfSun({7.5, 3}, method), 0.99) << static_cast<int>(method);
         EXPECT_GT(shareOfSun({14, 0}, method), 0.99) << static_cast<int>(method) << ": beyond its end";
@@ -240,7 +241,7 @@ TEST_F(IceCreamPicture, EachStageOfTheBuildUpIsAnotherPictureAndTheLastOneIsTheW
 {
     IceCreamShot shot;
     shot.size(128, 96).see({0.4, 1.5, 2}, {0, 0.6, 0});
-    shot.values().set(t().lighting, IceCreamLighting::source);
+    shot.values().set(t().lighting, IceCreamLighting::reference);
     shot.request.samples = 4;
     const Picture finished = shot.take();
     Picture before = finished;

@@ -33,7 +33,7 @@ ParameterValues source()
         values.set(table().candies[7 + i].y, inTheAir[i].y);
         values.set(table().candies[7 + i].z, inTheAir[i].z);
     }
-    values.set(table().lighting, IceCreamLighting::source);
+    values.set(table().lighting, IceCreamLighting::reference);
     return values;
 }
 
@@ -205,7 +205,7 @@ TEST(IceCreamMarch, ARayThatIsOutOfStepsIsNoHit)
     const render::Box box = boxOf(shape);
     glsl::IceCream solids = solidsOf(shape);
     glsl::Tracer tracer{[&](const dvec3& p) { return solids.iceCreamDistance(p); }};
-    int phantoms = 0, missed = 0, ofTheSource = 0;
+    int phantoms = 0, missed = 0, ofTheReference = 0;
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             const dvec3 eye(0, 1.5, 2), ray = sourceRay(x, y, width, height);
@@ -230,11 +230,11 @@ TEST(IceCreamMarch, ARayThatIsOutOfStepsIsNoHit)
                 hit = d < 1e-5 * t;
                 if (!hit) t += d;
             }
-            ofTheSource += !hit && t < 1e8;
+            ofTheReference += !hit && t < 1e8;
         }
     EXPECT_GT(missed, 2000);
     EXPECT_EQ(phantoms, 0);
-    EXPECT_GT(ofTheSource, 20) << "rays near the horizon run out of steps, and the source takes them for hits";
+    EXPECT_GT(ofTheReference, 20) << "rays near the horizon run out of steps, and the reference takes them for hits";
 }
 
 TEST(IceCreamMarch, NormalsAtFloat32AreThoseOfFloat64ByTheStepOfTheTable)
@@ -268,9 +268,9 @@ TEST(IceCreamMarch, NormalsAtFloat32AreThoseOfFloat64ByTheStepOfTheTable)
     // The rest are pixels within a step of a crease, where both sides count.
     EXPECT_LT(ours[ours.size() * 95 / 100], 0.1);
     const auto sources = errors(1e-5);
-    EXPECT_GT(sources[sources.size() / 2], 5 * ours[ours.size() / 2]) << "the source's step drowns in rounding";
+    EXPECT_GT(sources[sources.size() / 2], 5 * ours[ours.size() / 2]) << "the reference's step drowns in rounding";
     EXPECT_GT(sources[sources.size() * 95 / 100], 5 * ours[ours.size() * 95 / 100]);
-    std::printf("median, 95 %%: %.4f %.4f; the source's step: %.3f %.3f degrees\n", ours[ours.size() / 2],
+    std::printf("median, 95 %%: %.4f %.4f; the reference's step: %.3f %.3f degrees\n", ours[ours.size() / 2],
                 ours[ours.size() * 95 / 100], sources[sources.size() / 2], sources[sources.size() * 95 / 100]);
 }
 
@@ -298,7 +298,7 @@ double radiusAt(int parts, double y, double angle = 0)
     return 2 - firstMet(parts, out * 2.0 + dvec3(0, y, 0), -out);
 }
 
-TEST(IceCreamDimensions, OfTheWaferAreTheSources)
+TEST(IceCreamDimensions, OfTheWaferAreTheReferences)
 {
     constexpr int foot = 1 << PART_FOOT, collar = 1 << PART_COLLAR, bowl = 1 << PART_BOWL;
     EXPECT_NEAR(radiusAt(foot, 1e-6), 0.20, 1e-5);
@@ -376,7 +376,7 @@ TEST(IceCreamDimensions, TheLayersHaveSevenAndFiveLobes)
     }
 }
 
-TEST(IceCreamDimensions, TheConesLeanAndTwistAsInTheSource)
+TEST(IceCreamDimensions, TheConesLeanAndTwistAsInTheReference)
 {
     const IceCreamShape shape = iceCreamShape(table(), source(), 0);
     // Computed by hand from the reference's matrices: base and tip, before repetition and twist.
@@ -427,7 +427,7 @@ TEST(IceCreamDimensions, NoCandyIsLostBehindTheCamera)
     EXPECT_LT(every.cream({-0.06, 1.1, -0.11}), -0.036);
 }
 
-TEST(IceCreamDimensions, CandiesSpinAndFloatAsTheSourceTellsThem)
+TEST(IceCreamDimensions, CandiesSpinAndFloatAsTheReferenceTellsThem)
 {
     ParameterValues values = source();
     values.set(table().animate, true);

@@ -192,10 +192,10 @@ TEST_F(Ledger, OcclusionOfABlackLightIsNotEvaluated)
     const IceCreamTable table;
     Shot shot = shotOf(exhibit, true);
     ParameterValues& values = shot.sceneState.values[exhibit];
-    values.set(table.lighting, IceCreamLighting::source);
+    values.set(table.lighting, IceCreamLighting::reference);
     shot.request.frame.camera = gallery().museum.subject(exhibit).bestView(values);
     const Counted lit = counted(shot);
-    values.set(table.sourceAmbient, ColorValue{glm::dvec3(0)});
+    values.set(table.referenceAmbient, ColorValue{glm::dvec3(0)});
     const Counted black = counted(shot);
     shot.request.frame.runEverything = true;
     const Counted everything = counted(shot);
@@ -215,7 +215,7 @@ TEST_F(Ledger, ShadowsOnWhatSendsNoLightOfTheLightsAreNotEvaluated)
     const auto take = [&](SceneShadow shadows) {
         ParameterValues& values = shot.sceneState.values[exhibit];
         values.set(table.scene, std::string(VITRINE_SOURCE_DIR "/assets/scenes/ambient_occlusion.json"));
-        values.set(table.look, SceneLook::source);
+        values.set(table.look, SceneLook::reference);
         values.set(table.shadowMethod, shadows);
         shot.sceneState = gallery().museum.readTables(shot.sceneState).sceneState;
         shot.request.frame.camera = gallery().museum.subject(exhibit).bestView(shot.sceneState.values[exhibit]);

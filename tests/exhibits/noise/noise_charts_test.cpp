@@ -85,7 +85,7 @@ TEST(NoiseCharts, ShowTheLatticeOfValueNoiseWhichSimplexHasNot)
     EXPECT_GT(lowest(charts[1].curves[1]), 0.9);
 }
 
-TEST(NoiseCharts, AreFiniteForEveryWorkAndThoseOfTheSourceAreItsOwn)
+TEST(NoiseCharts, AreFiniteForEveryWorkAndThoseOfTheReferenceAreItsOwn)
 {
     const NoiseTable table;
     for (int work = 0; work < 4; ++work) {
@@ -102,7 +102,7 @@ TEST(NoiseCharts, AreFiniteForEveryWorkAndThoseOfTheSourceAreItsOwn)
             differ = differ || chart.curves[0].y != chart.curves[1].y;
         }
         EXPECT_TRUE(differ) << work;
-        values.set(table.look, NoiseLook::source);
+        values.set(table.look, NoiseLook::reference);
         for (const Chart& chart : noiseCharts(table, values)) EXPECT_EQ(chart.curves[0].y, chart.curves[1].y);
     }
 }

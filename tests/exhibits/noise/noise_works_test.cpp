@@ -22,7 +22,7 @@ const NoiseTable& table()
 struct WorkShot : Shot {
     std::size_t noise = *gallery().museum.find("noise");
 
-    explicit WorkShot(NoiseWork work, NoiseLook look = NoiseLook::ours)
+    explicit WorkShot(NoiseWork work, NoiseLook look = NoiseLook::physical)
     {
         request.frame.alone = noise;
         request.frame.subject = std::nullopt;
@@ -40,7 +40,7 @@ constexpr NoiseWork allWorks[] = {NoiseWork::field, NoiseWork::fractal, NoiseWor
 
 TEST_F(NoiseWorks, AreFourThatDifferAndMove)
 {
-    for (const NoiseLook look : {NoiseLook::ours, NoiseLook::source}) {
+    for (const NoiseLook look : {NoiseLook::physical, NoiseLook::reference}) {
         std::vector<Picture> pictures;
         for (const NoiseWork work : allWorks) {
             WorkShot shot(work, look);
@@ -56,7 +56,7 @@ TEST_F(NoiseWorks, AreFourThatDifferAndMove)
 
 TEST_F(NoiseWorks, StayFiniteAtAnyTimeAndPlace)
 {
-    for (const NoiseLook look : {NoiseLook::ours, NoiseLook::source})
+    for (const NoiseLook look : {NoiseLook::physical, NoiseLook::reference})
         for (const NoiseWork work : allWorks)
             for (const double moment : {0.0, 1e6, -1e6}) {
                 WorkShot shot(work, look);

@@ -22,7 +22,7 @@ inline ParameterValues sourceLake()
     const PaperLanternsTable& t = lanternsTable();
     ParameterValues values = t.initial();
     values.set(t.waveHeight, 1.0);
-    values.set(t.waveSpeed, LakeSpeed::source);
+    values.set(t.waveSpeed, LakeSpeed::reference);
     values.set(t.crowding, 1.0);
     values.set(t.spacing, 4.0);
     values.set(t.lanterns, 40000);

@@ -245,7 +245,7 @@ TEST_F(LakePictures, AreFiniteWhereverTheCameraIsAndWhenever)
         {{0, -1.6, -3}, {0, 5, -3.001}, 0.9},      // Straight up.
         {{0, 2, -3}, {0, -5, -3.001}, 0.9},        // Straight down.
     };
-    for (const LakeLook look : {LakeLook::ours, LakeLook::source})
+    for (const LakeLook look : {LakeLook::physical, LakeLook::reference})
         for (const double moment : {0.0, 1e6})
             for (const render::Camera& camera : cameras) {
                 LakeShot shot;

@@ -18,7 +18,7 @@ using test::lakeAtFloat64;
 using test::lanternsTable;
 using test::sourceLake;
 
-TEST(LakeWaves, AreTheSourcesFiveAndStayWithinTheirBounds)
+TEST(LakeWaves, AreTheReferencesFiveAndStayWithinTheirBounds)
 {
     const std::vector<LakeWave> waves = sourceWaves(false);
     const double lengths[] = {11.2, 8.0, 5.7, 4.1, 2.9}, amplitudes[] = {0.09, 0.054, 0.0324, 0.0194, 0.0117};
@@ -48,7 +48,7 @@ TEST(LakeWaves, AreTheSourcesFiveAndStayWithinTheirBounds)
     EXPECT_GT(steepest, 0.12);
 }
 
-TEST(LakeWaves, AreTheSourcesSumWithItsSign)
+TEST(LakeWaves, AreTheReferencesSumWithItsSign)
 {
     glsl::Lake lake = lakeAtFloat64(sourceLake(), 3.1);
     const dvec2 directions[] = {
@@ -117,7 +117,7 @@ TEST(LanternsAfloat, SitOnTheWaterWithinACentimeterAndADegree)
     EXPECT_LT(error.x, 0.01);
     EXPECT_LT(error.y, std::numbers::pi / 180);
     // Control: the reference's wave for lanterns is not one of the water's.
-    values.set(lanternsTable().ride, LakeRide::source);
+    values.set(lanternsTable().ride, LakeRide::reference);
     const dvec2 rough = rideError(values);
     EXPECT_GT(rough.x, 0.1);
     EXPECT_GT(rough.y, 3 * std::numbers::pi / 180);

@@ -51,7 +51,7 @@ TEST_F(LakeViews, SeamOfThePaperIsNotSeenAtEitherParity)
         const Picture ours = shot.take();
         EXPECT_GT(ours.luminance(width / 2, 32), 0.02);
         EXPECT_LT(seamInTheMiddle(ours), 1.8) << width;
-        shot.set(row().look, LakeLook::source);
+        shot.set(row().look, LakeLook::reference);
         EXPECT_GT(seamInTheMiddle(shot.take()), 3) << width;
     }
 }
@@ -78,7 +78,7 @@ TEST_F(LakeViews, APanoramaHasNoSeamAtEitherParity)
             return 1 - least / even;
         };
         EXPECT_LT(dark(shot.take()), 0.02) << width;
-        shot.set(row().look, LakeLook::source);
+        shot.set(row().look, LakeLook::reference);
         EXPECT_GT(dark(shot.take()), 0.1) << width;
     }
 }
@@ -116,7 +116,7 @@ TEST_F(LakeViews, HeightsAreThoseOfTheWaterTimesTheExaggeration)
 
 TEST_F(LakeViews, OfALanternsInsideAreWhole)
 {
-    for (const LakeLook look : {LakeLook::ours, LakeLook::source}) {
+    for (const LakeLook look : {LakeLook::physical, LakeLook::reference}) {
         LakeShot shot;
         shot.set(row().look, look).set(row().waveHeight, 0.0);
         const auto l = shot.withOneLantern();
@@ -127,7 +127,7 @@ TEST_F(LakeViews, OfALanternsInsideAreWhole)
         EXPECT_EQ(notFinite(wall.image, 4), "");
         int dark = 0;
         wall.each([&](int x, int y) { dark += !(wall.luminance(x, y) > 0.1 * wall.mean()) || !wall.hit(x, y); });
-        EXPECT_LT(dark, look == LakeLook::ours ? 1 : 60);  // Its frame gets no light from between wall and post.
+        EXPECT_LT(dark, look == LakeLook::physical ? 1 : 60);  // Its frame gets no light from between wall and post.
         EXPECT_NEAR(wall.depth(48, 30), 0.67 / scale, 0.01);
         // Down at the base, and up through the opening at the sky.
         const Picture down = shot.from(eye, eye + dvec3(0, -1, 0.001), 0.5).take();

@@ -55,7 +55,7 @@ SourcesParts sourcesParts(const dvec3& p)
 
 /// Returns the number of random places, more than a millimeter from the surface, at which the solid differs from the
 /// reference's.
-int placesUnlikeTheSources(glsl::Lake lake)
+int placesUnlikeTheReferences(glsl::Lake lake)
 {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> side(-1.3, 1.3), up(-0.2, 2.3);
@@ -69,13 +69,13 @@ int placesUnlikeTheSources(glsl::Lake lake)
     return unlike;
 }
 
-TEST(LanternShape, IsTheSources)
+TEST(LanternShape, IsTheReferences)
 {
     const glsl::Lake lake = lakeAtFloat64(lanternsTable().initial(), 0);
-    EXPECT_EQ(placesUnlikeTheSources(lake), 0);
+    EXPECT_EQ(placesUnlikeTheReferences(lake), 0);
     ParameterValues wider = lanternsTable().initial();
     wider.set(lanternsTable().paperRadius, 0.76);
-    EXPECT_GT(placesUnlikeTheSources(lakeAtFloat64(wider, 0)), 10);
+    EXPECT_GT(placesUnlikeTheReferences(lakeAtFloat64(wider, 0)), 10);
 }
 
 /// Returns the distance to the change of the field's sign along a ray, by bisection.
@@ -147,7 +147,7 @@ TEST(LanternShape, NeverOverestimates)
     }
 }
 
-TEST(Flame, FlickersBetweenTheSourcesNumbers)
+TEST(Flame, FlickersBetweenTheReferencesNumbers)
 {
     double low = 1, high = 0;
     for (int i = 0; i < 40000; ++i) {

@@ -97,7 +97,7 @@ std::function<double(int)> dividerIn(const SceneShot& shot, double divider, cons
 TEST_F(SceneHalves, AreEachTheWholePictureWithItsSettings)
 {
     SceneShot shot(shippedScene("primitives"));
-    shot.values().set(scenesTable().look, SceneLook::ours);
+    shot.values().set(scenesTable().look, SceneLook::physical);
     for (const HalvesCase& setting : halvesCases()) {
         const HalvesFound found = compareHalves(shot, setting, 0.45, dividerIn(shot, 0.45, glm::dmat4(1)));
         EXPECT_EQ(found.ofNeither, 0) << setting.name;

@@ -86,7 +86,7 @@ SceneShot sourceShot(const test::TemporaryFolder& folder, const std::string& oth
     const std::string head = R"("camera": {"position": [0, 0, 4], "target": [0, 0, 0], "fieldOfView": 60},
  "environment": {"kind": "sky", "zenith": [0.2, 0.3, 0.4], "horizon": [0.2, 0.3, 0.4], "ground": [0.2, 0.3, 0.4]},
  "materials": {"ball": {"model": "phong", "color": [0.8, 0.4, 0.2], "ambient": 0.2, "diffuse": 0.5, "specular": 0.3, "shininess": 8, "mirror": 0.25}},
- "lights": [)" + lights + "], \"look\": {\"asInTheSource\": true, \"bounces\": 1" +
+ "lights": [)" + lights + "], \"look\": {\"asInTheReference\": true, \"bounces\": 1" +
                              look + "},";
     SceneShot shot(test::writeScene(
         folder, R"({"kind": "union", "children": [{"kind": "sphere", "radius": 1, "material": "ball"})" + others + "]}",
@@ -105,7 +105,7 @@ dvec3 shownAt(const test::Picture& p, int x, int y)
     return number;
 }
 
-TEST_F(ScenePicture, AsInTheSourceIsPhongWithAMirrorShownAsNumbers)
+TEST_F(ScenePicture, AsInTheReferenceIsPhongWithAMirrorShownAsNumbers)
 {
     SceneShot shot = sourceShot(folder_, "", R"({"kind": "point", "position": [2, 3, 4], "color": [0.9, 1, 0.8]})",
                                 R"(, "ambient": [0.5, 0.6, 0.7])");
@@ -147,7 +147,7 @@ TEST_F(ScenePicture, BouncesAreCounted)
                                     R"("camera": {"position": [0, 0, 4], "target": [0, 0, 0], "fieldOfView": 60},
  "materials": {"mirror": {"model": "phong", "color": [0.8, 0.4, 0.2], "diffuse": 0.5, "mirror": 0.5}},
  "lights": [{"kind": "point", "position": [2, 3, 4], "color": [0.9, 1, 0.8]}],
- "look": {"asInTheSource": true, "bounces": 4},)"));
+ "look": {"asInTheReference": true, "bounces": 4},)"));
     std::vector<test::Picture> pictures;
     for (int bounces = 0; bounces <= 4; ++bounces) {
         shot.values().set(scenesTable().bounces, bounces);
@@ -397,7 +397,7 @@ TEST_F(ScenePicture, ASliderOfTheSceneMovesWhatItNamesWithoutAnotherProgram)
     EXPECT_EQ(shader(), key);
     // Seen from 5 radii, a ball's outline is 1 / sqrt(24) wide; from 10 radii, 1 / sqrt(99).
     EXPECT_NEAR(static_cast<double>(pixels()) / before, 99.0 / 24, 0.5);
-    shot.values().set(scenesTable().look, SceneLook::source);
+    shot.values().set(scenesTable().look, SceneLook::reference);
     EXPECT_FALSE(shader() == key) << "control: another look does compile";
     EXPECT_EQ(shader().slot, key.slot) << "and the picture does not wait for it";
 }
@@ -412,7 +412,7 @@ TEST_F(ScenePicture, IsSeenThroughItsFrameOnly)
     shot.request.frame.camera = {dvec3(world * glm::dvec4(eye, 1)), dvec3(world * glm::dvec4(0, 0, 0, 1)), 1.1};
     const test::Picture one = shot.take();
     shot.values().set(scenesTable().brightness, 8.0);
-    shot.values().set(scenesTable().look, SceneLook::ours);
+    shot.values().set(scenesTable().look, SceneLook::physical);
     const test::Picture other = shot.take();
     int through = 0, leaked = 0;
     one.each([&](int x, int y) {

@@ -53,7 +53,7 @@ TEST(SceneFiles, TheFifteenCompositionsAreRead)
     EXPECT_EQ(read, 15);
 }
 
-TEST(SceneFiles, MoveWhereTheSourceMoves)
+TEST(SceneFiles, MoveWhereTheReferenceMoves)
 {
     for (const std::filesystem::path& path : shippedScenes()) {
         if (isOurs(path)) continue;
@@ -100,7 +100,7 @@ const char* const sourceObject = R"({
   "unions": [{"smooth_factor": 0.5, "shapes": [{"type": "sphere", "center": [70, 0, 0], "radius": 1}, {"type": "sphere", "center": [71, 0, 0], "radius": 1}]}]
 })";
 
-TEST(SceneFiles, SceneObjectsOfTheSourceAreRead)
+TEST(SceneFiles, SceneObjectsOfTheReferenceAreRead)
 {
     const scenes::ReadScene read = test::readText(sourceObject);
     ASSERT_TRUE(read.scene) << test::findingsText(read);
@@ -165,7 +165,7 @@ TEST(SceneFiles, WhatIsWrongInThemIsSaidWhereItStands)
 }
 
 /// The reference's "Primitives" has a triangle of area 0. It divides by zero there, and draws the rest.
-TEST(SceneFiles, ShapesOfTheSourceThatAreNoneAreLeftOutOfTheOthers)
+TEST(SceneFiles, ShapesOfTheReferenceThatAreNoneAreLeftOutOfTheOthers)
 {
     const std::string text = R"({"camera": {"position": [0, 0, 9], "target": [0, 0, 0], "up": [0, 1, 0], "fov": 65},
         "primitives": {"spheres": [{"center": [0,0,0], "radius": 1}, {"center": [0,0,0], "radius": 0}],
@@ -194,7 +194,7 @@ TEST(SceneFiles, ShapesOfTheSourceThatAreNoneAreLeftOutOfTheOthers)
     EXPECT_TRUE(test::readText(test::sceneText(R"({"kind": "sphere"})")).scene->leftOut.empty());
 }
 
-TEST(SceneFiles, NoiseScenesOfTheSourceAreSurfacesOfNoise)
+TEST(SceneFiles, NoiseScenesOfTheReferenceAreSurfacesOfNoise)
 {
     const std::string camera = R"("camera": {"position": [0, 0, 0], "target": [0, 0, 1], "up": [0, 1, 0], "fov": 75})";
     for (const char* name : {"3D-Perlin-Noise", "Waves", "Clouds"}) {

@@ -181,7 +181,7 @@ TEST(SceneSchema, AgreesOnEverythingBesideTheNodes)
         R"("lights": [{"kind": "point"}, {"kind": "sun"}, {"kind": "area", "width": 2}],)",
         R"("environment": {"kind": "panorama", "file": "a.hdr", "rotation": 30},)",
         R"("environment": {"kind": "faces", "right": "a", "left": "b", "top": "c", "bottom": "d", "front": "e", "back": "f"},)",
-        R"("camera": {"fieldOfView": "30 deg"}, "look": {"bounces": 4, "asInTheSource": true},)",
+        R"("camera": {"fieldOfView": "30 deg"}, "look": {"bounces": 4, "asInTheReference": true},)",
         R"("parameters": {"size": {"value": 1, "unit": "m", "range": [0, 2], "help": "Of it."}},)",
         R"("nodes": {"part": {"kind": "box"}}, "name": "A", "about": "B", "$schema": "c",)"};
     const char* const wrong[] = {R"("lights": {},)",

@@ -42,7 +42,7 @@ template <typename Visit> void eachShape(const Visit& visit)
         if (kind.form == Form::shape && kind.name != "noise") visit(kind);
 }
 
-TEST(SceneShapes, AreThe16OfTheSourceAndTheOtherExactOnes)
+TEST(SceneShapes, AreThe16OfTheReferenceAndTheOtherExactOnes)
 {
     for (const char* name :
          {"plane", "sphere", "box", "roundBox", "boxFrame", "cylinder", "capsule", "torus", "triangle",

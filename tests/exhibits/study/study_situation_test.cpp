@@ -148,7 +148,7 @@ TEST(StudySituation, AParameterGoesToTheWorkInWhichItActs)
     EXPECT_EQ(valueOf(situation, request, "work"), "clouds");
     EXPECT_EQ(sentencesOf(request),
               std::vector<std::string>{"Studied with “work” at clouds instead of sea, so that “bakeSize” acts."});
-    EXPECT_EQ(valueOf(situation, request, "look"), "ours") << "no more than it takes";
+    EXPECT_EQ(valueOf(situation, request, "look"), "physically based") << "no more than it takes";
     EXPECT_EQ(request.sceneState, museum().initialSceneState()) << "the user's settings are a copy";
 }
 
