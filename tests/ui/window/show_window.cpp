@@ -1,7 +1,7 @@
 // Draws pictures of the window, dark and light, for inspection: show_window FOLDER [museum | tree | compare | explore |
-// lessons]. "museum" shows the real one, "tree" its exhibits with trees, "compare" two of its settings, "explore" its
-// pad and nine variations, "lessons" a step of each lesson and the pages. Otherwise a gallery of one color is shown,
-// with every kind of parameter.
+// lessons | documents]. "museum" shows the real one, "tree" its exhibits with trees, "compare" two of its settings,
+// "explore" its pad and nine variations, "lessons" a step of each lesson and the pages, "documents" only the two
+// pictures of the README files, dark. Otherwise a gallery of one color is shown, with every kind of parameter.
 #include "tests/ui/painted_gallery.h"
 
 #include "exhibits/exhibits.h"
@@ -128,6 +128,32 @@ void showLessons(ui::MainWindow& window, const Museum& museum, const QString& fo
     window.lessons().leave();
 }
 
+/// Shows the print dialog with views of the exhibit that is visited.
+void showPrintDialog(ui::MainWindow& window, const QString& picture)
+{
+    window.openPrintDialog();
+    auto* dialog = window.findChild<ui::PrintDialog*>();
+    dialog->setPath(QStringLiteral("/home/visitor/Pictures/lenticular-print.tif"));
+    QElapsedTimer passed;
+    passed.start();
+    do QApplication::processEvents(QEventLoop::AllEvents, 50);
+    while (passed.elapsed() < 120000 &&
+           (passed.elapsed() < 3000 || !dialog->settled() || dialog->findChild<ui::EyesPreview*>()->seen(0).isNull()));
+    dialog->grab().save(picture);
+    std::printf("print dialog with rendered views: %.1f s\n", static_cast<double>(passed.elapsed()) / 1000);
+}
+
+/// Shows the window at the first exhibit with its frame report, and the print dialog, as the documents show them.
+void showForDocuments(ui::MainWindow& window, const QString& folder)
+{
+    window.resize(1400, 860);
+    window.visit(1);
+    window.findChild<QDockWidget*>(QStringLiteral("ledger"))->show();
+    waitUntilStill(window, 240000);
+    window.grab().save(folder + QStringLiteral("/window.png"));
+    showPrintDialog(window, folder + QStringLiteral("/print_dialog.png"));
+}
+
 }  // namespace
 
 int main(int argc, char** argv)
@@ -157,6 +183,10 @@ int main(int argc, char** argv)
         }
         ui::MainWindow window(*shown, *renderers);
         window.show();
+        if (real && QLatin1String(argv[2]) == QLatin1String("documents")) {
+            showForDocuments(window, folder);
+            return 0;
+        }
         if (trees) {
             showTrees(window, *museum, folder, ending);
             continue;
@@ -219,16 +249,7 @@ int main(int argc, char** argv)
             until.exec();
             waitUntilStill(window, 60000);
             window.grab().save(folder + QStringLiteral("/study") + ending);
-            window.openPrintDialog();
-            auto* dialog = window.findChild<ui::PrintDialog*>();
-            dialog->setPath(QStringLiteral("/home/visitor/Pictures/lenticular-print.tif"));
-            QElapsedTimer passed;
-            passed.start();
-            do QApplication::processEvents(QEventLoop::AllEvents, 50);
-            while (passed.elapsed() < 120000 && (passed.elapsed() < 3000 || !dialog->settled() ||
-                                                 dialog->findChild<ui::EyesPreview*>()->seen(0).isNull()));
-            dialog->grab().save(folder + QStringLiteral("/print") + ending);
-            std::printf("print dialog with rendered views: %.1f s\n", static_cast<double>(passed.elapsed()) / 1000);
+            showPrintDialog(window, folder + QStringLiteral("/print") + ending);
         }
         std::printf("visit: %lld pictures drawn\n", window.viewport().picturesDrawn());
     }
