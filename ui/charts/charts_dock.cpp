@@ -125,10 +125,9 @@ ChartsDock::ChartsDock(const Museum& museum, History& history, QWidget* parent)
     soon_.setSingleShot(true);
     soon_.setInterval(150);
     connect(&soon_, &QTimer::timeout, this, &ChartsDock::renew);
-    connect(&history_, &History::changed, this, [this](std::size_t exhibit) {
-        if (exhibit == exhibit_) ask();
+    connect(&history_, &History::changesSettled, this, [this](const std::set<std::size_t>& exhibits) {
+        if (exhibits.contains(exhibit_)) ask();
     });
-    connect(&history_, &History::replaced, this, &ChartsDock::ask);
     connect(job_, &ProgressJob::failed, this, [this](const QString& why) {
         take(std::vector<Chart>());
         say(why);

@@ -39,8 +39,7 @@ CompareDesk::CompareDesk(Workbench& workbench, PresetShelf& shelf, QWidget* pare
 {
     connect(other_, &OtherSettings::changed, this, &CompareDesk::refresh);
     connect(overlay_, &CompareOverlay::needsChanged, this, &CompareDesk::refresh);
-    connect(&workbench.history(), &History::changed, bar_, &CompareBar::refresh);
-    connect(&workbench.history(), &History::replaced, bar_, &CompareBar::refresh);
+    connect(&workbench.history(), &History::changesSettled, bar_, &CompareBar::refresh);
     connect(picture_, &OtherPicture::drawn, this, [this] {
         workbench_.setProblems(drawingOfB(), {});
         tellLedger();

@@ -22,8 +22,7 @@ constexpr int mostSamples = 4;  // Most samples per pixel.
 Variations::Variations(Workbench& workbench, const ParameterPanel& panel, QObject* parent)
     : QObject(parent), workbench_(workbench), panel_(panel)
 {
-    connect(&workbench.history(), &History::changed, this, &Variations::changed);
-    connect(&workbench.history(), &History::replaced, this, &Variations::changed);
+    connect(&workbench.history(), &History::changesSettled, this, &Variations::changed);
     connect(&panel, &ParameterPanel::locksChanged, this, &Variations::changed);
     // Requests copy the viewport's, so they wait for its first picture.
     connect(&workbench.viewport(), &Viewport::drawn, this, [this] {

@@ -66,8 +66,7 @@ LessonDesk::LessonDesk(Workbench& window, QObject* parent) : QObject(parent), wi
     bar_ = new LessonBar(*this);
     connect(&window.viewport(), &Viewport::drawn, this, &LessonDesk::noteFrame);
     connect(&window.viewport(), &Viewport::looked, this, &LessonDesk::show);
-    connect(&window.history(), &History::changed, this, &LessonDesk::show);
-    connect(&window.history(), &History::replaced, this, &LessonDesk::show);
+    connect(&window.history(), &History::changesSettled, this, &LessonDesk::show);
     show();
 }
 

@@ -62,13 +62,8 @@ public:
 private:
     void show(const render::Camera& camera)
     {
-        const bool moves = camera_ == History::Camera::moves;
-        if (moves) history_.sceneState_.camera = camera;
-        if (const auto one = change_->onlyRow(history_.sceneState_))
-            emit history_.changed(one->first, one->second);
-        else if (moves || !change_->empty())
-            emit history_.replaced();
-        if (moves) emit history_.cameraMoved();
+        if (camera_ == History::Camera::moves) history_.sceneState_.camera = camera;
+        history_.noteChange(*change_, camera_);
     }
 
     History& history_;
@@ -80,6 +75,52 @@ private:
 };
 
 History::History(SceneState start, QObject* parent) : QObject(parent), sceneState_(std::move(start)) {}
+
+QMetaObject::Connection History::watch(std::size_t exhibit, const QObject* owner,
+                                       std::function<void(std::optional<std::size_t> row)> callback)
+{
+    ExhibitChanges*& changes = watched_[exhibit];
+    if (!changes) changes = new ExhibitChanges(this);
+    return connect(changes, &ExhibitChanges::changed, owner, std::move(callback));
+}
+
+void History::noteChange(const SceneStateChange& change, Camera camera)
+{
+    const std::set<std::size_t> exhibits = change.exhibits();
+    if (const auto one = change.onlyRow(sceneState_)) {
+        emit changed(one->first, one->second);
+        tellWatchers(one->first, one->second);
+        settleSoon(exhibits);
+    } else if (camera == Camera::moves || !change.empty()) {
+        noteReplaced(exhibits);
+    } else {
+        settleSoon({});
+    }
+    if (camera == Camera::moves) emit cameraMoved();
+}
+
+void History::noteReplaced(const std::set<std::size_t>& exhibits)
+{
+    emit replaced();
+    for (const std::size_t exhibit : exhibits) tellWatchers(exhibit, std::nullopt);
+    settleSoon(exhibits);
+}
+
+void History::tellWatchers(std::size_t exhibit, std::optional<std::size_t> row)
+{
+    if (const auto found = watched_.find(exhibit); found != watched_.end()) emit found->second->changed(row);
+}
+
+void History::settleSoon(const std::set<std::size_t>& exhibits)
+{
+    unsettled_.insert(exhibits.begin(), exhibits.end());
+    if (std::exchange(settling_, true)) return;
+    const auto settle = [this] {
+        settling_ = false;
+        emit changesSettled(std::exchange(unsettled_, {}));
+    };
+    QMetaObject::invokeMethod(this, settle, Qt::QueuedConnection);
+}
 
 SceneState History::valuesAt(int step) const
 {
@@ -145,22 +186,25 @@ void History::exchangeTables(const SceneState& tabled)
         static_cast<const SceneStateStep*>(last)->change().append(change);  // Only `SceneStateStep`s are pushed.
     change.apply(sceneState_);
     gesture_ = 0;
-    emit replaced();
+    noteReplaced(change.exhibits());
 }
 
 void History::settle(const SceneState& after)
 {
     if (sceneState_.values == after.values) return;
+    const std::set<std::size_t> exhibits = SceneStateChange(sceneState_, after).exhibits();
     sceneState_.values = after.values;
     gesture_ = 0;
-    emit replaced();
+    noteReplaced(exhibits);
 }
 
 void History::restart(const SceneState& sceneState)
 {
     stack_.clear();
     sceneState_ = sceneState;
-    emit replaced();
+    std::set<std::size_t> all;
+    for (std::size_t e = 0; e < sceneState_.values.size(); ++e) all.insert(e);
+    noteReplaced(all);
     emit cameraMoved();
 }
 

@@ -6,16 +6,34 @@
 #include <QUndoStack>
 
 #include <functional>
+#include <map>
+#include <optional>
+#include <set>
 
 namespace vitrine::ui {
+
+class SceneStateChange;
 
 /// Number of a gesture, such as one drag or one held key. Edits with the same number, other than 0, are one undo step.
 using Gesture = int;
 [[nodiscard]] Gesture newGesture();
 
+/// Signal of one exhibit's changes, see `History::watch`.
+class ExhibitChanges final : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+signals:
+    void changed(std::optional<std::size_t> row);
+};
+
 /// The window's scene state and its undo stack. All values of the window are changed here.
 ///
-/// Views of a value listen to `changed` and `replaced` and keep no copy of it. Camera moves of the visitor are no undo
+/// Views of a value keep no copy of it. A view of one exhibit calls `watch`. Marks, bars and docks, which need not
+/// follow each move of a slider, listen to `changesSettled`. Only what must know each change of any exhibit at once
+/// listens to `changed` and `replaced`. Camera moves of the visitor are no undo
 /// steps. A step that moves the camera (such as applying a preset) moves it back when undone.
 class History : public QObject {
     Q_OBJECT
@@ -56,6 +74,11 @@ public:
     /// Clears the undo stack and shows this state: a session is restored.
     void restart(const SceneState&);
 
+    /// Calls `callback` right after values of this exhibit changed, until the owner is destroyed or the connection
+    /// ends. Passes the parameter's index if one value alone changed, else nullopt.
+    QMetaObject::Connection watch(std::size_t exhibit, const QObject* owner,
+                                  std::function<void(std::optional<std::size_t> row)> callback);
+
     /// Returns the gesture of the change that `changed` or `replaced` reports, or has reported last.
     [[nodiscard]] Gesture gesture() const { return gesture_; }
     [[nodiscard]] QUndoStack& stack() { return stack_; }
@@ -65,6 +88,9 @@ signals:
     void changed(std::size_t exhibit, std::size_t row);
     /// Emitted when several values changed at once, or the camera alone.
     void replaced();
+    /// Emitted in the turn of the event loop after steps were done or undone: once for all of them. `exhibits` are
+    /// those whose values changed; empty for steps without one, such as deleting a preset.
+    void changesSettled(const std::set<std::size_t>& exhibits);
     /// Emitted after `changed` or `replaced` when the camera has to move to `sceneState().camera`.
     void cameraMoved();
     /// Emitted when the visitor moved the camera: many times a second while walking.
@@ -73,8 +99,17 @@ signals:
 private:
     friend class SceneStateStep;
 
+    /// Tells all listeners about a change that was made. `camera`: the camera was set, too.
+    void noteChange(const SceneStateChange&, Camera);
+    void noteReplaced(const std::set<std::size_t>& exhibits);
+    void tellWatchers(std::size_t exhibit, std::optional<std::size_t> row);
+    void settleSoon(const std::set<std::size_t>& exhibits);
+
     SceneState sceneState_;
     Gesture gesture_ = 0;
+    std::map<std::size_t, ExhibitChanges*> watched_;
+    std::set<std::size_t> unsettled_;  ///< Exhibits that `changesSettled` will report.
+    bool settling_ = false;            ///< `changesSettled` will be emitted in the next turn of the event loop.
     QUndoStack stack_;
 };
 

@@ -31,6 +31,14 @@ std::optional<std::pair<std::size_t, std::size_t>> SceneStateChange::onlyRow(con
     return std::pair(change.exhibit, change.row);
 }
 
+std::set<std::size_t> SceneStateChange::exhibits() const
+{
+    std::set<std::size_t> all;
+    for (const Row& change : rows_) all.insert(change.exhibit);
+    for (const Table& change : tables_) all.insert(change.exhibit);
+    return all;
+}
+
 void SceneStateChange::set(ParameterValues& values, const Row& change, const Value& value)
 {
     if (values.sharedTable() == change.table) {

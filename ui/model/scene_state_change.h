@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,9 @@ public:
     [[nodiscard]] bool empty() const { return rows_.empty() && tables_.empty(); }
     /// Returns the exhibit and parameter index in this state, if exactly one value changes.
     [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> onlyRow(const SceneState&) const;
+
+    /// Returns the indices of the exhibits whose values change.
+    [[nodiscard]] std::set<std::size_t> exhibits() const;
 
     void apply(SceneState& sceneState) const;
     void revert(SceneState& sceneState) const;

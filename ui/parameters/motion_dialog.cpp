@@ -178,8 +178,7 @@ MotionDialog::MotionDialog(History& history, std::size_t exhibit, const std::vec
     addEnd(*to_, tr("To"));
     addNumbers();
     if (!present()) change(usualMotion(info, values.row(row)));
-    connect(&history_, &History::changed, this, &MotionDialog::refresh);
-    connect(&history_, &History::replaced, this, &MotionDialog::refresh);
+    history_.watch(exhibit_, this, [this](std::optional<std::size_t>) { refresh(); });
     refresh();
 }
 

@@ -92,8 +92,14 @@ ParameterPanel::ParameterPanel(History& history, QWidget* parent)
         emit filtered();
     });
     connect(onlyChanged_, &QToolButton::toggled, this, &ParameterPanel::applyFilter);
-    connect(&history_, &History::changed, this, &ParameterPanel::showRow);
-    connect(&history_, &History::replaced, this, &ParameterPanel::showAll);
+    watch();
+}
+
+void ParameterPanel::watch()
+{
+    disconnect(watched_);
+    watched_ =
+        history_.watch(exhibit_, this, [this](std::optional<std::size_t> row) { row ? showRow(*row) : showAll(); });
 }
 
 void ParameterPanel::showExhibit(std::size_t exhibit, const QString& name)
@@ -101,6 +107,7 @@ void ParameterPanel::showExhibit(std::size_t exhibit, const QString& name)
     const bool another = exhibit_ != exhibit || name_ != name;
     exhibit_ = exhibit;
     name_ = name;
+    watch();
     if (another) table_.reset();
     showAll();
 }
@@ -130,9 +137,9 @@ void ParameterPanel::showAll()
     scroll_->verticalScrollBar()->setValue(scrolled);
 }
 
-void ParameterPanel::showRow(std::size_t exhibit, std::size_t row)
+void ParameterPanel::showRow(std::size_t row)
 {
-    if (exhibit != exhibit_ || rows_.empty()) return;
+    if (rows_.empty()) return;
     showValue(row);
     showWhatActs();
     sectionOf_[row]->refresh();

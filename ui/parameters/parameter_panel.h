@@ -101,7 +101,9 @@ private:
     void rebuild();
     void addRow(std::size_t row);
     void addSection(const ParameterInfo&);
-    void showRow(std::size_t exhibit, std::size_t row);
+    /// Follows the changes of the shown exhibit, and of no other.
+    void watch();
+    void showRow(std::size_t row);
     void showAll();
     void showWhatActs();
     void applyFilter();
@@ -161,6 +163,7 @@ private:
     std::vector<bool> foldedAtFirst_;           // By section.
     std::shared_ptr<const Parameters> table_;   // Whose rows are built; null: none yet.
     std::size_t exhibit_ = 0;
+    QMetaObject::Connection watched_;
     QString name_;
     QSet<QString> folded_;
     bool gauges_ = false;

@@ -30,12 +30,8 @@ PresetShelf::PresetShelf(Workbench& window, PresetList& list, PresetStore store)
     connect(&list, &PresetList::loadAsked, this, &PresetShelf::load);
     connect(&list, &PresetList::renamed, this, &PresetShelf::renameTo);
     connect(&list, &PresetList::factsAsked, this, &PresetShelf::showFacts);
-    connect(&window.history().stack(), &QUndoStack::indexChanged, this, [this] {
-        uses_.prune();
-        mark();
-    });
-    connect(&window.history(), &History::changed, this, &PresetShelf::mark);
-    connect(&window.history(), &History::replaced, this, &PresetShelf::mark);
+    connect(&window.history().stack(), &QUndoStack::indexChanged, this, [this] { uses_.prune(); });
+    connect(&window.history(), &History::changesSettled, this, &PresetShelf::mark);
 }
 
 std::string PresetShelf::exhibitName() const

@@ -142,11 +142,9 @@ void StudyView::connectParts()
     connect(pictures_, &StudyPictures::enlargeAsked, this, &StudyView::enlarge);
     connect(chart_, &StudyChart::hovered, this, [this](int point) { showPoint(point); });
     connect(chart_, &StudyChart::chosen, this, [this](int point) { apply(static_cast<std::size_t>(point)); });
-    const auto refreshWhileSeen = [this] {
+    connect(&history_, &History::changesSettled, this, [this] {
         if (isVisible()) refresh();
-    };
-    connect(&history_, &History::changed, this, refreshWhileSeen);
-    connect(&history_, &History::replaced, this, refreshWhileSeen);
+    });
 }
 
 void StudyView::showEvent(QShowEvent* event)

@@ -24,10 +24,13 @@ QString treeEditCause()
 
 TreeEditor::TreeEditor(Workbench& window, QObject* parent) : QObject(parent), window_(window)
 {
-    connect(&window.history(), &History::changed, this, [this](std::size_t exhibit) {
-        if (exhibit == subject_) refresh();
-    });
-    connect(&window.history(), &History::replaced, this, &TreeEditor::refresh);
+    watch();
+}
+
+void TreeEditor::watch()
+{
+    disconnect(watched_);
+    watched_ = window_.history().watch(subject_, this, [this](std::optional<std::size_t>) { refresh(); });
 }
 
 const ParameterValues& TreeEditor::values() const
@@ -39,6 +42,7 @@ void TreeEditor::setSubject(std::size_t exhibit)
 {
     if (subject_ == exhibit) return;
     subject_ = exhibit;
+    watch();
     source_ = capability<HasTree>(window_.museum().subject(exhibit));
     table_.reset();
     tree_ = {};

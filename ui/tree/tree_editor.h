@@ -51,6 +51,8 @@ signals:
     void shown();
 
 private:
+    /// Follows the changes of the subject, and of no other.
+    void watch();
     void refresh();
     /// Copies the text of the file to the document parameter, so that edits can be undone whatever happens to the file.
     void beginDocument();
@@ -59,6 +61,7 @@ private:
     Workbench& window_;
     const HasTree* source_ = nullptr;
     std::size_t subject_ = 0;
+    QMetaObject::Connection watched_;
     Tree tree_;
     std::shared_ptr<const Parameters> table_;  ///< Table from which the tree was made.
     std::string selected_;

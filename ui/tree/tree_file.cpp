@@ -42,8 +42,7 @@ TreeFile::TreeFile(Workbench& window, TreeEditor& editor, QObject* parent)
     : QObject(parent), window_(window), editor_(editor)
 {
     connect(&window.viewport(), &Viewport::filesChanged, this, &TreeFile::filesChanged);
-    connect(&window.history(), &History::replaced, this, &TreeFile::noteFiles);
-    connect(&window.history(), &History::changed, this, &TreeFile::noteFiles);
+    connect(&window.history(), &History::changesSettled, this, &TreeFile::noteFiles);
     noteFiles();
 }
 
@@ -56,8 +55,7 @@ void TreeFile::noteFiles()
         Seen& seen = seen_[each.index];
         if (seen.path != document.path) seen = {document.path, textOfFile(document.path)};
     }
-    // Queued, so that it does not change values in the middle of a change.
-    QMetaObject::invokeMethod(this, &TreeFile::giveUpUnedited, Qt::QueuedConnection);
+    giveUpUnedited();
 }
 
 void TreeFile::giveUpUnedited()

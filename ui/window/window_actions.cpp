@@ -182,8 +182,7 @@ void WindowActions::refresh() const
 void WindowActions::watch(MainWindow& window) const
 {
     const auto follow = [this] { refresh(); };
-    QObject::connect(&window.history(), &History::changed, &watching_, follow);
-    QObject::connect(&window.history(), &History::replaced, &watching_, follow);
+    QObject::connect(&window.history(), &History::changesSettled, &watching_, follow);
     QObject::connect(&window.viewport(), &Viewport::looked, &watching_, follow);
     QObject::connect(&window.shelf(), &PresetShelf::marked, &watching_, follow);
     QObject::connect(&window.docks().presets(), &PresetList::selectedChanged, &watching_, follow);

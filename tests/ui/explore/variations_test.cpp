@@ -157,7 +157,7 @@ private slots:
         QCOMPARE(stack().count(), steps + 1);
         QVERIFY(nine().onShow() == 4);
         QVERIFY(!nine().stale());
-        QVERIFY(says("Variation 5 is shown."));
+        QTRY_VERIFY(says("Variation 5 is shown."));
         QCOMPARE(grid().item(1, 1)->data(Qt::AccessibleTextRole).toString(), QString("Variation 5, seed 5, shown"));
         window_->shelf().saveUnder("Found");
         QCOMPARE(rowsNamed("Found").size(), 1);
@@ -205,7 +205,7 @@ private slots:
         const int before = gallery_->smallDrawn;
         window_->history().set(1, gallery_->table().roughness.row, 0.125, newGesture());
         QVERIFY(nine().stale());
-        QVERIFY(says("of earlier settings or locks"));
+        QTRY_VERIFY(says("of earlier settings or locks"));
         QTest::qWait(50);
         QCOMPARE(gallery_->smallDrawn.load(), before);
         press("Draw anew");

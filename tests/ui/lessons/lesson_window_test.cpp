@@ -158,7 +158,7 @@ private slots:
         *go = false;
         window_->history().set(1, *window_->history().sceneState().values[1].table().find("roughness"), 0.5,
                                newGesture());
-        QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
+        QTRY_VERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
         desk().back();
         QVERIFY2(says(QString::fromUtf8("Read: time of a picture …")), qPrintable(desk().numberText()));
         *go = true;

@@ -8,7 +8,11 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include <memory>
+#include <optional>
 #include <random>
+#include <set>
+#include <vector>
 
 using namespace vitrine;
 using namespace vitrine::ui;
@@ -98,6 +102,83 @@ private slots:
         history.stack().undo();
         QCOMPARE(replaced.count(), 2);
         QCOMPARE(changed.count(), 4);
+    }
+
+    void aWatcherHearsOfItsExhibitAloneUntilItsOwnerIsDestroyed()
+    {
+        const SceneState two{{table_.initial(), table_.initial()}, {}};
+        History history(two);
+        const std::size_t row = *table_.find("roughness");
+        std::vector<std::optional<std::size_t>> heard;
+        auto owner = std::make_unique<QObject>();
+        const auto note = [&heard](std::optional<std::size_t> changed) { heard.push_back(changed); };
+        history.watch(1, owner.get(), note);
+        history.set(0, row, 0.4, newGesture());
+        QVERIFY2(heard.empty(), "another exhibit changed");
+        history.set(1, row, 0.4, newGesture());
+        SceneState both = history.sceneState();
+        for (ParameterValues& values : both.values) values.set(table_.morph, 0.9);
+        history.change("Both", both);
+        history.stack().undo();
+        SceneState first = history.sceneState();
+        first.values[0].set(table_.morph, 0.8);
+        first.camera.eye = {1, 2, 3};
+        history.change("The first, and the camera", first, 0, History::Camera::moves);
+        using Heard = std::vector<std::optional<std::size_t>>;
+        QVERIFY(heard == (Heard{row, std::nullopt, std::nullopt}));
+        history.restart(two);
+        QCOMPARE(heard.size(), std::size_t{4});
+        owner.reset();
+        history.set(1, row, 0.5, newGesture());
+        QCOMPARE(heard.size(), std::size_t{4});
+    }
+
+    void aConnectionOfAWatcherCanBeEnded()
+    {
+        History history(start());
+        int heard = 0;
+        QMetaObject::Connection watched = history.watch(0, &history, [&heard](auto) { ++heard; });
+        history.set(0, *table_.find("roughness"), 0.4, newGesture());
+        QObject::disconnect(watched);
+        history.set(0, *table_.find("roughness"), 0.5, newGesture());
+        QCOMPARE(heard, 1);
+    }
+
+    void manyChangesSettleOnceInTheNextTurnOfTheEventLoop()
+    {
+        History history({{table_.initial(), table_.initial(), table_.initial()}, {}});
+        const std::size_t row = *table_.find("roughness");
+        QSignalSpy changed(&history, &History::changed), settled(&history, &History::changesSettled);
+        const Gesture drag = newGesture();
+        for (int i = 1; i <= 60; ++i) history.set(2, row, i / 100.0, drag);
+        history.set(0, row, 0.5, newGesture());
+        QCOMPARE(changed.count(), 61);
+        QCOMPARE(settled.count(), 0);
+        QCoreApplication::processEvents();
+        QCOMPARE(settled.count(), 1);
+        QVERIFY(settled[0][0].value<std::set<std::size_t>>() == (std::set<std::size_t>{0, 2}));
+        QCoreApplication::processEvents();
+        QCOMPARE(settled.count(), 1);
+        history.record(
+            "Delete preset", [] {}, [] {});
+        history.stack().undo();
+        QCoreApplication::processEvents();
+        QCOMPARE(settled.count(), 2);
+        QVERIFY(settled[1][0].value<std::set<std::size_t>>().empty());
+    }
+
+    void aChangeMadeWhileChangesSettleIsReportedInTheTurnAfter()
+    {
+        History history(start());
+        QSignalSpy settled(&history, &History::changesSettled);
+        const auto answer = [&] {
+            if (settled.count() < 2) history.set(0, *table_.find("morph"), 0.75, newGesture());
+        };
+        connect(&history, &History::changesSettled, &history, answer);
+        history.set(0, *table_.find("roughness"), 0.4, newGesture());
+        QTRY_COMPARE(settled.count(), 2);
+        QTest::qWait(20);
+        QCOMPARE(settled.count(), 2);
     }
 
     void editsWithoutAGestureNeverMerge()

@@ -128,7 +128,7 @@ private slots:
         dock_->chart().replot();
         QTest::mouseClick(&dock_->chart(), Qt::LeftButton, {}, dock_->chart().placeOf(other).toPoint());
         QVERIFY(stepsNow() != before);
-        QVERIFY(dock_->chart().points()[other].present);
+        QTRY_VERIFY(dock_->chart().points()[other].present);
         history_->stack().undo();
         QCOMPARE(stepsNow(), before);
     }

@@ -115,10 +115,10 @@ private slots:
         while (points[other].present || !(points[other].error > 0)) ++other;
         clickOn(other);
         QVERIFY(valueNow("steps") != 8.0);
-        QVERIFY(dock_->chart().points()[other].present);
+        QTRY_VERIFY(dock_->chart().points()[other].present);
         history_->stack().undo();
         QCOMPARE(valueNow("steps"), 8.0);
-        QVERIFY(!dock_->chart().points()[other].present);
+        QTRY_VERIFY(!dock_->chart().points()[other].present);
     }
 
     void arrowsChooseAPointEnterAppliesItAndTheChartSaysSo()

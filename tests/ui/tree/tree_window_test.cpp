@@ -243,7 +243,7 @@ private slots:
         QCOMPARE(stack().undoText(), QString("Change radius of right"));
         const double dragged = number("radius");
         QVERIFY(dragged != 0.5);
-        QVERIFY(savable(true));
+        QTRY_VERIFY(savable(true));
         QCOMPARE(onDisk(), twoBalls);
         QVERIFY(document().starts_with(twoBalls.substr(0, twoBalls.rfind("0.50"))));
         stack().undo();
@@ -251,7 +251,7 @@ private slots:
         QCOMPARE(document(), twoBalls);
         QVERIFY(window_->docks().treeFile().unsaved().isEmpty());
         QTRY_COMPARE(document(), std::string());  // There are no edits left.
-        QVERIFY(savable(false));
+        QTRY_VERIFY(savable(false));
         QCOMPARE(number("radius"), 0.5);
         stack().redo();
         QCOMPARE(number("radius"), dragged);

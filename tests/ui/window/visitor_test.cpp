@@ -460,7 +460,7 @@ private slots:
         window_->shelf().saveUnder("Dull");
         QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull — Vitrine"));
         dragRoughness(60);
-        QCOMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull * — Vitrine"));
+        QTRY_COMPARE(window_->windowTitle(), QString::fromUtf8("Torus to mug: Dull * — Vitrine"));
     }
 
     void fileDialogsOfferWhatCanBeRead()

@@ -15,6 +15,8 @@
 #include <QDir>
 #include <QDockWidget>
 
+#include <set>
+
 using namespace vitrine;
 using namespace vitrine::ui;
 
@@ -50,6 +52,30 @@ private slots:
         action("Undo Change roughness")->trigger();
         QCOMPARE(roughness(), 0.25);
         QTRY_COMPARE(red(), before);
+    }
+
+    void aDragTellsMarksAndBarsOncePerTurnOfTheEventLoop()
+    {
+        window_->choose(1);
+        settle();
+        History& history = window_->history();
+        // Makes the protected function accessible.
+        struct Open : History {
+            using QObject::receivers;
+        };
+        const int immediate = (history.*&Open::receivers)(SIGNAL(changed(std::size_t, std::size_t)));
+        // Picture, B that follows A, tables from files, the session, and two sliders that start anew.
+        QVERIFY2(immediate <= 6, qPrintable(QString::number(immediate)));
+        QSignalSpy changed(&history, &History::changed), marked(&window_->shelf(), &PresetShelf::marked);
+        QSignalSpy settled(&history, &History::changesSettled);
+        const Gesture drag = newGesture();
+        for (int i = 1; i <= 60; ++i) history.set(1, gallery_->table().roughness.row, 0.3 + i / 200.0, drag);
+        QCOMPARE(changed.count(), 60);
+        QCOMPARE(marked.count(), 0);
+        QTRY_COMPARE(settled.count(), 1);
+        QCOMPARE(marked.count(), 1);
+        QVERIFY(settled[0][0].value<std::set<std::size_t>>() == std::set<std::size_t>{1});
+        QCOMPARE(in<ValueSlider>("roughness")->value(), 0.6);
     }
 
     void theVisitorWalksAndWallsStopHim()
