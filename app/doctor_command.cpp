@@ -11,6 +11,7 @@
 #include "render/gl/frame_clock.h"
 #include "render/image/oiio_codec.h"
 #include "render/library_versions.h"
+#include "render/version.h"
 #include "render/video/video_codec.h"
 
 #include <CLI/CLI.hpp>
@@ -37,7 +38,7 @@ Json libraries()
 
 Json examine()
 {
-    Json report{{"version", VITRINE_VERSION}};
+    Json report{{"version", render::programVersion()}};
     try {
         const render::gl::HeadlessContext context;
         const render::gl::ContextInfo& gl = context.info();

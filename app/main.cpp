@@ -1,4 +1,5 @@
 #include "app/command.h"
+#include "app/commit.h"
 #include "app/jobs/job_command.h"
 #include "app/number_option.h"
 #include "app/queue/shard.h"
@@ -7,6 +8,7 @@
 #include "app/usage_error.h"
 #include "render/failure.h"
 #include "render/measure/memory.h"
+#include "render/version.h"
 #include "ui/kit/language.h"
 
 #include <CLI/CLI.hpp>
@@ -59,7 +61,7 @@ void takeLanguageEverywhere(CLI::App& command, std::string& language)
 int parseAndRun(int argc, char** argv)
 {
     CLI::App parser(about, "vitrine");
-    parser.set_version_flag("--version", std::string("vitrine ") + VITRINE_VERSION);
+    parser.set_version_flag("--version", "vitrine " + vitrine::render::programVersion());
     parser.set_help_flag("-h,--help", "Print this help and exit");
     std::string language;
     addLanguage(parser, language)
@@ -130,6 +132,7 @@ int main(int argc, char** argv)
     std::signal(SIGXFSZ, SIG_IGN);
     std::signal(SIGPIPE, SIG_IGN);
     std::setlocale(LC_NUMERIC, "C");
+    vitrine::render::setProgramCommit(vitrine::app::commit);
     vitrine::render::returnFreedMemory();
     vitrine::app::commandLine().assign(argv + 1, argv + argc);
     try {

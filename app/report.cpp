@@ -4,6 +4,7 @@
 #include "render/files/strict_json.h"
 #include "render/measure/memory.h"
 #include "render/plan/step_costs.h"
+#include "render/version.h"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,7 @@ std::string reportText(const Museum& museum, render::gl::Renderer& renderer, con
     counters["evaluations"] = total(renderer.read(evaluationsImage));
 
     const Json report{
+        {"app", render::programVersion()},
         {"exhibit", std::string(museum.subject(job.subject).name())},
         {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},
         {"renderer", gl.renderer},

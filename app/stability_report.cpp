@@ -8,6 +8,7 @@
 #include "render/files/strict_json.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
+#include "render/version.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ std::string measured(double x)
 
 void printTable(const render::gl::ContextInfo& gl, const std::vector<StabilityResult>& results)
 {
-    std::printf("vitrine   %s\nrenderer  %s\nversion   %s\n\n", VITRINE_VERSION, gl.renderer.c_str(),
+    std::printf("vitrine   %s\nrenderer  %s\nversion   %s\n\n", render::programVersion().c_str(), gl.renderer.c_str(),
                 gl.version.c_str());
     std::size_t width = 0;
     for (const StabilityResult& r : results) width = std::max(width, r.what.size());
@@ -60,7 +61,7 @@ Json asJson(const render::gl::ContextInfo& gl, const StabilityOptions& options,
                              {"limit", r.limit},
                              {"detail", r.detail}});
     return Json{
-        {"version", VITRINE_VERSION},
+        {"version", render::programVersion()},
         {"opengl",
          Json{{"renderer", gl.renderer}, {"vendor", gl.vendor}, {"version", gl.version}, {"software", gl.software}}},
         {"presets", options.presets},

@@ -5,6 +5,7 @@
 #include "exhibits/framework/preset_values.h"
 #include "render/files/atomic_write.h"
 #include "render/image/image_io.h"
+#include "render/version.h"
 
 #include <cmath>
 
@@ -77,7 +78,7 @@ Json comparisonJson(Subjects subjects, const Comparison& comparison, const Compa
     return Json{
         {"format", "vitrine-comparison"},
         {"version", 1},
-        {"app", VITRINE_VERSION},
+        {"app", render::programVersion()},
         {"a", text.names[0]},
         {"b", text.names[1]},
         {"size", Json::array({frame.raster.size.x, frame.raster.size.y})},

@@ -40,8 +40,9 @@ roff() {
         { text($0) }'
 }
 
-version=$("$program" --version | awk '{ print $2 }')
-day=$(date -u -d "$(sed -n 's/^ -- .*>  //p' "$here/changelog")" +%Y-%m-%d)
+# The number without the commit, and the day of the newest entry of the change log.
+version=$("$program" --version | sed 's/^vitrine //; s/+.*//')
+day=$(date -u -d "$(sed -n 's/^ -- .*>  //p' "$here/changelog" | head -n 1)" +%Y-%m-%d)
 {
     printf '.TH VITRINE 1 "%s" "Vitrine %s" "User Commands"\n.SH NAME\n' "$day" "$version"
     printf 'vitrine \\- museum and workbench of real\\-time rendering techniques\n'

@@ -6,6 +6,7 @@
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/hash.h"
+#include "render/version.h"
 
 #include <algorithm>
 #include <array>
@@ -38,7 +39,7 @@ Json jobOf(const std::vector<std::string>& command, int of)
 {
     return {{"format", jobFormat},
             {"version", partsVersion},
-            {"app", VITRINE_VERSION},
+            {"app", render::programVersion()},
             {"parts", of},
             {"command", command}};
 }
@@ -71,7 +72,7 @@ Job jobIn(const fs::path& folder)
         (*job)["command"].empty())
         throw Failure(Blame::check,
                       folder.string() + ": here are no parts; make them with --shard 1/N to N/N and the same --out.");
-    if (job->value("version", 0) != partsVersion || job->value("app", "") != VITRINE_VERSION)
+    if (job->value("version", 0) != partsVersion || job->value("app", "") != render::programVersion())
         throw Failure(Blame::check, folder.string() + ": the parts are of another version of the program (" +
                                         job->value("app", "unknown") + "); merge them with that one.");
     Job found;

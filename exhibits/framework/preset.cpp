@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset_values.h"
+#include "render/version.h"
 
 #include <algorithm>
 #include <array>
@@ -191,7 +192,7 @@ std::string writeFile(std::string_view format, const std::string& exhibit, const
     Json root = Json::object();
     root["format"] = format;
     root["version"] = presetVersion;
-    root["app"] = VITRINE_VERSION;
+    root["app"] = render::programVersion();
     if (!exhibit.empty()) root["exhibit"] = exhibit;
     root["name"] = name;
     if (!tags.empty()) root["tags"] = tags;

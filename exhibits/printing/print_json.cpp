@@ -5,6 +5,7 @@
 #include "render/failure.h"
 #include "render/files/extension.h"
 #include "render/files/read_file.h"
+#include "render/version.h"
 
 #include <cmath>
 #include <limits>
@@ -100,6 +101,7 @@ Json printJson(const PrintLayout& layout, double storedDpiX, const std::vector<s
     const PrintNumbers numbers = numbersOf(layout, storedDpiX);
     Json json;
     json["vitrinePrint"] = version;
+    json["app"] = render::programVersion();
     json["sheet"] = {
         {"name", s.sheet.name},     {"nominalLpi", s.sheet.nominalLpi}, {"effectiveLpi", s.sheet.effectiveLpi},
         {"radius", s.sheet.radius}, {"thickness", s.sheet.thickness},   {"index", s.sheet.index},

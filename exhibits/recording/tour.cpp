@@ -4,6 +4,7 @@
 #include "exhibits/framework/preset_values.h"
 #include "exhibits/recording/way_around.h"
 #include "render/failure.h"
+#include "render/version.h"
 
 #include <algorithm>
 #include <array>
@@ -146,7 +147,7 @@ std::string tourText(const Tour& tour)
     Json root = Json::object();
     root["format"] = tourFormat;
     root["version"] = tourVersion;
-    root["app"] = VITRINE_VERSION;
+    root["app"] = render::programVersion();
     root["name"] = tour.name;
     root["closed"] = tour.closed;
     root["pace"] = tour.pace == Pace::eased ? "eased" : "constant";

@@ -1,6 +1,7 @@
 #include "exhibits/sdf_scenes/scene_mesh.h"
 #include "render/files/strict_json.h"
 #include "render/image/srgb.h"
+#include "render/version.h"
 
 #include <algorithm>
 #include <array>
@@ -128,7 +129,7 @@ std::string gltfJson(const SceneMesh& mesh, const std::vector<ColorGroup>& group
         materials.push_back(Json{{"pbrMetallicRoughness", surface}});
     }
     views.push_back(view(indicesAt, 4 * indices, elementBuffer));
-    const Json root{{"asset", Json{{"version", "2.0"}, {"generator", "Vitrine " VITRINE_VERSION}}},
+    const Json root{{"asset", Json{{"version", "2.0"}, {"generator", "Vitrine " + render::programVersion()}}},
                     {"scene", 0},
                     {"scenes", Json::array({Json{{"nodes", Json::array({0})}}})},
                     {"nodes", Json::array({Json{{"name", name}, {"mesh", 0}}})},

@@ -1,6 +1,7 @@
 #include "exhibits/study/csv_field.h"
 #include "exhibits/study/study_comparison.h"
 #include "render/files/number_text.h"
+#include "render/version.h"
 
 #include <cmath>
 
@@ -60,7 +61,7 @@ Json comparisonJson(const std::vector<KeptStudy>& studies, const StudyComparison
     }
     return Json{{"format", "vitrine-study-comparison"},
                 {"version", 1},
-                {"app", VITRINE_VERSION},
+                {"app", render::programVersion()},
                 {"metric", std::string(toString(comparison.metric))},
                 {"cost", comparison.cost},
                 {"costIsPer", comparison.cost == "ms" ? "picture" : "pixel"},

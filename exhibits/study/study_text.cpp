@@ -5,6 +5,7 @@
 #include "exhibits/study/csv_field.h"
 #include "exhibits/study/study_situation.h"
 #include "render/files/number_text.h"
+#include "render/version.h"
 
 #include <cmath>
 #include <set>
@@ -260,7 +261,7 @@ Json studyJson(Subjects subjects, const StudyRequest& request, const StudyResult
     Json json{
         {"format", "vitrine-study"},
         {"version", 1},
-        {"app", VITRINE_VERSION},
+        {"app", render::programVersion()},
         {"exhibit", std::string(subjects[request.subject]->name())},
         {"alone", request.alone},
         {"size", Json::array({request.size.x, request.size.y})},

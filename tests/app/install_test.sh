@@ -62,12 +62,20 @@ mv "$root/elsewhere" "$root/usr"
 for key in 'GenericName[de]=' 'Comment[de]=' 'Keywords[de]='; do
     grep -qF "$key" "$share/applications/org.vitrine.Vitrine.desktop" || fail "the desktop file lacks $key"
 done
-translated() {  # translated FILE TAG: as many of these elements in German as without a language.
-    english=$(grep -c "<$2>" "$1") && german=$(grep -c "<$2 xml:lang=\"de\">" "$1") && [ "$english" = "$german" ] ||
+translated() {  # translated FILE TAG: as many of these elements in German as without a language, besides the releases.
+    sed '/<releases>/,/<\/releases>/d' "$1" >"$root/texts"
+    english=$(grep -c "<$2>" "$root/texts") && german=$(grep -c "<$2 xml:lang=\"de\">" "$root/texts") && [ "$english" = "$german" ] ||
         fail "$1: not every <$2> has its German"
 }
 for tag in summary developer_name p li; do translated "$share/metainfo/org.vitrine.Vitrine.metainfo.xml" "$tag"; done
 translated "$share/mime/packages/org.vitrine.Vitrine.xml" comment
+
+# The releases are those of the change log, newest first, and the first is the version of the program.
+logged=$(sed -n 's/^vitrine (\(.*\)) .*/\1/p' "$source/app/install/changelog")
+released=$(sed -n 's/.*<release version="\([^"]*\)".*/\1/p' "$share/metainfo/org.vitrine.Vitrine.metainfo.xml")
+[ "$logged" = "$released" ] || fail "the change log has the releases $logged, and the AppStream file $released"
+version=$("$root/usr/bin/vitrine" --version | sed 's/^vitrine //; s/+.*//')
+[ "$(echo "$logged" | head -n 1)" = "$version" ] || fail "the change log begins with $logged, and the program is $version"
 
 # Where its pictures are published, the screenshots are named; each is a picture that there is.
 cmake -DVITRINE_PICTURES_URL=https://example.org/pictures -DOUT="$root/published.metainfo.xml" -P "$source/app/install/metainfo.cmake"

@@ -1,11 +1,13 @@
 // Usage errors: exit code 2 and one sentence that says what to type.
 
+#include "render/version.h"
 #include "tests/app/child_process.h"
 #include "tests/support/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <regex>
 #include <sstream>
 
@@ -36,11 +38,24 @@ TEST(Usage, HelpNeedsNeitherDisplayNorOpenGl)
     EXPECT_EQ(test::vitrine({"list"}, noGl).code, 0);
 }
 
-TEST(Usage, VersionIsANumber)
+/// Tests are not told the commit: `programVersion` is the number alone here.
+TEST(Usage, VersionIsTheNumberAndTheCommit)
 {
     const Ended ended = test::vitrine({"--version"});
     EXPECT_EQ(ended.code, 0);
-    EXPECT_EQ(ended.out, std::string("vitrine ") + VITRINE_VERSION + "\n");
+    EXPECT_TRUE(std::regex_match(ended.out,
+                                 std::regex("vitrine " + render::programVersion() + "(\\+[0-9a-f]{7,40}(-dirty)?)?\n")))
+        << ended.out;
+    EXPECT_EQ(ended.out.find('+') != std::string::npos, std::filesystem::exists(VITRINE_SOURCE_DIR "/.git"))
+        << "an archive has no commit";
+    EXPECT_EQ(render::programVersion(), "0.2.0");
+}
+
+TEST(Usage, DoctorNamesTheVersionOfTheProgram)
+{
+    const std::string version = test::vitrine({"--version"}).out;
+    const std::string number = version.substr(8, version.size() - 9);
+    EXPECT_NE(test::vitrine({"doctor", "--json"}).out.find('"' + number + '"'), std::string::npos);
 }
 
 TEST(Usage, WhatIsUnknownIsUsage)

@@ -1,6 +1,7 @@
 #include "ui/window/about_dialog.h"
 
 #include "render/files/assets.h"
+#include "render/version.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
@@ -35,7 +36,7 @@ AboutDialog::AboutDialog(QWidget* window) : QDialog(window)
                       "Free software under the GNU General Public License, version 3 or later;\n"
                       "it comes without any warranty. Where models, textures and fonts come from\n"
                       "is written in assets/SOURCES.md.")
-                       .arg(QStringLiteral(VITRINE_VERSION), QString::fromLatin1(qVersion())));
+                       .arg(QString::fromStdString(render::programVersion()), QString::fromLatin1(qVersion())));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
     auto* top = new QHBoxLayout;

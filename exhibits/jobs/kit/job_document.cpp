@@ -6,6 +6,7 @@
 #include "render/failure.h"
 #include "render/files/extension.h"
 #include "render/files/read_file.h"
+#include "render/version.h"
 
 #include <cctype>
 
@@ -116,7 +117,7 @@ std::string documentText(const Job& job, const JobOrder& order, const std::vecto
     Json json = Json::object();
     json["format"] = documentFormat;
     json["version"] = jobDocumentVersion;
-    json["app"] = VITRINE_VERSION;
+    json["app"] = render::programVersion();
     json["job"] = std::string(job.name());
     json["values"] = jsonOf(order.values);
     if (order.scene.museum) json["scene"] = sceneJson(order.scene);

@@ -4,6 +4,7 @@
 #include "exhibits/pixel_art/palette.h"
 #include "render/failure.h"
 #include "render/files/strict_json.h"
+#include "render/version.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,7 +154,7 @@ std::string describe(const std::vector<SpriteFrame>& frames, const SpriteSheet& 
         tags.back()["to"] = i;
     }
     Json meta = {{"app", "https://www.aseprite.org/docs/cli/#data (written by Vitrine)"},
-                 {"version", VITRINE_VERSION},
+                 {"version", render::programVersion()},
                  {"image", options.imageName},
                  {"format", "RGBA8888"},
                  {"size", {{"w", sheet.color.width}, {"h", sheet.color.height}}},

@@ -1,5 +1,6 @@
 #include "exhibits/framework/preset.h"
 
+#include "render/version.h"
 #include "tests/exhibits/framework/every_kind.h"
 #include "tests/support/failures.h"
 #include "tests/support/german_locale.h"
@@ -46,7 +47,8 @@ TEST(Preset, IsWrittenTheSameWayEveryTime)
     EXPECT_EQ(presetText(preset), R"({
   "format": "vitrine-preset",
   "version": 1,
-  "app": ")" VITRINE_VERSION R"(",
+  "app": ")" + render::programVersion() +
+                                      R"(",
   "exhibit": "everything",
   "name": "Tasse 杯",
   "values": {

@@ -3,6 +3,7 @@
 #include "tests/ui/ui_main.h"
 
 #include "render/image/image_io.h"
+#include "render/version.h"
 #include "ui/kit/message_strip.h"
 #include "ui/parameters/number_field.h"
 #include "ui/presets/preset_shelf.h"
@@ -447,7 +448,7 @@ private slots:
         QVERIFY(about && about->isVisible());
         QString words;
         for (const QLabel* label : about->findChildren<QLabel*>()) words += label->text();
-        for (const char* part : {VITRINE_VERSION, "Qt", "GNU General Public License"})
+        for (const char* part : {render::programVersion().c_str(), "Qt", "GNU General Public License"})
             QVERIFY2(words.contains(QLatin1String(part)), part);
         about->close();
     }

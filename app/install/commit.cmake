@@ -1,0 +1,17 @@
+# cmake -DROOT=FOLDER -DOUT=FILE -P commit.cmake: writes a source file with the commit of FOLDER, only if it changed. Without
+# git, or in an archive, the commit is empty. A repository above FOLDER is none of this project.
+set(commit "")
+find_program(GIT git)
+if(GIT AND EXISTS ${ROOT}/.git)
+    execute_process(COMMAND ${GIT} -C ${ROOT} describe --always --dirty --exclude=*
+                    OUTPUT_VARIABLE commit OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+endif()
+file(CONFIGURE OUTPUT ${OUT} CONTENT [==[
+#include "app/commit.h"
+
+namespace vitrine::app {
+
+const char* const commit = "@commit@";
+
+}  // namespace vitrine::app
+]==] @ONLY NEWLINE_STYLE UNIX)
