@@ -28,7 +28,7 @@ std::vector<std::size_t> spread(std::size_t all, std::size_t count)
 }  // namespace
 
 Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest request, StudyParts* parts)
-    : museum_(museum), backend_(backend), parts_(parts), request_(std::move(request)),
+    : museum_(museum), backend_(backend), queue_(parts), request_(std::move(request)),
       judge_(museum.subjects(), request_),
       search_(
           museum.subjects(), request_, result_, [this](const Setting& setting) { addSetting(setting); },
@@ -40,7 +40,7 @@ Study::Study(const Museum& museum, render::RenderBackend& backend, StudyRequest 
     if (render::metricInfo(request_.metric).falls)
         throw Failure(Blame::usage,
                       "A study goes by an error that falls to 0: study rmse, of which psnr is the decibels.");
-    if (parts_ && parts_->isPart() && request_.axes.size() > 2)
+    if (queue_.isPart() && request_.axes.size() > 2)
         throw Failure(Blame::usage,
                       "A study over three parameters or more searches: which settings it measures depends on those "
                       "before, so it cannot be split; study one or two parameters.");
@@ -239,7 +239,7 @@ void Study::nextPhase()
 {
     switch (phase_) {
     case Phase::pictures:
-        if (parts_ && parts_->isPart()) {
+        if (queue_.isPart()) {
             phase_ = Phase::exactReferences;
             return addExactReferences();
         }
@@ -253,7 +253,7 @@ void Study::nextPhase()
         return;
     case Phase::times:
         phase_ = Phase::done;
-        if (parts_ && parts_->isPart()) return;
+        if (queue_.isPart()) return;
         judge();
         if (!request_.maxError && !request_.maxMilliseconds) return;
         candidates_ = choiceCandidates(request_, result_);
@@ -274,7 +274,7 @@ void Study::nextPhase()
 
 void Study::findJob()
 {
-    while (jobs_.empty() && phase_ != Phase::done) nextPhase();
+    while (queue_.empty() && phase_ != Phase::done) nextPhase();
     result_.complete = phase_ == Phase::done;
     if (result_.complete) keepColors();
 }
@@ -296,11 +296,7 @@ bool Study::step()
 {
     findJob();
     if (finished()) return false;
-    doing_ = jobs_.front().name;
-    if (jobs_.front().step()) {
-        jobs_.pop_front();
-        ++jobsDone_;
-    }
+    queue_.step();
     findJob();
     return true;
 }
@@ -308,10 +304,10 @@ bool Study::step()
 double Study::progress() const
 {
     if (finished()) return 1;
-    std::size_t ahead = jobs_.size();
+    std::size_t ahead = queue_.waiting();
     if (phase_ == Phase::pictures)
         ahead += result_.views.size() + result_.points.size() * static_cast<std::size_t>(request_.runs);
-    return static_cast<double>(jobsDone_) / static_cast<double>(std::max<std::size_t>(jobsDone_ + ahead, 1));
+    return static_cast<double>(queue_.done()) / static_cast<double>(std::max<std::size_t>(queue_.done() + ahead, 1));
 }
 
 namespace {
@@ -351,30 +347,17 @@ void Study::findDependentPasses()
     }
 }
 
-void Study::addMeasure(std::string key, std::string name, std::function<std::optional<StudyMeasure>()> measure,
+void Study::addMeasure(std::string key, std::string name, StudyQueue::Measuring measure,
                        std::function<void(StudyMeasure)> take)
 {
-    const bool makes = !parts_ || parts_->makes(measures_);
-    ++measures_;
-    jobs_.push_back(
-        {std::move(name), [this, key = std::move(key), measure = std::move(measure), take = std::move(take), makes] {
-             if (!makes) return true;
-             std::optional<StudyMeasure> found;
-             if (parts_ && !parts_->isPart()) found = parts_->find(key);
-             if (!found) found = measure();
-             if (!found) return false;
-             if (parts_ && parts_->isPart()) {
-                 parts_->keep(key, *found);
-                 return true;
-             }
-             if (!found->clock.empty()) {
-                 result_.clock = found->clock;
-                 result_.clockTrusted = found->clockTrusted;
-                 result_.overheadMilliseconds = found->overheadMilliseconds;
-             }
-             take(std::move(*found));
-             return true;
-         }});
+    queue_.add(std::move(key), std::move(name), std::move(measure), [this, take = std::move(take)](StudyMeasure found) {
+        if (!found.clock.empty()) {
+            result_.clock = found.clock;
+            result_.clockTrusted = found.clockTrusted;
+            result_.overheadMilliseconds = found.overheadMilliseconds;
+        }
+        take(std::move(found));
+    });
 }
 
 void Study::addPicture(PictureJob job, std::function<void(StudyMeasure)> take)

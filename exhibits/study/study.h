@@ -2,11 +2,10 @@
 
 #include "exhibits/museum/picture.h"
 #include "exhibits/study/study_judge.h"
-#include "exhibits/study/study_parts.h"
+#include "exhibits/study/study_queue.h"
 #include "exhibits/study/study_search.h"
 #include "exhibits/study/study_situation.h"
 
-#include <deque>
 #include <functional>
 #include <map>
 #include <optional>
@@ -32,7 +31,7 @@ public:
     bool step();
     [[nodiscard]] bool finished() const { return phase_ == Phase::done; }
     [[nodiscard]] double progress() const;  ///< Progress, 0 to 1, of the known work.
-    [[nodiscard]] const std::string& doing() const { return doing_; }
+    [[nodiscard]] const std::string& doing() const { return queue_.doing(); }
     [[nodiscard]] const StudyRequest& request() const { return request_; }
     [[nodiscard]] const StudyResult& result() const { return result_; }
     /// Moves the result out. The study must not be used afterwards.
@@ -42,10 +41,6 @@ public:
 
 private:
     enum class Phase { pictures, exactReferences, times, choice, done };
-    struct Job {
-        std::string name;
-        std::function<bool()> step;  ///< Returns whether the job is done.
-    };
     struct View {
         StudyView view;
         render::Image reference, exact;
@@ -64,10 +59,8 @@ private:
         std::optional<std::size_t> timedView = {};
     };
     void addPicture(PictureJob, std::function<void(StudyMeasure)> take);
-    /// Adds a job whose result is read from the parts, or written to them, or used. `measure` returns nothing until it
-    /// is done.
-    void addMeasure(std::string key, std::string name, std::function<std::optional<StudyMeasure>()> measure,
-                    std::function<void(StudyMeasure)> take);
+    /// Adds a job to the queue, and notes the clock of its measure.
+    void addMeasure(std::string key, std::string name, StudyQueue::Measuring, std::function<void(StudyMeasure)> take);
     void addReference(std::size_t view, bool withNeighbors);
     void addSetting(const Setting&);
     void takeShot(std::size_t point, std::size_t view, const SceneState&, StudyMeasure);
@@ -96,17 +89,13 @@ private:
 
     const Museum& museum_;
     render::RenderBackend& backend_;
-    StudyParts* parts_;
-    std::size_t measures_ = 0;  ///< Number of measuring jobs so far.
+    StudyQueue queue_;
     StudyRequest request_;
     StudySituation situation_;
     StudyResult result_;
     StudyJudge judge_;
     StudySearch search_;
     Phase phase_ = Phase::pictures;
-    std::deque<Job> jobs_;
-    std::size_t jobsDone_ = 0;
-    std::string doing_;
     std::vector<View> views_;  ///< Views of the study, then the held-out ones.
     int doublings_ = 0;
     std::map<Setting, std::size_t> known_;
