@@ -1,6 +1,7 @@
 #include "app/number_option.h"
 
 #include "render/failure.h"
+#include "render/text/joined.h"
 #include "render/text/nearest_word.h"
 
 #include <algorithm>
@@ -14,13 +15,11 @@ CLI::Option* addChoice(CLI::App& command, const std::string& name, std::string& 
         name,
         [&value, name, names](const std::string& typed) {
             if (std::find(names.begin(), names.end(), typed) == names.end())
-                throw Failure(Blame::usage, name + " \"" + typed + "\": give one of " + namesText(names) + '.');
+                throw Failure(Blame::usage, name + " \"" + typed + "\": give one of " + joined(names) + '.');
             value = typed;
         },
         help);
-    std::string type;
-    for (const std::string& each : names) type += (type.empty() ? "" : "|") + each;
-    return option->default_function([&value] { return value; })->type_name(type);
+    return option->default_function([&value] { return value; })->type_name(joined(names, "|"));
 }
 
 }  // namespace vitrine::app

@@ -9,6 +9,7 @@
 #include "exhibits/hall/hall_table.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
+#include "render/text/joined.h"
 #include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
@@ -145,11 +146,7 @@ std::optional<Value> optionValue(const ParameterInfo& row, const std::string& te
 
 std::string whatItTakes(const ParameterInfo& row, const std::string& typed)
 {
-    if (row.kind == Kind::choice) {
-        std::string names;
-        for (const std::string_view choice : row.choices) names += (names.empty() ? "" : ", ") + std::string(choice);
-        return "one of " + names;
-    }
+    if (row.kind == Kind::choice) return "one of " + joined(row.choices);
     if (row.kind == Kind::toggle) return "on or off";
     if (row.kind == Kind::color) return "#rrggbb or r,g,b";
     if (row.kind == Kind::direction) return "x,y,z";

@@ -9,6 +9,7 @@
 #include "exhibits/jobs/kit/given_values.h"
 #include "exhibits/jobs/kit/job_document.h"
 #include "render/failure.h"
+#include "render/text/joined.h"
 
 #include <CLI/CLI.hpp>
 
@@ -28,10 +29,7 @@ struct TypedJob {
 
 std::string extensionsText(const jobs::Job& job)
 {
-    std::string text;
-    for (const std::string_view extension : job.needs().extensions)
-        text += (text.empty() ? "." : ", .") + std::string(extension);
-    return text;
+    return joined(job.needs().extensions, ", ", [](std::string_view each) { return '.' + std::string(each); });
 }
 
 void addCommon(CLI::App& command, const jobs::Job& job, TypedJob& typed)

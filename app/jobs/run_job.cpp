@@ -8,6 +8,7 @@
 #include "render/files/strict_json.h"
 #include "render/gl/context.h"
 #include "render/gl/renderer.h"
+#include "render/text/joined.h"
 
 #include <cctype>
 #include <cstdio>
@@ -36,13 +37,11 @@ private:
 /// "frames 12, volume 0.523 m³".
 std::string factsText(const std::vector<jobs::Fact>& facts)
 {
-    std::string text;
-    for (const jobs::Fact& fact : facts) {
+    return joined(facts, ", ", [](const jobs::Fact& fact) {
         std::string label = fact.label;
         label.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(label.front())));
-        text += (text.empty() ? "" : ", ") + label + ' ' + valueText(fact);
-    }
-    return text;
+        return label + ' ' + valueText(fact);
+    });
 }
 
 Json factsJson(const std::vector<jobs::Fact>& facts)

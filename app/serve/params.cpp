@@ -3,6 +3,7 @@
 #include "app/serve/json_rpc.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
+#include "render/text/joined.h"
 
 #include <CLI/CLI.hpp>
 
@@ -23,9 +24,7 @@ std::string keyOf(const CLI::Option& option)
 
 std::string keysOf(const CLI::App& options)
 {
-    std::string keys;
-    for (const CLI::Option* option : options.get_options()) keys += (keys.empty() ? "" : ", ") + keyOf(*option);
-    return keys;
+    return joined(options.get_options(), ", ", [](const CLI::Option* option) { return keyOf(*option); });
 }
 
 /// Converts a value to the text that would be typed. `separator` separates the elements of a list.

@@ -5,6 +5,7 @@
 #include "exhibits/study/study_text.h"
 #include "render/failure.h"
 #include "render/files/number_text.h"
+#include "render/text/joined.h"
 #include "ui/study/comparison_chart.h"
 
 #include <CLI/CLI.hpp>
@@ -41,13 +42,6 @@ std::vector<KeptStudy> readAll(const std::vector<std::string>& files)
     return studies;
 }
 
-std::string listed(const std::vector<std::string>& names)
-{
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text;
-}
-
 std::string costOf(const std::vector<KeptStudy>& studies, const std::string& wanted)
 {
     const std::vector<std::string> costs = sharedCosts(studies);
@@ -69,7 +63,7 @@ std::string costOf(const std::vector<KeptStudy>& studies, const std::string& wan
     const std::string why = wanted == "ms" ? ui::timesDifferText(timesDiffer(studies)).toStdString() + " Give"
                                            : "these studies do not share it; give";
     throw Failure(wanted == "ms" ? Blame::check : Blame::usage,
-                  "--cost " + wanted + ": " + why + " one of " + listed(costs) + '.');
+                  "--cost " + wanted + ": " + why + " one of " + joined(costs) + '.');
 }
 
 /// Returns the comparisons by this cost, and then by time and by the most telling count of work, if they differ from

@@ -6,6 +6,7 @@
 #include "app/study/offscreen_charts.h"
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
+#include "render/text/joined.h"
 #include "ui/kit/picture_file.h"
 #include "ui/study/comparison_chart.h"
 #include "ui/study/comparison_dialog.h"
@@ -59,9 +60,7 @@ struct ComparisonSheet {
 
 std::string comparisonPage(const std::vector<KeptStudy>& studies, const std::vector<ComparisonSheet>& sheets)
 {
-    std::string names;
-    for (const ComparedCurve& curve : sheets.front().comparison.curves)
-        names += (names.empty() ? "" : ", ") + curve.label;
+    const std::string names = joined(sheets.front().comparison.curves, ", ", &ComparedCurve::label);
     std::string page = pageHead(names);
     page += "<h1>" + escaped("What accuracy costs: " + names) + "</h1>\n";
     if (const QString why = ui::timesDifferText(timesDiffer(studies)); !why.isEmpty())

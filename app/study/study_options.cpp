@@ -4,6 +4,7 @@
 #include "app/picture_options.h"
 #include "render/failure.h"
 #include "render/measure/distance.h"
+#include "render/text/joined.h"
 #include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
@@ -17,10 +18,8 @@ namespace {
 /// Returns the names of parameters that can be studied: "bounces, shadowRays, ...".
 std::string qualityNames(const SceneState& sceneState, std::size_t exhibit)
 {
-    std::string names;
-    for (const StudyAxis& axis : qualityAxes(sceneState, exhibit, 2))
-        names += (names.empty() ? "" : ", ") + std::string(rowOf(sceneState, axis).name);
-    return names;
+    return joined(qualityAxes(sceneState, exhibit, 2), ", ",
+                  [&](const StudyAxis& axis) { return rowOf(sceneState, axis).name; });
 }
 
 StudyAxis axisNamed(const Museum& museum, const SceneState& sceneState, std::size_t subject, const std::string& text,
@@ -81,7 +80,7 @@ std::string metricNames(bool ofStudy)
     std::vector<std::string> names;
     for (const render::MetricInfo& metric : render::allMetrics())
         if (!ofStudy || !metric.falls) names.emplace_back(metric.name);
-    return namesText(names);
+    return joined(names);
 }
 
 render::Metric metricOption(const std::string& option, const std::string& name, bool ofStudy)

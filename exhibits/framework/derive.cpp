@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/value_text.h"
 #include "render/glsl/std140.h"
+#include "render/text/joined.h"
 #include "shaders/lib/bindings.glsl"
 
 #include <algorithm>
@@ -34,11 +35,7 @@ std::string rangeText(const ParameterInfo& row)
     case Kind::real:
     case Kind::count: return formatValue(row, row.range.low) + " to " + formatValue(row, row.range.high);
     case Kind::toggle: return "on, off";
-    case Kind::choice: {
-        std::string names;
-        for (const std::string_view choice : row.choices) names += (names.empty() ? "" : ", ") + std::string(choice);
-        return names;
-    }
+    case Kind::choice: return joined(row.choices);
     case Kind::color: return "any color";
     case Kind::direction: return "any direction";
     case Kind::file: return "a file";

@@ -5,6 +5,7 @@
 #include "render/files/assets.h"
 #include "render/files/read_file.h"
 #include "render/files/text_position.h"
+#include "render/text/joined.h"
 #include "render/text/translation.h"
 #include "render/text/trimmed.h"
 
@@ -187,9 +188,8 @@ private:
         if (!document.root().is_object()) throw failureAt(file_, part.line, "its block must be an object: {...}.");
         for (const auto& [key, value] : document.root().items()) {
             if (std::find(known.begin(), known.end(), key) != known.end()) continue;
-            std::string names;
-            for (const std::string_view each : known) (names += names.empty() ? "" : ", ") += each;
-            throw document.failure(key, "this key is not known here; remove it, or write one of " + names + ".");
+            throw document.failure(key,
+                                   "this key is not known here; remove it, or write one of " + joined(known) + ".");
         }
         return document;
     }

@@ -2,6 +2,7 @@
 
 #include "render/failure.h"
 #include "render/files/number_text.h"
+#include "render/text/joined.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,13 +55,6 @@ double leastOf(const NumberOfMotion& number, const Motion& motion)
     return std::string_view(number.name) == "farthest" ? std::max(number.low, motion.nearest) : number.low;
 }
 
-template <std::size_t Count> std::string listOf(const std::array<std::string_view, Count>& names)
-{
-    std::string all;
-    for (const std::string_view name : names) (all += all.empty() ? "" : ", ") += name;
-    return all;
-}
-
 template <std::size_t Count>
 std::size_t namedAt(const Json& json, const JsonPlace& place, const std::array<std::string_view, Count>& names,
                     const char* what)
@@ -69,7 +63,7 @@ std::size_t namedAt(const Json& json, const JsonPlace& place, const std::array<s
     const auto& name = json.get_ref<const std::string&>();
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-        throw place.failure("unknown " + std::string(what) + " \"" + name + "\"; choose one of " + listOf(names) + ".");
+        throw place.failure("unknown " + std::string(what) + " \"" + name + "\"; choose one of " + joined(names) + ".");
     return static_cast<std::size_t>(found - names.begin());
 }
 
@@ -183,7 +177,7 @@ Motion typedMotion(const ParameterInfo& row, const std::string& option, const st
     const std::vector<std::string> parts = betweenColons(text);
     const auto kind = std::find(motionKinds.begin(), motionKinds.end(), parts.front());
     if (kind == motionKinds.end())
-        throw wrong("unknown kind of motion \"" + parts.front() + "\"; give one of " + listOf(motionKinds) + '.');
+        throw wrong("unknown kind of motion \"" + parts.front() + "\"; give one of " + joined(motionKinds) + '.');
     if (parts.size() < 3)
         throw wrong("give a kind and two values, such as " + parts.front() + ":0.1:0.9, then its options.");
     Motion motion;
@@ -204,7 +198,7 @@ Motion typedMotion(const ParameterInfo& row, const std::string& option, const st
         if (name == "ease" && isEased(motion.kind)) {
             const auto ease = std::find(easeNames.begin(), easeNames.end(), typed);
             if (ease == easeNames.end())
-                throw wrong("unknown ease \"" + typed + "\"; give one of " + listOf(easeNames) + '.');
+                throw wrong("unknown ease \"" + typed + "\"; give one of " + joined(easeNames) + '.');
             motion.ease = static_cast<Ease>(ease - easeNames.begin());
             continue;
         }

@@ -1,6 +1,7 @@
 #include "exhibits/framework/preset_values.h"
 
 #include "render/files/number_text.h"
+#include "render/text/joined.h"
 
 #include <algorithm>
 #include <cmath>
@@ -48,16 +49,6 @@ glm::dvec3 threeAt(const Json& json, const JsonPlace& place)
 Json three(const glm::dvec3& v)
 {
     return Json::array({v.x, v.y, v.z});
-}
-
-std::string joined(const std::vector<std::string_view>& names)
-{
-    std::string text;
-    for (const std::string_view name : names) {
-        if (!text.empty()) text += ", ";
-        text += name;
-    }
-    return text;
 }
 
 /// The texts of an array, a line each.

@@ -7,6 +7,7 @@
 #include "render/files/assets.h"
 #include "render/scene/gltf.h"
 #include "render/scene/held_bytes.h"
+#include "render/text/joined.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -35,13 +36,6 @@ std::string modelFile(const std::string& path)
     if (std::filesystem::exists(path, ignored)) return path;
     const std::filesystem::path own = render::asset(path);
     return std::filesystem::exists(own, ignored) ? own.string() : path;
-}
-
-std::string joined(const std::vector<std::string>& notes)
-{
-    std::string line;
-    for (const std::string& note : notes) line += (line.empty() ? "" : "; ") + note;
-    return line;
 }
 
 /// Returns whether both times can be shown. An infinite `sinceOwnPress` is right: the button was never pressed.
@@ -350,7 +344,7 @@ void Fur::plan(const PlanContext& context, render::FramePlan& plan) const
     for (std::size_t i = 0; i < furBodyCount; ++i)
         if (context.values[table_.silhouette] == FurSilhouette::fins && !now.fins[i])
             plan.warn("fur/model fins", whyUnfinned(now.skins[i]));
-    if (now.model && !now.model->notes.empty()) plan.warn("fur/model", joined(now.model->notes));
+    if (now.model && !now.model->notes.empty()) plan.warn("fur/model", joined(now.model->notes, "; "));
     planCoats(sceneOf(context, plan.seed), plan);
 }
 

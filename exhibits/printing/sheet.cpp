@@ -1,6 +1,7 @@
 #include "exhibits/printing/sheet.h"
 
 #include "render/failure.h"
+#include "render/text/joined.h"
 
 #include <algorithm>
 #include <cmath>
@@ -90,12 +91,10 @@ const std::vector<Sheet>& knownSheets()
 
 const Sheet& knownSheet(const std::string& name)
 {
-    std::string names;
-    for (const Sheet& sheet : knownSheets()) {
+    for (const Sheet& sheet : knownSheets())
         if (sheet.name == name) return sheet;
-        names += (names.empty() ? "" : ", ") + sheet.name;
-    }
-    throw Failure(Blame::usage, "There is no sheet \"" + name + "\"; known are " + names + ".");
+    throw Failure(Blame::usage,
+                  "There is no sheet \"" + name + "\"; known are " + joined(knownSheets(), ", ", &Sheet::name) + ".");
 }
 
 }  // namespace vitrine::printing

@@ -5,6 +5,7 @@
 #include "exhibits/study/csv_field.h"
 #include "exhibits/study/study_situation.h"
 #include "render/files/number_text.h"
+#include "render/text/joined.h"
 #include "render/version.h"
 
 #include <cmath>
@@ -135,17 +136,15 @@ std::vector<SettingPart> settingParts(Subjects subjects, const StudyRequest& req
 
 std::string settingText(const std::vector<SettingPart>& parts)
 {
-    std::string text;
-    for (const SettingPart& part : parts) text += (text.empty() ? "" : ", ") + part.label + ' ' + part.value;
-    return text.empty() ? "as at present" : text;
+    const auto text = [](const SettingPart& part) { return part.label + ' ' + part.value; };
+    return parts.empty() ? "as at present" : joined(parts, ", ", text);
 }
 
 std::string axisLabels(Subjects subjects, const StudyRequest& request)
 {
-    std::string text;
-    for (const StudyAxis& axis : request.axes)
-        text += (text.empty() ? "" : ", ") + axisLabel(subjects, request.sceneState, request.subject, axis);
-    return text;
+    return joined(request.axes, ", ", [&](const StudyAxis& axis) {
+        return axisLabel(subjects, request.sceneState, request.subject, axis);
+    });
 }
 
 std::string costTitle(const std::string& costName)

@@ -1,23 +1,13 @@
 #include "render/image/picture_formats.h"
 
 #include "render/files/extension.h"
+#include "render/text/joined.h"
 
 #include <algorithm>
 #include <cassert>
 
 namespace vitrine::render {
 namespace {
-
-/// "PNG, JPEG or TIFF".
-std::string listOf(const std::vector<std::string_view>& words)
-{
-    std::string text;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        if (i > 0) text += i + 1 < words.size() ? ", " : " or ";
-        text += words[i];
-    }
-    return text;
-}
 
 const WrittenDepth* depthOf(const PictureFileFormat& format, std::optional<int> bits)
 {
@@ -31,7 +21,7 @@ template <typename Is> std::string usualExtensions(const Is& is)
     std::vector<std::string_view> extensions;
     for (const PictureFileFormat& format : pictureFormats())
         if (is(format)) extensions.push_back(format.extensions.front());
-    return listOf(extensions);
+    return alternatives(extensions);
 }
 
 template <typename Is> std::string allEndings(const Is& is)
@@ -167,11 +157,7 @@ std::string_view readEndings()
 
 const std::string& readFormats()
 {
-    static const std::string names = [] {
-        std::vector<std::string_view> all;
-        for (const PictureFileFormat& format : pictureFormats()) all.push_back(format.name);
-        return listOf(all);
-    }();
+    static const std::string names = alternatives(pictureFormats(), &PictureFileFormat::name);
     return names;
 }
 

@@ -49,11 +49,4 @@ std::string didYouMean(std::string_view typed, const std::vector<std::string>& w
     return near.empty() ? ";" : "; did you mean " + near + "?";
 }
 
-std::string namesText(const std::vector<std::string>& names)
-{
-    std::string text;
-    for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-    return text;
-}
-
 }  // namespace vitrine

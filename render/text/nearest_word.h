@@ -13,7 +13,4 @@ namespace vitrine {
 /// Returns "; did you mean sphere?" if one of the words is similar, else ";".
 [[nodiscard]] std::string didYouMean(std::string_view typed, const std::vector<std::string>& words);
 
-/// Joins the names: "a, b, c".
-[[nodiscard]] std::string namesText(const std::vector<std::string>& names);
-
 }  // namespace vitrine

@@ -4,6 +4,7 @@
 #include "exhibits/framework/make_act.h"
 #include "exhibits/framework/value_text.h"
 #include "render/failure.h"
+#include "render/text/joined.h"
 #include "render/text/nearest_word.h"
 
 #include <algorithm>
@@ -15,13 +16,6 @@ namespace vitrine::jobs {
 namespace {
 
 using render::Json;
-
-std::string joinedLines(const std::vector<std::string>& words)
-{
-    std::string lines;
-    for (const std::string& word : words) lines += (lines.empty() ? "" : "\n") + word;
-    return lines;
-}
 
 std::vector<std::string> splitAt(char separator, const std::string& text)
 {
@@ -85,7 +79,7 @@ void GivenValues::type(const JobOption& option, const std::vector<std::string>& 
     const ParameterInfo& parameter = values_.rows()[first];
     if (option.several) {
         for (const std::string& word : words) static_cast<void>(readWord(option.name, parameter, word));
-        give(first, joinedLines(words), option.name);
+        give(first, joined(words, "\n"), option.name);
         return;
     }
     assert(words.size() == 1);

@@ -3,6 +3,7 @@
 #include "render/files/extension.h"
 #include "render/files/number_text.h"
 #include "render/image/picture_formats.h"
+#include "render/text/joined.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,12 +30,8 @@ std::string refusedExtension(const Job& job, const std::filesystem::path& out)
         return given == usual || (format && format == render::formatNamed("a" + usual));
     };
     if (std::any_of(extensions.begin(), extensions.end(), is)) return {};
-    std::string names;
-    for (std::size_t i = 0; i < extensions.size(); ++i) {
-        if (i > 0) names += i + 1 < extensions.size() ? ", " : " or ";
-        (names += '.') += extensions[i];
-    }
-    return out.string() + ": give a name that ends in " + names + '.';
+    return out.string() + ": give a name that ends in " +
+           alternatives(extensions, [](std::string_view extension) { return '.' + std::string(extension); }) + '.';
 }
 
 }  // namespace vitrine::jobs

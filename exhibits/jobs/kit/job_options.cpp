@@ -4,6 +4,7 @@
 #include "exhibits/framework/typed_number.h"
 #include "exhibits/framework/value_text.h"
 #include "render/failure.h"
+#include "render/text/joined.h"
 
 #include <algorithm>
 #include <cassert>
@@ -43,12 +44,7 @@ std::string wordsText(const ParameterInfo& parameter)
 std::string wanted(const ParameterInfo& parameter)
 {
     switch (parameter.kind) {
-    case Kind::choice: {
-        std::string names;
-        for (const std::string_view choice : parameter.choices)
-            names += (names.empty() ? "" : ", ") + std::string(choice);
-        return "one of " + names;
-    }
+    case Kind::choice: return "one of " + joined(parameter.choices);
     case Kind::color: return "#rrggbb or r,g,b";
     case Kind::direction: return "x,y,z";
     case Kind::toggle: return "on or off";
@@ -75,11 +71,7 @@ std::string typeOf(const ParameterInfo& parameter)
         for (const Word& word : parameter.words) (type += '|') += word.text;
         return type;
     }
-    case Kind::choice: {
-        std::string type;
-        for (const std::string_view choice : parameter.choices) type += (type.empty() ? "" : "|") + std::string(choice);
-        return type;
-    }
+    case Kind::choice: return joined(parameter.choices, "|");
     case Kind::color: return "COLOR";
     case Kind::direction: return "X,Y,Z";
     case Kind::file: return "FILE";

@@ -6,6 +6,7 @@
 #include "exhibits/pixel_art/world_builder.h"
 #include "render/failure.h"
 #include "render/hash.h"
+#include "render/text/joined.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -132,11 +133,9 @@ int SpriteSubject::animationOf(const SpriteRequest& request) const
 {
     const auto& all = model_->animations();
     if (request.animation.empty()) return all.empty() ? -1 : 0;
-    std::string names;
-    for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t i = 0; i < all.size(); ++i)
         if (all[i].name == request.animation) return static_cast<int>(i);
-        names += (names.empty() ? "" : ", ") + all[i].name;
-    }
+    const std::string names = joined(all, ", ", [](const auto& animation) { return animation.name; });
     throw Failure(Blame::usage, "There is no animation \"" + request.animation + "\"; " +
                                     (names.empty() ? "the file has none." : "the file has " + names + "."));
 }
