@@ -9122,10 +9122,6 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>Noch ist kein Punkt gemessen</translation>
     </message>
     <message>
-        <source>No point of the scene is inside, as far as these cells can tell: sheets need a thickness, and what is thinner than a cell a smaller --cell.</source>
-        <translation>Kein Punkt der Szene liegt innen, soweit diese Zellen es zeigen: Flächen brauchen eine Dicke, und was dünner als eine Zelle ist, ein kleineres --cell.</translation>
-    </message>
-    <message>
         <source>No preset is selected in the list.</source>
         <translation>In der Liste ist kein Preset gewählt.</translation>
     </message>
@@ -9369,6 +9365,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nichts im Bild ist durchscheinend</translation>
     </message>
     <message>
+        <source>Nothing in the scene is as thick as a cell; nothing was written. Give a smaller --cell, or a thickness to the sheets of the scene.</source>
+        <translation>Nichts in der Szene ist so dick wie eine Zelle; nichts wurde geschrieben. Geben Sie ein kleineres --cell an, oder den Flächen der Szene eine Dicke.</translation>
+    </message>
+    <message>
         <source>nothing in the scene mirrors</source>
         <translation>nichts in der Szene spiegelt</translation>
     </message>
@@ -9397,6 +9397,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
         <translation>nichts bewegt sich</translation>
     </message>
     <message>
+        <source>Nothing of the scene lies between --low and --high; give other corners.</source>
+        <translation>Zwischen --low und --high liegt nichts von der Szene; geben Sie andere Ecken an.</translation>
+    </message>
+    <message>
         <source>nothing of the visitor's object is translucent</source>
         <translation>nichts am Objekt des Besuchers ist durchscheinend</translation>
     </message>
@@ -9419,6 +9423,10 @@ Ein Doppelklick oder die Eingabetaste öffnet sie groß, um hineinzuzoomen.</tra
     <message>
         <source>nothing so exact was measured</source>
         <translation>nichts so Genaues wurde gemessen</translation>
+    </message>
+    <message>
+        <source>Nothing solid lies between --low and --high; nothing was written. Give other corners, or a smaller --cell for what is thinner than a cell.</source>
+        <translation>Zwischen --low und --high liegt nichts Festes; nichts wurde geschrieben. Geben Sie andere Ecken an, oder ein kleineres --cell für das, was dünner als eine Zelle ist.</translation>
     </message>
     <message>
         <source>Nothing to look at yet</source>
@@ -15230,10 +15238,6 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
     <message>
         <source>there is not enough memory for fins</source>
         <translation>für Fins reicht der Speicher nicht</translation>
-    </message>
-    <message>
-        <source>There is nothing of the scene in this part of space; choose another.</source>
-        <translation>In diesem Teil des Raums ist nichts von der Szene; wählen Sie einen anderen.</translation>
     </message>
     <message>
         <source>There was not enough memory for this, and nothing was changed. Choose a smaller size, or close another program.</source>

@@ -184,10 +184,9 @@ Json objectOf(const std::map<std::string, Json>& entries)
     return object;
 }
 
-std::string writeFile(std::string_view format, const std::string& exhibit, const std::string& name,
-                      const PresetTags& tags, const std::map<std::string, Json>& values,
-                      const std::map<std::string, Json>& motions, const std::optional<Json>& camera,
-                      const std::optional<PictureRecord>& picture, const Json& kept)
+Json fileJson(std::string_view format, const std::string& exhibit, const std::string& name, const PresetTags& tags,
+              const std::map<std::string, Json>& values, const std::map<std::string, Json>& motions,
+              const std::optional<Json>& camera, const std::optional<PictureRecord>& picture, const Json& kept)
 {
     Json root = Json::object();
     root["format"] = format;
@@ -203,7 +202,7 @@ std::string writeFile(std::string_view format, const std::string& exhibit, const
     for (const auto& [key, value] : kept.items()) {
         if (!isKnownKey(key, format == exhibitionFormat)) root[key] = value;
     }
-    return render::writeJson(root);
+    return root;
 }
 
 Json keptCamera(const Json& kept)
@@ -259,8 +258,8 @@ std::string presetText(const Preset& preset)
     writeMotions(preset.values, {}, motions);
     std::optional<Json> camera;
     if (preset.camera) camera = jsonFromCamera(*preset.camera, keptCamera(preset.kept));
-    return writeFile(presetFormat, preset.exhibit, preset.name, preset.tags, values, motions, camera, std::nullopt,
-                     preset.kept);
+    return render::writeJson(fileJson(presetFormat, preset.exhibit, preset.name, preset.tags, values, motions, camera,
+                                      std::nullopt, preset.kept));
 }
 
 Exhibition parseExhibition(std::string text, std::string fileName, const NamedValues& initial)
@@ -288,7 +287,7 @@ Exhibition parseExhibition(std::string text, std::string fileName, const NamedVa
     return exhibition;
 }
 
-std::string exhibitionText(const Exhibition& exhibition)
+Json exhibitionJson(const Exhibition& exhibition)
 {
     std::map<std::string, Json> values = keptOf(exhibition.kept, "values"),
                                 motions = keptOf(exhibition.kept, "motions");
@@ -296,9 +295,14 @@ std::string exhibitionText(const Exhibition& exhibition)
         writeRows(ofExhibit, name + ".", values);
         writeMotions(ofExhibit, name + ".", motions);
     }
-    return writeFile(exhibitionFormat, exhibition.chosen, exhibition.name, exhibition.tags, values, motions,
-                     jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.picture,
-                     exhibition.kept);
+    return fileJson(exhibitionFormat, exhibition.chosen, exhibition.name, exhibition.tags, values, motions,
+                    jsonFromCamera(exhibition.camera, keptCamera(exhibition.kept)), exhibition.picture,
+                    exhibition.kept);
+}
+
+std::string exhibitionText(const Exhibition& exhibition)
+{
+    return render::writeJson(exhibitionJson(exhibition));
 }
 
 Preset presetInExhibition(std::string text, std::string fileName, std::string_view exhibit, const Parameters& table)

@@ -84,6 +84,7 @@ struct Exhibition {
 /// the file get their initial value. Values of unknown exhibits are kept, with a note.
 [[nodiscard]] Exhibition parseExhibition(std::string text, std::string fileName, const NamedValues& initial);
 
+[[nodiscard]] render::Json exhibitionJson(const Exhibition&);
 [[nodiscard]] std::string exhibitionText(const Exhibition&);
 
 /// Extracts the preset of one exhibit from an exhibition: its values, name, tags and the camera. Throws Failure like

@@ -68,7 +68,7 @@ render::Box meshedBox(const SceneField& scene, const MeshRequest& request)
     render::Box box = scene.box();
     if (request.part) box = {glm::max(box.low, request.part->low), glm::min(box.high, request.part->high)};
     if (box.empty())
-        throw Failure(Blame::usage, "There is nothing of the scene in this part of space; choose another.");
+        throw Failure(Blame::usage, "Nothing of the scene lies between --low and --high; give other corners.");
     const glm::dvec3 size = box.high - box.low;
     if (!std::isfinite(size.x + size.y + size.z))
         throw Failure(Blame::usage, "The scene has no end: " + endlessPart(scene) +

@@ -23,7 +23,7 @@ Json sceneJson(const JobScene& scene)
     Exhibition exhibition{"Settings of a job", namedValues(scene.museum->subjects(), scene.state.values),
                           scene.state.camera};
     exhibition.chosen = scene.museum->subject(scene.subject).name();
-    return render::parseJson(exhibitionText(exhibition), "scene").root();
+    return exhibitionJson(exhibition);
 }
 
 SceneState readScene(const Json& json, const std::string& name, const Museum& museum, std::vector<std::string>& notes)

@@ -8,6 +8,7 @@
 #include "render/failure.h"
 #include "render/files/atomic_write.h"
 #include "render/files/number_text.h"
+#include "render/text/joined.h"
 
 #include <unistd.h>
 
@@ -84,11 +85,7 @@ std::optional<render::Box> partOf(const ParameterValues& values)
 std::vector<double> parametersOf(const scenes::Scene& scene, const ParameterValues& values)
 {
     std::vector<double> all;
-    std::string names;
-    for (const scenes::SceneParameter& parameter : scene.parameters()) {
-        all.push_back(parameter.initial);
-        names += (names.empty() ? "" : ", ") + parameter.name;
-    }
+    for (const scenes::SceneParameter& parameter : scene.parameters()) all.push_back(parameter.initial);
     for (const std::string& set : linesOf(values[meshTable().set])) {
         const std::size_t equals = set.find('=');
         const std::string name = set.substr(0, equals);
@@ -96,9 +93,11 @@ std::vector<double> parametersOf(const scenes::Scene& scene, const ParameterValu
         const std::string typed = set.substr(equals + 1);
         std::size_t i = 0;
         while (i < all.size() && scene.parameters()[i].name != name) ++i;
-        if (i == all.size())
+        if (i == all.size()) {
+            const std::string names = joined(scene.parameters(), ", ", &scenes::SceneParameter::name);
             throw Failure(Blame::usage, "--set " + name + ": the scene has no such parameter" +
                                             (names.empty() ? " and no other." : "; it has " + names + "."));
+        }
         const scenes::SceneParameter& parameter = scene.parameters()[i];
         std::optional<double> value = evaluate(typed, Unit::none);
         if (!value) value = evaluate(typed, parameter.unit);
@@ -124,12 +123,15 @@ scenes::MeshRequest requestOf(const ParameterValues& values)
     return request;
 }
 
-/// Throws Failure (Blame::check) where the mesh is not closed.
-scenes::MeshCheck checked(const scenes::SceneMesh& mesh)
+/// Throws Failure (Blame::check) where the mesh is empty or not closed; `isPart`: --low and --high limit it.
+scenes::MeshCheck checked(const scenes::SceneMesh& mesh, bool isPart)
 {
+    if (mesh.indices.empty() && isPart)
+        throw Failure(Blame::check, "Nothing solid lies between --low and --high; nothing was written. Give other "
+                                    "corners, or a smaller --cell for what is thinner than a cell.");
     if (mesh.indices.empty())
-        throw Failure(Blame::check, "No point of the scene is inside, as far as these cells can tell: sheets need a "
-                                    "thickness, and what is thinner than a cell a smaller --cell.");
+        throw Failure(Blame::check, "Nothing in the scene is as thick as a cell; nothing was written. Give a smaller "
+                                    "--cell, or a thickness to the sheets of the scene.");
     scenes::MeshCheck check = scenes::checkMesh(mesh);
     if (!check.good())
         throw Failure(Blame::check, "The mesh is not closed or no manifold (" + std::to_string(check.openEdges) +
@@ -158,7 +160,7 @@ public:
         }
         const std::optional<scenes::SceneMesh> mesh = mesher_->mesh(part);
         if (!mesh) throw Stopped();
-        const scenes::MeshCheck check = checked(*mesh);
+        const scenes::MeshCheck check = checked(*mesh, partOf(order_.values).has_value());
         if (!watch(1)) throw Stopped();
         tell(*mesh, check);
         stage(*mesh);
@@ -235,16 +237,19 @@ JobPlan MeshJob::plan(const ParameterValues& values, const JobScene&, const JobI
     JobPlan plan;
     for (const scenes::Finding& shape : scene.leftOut)
         plan.warnings.push_back(shape.text() + " This shape is left out.");
+    const auto refuse = [&](const std::string& why) {
+        if (plan.refusal.empty()) plan.refusal = why;
+    };
     if (!scene.animated() && values[meshTable().time] != 0)
-        plan.refusal = "--time has no effect on a scene in which nothing moves; leave it out.";
+        refuse("--time has no effect on a scene in which nothing moves; leave it out.");
     try {
         static_cast<void>(requestOf(values));
         static_cast<void>(parametersOf(scene, values));
     } catch (const Failure& why) {
-        plan.refusal = why.what();
+        refuse(why.what());
     }
     if (out.empty()) return plan;
-    if (plan.refusal.empty()) plan.refusal = refusedExtension(*this, out);
+    refuse(refusedExtension(*this, out));
     plan.files = {{out, "mesh"}, {documentFile(out), "settings"}};
     return plan;
 }

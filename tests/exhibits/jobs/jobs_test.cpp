@@ -421,6 +421,33 @@ TEST(JobRun, StopsWhereItsWatchSaysSo)
     }
 }
 
+TEST(Mesh, RefusesByItsFirstReasonAndSaysWhereNothingIsSolid)
+{
+    const SmallOrders small;
+    const Job& mesh = *findJob("mesh");
+    const auto ordered = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> words{small.inputs / "ball.json", "--cell=1cm"};
+        words.insert(words.end(), more.begin(), more.end());
+        JobOrder order{typedValues(mesh, words)};
+        order.inputs = mesh.read(order.values);
+        return order;
+    };
+    const JobOrder twice = ordered({"--time=2", "--high=1,1,1"});
+    EXPECT_EQ(mesh.plan(twice.values, {}, *twice.inputs, "a.png").refusal,
+              "--time has no effect on a scene in which nothing moves; leave it out.");
+    const auto expectNothing = [&](const char* low, const char* high, Blame blame, const std::string& sentence) {
+        const auto run = mesh.start(ordered({"--low=" + std::string(low), "--high=" + std::string(high)}));
+        const auto runAll = [&] {
+            while (run->next() != JobRun::Next::done) run->step([](double) { return true; });
+            return 0;
+        };
+        EXPECT_PRED_FORMAT2(testing::IsSubstring, sentence.c_str(), test::failureOf(runAll, blame));
+    };
+    expectNothing("1,1,1", "2,2,2", Blame::usage, "Nothing of the scene lies between --low and --high;");
+    // In a corner of the box around the ball: 0.26 m from its center.
+    expectNothing("0.15,0.15,0.15", "0.2,0.2,0.2", Blame::check, "Nothing solid lies between --low and --high;");
+}
+
 TEST(Fact, ShowsThreeDigitsAndItsUnit)
 {
     EXPECT_EQ(valueText({"Frames", 1234567.0}), "1234567");
