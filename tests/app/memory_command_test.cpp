@@ -8,8 +8,7 @@
 namespace vitrine {
 namespace {
 
-using test::Ended;
-using test::TemporaryFolder;
+using namespace test;
 
 /// Runs the program with memory for `count` allocations.
 Ended withAllocations(long count, const std::vector<std::string>& words)

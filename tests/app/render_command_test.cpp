@@ -15,8 +15,7 @@ namespace vitrine {
 namespace {
 
 using render::Json;
-using test::Ended;
-using test::TemporaryFolder;
+using namespace test;
 
 using Words = std::vector<std::string>;
 

@@ -26,8 +26,7 @@
 namespace vitrine {
 namespace {
 
-using test::Ended;
-using test::TemporaryFolder;
+using namespace test;
 using Words = std::vector<std::string>;
 
 const std::string scenes = VITRINE_SOURCE_DIR "/assets/scenes/";

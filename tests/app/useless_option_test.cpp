@@ -8,8 +8,7 @@
 namespace vitrine {
 namespace {
 
-using test::Ended;
-using test::TemporaryFolder;
+using namespace test;
 using Words = std::vector<std::string>;
 
 TEST(UselessOptions, AreRefusedByEveryCommandWithWhatTheyNeed)

@@ -12,11 +12,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
-using test::ballMuseum;
-using test::BallShot;
-using test::ballTable;
-using test::hallTable;
-using test::Picture;
+using namespace test;
 
 class Ball : public test::GlTest {};
 

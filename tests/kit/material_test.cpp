@@ -5,8 +5,7 @@
 namespace vitrine {
 namespace {
 
-using test::BallShot;
-using test::Picture;
+using namespace test;
 
 struct PaintedBallTable final : test::BallRows, SdfRows {};
 

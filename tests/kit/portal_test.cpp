@@ -9,8 +9,7 @@ namespace vitrine {
 namespace {
 
 using glm::dvec3;
-using test::BallShot;
-using test::Picture;
+using namespace test;
 
 }  // namespace
 

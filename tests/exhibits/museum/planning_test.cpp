@@ -21,9 +21,7 @@
 namespace vitrine {
 namespace {
 
-using test::museum;
-using test::Scene;
-using test::wholeText;
+using namespace test;
 
 std::string textOf(const Museum& museum, const Scene& scene)
 {

@@ -17,8 +17,7 @@
 namespace vitrine {
 namespace {
 
-using test::museum;
-using test::reasonFor;
+using namespace test;
 
 const SdfScenesTable& table()
 {
