@@ -54,6 +54,9 @@ TEST(SameBytes, OfPicturesWhateverTheClock)
 {
     for (const char* name : {"a.png", "a.exr", "a.tif"}) expectSameBytes(ofPicture, name);
     expectSameBytes(ofPicture, "deep.tif", {"--sixteen-bit"});
+    expectSameBytes(
+        ofPicture, "moved.exr",
+        {"--transparent", "--channels", "color,depth,normal,evaluations", "--time", "3.5", "--set", "animate=on"});
 }
 
 TEST(SameBytes, OfPrintsChartsAndProofsWhateverTheClock)
