@@ -4,7 +4,7 @@
 #include "render/image/image.h"
 #include "render/image/image_limits.h"
 #include "render/image/picture_formats.h"
-#include "render/scene/mesh.h"
+#include "render/image/texture.h"
 
 #include <filesystem>
 #include <functional>

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/scene/mesh.h"
+#include "render/image/texture.h"
 
 namespace vitrine::render {
 

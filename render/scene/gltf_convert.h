@@ -1,12 +1,14 @@
 #pragma once
 
 #include "render/files/strict_json.h"
-#include "render/scene/gltf.h"
+#include "render/scene/gltf_limits.h"
+#include "render/scene/mesh.h"
 #include "render/scene/tinygltf.h"
 
 #include <glm/glm.hpp>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 

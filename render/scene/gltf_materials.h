@@ -1,10 +1,12 @@
 #pragma once
 
 #include "render/files/strict_json.h"
-#include "render/scene/gltf.h"
+#include "render/scene/gltf_limits.h"
+#include "render/scene/mesh.h"
 #include "render/scene/tinygltf.h"
 
 #include <compare>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "render/files/strict_json.h"
-#include "render/scene/gltf.h"
+#include "render/scene/gltf_limits.h"
 #include "render/scene/tinygltf.h"
 
 namespace vitrine::render {
