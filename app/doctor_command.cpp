@@ -10,9 +10,9 @@
 #include "render/gl/context.h"
 #include "render/gl/frame_clock.h"
 #include "render/image/oiio_codec.h"
+#include "render/image/video_codec.h"
 #include "render/library_versions.h"
 #include "render/version.h"
-#include "render/video/video_codec.h"
 
 #include <CLI/CLI.hpp>
 #include <qcustomplot.h>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exhibits/sdf_scenes/scene_program.h"
-#include "render/plan/shader_key.h"
+#include "render/glsl/shader_key.h"
 
 #include <cstddef>
 #include <memory>

@@ -3,8 +3,8 @@
 #include "exhibits/kit/portal.h"
 #include "exhibits/sdf_scenes/scene_field.h"
 #include "render/files/asset_store.h"
+#include "render/glsl/shader_key.h"
 #include "render/glsl/std140.h"
-#include "render/plan/shader_key.h"
 
 #include <filesystem>
 #include <memory>

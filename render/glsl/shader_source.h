@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/plan/shader_key.h"
+#include "render/glsl/shader_key.h"
 
 #include <filesystem>
 #include <optional>

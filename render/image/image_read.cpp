@@ -12,8 +12,8 @@
 #include "render/image/rec709.h"
 #include "render/image/srgb.h"
 #include "render/image/still_header.h"
+#include "render/image/video_codec.h"
 #include "render/image/webp_header.h"
-#include "render/video/video_codec.h"
 
 #include <algorithm>
 #include <array>

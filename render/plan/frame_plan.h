@@ -1,9 +1,9 @@
 #pragma once
 
+#include "render/glsl/shader_key.h"
 #include "render/plan/contribution_bound.h"
 #include "render/plan/history.h"
 #include "render/plan/image_info.h"
-#include "render/plan/shader_key.h"
 #include "render/scene/camera.h"
 #include "render/scene/mesh.h"
 

@@ -2,7 +2,7 @@
 
 #include "render/files/file_ops.h"
 #include "render/image/image.h"
-#include "render/video/video_codec.h"
+#include "render/image/video_codec.h"
 
 #include <filesystem>
 #include <memory>

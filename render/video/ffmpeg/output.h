@@ -1,6 +1,6 @@
 #pragma once
 
-#include "render/video/video_codec.h"
+#include "render/image/video_codec.h"
 
 #include <string>
 

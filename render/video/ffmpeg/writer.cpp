@@ -1,7 +1,7 @@
+#include "render/image/video_codec.h"
 #include "render/video/ffmpeg/output.h"
 #include "render/video/ffmpeg/owned.h"
 #include "render/video/ffmpeg/still.h"
-#include "render/video/video_codec.h"
 
 extern "C" {
 #include <libavcodec/avcodec.h>

@@ -1,4 +1,4 @@
-#include "render/plan/shader_key.h"
+#include "render/glsl/shader_key.h"
 
 #include "render/hash.h"
 

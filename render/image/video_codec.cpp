@@ -1,4 +1,4 @@
-#include "render/video/video_codec.h"
+#include "render/image/video_codec.h"
 
 #include "render/files/module.h"
 
