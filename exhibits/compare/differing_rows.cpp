@@ -1,5 +1,6 @@
 #include "exhibits/compare/differing_rows.h"
 
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/value_text.h"
 
 namespace vitrine {

@@ -1,14 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <string_view>
 #include <vector>
 
 namespace vitrine {
-
-class Parameters;
-class ParameterValues;
 
 /// What must hold in other rows of a table for a row to act on anything that can be seen. Rows are told by their names,
 /// so that one may look at rows further down.
@@ -37,18 +33,5 @@ struct Condition {
 
 /// The names of all rows that the condition looks at, in the order in which it does.
 [[nodiscard]] std::vector<std::string_view> rowsOf(const Condition&);
-
-/// Whether row `row` acts: its condition holds, and the rows that it looks at act themselves. A row that does not act
-/// changes no picture and keeps its value.
-[[nodiscard]] bool acts(const ParameterValues&, std::size_t row);
-
-/// When row `row` acts, by the labels of the other rows: "“Shadow filter” is sun's disk". Empty: always.
-[[nodiscard]] std::string actsWhen(const Parameters&, std::size_t row);
-/// The same, and of every row in it that does not act itself, when that one does.
-[[nodiscard]] std::string actsWhen(const ParameterValues&, std::size_t row);
-
-/// The values with every row that does not act at its initial value: alike for two snapshots that differ in such rows
-/// alone.
-[[nodiscard]] ParameterValues actingValues(const ParameterValues&);
 
 }  // namespace vitrine

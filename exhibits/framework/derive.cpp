@@ -1,5 +1,6 @@
 #include "exhibits/framework/derive.h"
 
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/value_text.h"
 #include "render/glsl/std140.h"
 #include "render/text/joined.h"

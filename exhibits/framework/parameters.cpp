@@ -1,8 +1,5 @@
 #include "exhibits/framework/parameters.h"
 
-#include "exhibits/framework/motion_json.h"
-#include "exhibits/framework/preset_values.h"
-
 #include <algorithm>
 #include <cassert>
 #include <cctype>
@@ -238,6 +235,14 @@ std::uint16_t Parameters::appendRow(ParameterInfo row)
     return static_cast<std::uint16_t>(rows_.size() - 1);
 }
 
+std::string_view whyUnmoved(const ParameterInfo& row)
+{
+    if (row.isWritten()) return "A file cannot be animated, because each value would have to be read.";
+    if (row.qualityReference)
+        return "An accuracy parameter cannot be animated, because it sets the cost of the picture.";
+    return {};
+}
+
 ParameterValues::ParameterValues(const Parameters& table)
     : ParameterValues(std::shared_ptr<const Parameters>(table.weak_from_this().lock(), &table))
 {
@@ -255,36 +260,6 @@ std::vector<std::string> ParameterValues::tableFiles() const
     for (std::size_t i = 0; i < rows().size(); ++i)
         if (rows()[i].givesRows) files.push_back(std::get<std::string>(values_[i]));
     return files;
-}
-
-ParameterValues ParameterValues::under(std::shared_ptr<const Parameters> table, std::vector<std::string>& notes) const
-{
-    ParameterValues result(std::move(table));
-    result.pending_ = pending_;
-    result.pendingMotions_ = pendingMotions_;
-    for (std::size_t i = 0; i < result.rows().size(); ++i) {
-        const ParameterInfo& row = result.rows()[i];
-        if (const auto here = table_->find(row.name)) {
-            if (rows()[*here].kind != row.kind) continue;
-            if (!isInitial(*here)) result.setRow(i, values_[*here]);
-            if (const Motion* moves = motion(*here)) result.setMotion(i, *moves);
-        } else if (const auto written = pending_.find(std::string(row.name)); written != pending_.end()) {
-            if (const auto value = valueFromText(row, written->second, notes)) result.setRow(i, *value);
-            result.pending_.erase(written->first);
-        }
-        const auto moved = pendingMotions_.find(std::string(row.name));
-        if (moved == pendingMotions_.end()) continue;
-        if (const auto motion = motionFromText(row, moved->second, notes)) result.setMotion(i, *motion);
-        result.pendingMotions_.erase(moved->first);
-    }
-    return result;
-}
-
-ParameterValues ParameterValues::asShownBy(const ParameterValues& other) const
-{
-    if (table_ == other.table_ || tableFiles() != other.tableFiles()) return *this;
-    std::vector<std::string> notes;
-    return under(other.table_, notes);
 }
 
 bool ParameterValues::operator==(const ParameterValues& other) const

@@ -131,6 +131,14 @@ struct ParameterInfo {
 /// The legal value nearest to `value`, or nothing when its type or a NaN leaves no nearest one.
 [[nodiscard]] std::optional<Value> nearestLegal(const ParameterInfo&, const Value& value);
 
+/// Returns why a parameter of this description cannot be animated, as a full sentence; empty: it can.
+///  - files and texts: every value would have to be read;
+///  - parameters of accuracy (`quality`): they determine costs and image sizes, and are set by studies and by the
+///    renderer itself.
+/// All others can. A count, choice or switch may select a shader or mesh of its own; that is made when it first occurs
+/// and reused afterwards.
+[[nodiscard]] std::string_view whyUnmoved(const ParameterInfo&);
+
 /// Typed handles: the index of a row, and the type its value reads back as.
 template <typename T> struct Parameter {
     std::uint16_t row;
@@ -534,13 +542,6 @@ public:
     /// Motions that were read for rows which the table lacks, as `pending` has their values.
     [[nodiscard]] const PendingRows& pendingMotions() const { return pendingMotions_; }
     void setPendingMotions(PendingRows pending) { pendingMotions_ = std::move(pending); }
-
-    /// These values under another table: rows of the same name and kind keep what is not initial, as near as is legal;
-    /// new rows take pending values; others are initial, so that what nobody changed follows the file that gives it.
-    /// Motions go with their rows. What is wrong with a pending value is added to `notes`, one sentence each.
-    [[nodiscard]] ParameterValues under(std::shared_ptr<const Parameters>, std::vector<std::string>& notes) const;
-    /// The same under the table of other values where these name the same files for it: else these, as they are.
-    [[nodiscard]] ParameterValues asShownBy(const ParameterValues& other) const;
 
     /// Values of different tables are equal when their rows bear the same names.
     bool operator==(const ParameterValues& other) const;

@@ -1,6 +1,7 @@
 // Planning of a frame: exhibits in view, their prepared parts, and the passes of all.
 #include "exhibits/museum/museum.h"
 
+#include "exhibits/framework/animation.h"
 #include "exhibits/framework/derive.h"
 #include "exhibits/hall/hall.h"
 #include "exhibits/hall/hall_model.h"

@@ -1,5 +1,7 @@
 #include "exhibits/museum/read_tables.h"
 
+#include "exhibits/framework/table_change.h"
+
 namespace vitrine {
 
 TabledSceneState readTables(Subjects subjects, render::AssetStore& assets, const SceneState& sceneState)
@@ -12,7 +14,7 @@ TabledSceneState readTables(Subjects subjects, render::AssetStore& assets, const
         const CalledTable called = made->tableFor(values, assets);
         if (!called.why.empty()) read.unreadable.push_back(called.why);
         if (!called.table || called.table == values.sharedTable()) continue;
-        values = values.under(called.table, read.notes);
+        values = underTable(values, called.table, read.notes);
         for (const auto& [name, json] : values.pending())
             read.notes.push_back(std::string(subjects[i]->name()) + '.' + name + " is not known here; it is kept");
     }

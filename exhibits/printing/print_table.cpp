@@ -1,6 +1,6 @@
 #include "exhibits/printing/print_table.h"
 
-#include "exhibits/framework/make_act.h"
+#include "exhibits/framework/acting.h"
 
 #include <cmath>
 

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/file_path.h"
 #include "exhibits/framework/preset.h"
+#include "exhibits/framework/table_change.h"
 #include "exhibits/kit/panorama.h"
 #include "exhibits/sdf_scenes/asked_scene.h"
 #include "exhibits/sdf_scenes/scene_document.h"
@@ -299,7 +300,7 @@ void SdfScenes::planPart(const std::string& name, const ParameterValues& values,
     const std::string steps = portal.side > 0 ? name + '/' : "sdf_scenes/";
     // Shaders see only the rows that all scenes have, so that all scenes share one uniform block.
     std::vector<std::string> notes;
-    const ParameterValues common = values.under({std::shared_ptr<const Parameters>(), &table_}, notes);
+    const ParameterValues common = underTable(values, {std::shared_ptr<const Parameters>(), &table_}, notes);
     render::Pass pass = portalPass(name, "in view", common, "sdf_scenes/scene.frag", portal, context);
     pass.columns = columns;
     pass.shader.sources = asked.sources;
@@ -433,7 +434,7 @@ ParameterValues SdfScenes::withText(const ParameterValues& values, std::string t
     const CalledTable called = tableFor(next, assets);
     if (!called.table) throw Failure(Blame::check, called.why);
     std::vector<std::string> notes;
-    return next.under(called.table, notes);
+    return underTable(next, called.table, notes);
 }
 
 EditedTree SdfScenes::edited(const ParameterValues& values, const TreeEdit& wanted, render::AssetStore& assets) const

@@ -1,6 +1,6 @@
 #include "exhibits/study/study_situation.h"
 
-#include "exhibits/framework/make_act.h"
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/value_text.h"
 #include "render/files/number_text.h"
 

@@ -1,4 +1,5 @@
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/animation.h"
 #include "exhibits/framework/lesson.h"
 #include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset.h"

@@ -2,6 +2,7 @@
 
 #include "exhibits/framework/capabilities.h"
 #include "exhibits/framework/exhibit.h"
+#include "exhibits/framework/table_change.h"
 #include "exhibits/framework/tree.h"
 #include "render/failure.h"
 #include "render/files/read_file.h"
@@ -194,7 +195,7 @@ private:
         const CalledTable called = tableFor(next, assets);
         if (!called.table) throw Failure(Blame::check, called.why);
         std::vector<std::string> notes;
-        return next.under(called.table, notes);
+        return underTable(next, called.table, notes);
     }
 
     const BlockTable none_{{}};

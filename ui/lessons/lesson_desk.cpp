@@ -1,5 +1,6 @@
 #include "ui/lessons/lesson_desk.h"
 
+#include "exhibits/framework/table_change.h"
 #include "exhibits/museum/museum.h"
 #include "exhibits/study/study_text.h"
 #include "render/plan/render_backend.h"
@@ -208,7 +209,7 @@ void LessonDesk::goTo(const Place& to, const QString& step)
     bool movesCamera = false;
     SceneState after = stateAt(to, movesCamera);
     for (std::size_t i = 0; i < after.values.size(); ++i)
-        after.values[i] = after.values[i].asShownBy(history.sceneState().values[i]);
+        after.values[i] = withTableOf(history.sceneState().values[i], after.values[i]);
     history.record(
         step, after, [this, to] { stand(to); }, [this, from = place_] { stand(from); },
         movesCamera ? History::Camera::moves : History::Camera::stays);

@@ -1,5 +1,6 @@
 #include "ui/model/history.h"
 
+#include "exhibits/framework/table_change.h"
 #include "ui/kit/language.h"
 #include "ui/model/scene_state_change.h"
 
@@ -156,7 +157,7 @@ void History::change(const QString& text, const SceneState& wanted, Gesture gest
 {
     SceneState after = wanted;
     for (std::size_t e = 0; e < after.values.size(); ++e)
-        after.values[e] = after.values[e].asShownBy(sceneState_.values[e]);
+        after.values[e] = withTableOf(sceneState_.values[e], after.values[e]);
     SceneStateChange change(sceneState_, after);
     if (change.empty() && (camera == Camera::stays || after.camera == sceneState_.camera)) return;
     gesture_ = gesture;
@@ -179,7 +180,8 @@ void History::record(const QString& text, const SceneState& after, std::function
 void History::exchangeTables(const SceneState& tabled)
 {
     SceneState after = sceneState_;
-    for (std::size_t e = 0; e < after.values.size(); ++e) after.values[e] = after.values[e].asShownBy(tabled.values[e]);
+    for (std::size_t e = 0; e < after.values.size(); ++e)
+        after.values[e] = withTableOf(tabled.values[e], after.values[e]);
     const SceneStateChange change(sceneState_, after);
     if (change.empty()) return;
     if (const QUndoCommand* last = stack_.index() > 0 ? stack_.command(stack_.index() - 1) : nullptr)

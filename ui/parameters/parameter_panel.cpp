@@ -1,5 +1,7 @@
 #include "ui/parameters/parameter_panel.h"
 
+#include "exhibits/framework/acting.h"
+#include "exhibits/framework/animation.h"
 #include "exhibits/framework/random_values.h"
 #include "ui/kit/idle_undo.h"
 #include "ui/kit/language.h"

@@ -1,5 +1,7 @@
 #include "ui/parameters/way_to_act.h"
 
+#include "exhibits/framework/acting.h"
+
 #include <algorithm>
 
 namespace vitrine::ui {

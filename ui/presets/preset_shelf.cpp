@@ -1,5 +1,6 @@
 #include "ui/presets/preset_shelf.h"
 
+#include "exhibits/framework/table_change.h"
 #include "render/files/atomic_write.h"
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
@@ -100,7 +101,7 @@ void PresetShelf::use(StoredPreset stored)
 bool PresetShelf::changedSince(const StoredPreset& stored) const
 {
     const ParameterValues& shown = window_.history().sceneState().values[window_.shown()];
-    return !(stored.preset.values.asShownBy(shown) == shown);
+    return !(withTableOf(shown, stored.preset.values) == shown);
 }
 
 void PresetShelf::mark()

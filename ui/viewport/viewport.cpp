@@ -1,5 +1,6 @@
 #include "ui/viewport/viewport.h"
 
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/tree.h"
 #include "exhibits/museum/named_files.h"
 #include "render/failure.h"

@@ -1,7 +1,7 @@
 #include "exhibits/jobs/kit/given_values.h"
 
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/condition.h"
-#include "exhibits/framework/make_act.h"
 #include "exhibits/framework/value_text.h"
 #include "render/failure.h"
 #include "render/text/joined.h"

@@ -1,6 +1,6 @@
 #include "exhibits/jobs/kit/job_document.h"
 
-#include "exhibits/framework/condition.h"
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/preset.h"
 #include "exhibits/jobs/kit/given_values.h"
 #include "render/failure.h"

@@ -1,6 +1,7 @@
 // Conditions under which parameters have an effect: their meaning, their texts, and rules for all tables.
 
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/derive.h"
 #include "exhibits/framework/parameters.h"
 #include "exhibits/hall/hall_table.h"

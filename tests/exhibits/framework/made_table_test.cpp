@@ -1,7 +1,9 @@
 // Tables made at run time, and arrays of groups in tables.
 
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/derive.h"
 #include "exhibits/framework/preset.h"
+#include "exhibits/framework/table_change.h"
 
 #include <gtest/gtest.h>
 
@@ -124,7 +126,7 @@ TEST(MadeTable, ValuesGoOverToAnotherTableByName)
     values.setRow(before->find("blueRadius").value(), 9.0);
     values.setRow(before->find("blueFinish").value(), 2.0);
     std::vector<std::string> notes;
-    const ParameterValues moved = values.under(after, notes);
+    const ParameterValues moved = underTable(values, after, notes);
     EXPECT_TRUE(notes.empty());
     EXPECT_EQ(&moved.table(), after.get());
     EXPECT_EQ(moved.row(after->find("speed").value()), Value(7.0));

@@ -1,9 +1,8 @@
 // Animated parameters: values of each kind of animation over time, legal values, the time of the next change, and
 // saving to files.
 
-#include "exhibits/framework/motion.h"
-
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/animation.h"
 #include "exhibits/framework/motion_json.h"
 #include "exhibits/framework/preset.h"
 #include "tests/support/failures.h"

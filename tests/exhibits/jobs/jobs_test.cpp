@@ -1,7 +1,7 @@
 // Every job in the list, and one made in the test, keeps what its table promises.
 
 #include "exhibits/exhibits.h"
-#include "exhibits/framework/condition.h"
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/random_values.h"
 #include "exhibits/framework/value_text.h"
 #include "exhibits/jobs.h"

@@ -3,6 +3,7 @@
 
 #include "tests/support/gallery.h"
 
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/random_values.h"
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "exhibits/museum/read_tables.h"
 
 #include "exhibits/framework/preset.h"
+#include "exhibits/framework/table_change.h"
 #include "tests/support/balls.h"
 #include "tests/support/temporary_folder.h"
 
@@ -107,7 +108,7 @@ TEST_F(ReadTables, PresetsBringBackWhatWasSetInTheRowsOfAFile)
     const TabledSceneState tabled = read(preset.values);
     EXPECT_TRUE(tabled.notes.empty()) << tabled.notes.front();
     EXPECT_EQ(tabled.sceneState.values[0], values);
-    EXPECT_EQ(preset.values.asShownBy(values), values);
+    EXPECT_EQ(withTableOf(values, preset.values), values);
     EXPECT_EQ(presetOf(tabled.sceneState.values[0]), text);
 }
 

@@ -1,6 +1,6 @@
 // Situation of a study: settings and views in which its parameters have an effect, according to the tables.
 
-#include "exhibits/framework/make_act.h"
+#include "exhibits/framework/acting.h"
 #include "exhibits/study/study_situation.h"
 #include "tests/support/museum_on_paper.h"
 

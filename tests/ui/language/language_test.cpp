@@ -2,6 +2,8 @@
 
 #include "tests/ui/ui_main.h"
 
+#include "exhibits/framework/acting.h"
+#include "exhibits/framework/animation.h"
 #include "ui/kit/language.h"
 #include "ui/kit/numbers.h"
 #include "ui/parameters/shown_text.h"

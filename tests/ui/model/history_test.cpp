@@ -1,3 +1,4 @@
+#include "exhibits/framework/table_change.h"
 #include "tests/support/balls.h"
 #include "tests/support/blocks.h"
 #include "tests/ui/sample_tables.h"
@@ -300,7 +301,7 @@ private slots:
             history.set(0, scene, std::string(file), newGesture());
             SceneState tabled = history.sceneState();
             std::vector<std::string> notes;
-            tabled.values[0] = tabled.values[0].under(table, notes);
+            tabled.values[0] = underTable(tabled.values[0], table, notes);
             history.exchangeTables(tabled);
         };
         named("two.json", two);

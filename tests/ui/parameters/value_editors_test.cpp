@@ -1,11 +1,12 @@
 #include "tests/ui/parameters/open_panel.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/parameters/color_editor.h"
 #include "ui/parameters/color_picker.h"
+#include "ui/parameters/screen_color.h"
 #include "ui/parameters/way_to_act.h"
 
 #include "exhibits/exhibits.h"
+#include "exhibits/framework/acting.h"
 
 #include <QCheckBox>
 #include <QComboBox>

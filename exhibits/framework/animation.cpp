@@ -1,5 +1,6 @@
-#include "exhibits/framework/motion.h"
+#include "exhibits/framework/animation.h"
 
+#include "exhibits/framework/acting.h"
 #include "exhibits/framework/morph.h"
 #include "exhibits/framework/value_text.h"
 #include "render/files/number_text.h"
@@ -104,14 +105,6 @@ std::string_view nameOf(const std::array<std::string_view, Count>& names, std::s
 }
 
 }  // namespace
-
-std::string_view whyUnmoved(const ParameterInfo& row)
-{
-    if (row.isWritten()) return "A file cannot be animated, because each value would have to be read.";
-    if (row.qualityReference)
-        return "An accuracy parameter cannot be animated, because it sets the cost of the picture.";
-    return {};
-}
 
 double positionOf(const Motion& motion, const MotionMoment& moment)
 {
