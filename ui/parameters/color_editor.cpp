@@ -1,20 +1,17 @@
 #include "ui/parameters/color_editor.h"
 
-#include "render/image/srgb.h"
 #include "ui/kit/language.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
 #include "ui/parameters/color_picker.h"
 #include "ui/parameters/number_field.h"
+#include "ui/parameters/screen_color.h"
 #include "ui/parameters/shown_text.h"
 
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QPainter>
 #include <QToolTip>
-
-#include <algorithm>
-#include <cmath>
 
 namespace vitrine::ui {
 namespace {
@@ -50,20 +47,6 @@ private:
 };
 
 }  // namespace
-
-QColor encoded(const glm::dvec3& color)
-{
-    const glm::dvec3 c = glm::clamp(color, 0.0, 1.0);
-    const auto encode = [](double x) { return static_cast<float>(render::srgbFromLinear(x)); };
-    return QColor::fromRgbF(encode(c.x), encode(c.y), encode(c.z));
-}
-
-glm::dvec3 linear(const QColor& color)
-{
-    const QColor rgb = color.toRgb();
-    const auto decode = [](int code) { return render::linearFromSrgb(code / 255.0); };
-    return {decode(rgb.red()), decode(rgb.green()), decode(rgb.blue())};
-}
 
 ColorEditor::ColorEditor(const ValueRef& value, QWidget* parent)
     : ValueEditor(value, parent), swatch_(new Swatch(this)), code_(new QLineEdit(this))

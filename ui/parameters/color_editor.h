@@ -2,16 +2,13 @@
 
 #include "ui/parameters/value_editor.h"
 
+#include <glm/glm.hpp>
+
 #include <QAbstractButton>
-#include <QColor>
 
 class QLineEdit;
 
 namespace vitrine::ui {
-
-/// Convert linear Rec. 709 to the sRGB encoding of screens, and back. Components 0 to 1.
-[[nodiscard]] QColor encoded(const glm::dvec3& linear);
-[[nodiscard]] glm::dvec3 linear(const QColor&);
 
 /// Editor of a color: a swatch that opens a dialog over the panel, and the color as #rrggbb. Accepts all notations of
 /// `typedValue`.

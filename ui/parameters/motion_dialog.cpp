@@ -3,6 +3,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/text.h"
 #include "ui/kit/type_size.h"
+#include "ui/parameters/make_editor.h"
 #include "ui/parameters/parameter_row.h"
 
 #include <QLabel>

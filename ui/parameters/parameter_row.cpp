@@ -4,6 +4,7 @@
 #include "ui/kit/text.h"
 #include "ui/kit/theme.h"
 #include "ui/kit/type_size.h"
+#include "ui/parameters/make_editor.h"
 #include "ui/parameters/row_marks.h"
 #include "ui/parameters/shown_text.h"
 

@@ -7,7 +7,7 @@
 #include "ui/kit/language.h"
 #include "ui/kit/numbers.h"
 #include "ui/kit/text.h"
-#include "ui/parameters/color_editor.h"
+#include "ui/parameters/screen_color.h"
 
 #include <QColor>
 #include <QCoreApplication>

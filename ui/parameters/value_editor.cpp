@@ -1,33 +1,11 @@
 #include "ui/parameters/value_editor.h"
 
-#include "ui/parameters/color_editor.h"
-#include "ui/parameters/direction_editor.h"
-#include "ui/parameters/number_editor.h"
-#include "ui/parameters/pick_editors.h"
-
 namespace vitrine::ui {
 
 void ValueEditor::edit(const Value& value, Gesture gesture)
 {
     value_.set(value, gesture);
     if (value_.value() != value) showValue(value_.value());  // The value was corrected to a legal one.
-}
-
-ValueEditor* makeEditor(const ValueRef& value, QWidget* parent)
-{
-    switch (value.info().kind) {
-    case Kind::real:
-    case Kind::count: return new NumberEditor(value, parent);
-    case Kind::toggle: return new ToggleEditor(value, parent);
-    case Kind::choice: return new ChoiceEditor(value, parent);
-    case Kind::color: return new ColorEditor(value, parent);
-    case Kind::direction: return new DirectionEditor(value, parent);
-    case Kind::file: return new FileEditor(value, parent);
-    case Kind::text:
-        if (value.info().givesRows) return new TextMark(value, parent);
-        return new TextEditor(value, parent);
-    }
-    return nullptr;
 }
 
 }  // namespace vitrine::ui

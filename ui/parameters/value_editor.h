@@ -34,7 +34,4 @@ private:
     const ParameterInfo& row_;
 };
 
-/// Makes the editor for the parameter's kind.
-[[nodiscard]] ValueEditor* makeEditor(const ValueRef&, QWidget* parent);
-
 }  // namespace vitrine::ui

@@ -1,8 +1,8 @@
 #include "tests/ui/parameters/open_panel.h"
 #include "tests/ui/ui_main.h"
 
-#include "ui/parameters/color_editor.h"
 #include "ui/parameters/parameter_section.h"
+#include "ui/parameters/screen_color.h"
 
 #include <QClipboard>
 #include <QComboBox>
