@@ -1,4 +1,5 @@
 // Rules for includes: app > ui > exhibits > render > shaders/lib. A folder may include itself and folders to its right.
+// Rooms, which are folders, include one another in no circle, and neither do more than three files.
 
 #include "tests/source/source_files.h"
 
@@ -6,6 +7,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <regex>
 #include <set>
@@ -256,6 +258,120 @@ TEST(LayersControl, ForbiddenRoomsAreSeen)
     EXPECT_EQ(roomComplaint({"exhibits/fur/a.h", 1, "shaders/kit/surface_object_block.glsl"}), "");
     EXPECT_EQ(roomComplaint({"exhibits/fur/a.h", 1, "shaders/lib/bindings.glsl"}), "");
     EXPECT_EQ(roomComplaint({"exhibits/exhibits.cpp", 1, "exhibits/fur/fur.h"}), "");
+}
+
+/// Names of rooms or files, each with the names that it includes.
+using IncludeGraph = std::map<std::string, std::set<std::string>>;
+using Circle = std::set<std::string>;
+
+/// Returns the strongly connected components of more than one name (Tarjan 1972, "Depth-First Search and Linear Graph
+/// Algorithms"): within a circle, every name reaches every other.
+std::set<Circle> circlesOf(const IncludeGraph& graph)
+{
+    std::map<std::string, std::size_t> order, lowest;
+    std::vector<std::string> path;
+    std::set<std::string> onPath;
+    std::set<Circle> circles;
+    const std::function<void(const std::string&)> visit = [&](const std::string& name) {
+        const std::size_t mine = order.size();
+        order[name] = lowest[name] = mine;
+        path.push_back(name);
+        onPath.insert(name);
+        const auto next = graph.find(name);
+        if (next != graph.end())
+            for (const std::string& other : next->second) {
+                if (!order.contains(other)) visit(other);
+                if (onPath.contains(other)) lowest[name] = std::min(lowest[name], lowest[other]);
+            }
+        if (lowest[name] != mine) return;
+        const auto first = std::find(path.begin(), path.end(), name);
+        const Circle circle(first, path.end());
+        path.erase(first, path.end());
+        for (const std::string& each : circle) onPath.erase(each);
+        if (circle.size() > 1) circles.insert(circle);
+    };
+    for (const auto& [name, others] : graph)
+        if (!order.contains(name)) visit(name);
+    return circles;
+}
+
+/// Returns the folder of a file: "exhibits/jobs/kit".
+std::string folderOf(const std::string& path)
+{
+    return path.substr(0, path.rfind('/'));
+}
+
+/// Returns the path without its extension: a header and its source count as one file.
+std::string withoutExtension(const std::string& path)
+{
+    return path.substr(0, path.rfind('.'));
+}
+
+/// Returns what includes what in app, ui, exhibits and render, by the names that `nameOf` gives to files.
+IncludeGraph includeGraph(const std::function<std::string(const std::string&)>& nameOf)
+{
+    IncludeGraph graph;
+    for (const char* folder : {"app", "ui", "exhibits", "render"})
+        for (const std::string& file : test::sourceFiles(folder, test::cppExtensions))
+            for (const Include& include : test::includesOf(file))
+                if (isOurs(include.target) && nameOf(include.target) != nameOf(file))
+                    graph[nameOf(file)].insert(nameOf(include.target));
+    return graph;
+}
+
+std::string listed(const Circle& circle)
+{
+    std::string text;
+    for (const std::string& name : circle) text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+/// Compares circles with the ones that are known. The lists of known circles may only shrink.
+void expectCircles(const std::set<Circle>& found, const std::set<Circle>& known)
+{
+    for (const Circle& circle : found)
+        EXPECT_TRUE(known.contains(circle)) << "These include one another in a circle: " << listed(circle)
+                                            << ". Open it: move what both ends need below them.";
+    for (const Circle& circle : known)
+        EXPECT_TRUE(found.contains(circle)) << "This circle is gone or smaller; correct the list: " << listed(circle);
+}
+
+TEST(Layers, RoomsFormNoCircles)
+{
+    const std::set<Circle> known{{"app", "app/jobs", "app/queue", "app/study"}};
+    expectCircles(circlesOf(includeGraph(folderOf)), known);
+}
+
+TEST(Layers, NoMoreThanThreeFilesFormACircle)
+{
+    const std::set<Circle> known{
+        {"exhibits/printing/chart", "exhibits/printing/crosstalk", "exhibits/printing/fitting",
+         "exhibits/printing/interlace", "exhibits/printing/interlace_kernels", "exhibits/printing/kernel_sets",
+         "exhibits/printing/lens_plan", "exhibits/printing/print_json", "exhibits/printing/print_layout",
+         "exhibits/printing/print_raster", "exhibits/printing/print_table", "exhibits/printing/proof",
+         "exhibits/printing/taps", "exhibits/printing/view_place", "exhibits/printing/view_set"},
+        {"ui/window/focus_areas", "ui/window/main_window", "ui/window/own_objects_menu", "ui/window/palette_entries",
+         "ui/window/session_keeper", "ui/window/window_actions", "ui/window/window_preferences"}};
+    std::set<Circle> large;
+    for (const Circle& circle : circlesOf(includeGraph(withoutExtension)))
+        if (circle.size() > 3) large.insert(circle);
+    expectCircles(large, known);
+}
+
+TEST(LayersControl, CirclesAreFound)
+{
+    const IncludeGraph chain{{"a", {"b", "c"}}, {"b", {"c"}}, {"c", {"d"}}};
+    EXPECT_EQ(circlesOf(chain), std::set<Circle>{});
+    IncludeGraph graph = chain;
+    graph["d"] = {"b"};
+    EXPECT_EQ(circlesOf(graph), std::set<Circle>({{"b", "c", "d"}}));
+    graph["e"] = {"a", "f"};
+    graph["f"] = {"e"};
+    EXPECT_EQ(circlesOf(graph), std::set<Circle>({{"b", "c", "d"}, {"e", "f"}}));
+    graph["d"].insert("e");
+    EXPECT_EQ(circlesOf(graph), std::set<Circle>({{"a", "b", "c", "d", "e", "f"}}));
+    EXPECT_EQ(folderOf("exhibits/jobs/kit/job.h"), "exhibits/jobs/kit");
+    EXPECT_EQ(withoutExtension("app/main.cpp"), "app/main");
 }
 
 TEST(Layers, EveryIncludeOfOursExists)
