@@ -89,7 +89,7 @@ void divideByAlpha(std::vector<float>& samples, const Roles& roles)
     const std::size_t channels = roles.color.size();
     for (std::size_t first = 0; first < samples.size(); first += channels) {
         const float alpha = samples[first + static_cast<std::size_t>(roles.alpha)];
-        if (alpha <= 0 || alpha == 1) continue;
+        if (!(alpha > 0) || alpha == 1) continue;
         for (std::size_t c = 0; c < channels; ++c) {
             if (roles.color[c] && static_cast<int>(c) != roles.alpha) samples[first + c] /= alpha;
         }
@@ -102,10 +102,11 @@ std::vector<float> floatsOf(StoredPicture& picture, ImageFormat format, bool raw
     std::vector<float> out;
     if (auto* floats = std::get_if<std::vector<float>>(&picture.samples)) {
         out = std::move(*floats);
+        // A quotient by a very small alpha can be infinite, too.
+        if (format == ImageFormat::exr && !raw) divideByAlpha(out, roles);
         if (const std::size_t count = scrub(out, roles); count > 0) {
             warnings.push_back(std::to_string(count) + " samples were not finite numbers and were replaced.");
         }
-        if (format == ImageFormat::exr && !raw) divideByAlpha(out, roles);
         return out;
     }
     out.resize(picture.sampleCount());
