@@ -1,5 +1,6 @@
 #pragma once
 
+#include "exhibits/framework/prepare.h"
 #include "exhibits/framework/subject.h"
 #include "render/plan/frame_plan.h"
 #include "render/plan/local_lights.h"
