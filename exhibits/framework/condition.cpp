@@ -7,7 +7,7 @@ namespace vitrine {
 namespace {
 
 /// Parts of the same kind lie side by side: (a and b) and c is a and b and c.
-Condition joined(Condition::Test test, Condition a, Condition b)
+Condition combined(Condition::Test test, Condition a, Condition b)
 {
     Condition both{test};
     for (Condition* one : {&a, &b}) {
@@ -24,12 +24,12 @@ Condition joined(Condition::Test test, Condition a, Condition b)
 
 Condition operator&&(Condition a, Condition b)
 {
-    return joined(Condition::Test::all, std::move(a), std::move(b));
+    return combined(Condition::Test::all, std::move(a), std::move(b));
 }
 
 Condition operator||(Condition a, Condition b)
 {
-    return joined(Condition::Test::any, std::move(a), std::move(b));
+    return combined(Condition::Test::any, std::move(a), std::move(b));
 }
 
 std::string_view toString(Condition::Test test)
