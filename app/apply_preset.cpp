@@ -6,6 +6,8 @@
 #include "render/files/read_file.h"
 #include "render/files/strict_json.h"
 #include "render/image/image_io.h"
+#include "render/text/joined.h"
+#include "render/text/nearest_word.h"
 #include "render/video/carried_settings.h"
 
 #include <filesystem>
@@ -20,15 +22,18 @@ std::string presetFile(const std::string& given, const std::string& subject)
     const fs::path path = given;
     std::error_code ignored;
     if (path.has_parent_path() || path.has_extension() || fs::exists(path, ignored)) return given;
-    std::string all;
+    std::vector<std::string> all;
     for (const PresetEntry& preset : PresetStore::standard(render::asset("presets")).list(subject)) {
         if (!preset.shipped) continue;
         const std::string name = preset.path.stem().string();
         if (name == given) return preset.path.string();
-        all += (all.empty() ? "" : ", ") + name;
+        all.push_back(name);
     }
-    throw Failure(Blame::file, "There is neither a file nor a preset of " + subject + " named " + given + "; " +
-                                   (all.empty() ? "give a preset file." : "its presets are " + all + "."));
+    if (all.empty())
+        throw Failure(Blame::file, "There is neither a file nor a preset of " + subject + " named " + given +
+                                       "; give a preset file.");
+    throw Failure(Blame::file, "There is neither a file nor a preset of " + subject + " named " + given +
+                                   didYouMean(given, all) + " its presets are " + joined(all) + '.');
 }
 
 void append(std::vector<std::string>& notes, const std::string& file, const std::vector<std::string>& more)

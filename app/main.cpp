@@ -97,6 +97,7 @@ int parseAndRun(int argc, char** argv)
         throw vitrine::Failure(vitrine::Blame::usage, vitrine::app::usageError(parser, error));
     } catch (const vitrine::Failure&) {
         speak();
+        vitrine::app::throwFirstTyped(parser, {argv + 1, argv + argc});
         throw;
     }
     speak();

@@ -250,7 +250,9 @@ void addSceneOptions(CLI::App& command, PictureOptions& o, const std::string& he
 
 void addPictureOptions(CLI::App& command, PictureOptions& o)
 {
-    command.add_option("--size", o.size, "Width x height in pixels")->default_str(usualPictureSize);
+    command.add_option("--size", o.size, "Width x height in pixels")
+        ->each([](const std::string& typed) { (void)parseSize("--size", typed); })
+        ->default_str(usualPictureSize);
     addSceneOptions(command, o);
     command.add_flag("--run-everything", o.everything,
                      "Run every pass, called for or not: the picture must not change");
@@ -306,8 +308,9 @@ void assign(const Museum& museum, SceneState& sceneState, const Assignment& assi
     const std::optional<Value> value = optionValue(info, text);
     if (!value && info.isNumeric()) refuseDecimalComma("--set " + name, text);
     if (!value || !nearestLegal(info, *value))
-        throw Failure(Blame::usage,
-                      "--set " + name + ": \"" + text + "\" is no value for it; give " + whatItTakes(info, text) + '.');
+        throw Failure(Blame::usage, "--set " + name + ": \"" + text + "\" is no value for it" +
+                                        didYouMean(text, {info.choices.begin(), info.choices.end()}) + " give " +
+                                        whatItTakes(info, text) + '.');
     values.setMotion(row, std::nullopt);  // An explicit value ends an animation of the preset.
     if (!values.chooseFile(row, *value) && info.kind != Kind::direction)
         notes.push_back(

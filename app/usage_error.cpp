@@ -1,10 +1,12 @@
 #include "app/usage_error.h"
 
+#include "render/failure.h"
 #include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 
-#include <vector>
+#include <algorithm>
+#include <optional>
 
 namespace vitrine::app {
 namespace {
@@ -81,6 +83,31 @@ std::string together(const CLI::App& command)
     return {};
 }
 
+/// A word that no command takes, and the command behind whose name it was typed.
+struct UnknownWord {
+    const CLI::App* command;
+    std::string word;
+};
+
+std::optional<UnknownWord> firstUnknown(const CLI::App& parser)
+{
+    for (const CLI::App* app = &parser;; app = app->get_subcommands().front()) {
+        for (const std::string& word : app->remaining())
+            if (word != "--") return UnknownWord{app, word};
+        if (app->get_subcommands().empty()) return std::nullopt;
+    }
+}
+
+/// Returns whether the word gives the option, or is its first value if the option has no name.
+bool gives(const std::string& word, const CLI::Option& option)
+{
+    for (const std::string& name : option.get_lnames())
+        if (word == "--" + name || word.starts_with("--" + name + '=')) return true;
+    for (const std::string& name : option.get_snames())
+        if (word.starts_with('-' + name)) return true;
+    return option.get_positional() && !option.results().empty() && word == option.results().front();
+}
+
 /// Returns the option with which the parser's message begins, or that follows `before`.
 const CLI::Option* namedIn(const CLI::App& command, const std::string& message, const std::string& before = {})
 {
@@ -98,11 +125,7 @@ std::string usageError(const CLI::App& parser, const CLI::ParseError& error)
 {
     const CLI::App& command = typedCommand(parser);
     // A misspelled option often also causes a missing one. The unknown word is reported first, as typed.
-    for (const CLI::App* app = &parser;; app = app->get_subcommands().front()) {
-        for (const std::string& word : app->remaining())
-            if (word != "--") return unexpected(*app, word);
-        if (app->get_subcommands().empty()) break;
-    }
+    if (const auto unknown = firstUnknown(parser)) return unexpected(*unknown->command, unknown->word);
     if (dynamic_cast<const CLI::RequiredError*>(&error)) return missing(command);
     if (const std::string pair = together(command); !pair.empty()) return pair;
     const std::string message = error.what();
@@ -118,6 +141,23 @@ std::string usageError(const CLI::App& parser, const CLI::ParseError& error)
             return option->get_name() + " needs a value behind it; `" + name + " --help` says which.";
         }
     return '`' + name + "` cannot be run as it was typed; `" + name + " --help` says what it takes.";
+}
+
+void throwFirstTyped(const CLI::App& parser, const std::vector<std::string>& words)
+{
+    const auto unknown = firstUnknown(parser);
+    const auto unknownAt = unknown ? std::find(words.begin(), words.end(), unknown->word) : words.end();
+    for (CLI::Option* option : typedCommand(parser).parse_order()) {
+        if (unknown &&
+            std::none_of(words.begin(), unknownAt, [&](const std::string& word) { return gives(word, *option); }))
+            break;
+        try {
+            option->run_callback();
+        } catch (const CLI::ParseError& error) {
+            throw Failure(Blame::usage, usageError(parser, error));
+        }
+    }
+    if (unknown) throw Failure(Blame::usage, unexpected(*unknown->command, unknown->word));
 }
 
 }  // namespace vitrine::app

@@ -19,6 +19,7 @@
 #include "render/files/assets.h"
 #include "render/image/image_io.h"
 #include "render/plan/diagnostics.h"
+#include "render/text/nearest_word.h"
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
@@ -85,7 +86,10 @@ Json Service::answer(const std::string& method, const Json& params, const Watch&
 std::size_t Service::subjectNamed(const std::string& name) const
 {
     if (const auto subject = museum_.find(name)) return *subject;
-    throw Failure(Blame::usage, "There is no exhibit \"" + name + "\"; the method list names them.");
+    std::vector<std::string> names;
+    for (const Subject* subject : museum_.subjects()) names.emplace_back(subject->name());
+    throw Failure(Blame::usage,
+                  "There is no exhibit \"" + name + '"' + didYouMean(name, names) + " the method list names them.");
 }
 
 std::optional<render::Camera> Service::cameraOf(const std::string& name) const

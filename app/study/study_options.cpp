@@ -65,6 +65,14 @@ void setValues(const SceneState& sceneState, StudyAxis& axis, const std::string&
         throw Failure(Blame::usage, "--values: give values separated by commas, such as --values 16,64,256.");
 }
 
+std::vector<std::string> namesOfMetrics(bool ofStudy)
+{
+    std::vector<std::string> names;
+    for (const render::MetricInfo& metric : render::allMetrics())
+        if (!ofStudy || !metric.falls) names.emplace_back(metric.name);
+    return names;
+}
+
 }  // namespace
 
 std::optional<CostAxis> costAxisOption(const std::string& name)
@@ -77,16 +85,15 @@ std::optional<CostAxis> costAxisOption(const std::string& name)
 
 std::string metricNames(bool ofStudy)
 {
-    std::vector<std::string> names;
-    for (const render::MetricInfo& metric : render::allMetrics())
-        if (!ofStudy || !metric.falls) names.emplace_back(metric.name);
-    return joined(names);
+    return joined(namesOfMetrics(ofStudy));
 }
 
 render::Metric metricOption(const std::string& option, const std::string& name, bool ofStudy)
 {
     if (const std::optional<render::Metric> metric = render::metricNamed(name)) return *metric;
-    throw Failure(Blame::usage, option + " \"" + name + "\" is no metric; give one of " + metricNames(ofStudy) + '.');
+    const std::vector<std::string> names = namesOfMetrics(ofStudy);
+    throw Failure(Blame::usage, option + " \"" + name + "\" is no metric" + didYouMean(name, names) + " give one of " +
+                                    joined(names) + '.');
 }
 
 void addStudyOptions(CLI::App& command, StudyOptions& o)

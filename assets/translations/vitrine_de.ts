@@ -955,8 +955,8 @@ Zeiten nach: %2.</translation>
         <translation>--scale {=1}: Ein Maßstab von 0 lässt nichts zu zeichnen; geben Sie drei Zahlen an, die nicht 0 sind.</translation>
     </message>
     <message>
-        <source>--set {1}: &quot;{2}&quot; is no value for it; give {3}</source>
-        <translation>--set {=1}: &quot;{=2}&quot; ist kein Wert dafür; geben Sie an: {3}</translation>
+        <source>--set {1}: &quot;{2}&quot; is no value for it{3} give {4}</source>
+        <translation>--set {=1}: &quot;{=2}&quot; ist kein Wert dafür{3} geben Sie an: {4}</translation>
     </message>
     <message>
         <source>--set {1}: give name=value.</source>
@@ -15088,12 +15088,12 @@ Mausrad, + und - zoomen; Ziehen und Pfeiltasten verschieben; Pos1 geht zur Mitte
         <translation>unter dieser Überschrift steht bereits ein Block; legen Sie beide zusammen.</translation>
     </message>
     <message>
-        <source>There is neither a file nor a preset of {1} named {2}; give a preset file.</source>
-        <translation>Es gibt weder eine Datei noch ein Preset von {=1} namens {=2}; geben Sie eine Preset-Datei an.</translation>
+        <source>There is neither a file nor a preset of {1} named {2} its presets are {3}</source>
+        <translation>Es gibt weder eine Datei noch ein Preset von {=1} namens {2} die Presets sind {=3}</translation>
     </message>
     <message>
-        <source>There is neither a file nor a preset of {1} named {2}; its presets are {3}.</source>
-        <translation>Es gibt weder eine Datei noch ein Preset von {=1} namens {=2}; die Presets sind {=3}.</translation>
+        <source>There is neither a file nor a preset of {1} named {2}; give a preset file.</source>
+        <translation>Es gibt weder eine Datei noch ein Preset von {=1} namens {=2}; geben Sie eine Preset-Datei an.</translation>
     </message>
     <message>
         <source>There is no animation &quot;{1}&quot;; the file has none.</source>
@@ -17416,8 +17416,12 @@ steht in assets/SOURCES.md.</translation>
         <translation>ZX Spectrum</translation>
     </message>
     <message>
-        <source>{1} &quot;{2}&quot; is no metric; give one of {3}</source>
-        <translation>{=1} &quot;{=2}&quot; ist keine Metrik; geben Sie eine an von {=3}</translation>
+        <source>{1} &quot;{2}&quot; is no metric{3} give one of {4}</source>
+        <translation>{=1} &quot;{=2}&quot; ist keine Metrik{3} geben Sie eine an von {=4}</translation>
+    </message>
+    <message>
+        <source>{1} &quot;{2}&quot;: did you mean {3}? give one of {4}</source>
+        <translation>{=1} &quot;{=2}&quot;: Meinten Sie {=3}? Geben Sie eines an von {=4}</translation>
     </message>
     <message>
         <source>{1} &quot;{2}&quot;: give name=value, such as {3}</source>

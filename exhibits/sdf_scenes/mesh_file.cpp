@@ -129,15 +129,16 @@ std::string gltfJson(const SceneMesh& mesh, const std::vector<ColorGroup>& group
         materials.push_back(Json{{"pbrMetallicRoughness", surface}});
     }
     views.push_back(view(indicesAt, 4 * indices, elementBuffer));
-    const Json root{{"asset", Json{{"version", "2.0"}, {"generator", "Vitrine " + render::programVersion()}}},
-                    {"scene", 0},
-                    {"scenes", Json::array({Json{{"nodes", Json::array({0})}}})},
-                    {"nodes", Json::array({Json{{"name", name}, {"mesh", 0}}})},
-                    {"materials", std::move(materials)},
-                    {"meshes", Json::array({Json{{"name", name}, {"primitives", std::move(primitives)}}})},
-                    {"accessors", std::move(accessors)},
-                    {"bufferViews", std::move(views)},
-                    {"buffers", Json::array({Json{{"byteLength", indicesAt + 4 * indices}}})}};
+    const Json root{
+        {"asset", Json{{"version", "2.0"}, {"generator", std::string("Vitrine ").append(render::programVersion())}}},
+        {"scene", 0},
+        {"scenes", Json::array({Json{{"nodes", Json::array({0})}}})},
+        {"nodes", Json::array({Json{{"name", name}, {"mesh", 0}}})},
+        {"materials", std::move(materials)},
+        {"meshes", Json::array({Json{{"name", name}, {"primitives", std::move(primitives)}}})},
+        {"accessors", std::move(accessors)},
+        {"bufferViews", std::move(views)},
+        {"buffers", Json::array({Json{{"byteLength", indicesAt + 4 * indices}}})}};
     std::string json = root.dump();
     json.resize((json.size() + 3) / 4 * 4, ' ');
     return json;

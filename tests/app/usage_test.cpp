@@ -335,6 +335,52 @@ TEST(Usage, WhatWasMistypedIsNamedWithItsCommandAndWhatIsNear)
     }
 }
 
+TEST(Usage, ErrorsAreOneExactSentenceOnTheWordThatWasTypedFirst)
+{
+    const std::string lists = " --help` lists what it has.\n", says = " --help` says what it takes.\n";
+    const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+        {{"rendre", "fur"}, "`vitrine` has no command \"rendre\"; did you mean render? `vitrine" + lists},
+        {{"--lang", "de"}, "`vitrine` has no option --lang; did you mean --language? `vitrine" + lists},
+        {{"render", "sdf_morph", "--sampels", "3", "--sise", "8x8", "--out", "x.png"},
+         "`vitrine render` has no option --sampels; did you mean --samples? `vitrine render" + lists},
+        {{"render", "sdf_morph", "--frobnicate", "--out", "x.png"},
+         "`vitrine render` has no option --frobnicate; `vitrine render" + lists},
+        {{"render", "sdf_morph", "--size", "0x9", "--samples", "0", "--st", "a=1", "--out", "x.png"},
+         "--size \"0x9\": give width x height in whole pixels, each from 1 to 1000000, such as --size 640x360.\n"},
+        {{"render", "sdf_morph", "--samples", "0", "--size", "0x9", "--out", "x.png"},
+         "--samples \"0\": give a whole number from 1 to 4096.\n"},
+        {{"render", "sdf_morph", "--st", "a=1", "--samples", "0", "--out", "x.png"},
+         "`vitrine render` has no option --st; did you mean --set? `vitrine render" + lists},
+        {{"preset", "chek", "a.json"},
+         "`vitrine preset` has no command \"chek\"; did you mean check? `vitrine preset" + lists},
+        {{"print", "--widthmm", "3"},
+         "`vitrine print` has no option --widthmm; did you mean --width-mm? `vitrine print" + lists},
+        {{"list", "cats"}, "`vitrine list` takes no further argument, and \"cats\" is one; `vitrine list" + says},
+        {{"record", "fur", "--out", "x.mp4", "--pace", "ease"},
+         "--pace \"ease\": did you mean eased? give one of constant, eased.\n"},
+        {{"render", "sdf_morph", "--set", "material=glas", "--out", "x.png"},
+         "--set material: \"glas\" is no value for it; did you mean glass? give one of opaque, glass.\n"},
+        {{"render", "sdf_morph", "--set", "mroph=1", "--out", "x.png"},
+         "--set mroph: sdf_morph has no parameter of that name; did you mean morph? `vitrine list --json` names "
+         "them.\n"},
+    };
+    for (const auto& [words, sentence] : cases) {
+        const Ended ended = test::vitrine(words);
+        EXPECT_EQ(ended.code, 2) << sentence;
+        EXPECT_EQ(ended.err, "vitrine: " + sentence);
+        EXPECT_EQ(ended.out, "") << sentence;
+    }
+}
+
+TEST(Usage, AMistypedPresetNamesTheNearestOne)
+{
+    const Ended ended = refused({"--preset", "glas"});
+    EXPECT_EQ(ended.code, 5);
+    expectOneSentence(ended,
+                      {"There is neither a file nor a preset of sdf_morph named glas; did you mean glass? its presets "
+                       "are a-box-too-small, "});
+}
+
 TEST(Usage, TheLanguageMayStandBehindTheCommand)
 {
     const test::Environment english{{"LC_ALL", "C.UTF-8"}};
