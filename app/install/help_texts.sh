@@ -40,6 +40,30 @@ roff() {
         { text($0) }'
 }
 
+# The closing sections. Exit codes are those of the program's help, examples are the commands of README.md, and
+# environment.txt has the variables that the program reads (tests/environment compares them).
+sections() {
+    printf '.SH EXIT STATUS\n'
+    { "$program" --help | tr '\n' ' '; echo; } | sed 's/.*Exit codes: *//; s/\. *\(Usage\|vitrine\).*//; s/  */ /g; s/, \([0-9]\)/\n\1/g' | sed 's/-/\\-/g' |
+        while read -r code text; do printf '.TP\n.B %s\n%s\n' "$code" "$text"; done
+    printf '.SH FILES\n'
+    while IFS='	' read -r path text; do printf '.TP\n.I %s\n%s\n' "$path" "$text"; done <<EOF
+~/.config/vitrine	Settings of the window.
+~/.local/share/vitrine/presets	Your presets, a folder for each exhibit.
+~/.local/state/vitrine	Kept work: the last session, and what a crash would lose.
+~/.cache/vitrine/programs	Compiled shader programs. They can be deleted at any time.
+/usr/share/vitrine	Models, presets, lessons, pages and fonts. Their licenses are in SOURCES.md.
+/usr/share/doc/vitrine/README.md	The manual, which Help > Manual opens.
+EOF
+    printf '.SH ENVIRONMENT\n'
+    sed 's/-/\\-/g' "$here/environment.txt" |
+        while IFS='	' read -r names text; do printf '.TP\n.B %s\n%s\n' "$names" "$text"; done
+    printf '.SH EXAMPLES\n'
+    sed -n 's/^\(vitrine [^#]*[^# ]\) *\(# .*\)*$/\1/p' "$here/../../README.md" | sed 's/\\/\\e/g; s/-/\\-/g' |
+        while read -r line; do printf '.PP\n.nf\n.B %s\n.fi\n' "$line"; done
+    printf '.SH SEE ALSO\n.BR ffmpeg (1),\n.BR sbatch (1)\n.PP\nThe manual: /usr/share/doc/vitrine/README.md\n'
+}
+
 # The number without the commit, and the day of the newest entry of the change log.
 version=$("$program" --version | sed 's/^vitrine //; s/+.*//')
 day=$(date -u -d "$(sed -n 's/^ -- .*>  //p' "$here/changelog" | head -n 1)" +%Y-%m-%d)
@@ -55,6 +79,7 @@ day=$(date -u -d "$(sed -n 's/^ -- .*>  //p' "$here/changelog" | head -n 1)" +%Y
         # shellcheck disable=SC2086
         "$program" $command --help </dev/null | roff
     done
+    sections
 } | gzip -9n >"$folder/vitrine.1.gz"
 
 # For each command, the pattern of a `case` and the words that may follow, with a bar between.

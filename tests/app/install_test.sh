@@ -93,8 +93,18 @@ if has appstreamcli; then
     done
 fi
 if has xmllint; then xmllint --noout "$share/mime/packages/org.vitrine.Vitrine.xml"; fi
+gzip -dc "$share/man/man1/vitrine.1.gz" >"$root/vitrine.1"
+for section in 'EXIT STATUS' FILES ENVIRONMENT EXAMPLES 'SEE ALSO'; do
+    grep -A 3 "^\.SH $section\$" "$root/vitrine.1" | grep -qv '^\.SH' || fail "the manual page lacks $section"
+done
+for code in 0 1 2 3 4 5 130; do
+    sed -n '/^.SH EXIT STATUS/,/^.SH FILES/p' "$root/vitrine.1" | grep -qx "\.B $code" || fail "the manual page lacks the exit status $code"
+done
+if has man; then
+    warnings=$(LC_ALL=C.UTF-8 MANWIDTH=80 man --warnings -l "$root/vitrine.1" 2>&1 >/dev/null)
+    [ -z "$warnings" ] || fail "the manual page is wrong: $warnings"
+fi
 if has mandoc; then
-    gzip -dc "$share/man/man1/vitrine.1.gz" >"$root/vitrine.1"
     mandoc -T lint -W warning "$root/vitrine.1" || fail "the manual page is wrong"
 fi
 if has bash; then
